@@ -1,0 +1,79 @@
+#include "CrossFieldReport.h"
+
+#include "Error.h"
+
+#include <cstdlib>
+#include <numeric>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+/// Whether each vertex is a corner of an aligned loop.
+std::vector<bool> FindCorners(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
+{
+  std::vector<bool> corner(mesh.points.size(), false);
+  for (const BoundaryLoop& loop : loops)
+  {
+    if (loop.kind != BoundaryKind::Outer && loop.kind != BoundaryKind::Inner)
+    {
+      continue;
+    }
+    const auto direction = [&](std::size_t i)
+    {
+      const auto& ends = mesh.boundary[static_cast<std::size_t>(loop.edges[i])].vertices;
+      return Point(mesh.points[static_cast<std::size_t>(ends[1])] -
+        mesh.points[static_cast<std::size_t>(ends[0])]);
+    };
+    const std::size_t count = loop.edges.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t next = (i + 1) % count;
+      if (std::abs(AngleBetween(direction(i), direction(next))) > DefaultCornerAngle)
+      {
+        // The outer loop is walked along its edges, an inner loop against them.
+        const auto& edge = mesh.boundary[static_cast<std::size_t>(loop.edges[i])];
+        corner[static_cast<std::size_t>(
+          edge.vertices[loop.kind == BoundaryKind::Outer ? 1 : 0])] = true;
+      }
+    }
+  }
+  return corner;
+}
+}
+
+void ReadReport(
+  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, CrossField& field)
+{
+  field.holes.clear();
+  int degrees = 0;
+  for (const BoundaryLoop& loop : loops)
+  {
+    if (loop.kind == BoundaryKind::Hole)
+    {
+      field.holes.push_back(ReadHole(loop, field.edges, field.u));
+      degrees += field.holes.back().degree;
+    }
+  }
+  const FieldIndices indices = ReadIndices(mesh, field.edges, field.u);
+  const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
+    std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
+  if (sum != 4 * field.count.eulerCharacteristic)
+  {
+    throw Error("The indices of the field add up to " + std::to_string(sum) + " instead of " +
+      std::to_string(4 * field.count.eulerCharacteristic) +
+      ", which cannot be; the field has a zero or non-finite value on an edge.");
+  }
+  const std::vector<bool> corner = FindCorners(mesh, loops);
+  field.unwantedSingularities = 0;
+  for (int index : indices.ofTriangle)
+  {
+    field.unwantedSingularities += index != 0 ? 1 : 0;
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    field.unwantedSingularities += indices.ofVertex[v] != 0 && !corner[v] ? 1 : 0;
+  }
+}
+}

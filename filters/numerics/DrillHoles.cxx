@@ -1,0 +1,167 @@
+#include "DrillHoles.h"
+
+#include "Error.h"
+#include "PlanarMesher.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace crossfield
+{
+namespace
+{
+std::string Describe(std::size_t row, const Singularity& singularity)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << "singularity " << row << " at (" << singularity.position.x() << ", "
+       << singularity.position.y() << ")";
+  return text.str();
+}
+
+double DistanceToSegment(const Point& point, const Point& from, const Point& to)
+{
+  const Point along = to - from;
+  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - from - t * along).norm();
+}
+
+/// Distance to the boundary, negative outside the domain.
+double SignedDistance(const Point& point, const PlanarDomain& domain)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  double winding = 0.0;
+  for (const Loop& loop : domain.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Point& from = loop[i];
+      const Point& to = loop[(i + 1) % loop.size()];
+      distance = std::min(distance, DistanceToSegment(point, from, to));
+      winding += AngleBetween(from - point, to - point);
+    }
+  }
+  // The loops wind once around a point of the domain and not at all around any other.
+  return winding > Pi ? distance : -distance;
+}
+
+void CheckSingularity(std::size_t row, const Singularity& singularity)
+{
+  if (!singularity.position.allFinite() || !std::isfinite(singularity.radius))
+  {
+    throw Error("Row " + std::to_string(row) +
+      " of the singularities has a coordinate or radius that is not a finite number; correct it.");
+  }
+  if (!(singularity.radius > 0.0))
+  {
+    throw Error("The hole of " + Describe(row, singularity) +
+      " has a radius that is not positive; give a positive radius.");
+  }
+}
+
+void CheckPlacement(const PlanarDomain& domain, const Configuration& configuration)
+{
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const Singularity& here = configuration[i];
+    CheckSingularity(i, here);
+    const double distance = SignedDistance(here.position, domain);
+    std::ostringstream text;
+    text.precision(6);
+    if (distance < 0.0)
+    {
+      text << "The hole of " << Describe(i, here) << " lies outside the domain; move it inside.";
+      throw Error(text.str());
+    }
+    if (distance <= here.radius)
+    {
+      text << "The hole of " << Describe(i, here) << " with radius " << here.radius
+           << " cuts the boundary, which is only " << distance
+           << " away; move it inside or make it smaller.";
+      throw Error(text.str());
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const double apart = (here.position - configuration[j].position).norm();
+      if (apart <= here.radius + configuration[j].radius)
+      {
+        text << "The holes of " << Describe(j, configuration[j]) << " and " << Describe(i, here)
+             << " overlap: their centres are " << apart << " apart and their radii add up to "
+             << here.radius + configuration[j].radius << "; move them apart or make them smaller.";
+        throw Error(text.str());
+      }
+    }
+  }
+}
+
+/// Clockwise, so that the domain lies on the left.
+Loop HolePolygon(const Singularity& singularity, int edges)
+{
+  Loop polygon;
+  for (int i = 0; i < edges; ++i)
+  {
+    const double angle = -2.0 * Pi * i / edges;
+    polygon.push_back(
+      singularity.position + singularity.radius * Point(std::cos(angle), std::sin(angle)));
+  }
+  return polygon;
+}
+}
+
+double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain)
+{
+  if (options.meshSize < 0.0 || !std::isfinite(options.meshSize))
+  {
+    throw Error("The mesh size must be positive, or 0 for 1/40 of the domain's diagonal.");
+  }
+  return options.meshSize > 0.0 ? options.meshSize : domain.Diagonal() / 40.0;
+}
+
+TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configuration,
+  const DrillOptions& options, const Progress& progress)
+{
+  const double meshSize = ResolveMeshSize(options, domain);
+  Configuration holes = configuration;
+  for (Singularity& hole : holes)
+  {
+    hole.radius = hole.radius == 0.0 ? meshSize : hole.radius;
+  }
+  CheckPlacement(domain, holes);
+
+  PlanarDomain drilled = domain;
+  std::vector<BoundaryEdge> marks;
+  for (std::size_t i = 0; i < domain.loops.size(); ++i)
+  {
+    marks.push_back(
+      { { 0, 0 }, i == 0 ? BoundaryKind::Outer : BoundaryKind::Inner, static_cast<int>(i), 0 });
+  }
+  for (std::size_t i = 0; i < holes.size(); ++i)
+  {
+    const int edges = std::max({ options.minimumHoleEdges, 8 * std::abs(holes[i].quarterIndex),
+      static_cast<int>(std::ceil(2.0 * Pi * holes[i].radius / meshSize)) });
+    drilled.loops.push_back(HolePolygon(holes[i], edges));
+    marks.push_back(
+      { { 0, 0 }, BoundaryKind::Hole, static_cast<int>(i), holes[i].quarterIndex });
+  }
+
+  // Short segments of the boundary and of the holes ask for small triangles around them.
+  std::vector<SizeSource> sources;
+  Eigen::AlignedBox2d box;
+  for (const Loop& loop : drilled.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const double before = (loop[i] - loop[(i + loop.size() - 1) % loop.size()]).norm();
+      const double after = (loop[(i + 1) % loop.size()] - loop[i]).norm();
+      sources.push_back({ loop[i], std::min(before, after) });
+      box.extend(loop[i]);
+    }
+  }
+  const SizeField size(sources, meshSize, options.gradation, box.min(), box.max());
+  return TriangulateDomain(drilled, marks, size, progress);
+}
+}

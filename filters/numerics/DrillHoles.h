@@ -1,0 +1,33 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "Progress.h"
+#include "Singularity.h"
+#include "TriangleMesh.h"
+
+namespace crossfield
+{
+/// How a configuration is drilled into a domain (METHOD §3; paper, "Singularity placements via
+/// perforation strategy").
+struct DrillOptions
+{
+  /// Target edge length; 0: 1/40 of the diagonal of the bounding box.
+  double meshSize = 0.0;
+  /// Fewest edges of the polygon that stands for a hole. A hole of quarter index k gets at least
+  /// 8 |k|, so that the phase turns by at most π/4 from one edge to the next.
+  int minimumHoleEdges = 32;
+  /// Largest growth of the edge length per unit of distance.
+  double gradation = 0.25;
+};
+
+/// The mesh size that options ask for on a domain.
+double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain);
+
+/// Triangulates the domain without the disks |x − b_i| < ρ_i; each hole is a regular polygon with
+/// its vertices on the circle. A singularity without a radius gets the mesh size as radius.
+///
+/// Throws Error when a radius is not positive, a coordinate is not finite, a hole is not wholly
+/// inside the domain, or two holes overlap.
+TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configuration,
+  const DrillOptions& options = {}, const Progress& progress = {});
+}

@@ -1,0 +1,142 @@
+#include "EdgeNumbering.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+
+namespace crossfield
+{
+namespace
+{
+/// The edges grouped by their smaller vertex: a table that is linear in the size of the mesh.
+class EdgeTable
+{
+public:
+  explicit EdgeTable(const TriangleMesh& mesh)
+    : First(mesh.points.size(), None)
+  {
+  }
+
+  /// The number of an edge, a new one if it was not seen before.
+  int Number(int a, int b, std::vector<std::array<int, 2>>& vertices)
+  {
+    const int smaller = std::min(a, b);
+    const int larger = std::max(a, b);
+    int& first = this->First[static_cast<std::size_t>(smaller)];
+    for (int edge = first; edge != None; edge = this->Next[static_cast<std::size_t>(edge)])
+    {
+      if (vertices[static_cast<std::size_t>(edge)][1] == larger)
+      {
+        return edge;
+      }
+    }
+    this->Next.push_back(first);
+    vertices.push_back({ smaller, larger });
+    return first = static_cast<int>(vertices.size()) - 1;
+  }
+
+private:
+  static constexpr int None = -1;
+  std::vector<int> First; ///< Last edge made for each smaller vertex,
+  std::vector<int> Next;  ///< and the one made before it.
+};
+}
+
+int EdgeNumbering::EulerCharacteristic(const TriangleMesh& mesh) const
+{
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const auto& triangle : mesh.triangles)
+  {
+    for (int vertex : triangle)
+    {
+      used[static_cast<std::size_t>(vertex)] = true;
+    }
+  }
+  return static_cast<int>(std::count(used.begin(), used.end(), true)) - this->Count() +
+    static_cast<int>(mesh.triangles.size());
+}
+
+EdgeNumbering NumberEdges(const TriangleMesh& mesh)
+{
+  EdgeNumbering edges;
+  EdgeTable table(mesh);
+  std::vector<int> triangleCount;
+  edges.vertices.reserve(mesh.triangles.size() * 3 / 2 + mesh.boundary.size());
+  edges.ofTriangle.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles)
+  {
+    std::array<int, 3> numbers;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      numbers[i] = table.Number(triangle[i], triangle[(i + 1) % 3], edges.vertices);
+      triangleCount.resize(edges.vertices.size(), 0);
+      if (++triangleCount[static_cast<std::size_t>(numbers[i])] > 2)
+      {
+        throw Error("More than two triangles share an edge; give a manifold triangle mesh.");
+      }
+    }
+    edges.ofTriangle.push_back(numbers);
+  }
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    const int number = table.Number(edge.vertices[0], edge.vertices[1], edges.vertices);
+    if (number >= static_cast<int>(triangleCount.size()))
+    {
+      throw Error("A boundary line is not an edge of any triangle; drill the mesh again.");
+    }
+    triangleCount[static_cast<std::size_t>(number)] = 2;
+    edges.ofBoundary.push_back(number);
+  }
+  if (std::find(triangleCount.begin(), triangleCount.end(), 1) != triangleCount.end())
+  {
+    throw Error("A boundary edge of the mesh has no line cell that says what it is part of; give a "
+                "mesh made by the drill filter.");
+  }
+  return edges;
+}
+
+std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh)
+{
+  std::map<std::tuple<int, int>, std::vector<int>> groups;
+  std::vector<int> outgoing(mesh.points.size(), -1);
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const BoundaryEdge& edge = mesh.boundary[i];
+    groups[{ static_cast<int>(edge.kind), edge.id }].push_back(static_cast<int>(i));
+    outgoing[static_cast<std::size_t>(edge.vertices[0])] = static_cast<int>(i);
+  }
+  std::vector<BoundaryLoop> loops;
+  for (const auto& [key, group] : groups)
+  {
+    const BoundaryEdge& first = mesh.boundary[static_cast<std::size_t>(group.front())];
+    BoundaryLoop loop{ first.kind, first.id, first.quarterIndex, {} };
+    int here = group.front();
+    do
+    {
+      const BoundaryEdge& edge = mesh.boundary[static_cast<std::size_t>(here)];
+      if (edge.kind != loop.kind || edge.id != loop.id || edge.quarterIndex != loop.quarterIndex ||
+        loop.edges.size() == group.size())
+      {
+        break;
+      }
+      loop.edges.push_back(here);
+      here = outgoing[static_cast<std::size_t>(edge.vertices[1])];
+    } while (here != group.front() && here >= 0);
+    if (here != group.front() || loop.edges.size() != group.size())
+    {
+      throw Error("The lines with BoundaryKind " + std::to_string(static_cast<int>(first.kind)) +
+        " and BoundaryId " + std::to_string(first.id) +
+        " do not form one closed loop; give a mesh made by the drill filter.");
+    }
+    if (loop.kind != BoundaryKind::Outer)
+    {
+      std::reverse(loop.edges.begin(), loop.edges.end());
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+}

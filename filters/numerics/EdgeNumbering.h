@@ -1,0 +1,40 @@
+#pragma once
+
+#include "TriangleMesh.h"
+
+namespace crossfield
+{
+/// The edges of a triangle mesh, numbered from 0; the degrees of freedom of Crouzeix-Raviart
+/// functions. All members are in the numbering of the mesh they were made from.
+struct EdgeNumbering
+{
+  /// Edge e joins vertices[e][0] < vertices[e][1].
+  std::vector<std::array<int, 2>> vertices;
+  /// Edges p0p1, p1p2, p2p0 of triangle (p0, p1, p2).
+  std::vector<std::array<int, 3>> ofTriangle;
+  /// Edge of each entry of mesh.boundary.
+  std::vector<int> ofBoundary;
+
+  int Count() const { return static_cast<int>(this->vertices.size()); }
+  /// Vertices − edges + triangles; only vertices that a triangle uses are counted.
+  int EulerCharacteristic(const TriangleMesh& mesh) const;
+};
+
+/// Throws Error when an edge has more than two triangles, a boundary entry is not an edge of the
+/// mesh, or an edge with one triangle is missing from mesh.boundary.
+EdgeNumbering NumberEdges(const TriangleMesh& mesh);
+
+/// A closed chain of boundary edges.
+struct BoundaryLoop
+{
+  BoundaryKind kind;
+  int id;
+  int quarterIndex;
+  /// Positions in mesh.boundary, counter-clockwise around what the loop encloses: the outer loop
+  /// as its edges are directed, inner loops and holes against it.
+  std::vector<int> edges;
+};
+
+/// The loops of the marked edges, ordered by kind and id. Throws Error when one is not closed.
+std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
+}

@@ -1,0 +1,96 @@
+#include "FieldIndices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+int Turns(double angle)
+{
+  return static_cast<int>(std::lround(angle / (2.0 * Pi)));
+}
+
+double WrappedStep(const Complex& from, const Complex& to)
+{
+  return std::arg(std::conj(from) * to);
+}
+}
+
+FieldIndices ReadIndices(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u)
+{
+  FieldIndices indices;
+  indices.ofTriangle.reserve(mesh.triangles.size());
+  // Change of arg u around each vertex, from midpoint to midpoint, inside the domain.
+  std::vector<double> around(mesh.points.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      // Edges i and i + 1 of the triangle meet in its vertex i + 1, around which the same step is
+      // taken backwards: computed once, so that everything adds up to zero whatever the rounding.
+      const double step =
+        WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
+      sum += step;
+      around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= step;
+    }
+    indices.ofTriangle.push_back(Turns(sum));
+  }
+
+  std::vector<int> incoming(mesh.points.size(), -1);
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    incoming[static_cast<std::size_t>(mesh.boundary[i].vertices[1])] = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const BoundaryEdge& after = mesh.boundary[i];
+    const auto vertex = static_cast<std::size_t>(after.vertices[0]);
+    const auto previous = static_cast<std::size_t>(incoming[vertex]);
+    const BoundaryEdge& before = mesh.boundary[previous];
+    if (after.kind == BoundaryKind::Hole)
+    {
+      around[vertex] -= WrappedStep(u[edges.ofBoundary[i]], u[edges.ofBoundary[previous]]);
+    }
+    else
+    {
+      const Point& here = mesh.points[vertex];
+      const Point directionBefore =
+        here - mesh.points[static_cast<std::size_t>(before.vertices[0])];
+      const Point directionAfter = mesh.points[static_cast<std::size_t>(after.vertices[1])] - here;
+      around[vertex] += 4.0 * AngleBetween(directionBefore, directionAfter);
+    }
+  }
+  indices.ofVertex.resize(mesh.points.size());
+  std::transform(around.begin(), around.end(), indices.ofVertex.begin(), Turns);
+  return indices;
+}
+
+bool HoleReading::Reliable() const
+{
+  // Below a tenth of the largest norm the direction of u between two edges is anyone's guess.
+  return this->largestStep <= 0.5 * Pi && this->minimumNorm > 0.1 * this->maximumNorm;
+}
+
+HoleReading ReadHole(const BoundaryLoop& loop, const EdgeNumbering& edges, const ComplexVector& u)
+{
+  HoleReading reading;
+  const auto value = [&](std::size_t i)
+  { return u[edges.ofBoundary[static_cast<std::size_t>(loop.edges[i % loop.edges.size()])]]; };
+  reading.minimumNorm = reading.maximumNorm = std::abs(value(0));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < loop.edges.size(); ++i)
+  {
+    const double step = WrappedStep(value(i), value(i + 1));
+    sum += step;
+    reading.largestStep = std::max(reading.largestStep, std::abs(step));
+    reading.minimumNorm = std::min(reading.minimumNorm, std::abs(value(i)));
+    reading.maximumNorm = std::max(reading.maximumNorm, std::abs(value(i)));
+  }
+  reading.degree = Turns(sum);
+  return reading;
+}
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "Plane.h"
+
+#include <Eigen/SparseCore>
+
+namespace crossfield
+{
+/// Fill-reducing elimination order of a symmetric sparse matrix whose unknowns have places in the
+/// plane: recursively split at the median of the longer side of the bounding box, number the
+/// unknowns of the left half that touch the right half last (METHOD §10).
+///
+/// `places` has one point per unknown; the unknowns in `last` come at the very end, in the order
+/// given. Returns the order: entry i is the unknown that is eliminated i-th.
+std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<Point>& places, const std::vector<int>& last = {});
+}

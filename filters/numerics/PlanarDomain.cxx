@@ -1,0 +1,80 @@
+#include "PlanarDomain.h"
+
+#include "Error.h"
+#include "PlanarMesher.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace crossfield
+{
+double SignedArea(const Loop& loop)
+{
+  double twice = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    // Relative to the first point, so that a small loop far from the origin keeps its area.
+    twice += Cross(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
+  }
+  return 0.5 * twice;
+}
+
+double BoundingDiagonal(const std::vector<Loop>& loops)
+{
+  Eigen::AlignedBox2d box;
+  for (const Loop& loop : loops)
+  {
+    for (const Point& point : loop)
+    {
+      box.extend(point);
+    }
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+double PlanarDomain::Area() const
+{
+  double area = 0.0;
+  for (const Loop& loop : this->loops)
+  {
+    area += SignedArea(loop);
+  }
+  return area;
+}
+
+PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
+{
+  if (loops.empty())
+  {
+    throw Error("The domain has no boundary; give closed curves or a triangle mesh.");
+  }
+  for (const Loop& loop : loops)
+  {
+    if (loop.size() < 3)
+    {
+      throw Error("A boundary loop has fewer than three points; it encloses nothing.");
+    }
+  }
+  const std::vector<int> depths = NestingDepths(loops);
+  if (std::count(depths.begin(), depths.end(), 0) > 1)
+  {
+    throw Error("The domain has several outer loops; give each connected part on its own.");
+  }
+  if (*std::max_element(depths.begin(), depths.end()) > 1)
+  {
+    throw Error("An inner loop lies inside another one, so the domain is not connected; give each "
+                "connected part on its own.");
+  }
+  const auto outer = std::find(depths.begin(), depths.end(), 0) - depths.begin();
+  std::rotate(loops.begin(), loops.begin() + outer, loops.begin() + outer + 1);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if ((SignedArea(loops[i]) > 0.0) != (i == 0))
+    {
+      std::reverse(loops[i].begin(), loops[i].end());
+    }
+  }
+  return PlanarDomain{ std::move(loops) };
+}
+}

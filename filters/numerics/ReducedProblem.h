@@ -1,0 +1,49 @@
+#pragma once
+
+#include "DegreeConstraint.h"
+#include "Progress.h"
+
+#include <Eigen/Core>
+
+namespace crossfield
+{
+/// The constrained problem after everything but the hole edges is eliminated (METHOD §3):
+///   minimise ½ (x − x⁰)ᴴ S (x − x⁰)   subject to   ½ xᴴ A_i x = t_i.
+struct ReducedProblem
+{
+  Eigen::MatrixXd schurComplement; ///< S, symmetric positive definite.
+  ComplexVector harmonic;          ///< x⁰, the minimiser without constraints.
+  std::vector<DegreeConstraint> constraints;
+};
+
+struct ReducedOptions
+{
+  int maximumIterations = 100;
+  /// Converged when the residual of the optimality conditions, relative to the size of their
+  /// terms, is below this. Rounding allows about 1e-14; 1e-10 leaves room for large meshes.
+  double tolerance = 1e-10;
+};
+
+struct ReducedSolution
+{
+  ComplexVector x;
+  Eigen::VectorXd multipliers;
+  int iterations = 0;
+  double residual = 0.0;
+  bool converged = false;
+
+  /// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S (x − x⁰) when solved.
+  ComplexVector Forces(const ReducedProblem& problem) const;
+};
+
+/// Newton's method on the dual, from the harmonic field (λ = 0).
+///
+/// While H(λ) = S + Σ λ_i A_i is positive definite, x(λ) = H(λ)⁻¹ S x⁰ minimises the Lagrangian and
+///   q(λ) = −½ (S x⁰)ᴴ x(λ) − Σ λ_i t_i
+/// is concave with ∂q/∂λ_i = C_i(x(λ)) − t_i and ∂²q/∂λ_i∂λ_j = −Re((A_i x)ᴴ H⁻¹ A_j x). A line
+/// search on q keeps H positive definite, so a converged solution is the global minimiser of the
+/// problem, not only a critical point. Where the maximiser of q lies on the border of the region
+/// in which H is positive definite the iteration stalls: reported, not an error.
+ReducedSolution SolveReduced(
+  const ReducedProblem& problem, const ReducedOptions& options = {}, const Progress& progress = {});
+}

@@ -1,0 +1,152 @@
+#include "SparseCholesky.h"
+
+#include "Error.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace crossfield
+{
+struct SparseCholesky::Factor
+{
+  cholmod_common common;
+  cholmod_factor* factor = nullptr;
+  std::vector<int> order;
+
+  Factor()
+  {
+    cholmod_start(&this->common);
+    this->common.print = 0; // what goes wrong is thrown, not printed
+    this->common.supernodal = CHOLMOD_SUPERNODAL;
+    this->common.final_ll = 1;
+    this->common.nmethods = 1;
+    this->common.method[0].ordering = CHOLMOD_GIVEN;
+    this->common.postorder = 1;
+  }
+  ~Factor()
+  {
+    cholmod_free_factor(&this->factor, &this->common);
+    cholmod_finish(&this->common);
+  }
+  Factor(const Factor&) = delete;
+  Factor& operator=(const Factor&) = delete;
+};
+
+SparseCholesky::SparseCholesky(
+  const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
+  : Data(std::make_unique<Factor>())
+{
+  if (matrix.rows() != matrix.cols() ||
+    order.size() != static_cast<std::size_t>(matrix.rows()) || !matrix.isCompressed())
+  {
+    throw Error("A factorisation needs a square compressed matrix and an order of all unknowns.");
+  }
+  const auto* values = matrix.valuePtr();
+  if (!std::all_of(values, values + matrix.nonZeros(), [](double v) { return std::isfinite(v); }))
+  {
+    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
+                "remesh it.");
+  }
+  this->Data->order = order;
+
+  cholmod_sparse view = {};
+  view.nrow = view.ncol = order.size();
+  view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+  view.p = const_cast<int*>(matrix.outerIndexPtr());
+  view.i = const_cast<int*>(matrix.innerIndexPtr());
+  view.x = const_cast<double*>(values);
+  view.stype = -1; // only the lower half is read
+  view.itype = CHOLMOD_INT;
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+
+  cholmod_common* common = &this->Data->common;
+  this->Data->factor =
+    cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
+  if (this->Data->factor != nullptr)
+  {
+    cholmod_factorize(&view, this->Data->factor, common);
+  }
+  if (common->status == CHOLMOD_OUT_OF_MEMORY || common->status == CHOLMOD_TOO_LARGE)
+  {
+    throw Error("There is not enough memory to factor a matrix with " +
+      std::to_string(order.size()) + " unknowns; use a larger mesh size.");
+  }
+  if (this->Data->factor == nullptr || common->status != CHOLMOD_OK)
+  {
+    throw Error("The matrix is not positive definite; the mesh may be in several parts or have "
+                "degenerate triangles, remesh the domain.");
+  }
+}
+
+SparseCholesky::~SparseCholesky() = default;
+
+Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) const
+{
+  cholmod_dense view = {};
+  view.nrow = static_cast<std::size_t>(rightHandSides.rows());
+  view.ncol = static_cast<std::size_t>(rightHandSides.cols());
+  view.nzmax = view.nrow * view.ncol;
+  view.d = view.nrow;
+  view.x = const_cast<double*>(rightHandSides.data());
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* solution =
+    cholmod_solve(CHOLMOD_A, this->Data->factor, &view, &this->Data->common);
+  if (solution == nullptr)
+  {
+    throw Error("There is not enough memory to solve the linear system; use a larger mesh size.");
+  }
+  Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
+    static_cast<double*>(solution->x), rightHandSides.rows(), rightHandSides.cols());
+  cholmod_free_dense(&solution, &this->Data->common);
+  if (!result.allFinite())
+  {
+    throw Error("The solution of the linear system is not finite; the mesh has degenerate "
+                "triangles, remesh the domain.");
+  }
+  return result;
+}
+
+Eigen::MatrixXd SparseCholesky::TrailingSchurComplement(int count) const
+{
+  const cholmod_factor& factor = *this->Data->factor;
+  const auto n = static_cast<int>(factor.n);
+  const int begin = n - count;
+  // CHOLMOD postorders the elimination tree. The trailing unknowns are one chain at its root when
+  // the rest is connected, which keeps them in place; anything else would be a wrong answer.
+  const auto* permutation = static_cast<const int*>(factor.Perm);
+  if (!std::equal(permutation + begin, permutation + n, this->Data->order.begin() + begin))
+  {
+    throw Error("The factorisation moved the unknowns that should come last; the mesh may be in "
+                "several parts.");
+  }
+  Eigen::MatrixXd trailing = Eigen::MatrixXd::Zero(count, count);
+  const auto* columnStarts = static_cast<const int*>(factor.super);
+  const auto* rowStarts = static_cast<const int*>(factor.pi);
+  const auto* valueStarts = static_cast<const int*>(factor.px);
+  const auto* rows = static_cast<const int*>(factor.s);
+  const auto* values = static_cast<const double*>(factor.x);
+  for (std::size_t s = factor.nsuper; s-- > 0 && columnStarts[s + 1] > begin;)
+  {
+    const int rowCount = rowStarts[s + 1] - rowStarts[s];
+    for (int column = std::max(columnStarts[s], begin); column < columnStarts[s + 1]; ++column)
+    {
+      const int local = column - columnStarts[s];
+      // The rows of a supernode start with its own columns; above the diagonal nothing is defined.
+      for (int k = local; k < rowCount; ++k)
+      {
+        trailing(rows[rowStarts[s] + k] - begin, column - begin) =
+          values[static_cast<std::ptrdiff_t>(valueStarts[s]) +
+            static_cast<std::ptrdiff_t>(local) * rowCount + k];
+      }
+    }
+  }
+  return trailing * trailing.transpose();
+}
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace crossfield
+{
+/// Supernodal Cholesky factorisation A = Pᵀ L Lᵀ P of a symmetric positive definite matrix by
+/// CHOLMOD, in a given elimination order.
+class SparseCholesky
+{
+public:
+  /// `matrix` has both halves stored, `order[i]` is the unknown eliminated i-th. Throws Error when
+  /// an entry is not finite or the matrix is not positive definite.
+  SparseCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Solves A X = B column by column. Throws Error when the result is not finite.
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// Schur complement of A on the last `count` unknowns of the order, in that order: it is
+  /// L_tt L_ttᵀ for the trailing block L_tt of the factor, so it costs no solve (METHOD §3).
+  Eigen::MatrixXd TrailingSchurComplement(int count) const;
+
+private:
+  struct Factor;
+  std::unique_ptr<Factor> Data;
+};
+}

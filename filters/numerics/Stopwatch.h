@@ -1,0 +1,22 @@
+#pragma once
+
+#include <chrono>
+
+namespace crossfield
+{
+/// Seconds of wall-clock time between laps.
+class Stopwatch
+{
+public:
+  double Lap()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - this->Last).count();
+    this->Last = now;
+    return seconds;
+  }
+
+private:
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
+};
+}
