@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace crossfield
 {
@@ -8,6 +9,21 @@ namespace crossfield
 class Error : public std::runtime_error
 {
 public:
-  using std::runtime_error::runtime_error;
+  enum class Kind
+  {
+    BadInput,    ///< The input makes no sense, or a computation on it broke down.
+    Inconsistent ///< Valid input, but no cross field with these singularities exists.
+  };
+
+  explicit Error(const std::string& sentence, Kind kind = Kind::BadInput)
+    : std::runtime_error(sentence)
+    , Reason(kind)
+  {
+  }
+
+  Kind GetKind() const { return this->Reason; }
+
+private:
+  Kind Reason;
 };
 }

@@ -9,6 +9,14 @@
 
 namespace crossfield
 {
+namespace
+{
+bool Before(const Point& a, const Point& b)
+{
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+}
+
 double SignedArea(const Loop& loop)
 {
   double twice = 0.0;
@@ -66,15 +74,19 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
     throw Error("An inner loop lies inside another one, so the domain is not connected; give each "
                 "connected part on its own.");
   }
-  const auto outer = std::find(depths.begin(), depths.end(), 0) - depths.begin();
-  std::rotate(loops.begin(), loops.begin() + outer, loops.begin() + outer + 1);
   for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    if ((SignedArea(loops[i]) > 0.0) != (i == 0))
+    Loop& loop = loops[i];
+    if ((SignedArea(loop) > 0.0) != (depths[i] == 0))
     {
-      std::reverse(loops[i].begin(), loops[i].end());
+      std::reverse(loop.begin(), loop.end());
     }
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), Before), loop.end());
   }
+  const auto outer = std::find(depths.begin(), depths.end(), 0) - depths.begin();
+  std::rotate(loops.begin(), loops.begin() + outer, loops.begin() + outer + 1);
+  std::sort(loops.begin() + 1, loops.end(),
+    [](const Loop& a, const Loop& b) { return Before(a.front(), b.front()); });
   return PlanarDomain{ std::move(loops) };
 }
 }

@@ -88,7 +88,8 @@ void RequireConsistent(const PoincareHopfCount& count)
     throw Error("The quarter indices of the singularities add up to " +
       std::to_string(count.givenInteriorQuarters) + " but the Poincaré-Hopf theorem asks for " +
       std::to_string(count.requiredInteriorQuarters) + " on this domain; add singularities of total " +
-      std::to_string(missing) + ".");
+        std::to_string(missing) + ".",
+      Error::Kind::Inconsistent);
   }
 }
 }

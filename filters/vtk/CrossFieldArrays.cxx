@@ -1,0 +1,137 @@
+#include "CrossFieldArrays.h"
+
+#include "CrossSamples.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace
+{
+using crossfield::Complex;
+
+vtkSmartPointer<vtkDoubleArray> NewArray(
+  vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  data->AddArray(array);
+  return array;
+}
+
+/** The arrays that show one value of u per tuple. */
+class ShownField
+{
+public:
+  ShownField(vtkFieldData* data, vtkIdType tuples)
+    : Representation(NewArray(data, vtkCrossFieldArrayNames::Representation, 3, tuples))
+    , Cross(NewArray(data, vtkCrossFieldArrayNames::Cross, 3, tuples))
+    , Cross2(NewArray(data, vtkCrossFieldArrayNames::Cross2, 3, tuples))
+    , CrossNorm(NewArray(data, vtkCrossFieldArrayNames::CrossNorm, 1, tuples))
+  {
+  }
+
+  void Set(vtkIdType tuple, const Complex& u)
+  {
+    const crossfield::Point branch = crossfield::CrossBranch(u);
+    this->Representation->SetTuple3(tuple, u.real(), u.imag(), 0.0);
+    this->Cross->SetTuple3(tuple, branch.x(), branch.y(), 0.0);
+    this->Cross2->SetTuple3(tuple, -branch.y(), branch.x(), 0.0);
+    this->CrossNorm->SetTuple1(tuple, std::abs(u));
+  }
+
+private:
+  vtkSmartPointer<vtkDoubleArray> Representation;
+  vtkSmartPointer<vtkDoubleArray> Cross;
+  vtkSmartPointer<vtkDoubleArray> Cross2;
+  vtkSmartPointer<vtkDoubleArray> CrossNorm;
+};
+
+void AddValue(vtkFieldData* data, const char* name, double value)
+{
+  NewArray(data, name, 1, 1)->SetValue(0, value);
+}
+
+vtkSmartPointer<vtkIntArray> AddIntegers(vtkFieldData* data, const char* name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  data->AddArray(array);
+  return array;
+}
+
+void AddInteger(vtkFieldData* data, const char* name, int value)
+{
+  AddIntegers(data, name, 1)->SetValue(0, value);
+}
+}
+
+namespace CrossFieldArrays
+{
+//------------------------------------------------------------------------------
+void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
+  vtkUnstructuredGrid* output)
+{
+  const crossfield::CrossSamples samples =
+    crossfield::SampleField(cells.mesh, field.edges, field.u);
+
+  ShownField points(output->GetPointData(), output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    points.Set(i, samples.atVertices[i]);
+  }
+
+  auto exact = NewArray(
+    output->GetCellData(), vtkCrossFieldArrayNames::CrossFieldCR, 6, output->GetNumberOfCells());
+  ShownField shown(output->GetCellData(), output->GetNumberOfCells());
+  const auto setExact = [&](vtkIdType cell, Complex a, Complex b, Complex c)
+  { exact->SetTuple6(cell, a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag()); };
+  for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
+  {
+    const auto& edges = field.edges.ofTriangle[t];
+    setExact(cells.triangleCells[t], field.u[edges[0]], field.u[edges[1]], field.u[edges[2]]);
+    shown.Set(cells.triangleCells[t], samples.atTriangles[static_cast<Eigen::Index>(t)]);
+  }
+  for (std::size_t i = 0; i < cells.lineCells.size(); ++i)
+  {
+    const Complex u = field.u[field.edges.ofBoundary[i]];
+    setExact(cells.lineCells[i], u, u, u);
+    shown.Set(cells.lineCells[i], u);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
+{
+  namespace names = vtkCrossFieldArrayNames;
+  vtkFieldData* data = output->GetFieldData();
+  AddValue(data, names::Energy, field.energy);
+  AddInteger(data, names::Iterations, field.iterations);
+  AddValue(data, names::Residual, field.residual);
+  AddInteger(data, names::Converged, field.converged ? 1 : 0);
+  const auto holes = static_cast<vtkIdType>(field.holes.size());
+  auto degrees = AddIntegers(data, names::HoleDegree, holes);
+  auto norms = NewArray(data, names::HoleNormRange, 2, holes);
+  for (vtkIdType i = 0; i < holes; ++i)
+  {
+    const crossfield::HoleReading& hole = field.holes[static_cast<std::size_t>(i)];
+    degrees->SetValue(i, hole.degree);
+    norms->SetTuple2(i, hole.minimumNorm, hole.maximumNorm);
+  }
+  AddInteger(data, names::UnwantedSingularities, field.unwantedSingularities);
+  AddInteger(data, names::EulerCharacteristic, field.count.eulerCharacteristic);
+  AddValue(data, names::Valence, field.count.valence);
+  AddValue(data, names::TangentTurning, field.count.tangentTurning);
+  AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
+  AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
+  AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
+}
+}

@@ -1,0 +1,336 @@
+#include "DomainConversion.h"
+
+#include "BoundaryLoops.h"
+#include "Error.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
+#include "vtkDataSet.h"
+#include "vtkFeatureEdges.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+using crossfield::Error;
+using crossfield::Point;
+
+/** The lines and surface cells of a data set; other cells than vertices are refused. */
+vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, input->GetPoint(i));
+  }
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> surfaces;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    input->GetCellPoints(cell, ids);
+    switch (type)
+    {
+      case VTK_EMPTY_CELL:
+      case VTK_VERTEX:
+      case VTK_POLY_VERTEX:
+        break;
+      case VTK_LINE:
+      case VTK_POLY_LINE:
+        lines->InsertNextCell(ids);
+        break;
+      case VTK_TRIANGLE:
+      case VTK_QUAD:
+      case VTK_POLYGON:
+        surfaces->InsertNextCell(ids);
+        break;
+      default:
+        throw Error("The domain has cells of type " +
+          std::string(input->GetCell(cell)->GetClassName()) +
+          "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  if (surfaces->GetNumberOfCells() > 0)
+  {
+    result->SetPolys(surfaces);
+  }
+  else
+  {
+    result->SetLines(lines);
+  }
+  return result;
+}
+
+/** Lines along the cells' boundary; refuses edges with more than two cells. */
+vtkSmartPointer<vtkPolyData> SurfaceBoundary(vtkPolyData* surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->ColoringOff();
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->BoundaryEdgesOff();
+  edges->NonManifoldEdgesOn();
+  edges->Update();
+  if (edges->GetOutput()->GetNumberOfCells() > 0)
+  {
+    throw Error("The domain has edges with more than two cells; give a manifold planar mesh.");
+  }
+  edges->NonManifoldEdgesOff();
+  edges->BoundaryEdgesOn();
+  edges->Update();
+  return edges->GetOutput();
+}
+
+double RequireOnePlane(vtkPolyData* curves)
+{
+  double bounds[6];
+  curves->GetBounds(bounds);
+  // Coordinates that went through single precision are off by 6e-8 of their size.
+  constexpr double Flatness = 1e-6;
+  const double reach = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]) +
+    std::abs(bounds[4]);
+  if (bounds[5] - bounds[4] > Flatness * reach)
+  {
+    throw Error("The domain is not planar: its z runs from " + std::to_string(bounds[4]) + " to " +
+      std::to_string(bounds[5]) + "; give a domain in a plane z = const.");
+  }
+  return bounds[4];
+}
+
+vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input)
+{
+  vtkNew<vtkCleanPolyData> clean; // also drops the points that no cell uses
+  clean->SetInputData(input);
+  clean->SetTolerance(1e-9); // rounding of coordinates that were written out and read back
+  clean->ConvertLinesToPointsOn();
+  clean->Update();
+  return clean->GetOutput();
+}
+
+vtkDataArray* RequireCellArray(vtkUnstructuredGrid* grid, const char* name)
+{
+  vtkDataArray* array = grid->GetCellData()->GetArray(name);
+  if (array == nullptr || array->GetNumberOfComponents() != 1)
+  {
+    throw Error(std::string("The mesh has no cell array '") + name +
+      "' with one component; give a mesh made by the drill filter.");
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkIntArray> NewCellArray(vtkUnstructuredGrid* grid, const char* name)
+{
+  auto array = vtkSmartPointer<vtkIntArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(grid->GetNumberOfCells());
+  grid->GetCellData()->AddArray(array);
+  return array;
+}
+}
+
+namespace DomainConversion
+{
+//------------------------------------------------------------------------------
+Loops ReadLoops(vtkDataSet* input)
+{
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const double* point = input->GetPoint(i);
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    {
+      throw Error("Point " + std::to_string(i) +
+        " of the domain has coordinates that are not finite numbers; correct or remove it.");
+    }
+  }
+  vtkSmartPointer<vtkPolyData> curves = MergePoints(ExtractCurvesAndSurfaces(input));
+  if (curves->GetNumberOfPolys() > 0)
+  {
+    curves = SurfaceBoundary(curves);
+  }
+  Loops result;
+  if (curves->GetNumberOfLines() == 0)
+  {
+    throw Error("The domain has no boundary lines and no surface cells; give closed curves or a "
+                "mesh.");
+  }
+  result.z = RequireOnePlane(curves);
+
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
+  {
+    const double* point = curves->GetPoint(i);
+    points.emplace_back(point[0], point[1]);
+  }
+  std::vector<std::array<int, 2>> segments;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType i = 0; i < curves->GetNumberOfLines(); ++i)
+  {
+    curves->GetLines()->GetCellAtId(i, line);
+    for (vtkIdType j = 1; j < line->GetNumberOfIds(); ++j)
+    {
+      segments.push_back(
+        { static_cast<int>(line->GetId(j - 1)), static_cast<int>(line->GetId(j)) });
+    }
+  }
+  result.loops = crossfield::ChainLoops(points, segments);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const crossfield::Loop& loop : loops)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
+    for (const Point& point : loop)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(point.x(), point.y(), 0.0));
+    }
+    lines->InsertCellPoint(first);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+}
+
+//------------------------------------------------------------------------------
+crossfield::Configuration ReadConfiguration(vtkDataSet* input)
+{
+  crossfield::Configuration configuration;
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return configuration;
+  }
+  vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
+  vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
+  if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
+  {
+    throw Error("The singularities have no point array 'QuarterIndex' with one component; add it "
+                "(4 times the index of each point).");
+  }
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const double quarter = quarters->GetTuple1(i);
+    if (!(std::floor(quarter) == quarter && std::abs(quarter) < VTK_INT_MAX))
+    {
+      throw Error("The quarter index of singularity " + std::to_string(i) +
+        " is not an integer; give 4 times its index, for example 1 or -1.");
+    }
+    crossfield::Singularity singularity;
+    const double* point = input->GetPoint(i);
+    singularity.position = Point(point[0], point[1]);
+    singularity.quarterIndex = static_cast<int>(quarter);
+    if (radii != nullptr)
+    {
+      singularity.radius = radii->GetTuple1(i);
+    }
+    configuration.push_back(singularity);
+  }
+  return configuration;
+}
+
+//------------------------------------------------------------------------------
+DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
+{
+  vtkDataArray* kinds = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryKind);
+  vtkDataArray* ids = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryId);
+  vtkDataArray* quarters = RequireCellArray(input, vtkCrossFieldArrayNames::QuarterIndex);
+  DrilledMesh result;
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const double* point = input->GetPoint(i);
+    result.mesh.points.emplace_back(point[0], point[1]);
+  }
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    input->GetCellPoints(cell, points);
+    const auto vertex = [&points](vtkIdType i) { return static_cast<int>(points->GetId(i)); };
+    const int kind = static_cast<int>(kinds->GetTuple1(cell));
+    if (input->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      result.triangleCells.push_back(cell);
+      result.mesh.triangles.push_back({ vertex(0), vertex(1), vertex(2) });
+    }
+    else if (input->GetCellType(cell) == VTK_LINE && kind >= 1 && kind <= 4)
+    {
+      result.lineCells.push_back(cell);
+      result.mesh.boundary.push_back({ { vertex(0), vertex(1) },
+        static_cast<crossfield::BoundaryKind>(kind), static_cast<int>(ids->GetTuple1(cell)),
+        static_cast<int>(quarters->GetTuple1(cell)) });
+    }
+    else
+    {
+      throw Error("Cell " + std::to_string(cell) +
+        " is neither a triangle nor a line with a BoundaryKind of 1 to 4; give a mesh made by the "
+        "drill filter.");
+    }
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].x(), mesh.points[i].y(), z);
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> types;
+  cells->AllocateExact(
+    static_cast<vtkIdType>(mesh.triangles.size() + mesh.boundary.size()),
+    static_cast<vtkIdType>(3 * mesh.triangles.size() + 2 * mesh.boundary.size()));
+  for (const auto& triangle : mesh.triangles)
+  {
+    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
+    types->InsertNextValue(VTK_TRIANGLE);
+  }
+  for (const auto& edge : mesh.boundary)
+  {
+    cells->InsertNextCell({ edge.vertices[0], edge.vertices[1] });
+    types->InsertNextValue(VTK_LINE);
+  }
+  output->SetPoints(points);
+  output->SetCells(types, cells);
+
+  auto kinds = NewCellArray(output, vtkCrossFieldArrayNames::BoundaryKind);
+  auto ids = NewCellArray(output, vtkCrossFieldArrayNames::BoundaryId);
+  auto quarters = NewCellArray(output, vtkCrossFieldArrayNames::QuarterIndex);
+  kinds->FillValue(0);
+  ids->FillValue(-1);
+  quarters->FillValue(0);
+  auto cell = static_cast<vtkIdType>(mesh.triangles.size());
+  for (const auto& edge : mesh.boundary)
+  {
+    kinds->SetValue(cell, static_cast<int>(edge.kind));
+    ids->SetValue(cell, edge.id);
+    quarters->SetValue(cell, edge.quarterIndex);
+    ++cell;
+  }
+}
+}

@@ -1,0 +1,67 @@
+#ifndef FilterRun_h
+#define FilterRun_h
+
+#include "Error.h"
+#include "Progress.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"
+
+#include <exception>
+
+/** The one way in which the filters of this module call numerics, from their RequestData. */
+namespace FilterRun
+{
+/** Error code when the input is valid but no field with the given singularities exists. */
+constexpr unsigned long Inconsistent = vtkErrorCode::UserError + 1;
+
+// CheckAbort() asks the algorithms downstream as well; VTK 9.1 does not have it.
+template <class Algorithm>
+auto WantsAbort(Algorithm* self, int) -> decltype(self->CheckAbort())
+{
+  return self->CheckAbort();
+}
+template <class Algorithm>
+bool WantsAbort(Algorithm* self, long)
+{
+  return self->GetAbortExecute() != 0;
+}
+
+/**
+ * Runs work(progress), forwarding progress to the filter and its abort flag to the numerics, and
+ * returns the error code for the filter to publish. An error is reported as one vtkErrorMacro
+ * sentence; an abort is no error. Either leaves the output as it was: work fills it last.
+ */
+template <class Algorithm, class Work>
+unsigned long Run(Algorithm* self, Work work)
+{
+  const crossfield::Progress progress(
+    [self](double fraction)
+    {
+      self->UpdateProgress(fraction);
+      return !WantsAbort(self, 0);
+    });
+  try
+  {
+    work(progress);
+    return vtkErrorCode::NoError;
+  }
+  catch (const crossfield::Aborted&)
+  {
+    return vtkErrorCode::NoError;
+  }
+  catch (const crossfield::Error& error)
+  {
+    vtkErrorWithObjectMacro(self, << error.what());
+    const unsigned long badInput = vtkErrorCode::UserError;
+    return error.GetKind() == crossfield::Error::Kind::Inconsistent ? Inconsistent : badInput;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(self, << error.what());
+    return vtkErrorCode::UserError;
+  }
+}
+}
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef vtkCrossFieldArrayNames_h
+#define vtkCrossFieldArrayNames_h
+
+/**
+ * Names of the arrays that the cross field filters read and write. Shapes and meanings are in the
+ * class comments of the filters that write them.
+ */
+namespace vtkCrossFieldArrayNames
+{
+// Drilled mesh, cells: vtkDrillHoles.
+constexpr const char* BoundaryKind = "BoundaryKind";
+constexpr const char* BoundaryId = "BoundaryId";
+// Singularities and corners, points; drilled mesh, cells.
+constexpr const char* QuarterIndex = "QuarterIndex";
+constexpr const char* Radius = "Radius";
+// Field: vtkPerforatedCrossField.
+constexpr const char* CrossFieldCR = "CrossFieldCR";
+constexpr const char* Representation = "Representation";
+constexpr const char* Cross = "Cross";
+constexpr const char* Cross2 = "Cross2";
+constexpr const char* CrossNorm = "CrossNorm";
+// Field data: vtkPerforatedCrossField.
+constexpr const char* Energy = "Energy";
+constexpr const char* Iterations = "Iterations";
+constexpr const char* Residual = "Residual";
+constexpr const char* Converged = "Converged";
+constexpr const char* HoleDegree = "HoleDegree";
+constexpr const char* HoleNormRange = "HoleNormRange";
+constexpr const char* UnwantedSingularities = "UnwantedSingularities";
+constexpr const char* EulerCharacteristic = "EulerCharacteristic";
+constexpr const char* Valence = "Valence";
+constexpr const char* TangentTurning = "TangentTurning";
+constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
+constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
+constexpr const char* Consistent = "Consistent";
+}
+
+#endif

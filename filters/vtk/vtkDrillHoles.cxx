@@ -1,0 +1,72 @@
+#include "vtkDrillHoles.h"
+
+#include "DomainConversion.h"
+#include "DrillHoles.h"
+#include "FilterRun.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkDrillHoles);
+
+//------------------------------------------------------------------------------
+vtkDrillHoles::vtkDrillHoles()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkDrillHoles::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDrillHoles::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (domain->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const crossfield::Configuration configuration =
+        DomainConversion::ReadConfiguration(singularities);
+      crossfield::DrillOptions options;
+      options.meshSize = this->MeshSize;
+      options.minimumHoleEdges = this->MinimumHoleEdges;
+      options.gradation = this->Gradation;
+      const crossfield::TriangleMesh mesh = crossfield::DrillHoles(
+        crossfield::MakePlanarDomain(input.loops), configuration, options, progress);
+      DomainConversion::WriteDrilledMesh(mesh, input.z, output);
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkDrillHoles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "MinimumHoleEdges: " << this->MinimumHoleEdges << "\n";
+  os << indent << "Gradation: " << this->Gradation << "\n";
+}

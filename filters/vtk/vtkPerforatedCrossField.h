@@ -1,0 +1,101 @@
+/**
+ * @class   vtkPerforatedCrossField
+ * @brief   the smoothest boundary-aligned cross field with prescribed singularities in holes
+ *
+ * A cross is represented by u = e^{4iθ}. Minimises ½ ∫ |∇u|² over complex Crouzeix-Raviart
+ * functions on the drilled mesh with u = e^{4iτ} on every outer and inner boundary edge (τ its
+ * direction angle) and on every hole the degree constraint
+ *   Σ_j Im(conj(u_j) u_{j+1}) = Σ_j sin(k Δα_j)
+ * over its edge midpoints, counter-clockwise, where k is the hole's quarter index and Δα_j the
+ * angle between neighbouring midpoints seen from the centre.
+ *
+ * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays).
+ *
+ * Output: the mesh, and
+ * - `CrossFieldCR` (cells, double, 6): triangle (p0, p1, p2): Re, Im of u at the midpoints of p0p1,
+ *   p1p2, p2p0, the exact discrete field; lines: u of that edge, three times;
+ * - `Representation` (cells and points, double, 3): (Re u, Im u, 0) at the centre; at a point the
+ *   mean of the field's one-sided values, weighted by area;
+ * - `Cross`, `Cross2` (cells and points, double, 3): a unit branch (cos θ, sin θ, 0) of the cross
+ *   with θ = arg(u) / 4, and the branch at +90°;
+ * - `CrossNorm` (cells and points, double, 1): |u|; not 1, the minimisation is over the plane.
+ *
+ * Field data, one value each unless said: `Energy` (½ ∫ |∇u|²), `Iterations`, `Residual` (of the
+ * optimality conditions, relative), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
+ * reached), `HoleNormRange` (2 components per hole: least and largest |u| on it),
+ * `UnwantedSingularities` (int), `EulerCharacteristic`, `Valence`, `TangentTurning`,
+ * `RequiredInteriorQuarters`, `GivenInteriorQuarters`, `Consistent` (of the generalised
+ * Poincaré-Hopf theorem).
+ *
+ * An empty mesh gives an empty output. Failure, with an empty output: a mesh without the arrays of
+ * vtkDrillHoles; a hole with too few edges for its quarter index; quarter indices that violate the
+ * Poincaré-Hopf theorem (GetErrorCode() is then InconsistentError, not vtkErrorCode::UserError). An
+ * iteration that does not converge is a warning and `Converged` 0.
+ *
+ * Cost: one sparse Cholesky factorisation with one unknown per edge; the iterations work on a dense
+ * matrix over the edges of the holes only.
+ *
+ * Paper: "Singularity placements via perforation strategy". Differences from it: the constraint
+ * sums over all edges of a hole and its target is that of unit vectors on the polygon, not 2πk; the
+ * Hessian carries the multipliers; everything but the holes is eliminated once.
+ *
+ * @sa vtkDrillHoles, vtkCrossGlyphs, crossfield::SolvePerforated
+ */
+
+#ifndef vtkPerforatedCrossField_h
+#define vtkPerforatedCrossField_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkPerforatedCrossField* New();
+  vtkTypeMacro(vtkPerforatedCrossField, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** GetErrorCode() when no field with the given singularities exists on the domain. */
+  enum
+  {
+    InconsistentError = 40001
+  };
+
+  ///@{
+  /** Most iterations. Default: 100. Range: at least 1. */
+  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * The iteration stops when the relative residual of the optimality conditions is below this.
+   * Default: 1e-10. Range: 1e-15 to 1e-2.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /**
+   * Seconds that the last run spent in assembling, factoring and solving. Not in the output, so
+   * that the same input gives the same output.
+   */
+  vtkGetVector3Macro(StageSeconds, double);
+
+protected:
+  vtkPerforatedCrossField();
+  ~vtkPerforatedCrossField() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkPerforatedCrossField(const vtkPerforatedCrossField&) = delete;
+  void operator=(const vtkPerforatedCrossField&) = delete;
+
+  int MaximumIterations = 100;
+  double Tolerance = 1e-10;
+  double StageSeconds[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif

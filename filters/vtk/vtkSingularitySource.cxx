@@ -1,0 +1,211 @@
+#include "vtkSingularitySource.h"
+
+#include "Error.h"
+#include "FilterRun.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellArray.h"
+#include "vtkDelimitedTextReader.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSingularitySource);
+
+namespace
+{
+using crossfield::Error;
+
+/** Rows of x, y, quarter index and radius, and whether the radius was given. */
+struct RowTable
+{
+  std::vector<std::array<double, 4>> rows;
+  bool hasRadius = true;
+};
+
+vtkAbstractArray* FindColumn(vtkTable* table, const char* name)
+{
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    if (vtksys::SystemTools::LowerCase(
+          vtksys::SystemTools::RemoveChars(table->GetColumnName(i), " \t\r")) == name)
+    {
+      return table->GetColumn(i);
+    }
+  }
+  return nullptr;
+}
+
+RowTable ReadRows(const std::string& fileName)
+{
+  if (!vtksys::SystemTools::FileExists(fileName, true))
+  {
+    throw Error("There is no file '" + fileName + "' with singularities; check the name.");
+  }
+  vtkNew<vtkDelimitedTextReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->SetHaveHeaders(true);
+  reader->SetFieldDelimiterCharacters(",");
+  reader->Update();
+
+  const char* names[4] = { "x", "y", "quarter_index", "radius" };
+  vtkAbstractArray* columns[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    columns[i] = FindColumn(reader->GetOutput(), names[i]);
+    if (columns[i] == nullptr && i < 3)
+    {
+      throw Error("The file '" + fileName + "' has no column '" + names[i] +
+        "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius.");
+    }
+  }
+  RowTable table;
+  table.hasRadius = columns[3] != nullptr;
+  for (vtkIdType row = 0; row < reader->GetOutput()->GetNumberOfRows(); ++row)
+  {
+    table.rows.emplace_back();
+    for (int i = 0; i < 4; ++i)
+    {
+      bool valid = true;
+      table.rows.back()[i] =
+        columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
+      if (!valid)
+      {
+        throw Error("Row " + std::to_string(row) + " of '" + fileName + "' has no number in column '" +
+          names[i] + "'; correct it.");
+      }
+    }
+  }
+  return table;
+}
+
+void WritePoints(const RowTable& table, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkIntArray> quarters;
+  quarters->SetName(vtkCrossFieldArrayNames::QuarterIndex);
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName(vtkCrossFieldArrayNames::Radius);
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+  {
+    const auto& [x, y, quarterIndex, radius] = table.rows[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius))
+    {
+      throw Error("Row " + std::to_string(i) +
+        " of the singularities has a coordinate or radius that is not a finite number; correct it.");
+    }
+    if (!(std::floor(quarterIndex) == quarterIndex && std::abs(quarterIndex) < VTK_INT_MAX))
+    {
+      throw Error("The quarter index of singularity " + std::to_string(i) +
+        " is not an integer; give 4 times its index, for example 1 or -1.");
+    }
+    const vtkIdType id = points->InsertNextPoint(x, y, 0.0);
+    vertices->InsertNextCell({ id });
+    quarters->InsertNextValue(static_cast<int>(quarterIndex));
+    radii->InsertNextValue(radius);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(quarters);
+  if (table.hasRadius)
+  {
+    output->GetPointData()->AddArray(radii);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSingularitySource::vtkSingularitySource()
+{
+  this->SetNumberOfInputPorts(0);
+  const double diagonal = 0.6 * std::sqrt(0.5);
+  for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
+  {
+    this->Rows.push_back({ x * diagonal, y * diagonal, 1.0, 0.1 });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::SetSingularity(
+  int row, double x, double y, double quarterIndex, double radius)
+{
+  if (row < 0)
+  {
+    vtkErrorMacro("The row of a singularity must not be negative.");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(row);
+  if (index >= this->Rows.size())
+  {
+    this->Rows.resize(index + 1, { 0.0, 0.0, 1.0, 0.1 });
+  }
+  this->Rows[index] = { x, y, quarterIndex, radius };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::AddSingularity(double x, double y, double quarterIndex, double radius)
+{
+  this->SetSingularity(this->GetNumberOfSingularities(), x, y, quarterIndex, radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::SetNumberOfSingularities(int count)
+{
+  this->Rows.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0, 1.0, 0.1 });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::GetNumberOfSingularities() const
+{
+  return static_cast<int>(this->Rows.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::RemoveAllSingularities()
+{
+  this->SetNumberOfSingularities(0);
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress&)
+    {
+      const RowTable table =
+        this->FileName.empty() ? RowTable{ this->Rows, true } : ReadRows(this->FileName);
+      WritePoints(table, vtkPolyData::GetData(outputVector));
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Singularities: " << this->Rows.size() << "\n";
+  for (const auto& [x, y, quarterIndex, radius] : this->Rows)
+  {
+    os << indent.GetNextIndent() << x << " " << y << " " << quarterIndex << " " << radius << "\n";
+  }
+}

@@ -1,0 +1,79 @@
+/**
+ * @class   vtkSingularitySource
+ * @brief   a configuration of singularities as points, from rows or from a .csv file
+ *
+ * A singularity is a point with a quarter index k: the representation e^{4iθ} of the cross field
+ * turns k times around it and its index is k/4. k = +1 becomes a node of valence 3 of the quad
+ * mesh, k = −1 one of valence 5.
+ *
+ * Output (vtkPolyData): one vertex per row, z = 0, with the point arrays
+ * - `QuarterIndex` (int, 1 component): k;
+ * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file
+ *   has no such column.
+ *
+ * The rows are those set here, unless FileName is set. A file is comma-separated with the header
+ * `x,y,quarter_index` and optionally `radius`, in any order.
+ *
+ * Failure: a file that is missing, lacks a column or has an entry that is not a finite number; a
+ * quarter index that is not an integer. The output is then empty.
+ *
+ * @sa vtkDrillHoles
+ */
+
+#ifndef vtkSingularitySource_h
+#define vtkSingularitySource_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <array>  // for the rows
+#include <string> // for FileName
+#include <vector> // for the rows
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkSingularitySource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSingularitySource* New();
+  vtkTypeMacro(vtkSingularitySource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The rows x, y, quarter index, radius. Default: four k = +1 of radius 0.1 at distance 0.6 from
+   * the origin on the diagonals, the first figure of the paper. SetSingularity appends rows as
+   * needed; the quarter index is a double here so that ParaView can edit the row as one property.
+   */
+  void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
+  void SetNumberOfSingularities(int count);
+  int GetNumberOfSingularities() const;
+  ///@}
+
+  /** Appends a row. */
+  void AddSingularity(double x, double y, double quarterIndex, double radius);
+
+  /** Leaves no row. */
+  void RemoveAllSingularities();
+
+  ///@{
+  /** A .csv file to read instead of the rows. Default: empty, the rows count. */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+  /** As above; what ParaView calls. */
+  void SetFileName(const char* fileName) { this->SetFileName(std::string(fileName ? fileName : "")); }
+
+protected:
+  vtkSingularitySource();
+  ~vtkSingularitySource() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSingularitySource(const vtkSingularitySource&) = delete;
+  void operator=(const vtkSingularitySource&) = delete;
+
+  std::vector<std::array<double, 4>> Rows;
+  std::string FileName;
+};
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef CommandLine_h
+#define CommandLine_h
+
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+class vtkUnstructuredGrid;
+
+/** Exit statuses of the program. */
+enum ExitStatus
+{
+  Done = 0,
+  AnswerIsNo = 1,
+  BadInput = 2
+};
+
+/** The subcommands; each sets `status` when it has run. */
+///@{
+void AddDomainCommand(CLI::App& app, int& status);
+void AddDrillCommand(CLI::App& app, int& status);
+void AddSolveCommand(CLI::App& app, int& status);
+///@}
+
+/** Options that several subcommands share. */
+struct MeshOptions
+{
+  std::string domain;
+  std::string singularities;
+  std::string output;
+  double size = 0.0;
+
+  void AddTo(CLI::App& command);
+};
+
+/** Number of triangles among the cells of a drilled mesh. */
+long long CountTriangles(vtkUnstructuredGrid* mesh);
+
+#endif

@@ -1,0 +1,64 @@
+/**
+ * crossfield domain NAME -o F.vtp: writes a built-in domain.
+ *
+ *   crossfield domain ring --inner-radius 0.46 -o ring.vtp
+ */
+#include "CommandLine.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "vtkPlanarDomainSource.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+void AddDomainCommand(CLI::App& app, int& status)
+{
+  struct Options
+  {
+    std::string name;
+    std::string output;
+    double radius = 1.0;
+    double innerRadius = 0.4;
+    double width = 2.0;
+    double height = 1.0;
+    double edgeLength = 0.0;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("domain", "write a built-in domain");
+  command->footer("Example: crossfield domain ring --inner-radius 0.46 -o ring.vtp");
+  command
+    ->add_option("NAME", options->name,
+      "disk, ring, ellipse, quarter-disk, square, rectangle or l-shape")
+    ->required();
+  command->add_option("-o,--output", options->output, "the .vtp file to write")->required();
+  command->add_option("--radius", options->radius, "of disk, ring and quarter-disk")->capture_default_str();
+  command->add_option("--inner-radius", options->innerRadius, "of ring")->capture_default_str();
+  command->add_option("--width", options->width, "of ellipse, square, rectangle, l-shape")->capture_default_str();
+  command->add_option("--height", options->height, "of ellipse and rectangle")->capture_default_str();
+  command->add_option("--size", options->edgeLength,
+    "length of the segments of curves; default: 1/40 of the domain's diagonal");
+  command->callback(
+    [options, &status]
+    {
+      // 1. Check the output before any work.
+      OutputFile::RequireWritable(options->output, ".vtp");
+
+      // 2. Make the loops.
+      vtkNew<vtkPlanarDomainSource> source;
+      source->SetDomainName(options->name);
+      source->SetRadius(options->radius);
+      source->SetInnerRadius(options->innerRadius);
+      source->SetWidth(options->width);
+      source->SetHeight(options->height);
+      source->SetEdgeLength(options->edgeLength);
+      PipelineRun::Update(source, "domain");
+
+      // 3. Write them.
+      OutputFile::Write(source->GetOutput(), options->output);
+      status = Done;
+    });
+}

@@ -1,0 +1,147 @@
+#include "DomainReader.h"
+
+#include "PipelineRun.h"
+#include "vtkPlanarDomainSource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkDataSet.h"
+#include "vtkDelimitedTextReader.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkTable.h"
+#include "vtkTrivialProducer.h"
+#include "vtkVariant.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <vtksys/SystemTools.hxx>
+
+namespace
+{
+using PipelineRun::Error;
+
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(file.c_str());
+  try
+  {
+    PipelineRun::Update(reader, "reading");
+  }
+  catch (const Error& error)
+  {
+    // Among others, Debian 12's VTKs cannot parse files with appended data.
+    throw Error("The file '" + file + "' cannot be read (" + error.what() +
+      "); check it, or save it again as binary or ASCII, not appended.");
+  }
+  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (data == nullptr || data->GetNumberOfCells() == 0)
+  {
+    throw Error("The file '" + file + "' holds no cells; give boundary lines or a triangle mesh.");
+  }
+  return reader;
+}
+
+/** The points of a table with columns x and y, joined to one closed polyline. */
+vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
+{
+  vtkNew<vtkDelimitedTextReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->SetHaveHeaders(true);
+  PipelineRun::Update(reader, "reading");
+  vtkTable* table = reader->GetOutput();
+  vtkAbstractArray* columns[2] = { table->GetColumnByName("x"), table->GetColumnByName("y") };
+  if (columns[0] == nullptr || columns[1] == nullptr)
+  {
+    throw Error("The file '" + file + "' has no columns x and y; its first line must be x,y.");
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(table->GetNumberOfRows()) + 1);
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    double place[2];
+    for (int i = 0; i < 2; ++i)
+    {
+      bool valid = true;
+      place[i] = columns[i]->GetVariantValue(row).ToDouble(&valid);
+      if (!valid)
+      {
+        throw Error("Row " + std::to_string(row) + " of '" + file +
+          "' does not hold two numbers; correct it.");
+      }
+    }
+    lines->InsertCellPoint(points->InsertNextPoint(place[0], place[1], 0.0));
+  }
+  lines->InsertCellPoint(0);
+  vtkNew<vtkPolyData> loop;
+  loop->SetPoints(points);
+  loop->SetLines(lines);
+  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+  producer->SetOutput(loop);
+  return producer;
+}
+}
+
+namespace DomainReader
+{
+const char* const Help =
+  "boundary loops or a triangle mesh: a .vtp .vtu .vtk .stl .obj .ply file, a .csv file with the "
+  "points x,y of one loop, or builtin:NAME (see `crossfield domain --help`)";
+
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength)
+{
+  const std::string builtin = "builtin:";
+  if (argument.compare(0, builtin.size(), builtin) == 0)
+  {
+    auto source = vtkSmartPointer<vtkPlanarDomainSource>::New();
+    source->SetDomainName(argument.substr(builtin.size()));
+    source->SetEdgeLength(edgeLength);
+    return source;
+  }
+  if (!vtksys::SystemTools::FileExists(argument, true))
+  {
+    throw Error("There is no file '" + argument + "'; check the name of the domain.");
+  }
+  const std::string ending =
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(argument));
+  if (ending == ".vtp")
+  {
+    return OpenWith<vtkXMLPolyDataReader>(argument);
+  }
+  if (ending == ".vtu")
+  {
+    return OpenWith<vtkXMLUnstructuredGridReader>(argument);
+  }
+  if (ending == ".vtk")
+  {
+    return OpenWith<vtkGenericDataObjectReader>(argument);
+  }
+  if (ending == ".stl")
+  {
+    return OpenWith<vtkSTLReader>(argument);
+  }
+  if (ending == ".obj")
+  {
+    return OpenWith<vtkOBJReader>(argument);
+  }
+  if (ending == ".ply")
+  {
+    return OpenWith<vtkPLYReader>(argument);
+  }
+  if (ending == ".csv")
+  {
+    return OpenLoop(argument);
+  }
+  throw Error("The domain '" + argument +
+    "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply or .csv file.");
+}
+}

@@ -1,0 +1,25 @@
+#ifndef DomainReader_h
+#define DomainReader_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkAlgorithm;
+
+/** The program's DOMAIN argument: a file, or builtin:NAME. */
+namespace DomainReader
+{
+/** Help text for the argument. */
+extern const char* const Help;
+
+/**
+ * A source or reader for the argument: .vtp .vtu .vtk .stl .obj .ply through VTK's
+ * readers, .csv as one loop of points x,y, builtin:NAME with curves sampled at `edgeLength` (0: the
+ * default). Throws PipelineRun::Error for a file that is missing,
+ * cannot be read or holds no cells, and for an unknown ending.
+ */
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength);
+}
+
+#endif

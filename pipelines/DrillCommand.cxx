@@ -1,0 +1,54 @@
+/**
+ * crossfield drill DOMAIN -s S.csv -o F.vtu: triangulates a domain with a hole at every singularity.
+ *
+ *   crossfield drill builtin:disk -s four.csv -o drilled.vtu --size 0.05
+ */
+#include "CommandLine.h"
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "vtkDrillHoles.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+void AddDrillCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<MeshOptions>();
+  CLI::App* command =
+    app.add_subcommand("drill", "triangulate a domain with a hole at every singularity");
+  command->footer("Example: crossfield drill builtin:disk -s four.csv -o drilled.vtu --size 0.05");
+  options->AddTo(*command);
+  command->get_option("--output")->required();
+  command->callback(
+    [options, &status]
+    {
+      // 1. Check the output before any work.
+      OutputFile::RequireWritable(options->output, ".vtu");
+
+      // 2. Read the domain and the configuration.
+      const auto domain = DomainReader::Open(options->domain, options->size);
+      vtkNew<vtkSingularitySource> singularities;
+      singularities->SetFileName(options->singularities);
+
+      // 3. Drill.
+      vtkNew<vtkDrillHoles> drill;
+      drill->SetInputConnection(domain->GetOutputPort());
+      drill->SetSingularitiesConnection(singularities->GetOutputPort());
+      drill->SetMeshSize(options->size);
+      PipelineRun::Update(drill, "drilling");
+
+      // 4. Write the mesh.
+      OutputFile::Write(drill->GetOutput(), options->output);
+      std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
+                << " triangles\n";
+      status = Done;
+    });
+}

@@ -1,0 +1,103 @@
+#include "OutputFile.h"
+
+#include "PipelineRun.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+#include "vtkZLibDataCompressor.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <unistd.h>
+
+namespace
+{
+using PipelineRun::Error;
+
+/** The file's name while it is incomplete: in the same folder, so that it can be renamed. */
+std::string PartName(const std::string& file)
+{
+  return file + ".part" + std::to_string(getpid());
+}
+
+void MoveIntoPlace(const std::string& part, const std::string& file)
+{
+  if (std::rename(part.c_str(), file.c_str()) != 0)
+  {
+    std::remove(part.c_str());
+    throw Error("The file '" + file + "' cannot be written; choose another place.");
+  }
+}
+}
+
+namespace OutputFile
+{
+void RequireWritable(const std::string& file, const std::string& ending)
+{
+  if (!ending.empty() &&
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)) != ending)
+  {
+    throw Error("The output file '" + file + "' must end in " + ending + ".");
+  }
+  std::string folder = vtksys::SystemTools::GetParentDirectory(
+    vtksys::SystemTools::CollapseFullPath(file));
+  if (access(folder.c_str(), W_OK) != 0)
+  {
+    throw Error("The folder '" + folder + "' does not exist or cannot be written; choose another.");
+  }
+}
+
+void Write(vtkDataObject* data, const std::string& file)
+{
+  vtkSmartPointer<vtkXMLUnstructuredDataWriter> writer;
+  if (vtkPolyData::SafeDownCast(data) != nullptr)
+  {
+    writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
+  }
+  vtkNew<vtkZLibDataCompressor> compressor;
+  compressor->SetCompressionLevel(1); // twice as fast as the default, and a few per cent larger
+  const std::string part = PartName(file);
+  writer->SetInputDataObject(data);
+  writer->SetFileName(part.c_str());
+  writer->SetDataModeToBinary();
+  writer->SetCompressor(compressor);
+  try
+  {
+    PipelineRun::RequireNoError([&writer] { writer->Write(); });
+  }
+  catch (const Error&)
+  {
+    std::remove(part.c_str());
+    throw Error("The file '" + file + "' cannot be written; check the folder and the free space.");
+  }
+  MoveIntoPlace(part, file);
+}
+
+void WriteText(const std::string& text, const std::string& file)
+{
+  if (file == "-")
+  {
+    std::cout << text;
+    return;
+  }
+  const std::string part = PartName(file);
+  std::ofstream stream(part);
+  stream << text;
+  stream.close();
+  if (!stream)
+  {
+    std::remove(part.c_str());
+    throw Error("The file '" + file + "' cannot be written; check the folder and the free space.");
+  }
+  MoveIntoPlace(part, file);
+}
+}

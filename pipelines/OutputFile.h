@@ -1,0 +1,24 @@
+#ifndef OutputFile_h
+#define OutputFile_h
+
+#include <string>
+
+class vtkDataObject;
+
+/** Writes results so that a file either is complete or was not touched. */
+namespace OutputFile
+{
+/** Throws PipelineRun::Error unless `file` ends in `ending` and its folder can be written. */
+void RequireWritable(const std::string& file, const std::string& ending);
+
+/**
+ * Writes a vtkPolyData (.vtp) or vtkUnstructuredGrid (.vtu) in inline binary with zlib: the VTKs of
+ * Debian 12 cannot read appended data back. The file is written beside its place and renamed.
+ */
+void Write(vtkDataObject* data, const std::string& file);
+
+/** Writes text in the same way; "-" is standard output. */
+void WriteText(const std::string& text, const std::string& file);
+}
+
+#endif

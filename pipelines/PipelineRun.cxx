@@ -1,0 +1,110 @@
+#include "PipelineRun.h"
+
+#include "vtkPerforatedCrossField.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
+
+#include <cstdio>
+#include <iostream>
+#include <string>
+#include <unistd.h>
+
+namespace
+{
+/** Keeps the first error message instead of printing it; warnings go to standard error. */
+class ErrorCatcher : public vtkOutputWindow
+{
+public:
+  static ErrorCatcher* New();
+  vtkTypeMacro(ErrorCatcher, vtkOutputWindow);
+
+  void DisplayErrorText(const char* text) override
+  {
+    if (this->First.empty())
+    {
+      this->First = Sentence(text);
+    }
+  }
+  void DisplayWarningText(const char* text) override
+  {
+    std::cerr << "Warning: " << Sentence(text) << "\n";
+  }
+
+  std::string First;
+
+private:
+  /** VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n". */
+  static std::string Sentence(std::string text)
+  {
+    const auto begin = text.find("): ");
+    text = begin == std::string::npos ? text : text.substr(begin + 3);
+    text.erase(text.find_last_not_of(" \n") + 1);
+    return text;
+  }
+};
+vtkStandardNewMacro(ErrorCatcher);
+
+void ShowProgress(vtkObject* caller, unsigned long, void* what, void*)
+{
+  const double fraction = static_cast<vtkAlgorithm*>(caller)->GetProgress();
+  std::fprintf(stderr, "\r%-12s %3.0f %%", static_cast<const char*>(what), 100.0 * fraction);
+  std::fflush(stderr);
+}
+}
+
+namespace PipelineRun
+{
+void RequireNoError(void (*work)(void*), void* data)
+{
+  const vtkSmartPointer<vtkOutputWindow> previous = vtkOutputWindow::GetInstance();
+  vtkNew<ErrorCatcher> catcher;
+  vtkOutputWindow::SetInstance(catcher);
+  try
+  {
+    work(data);
+  }
+  catch (...)
+  {
+    vtkOutputWindow::SetInstance(previous);
+    throw;
+  }
+  vtkOutputWindow::SetInstance(previous);
+  if (!catcher->First.empty())
+  {
+    throw Error(catcher->First);
+  }
+}
+
+void Update(vtkAlgorithm* filter, const char* what)
+{
+  unsigned long observer = 0;
+  if (isatty(STDERR_FILENO) != 0)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(ShowProgress);
+    command->SetClientData(const_cast<char*>(what));
+    observer = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+  try
+  {
+    RequireNoError([filter] { filter->Update(); });
+  }
+  catch (const Error& error)
+  {
+    throw filter->GetErrorCode() == vtkPerforatedCrossField::InconsistentError
+      ? Error(error.what(), AnswerIsNo)
+      : error;
+  }
+  if (observer != 0)
+  {
+    filter->RemoveObserver(observer);
+    std::fputs("\r                    \r", stderr);
+  }
+}
+}

@@ -1,0 +1,21 @@
+#ifndef ReportJson_h
+#define ReportJson_h
+
+#include <map>
+#include <string>
+
+class vtkFieldData;
+
+/** The numbers of a run as JSON. */
+namespace ReportJson
+{
+/**
+ * One object with the arrays of the field data under their names in snake_case (`hole_degree`):
+ * arrays per hole as lists, flags as true or false, other single values as numbers; then the extra
+ * counts, and the seconds spent in each stage under `seconds`.
+ */
+std::string Write(vtkFieldData* data, const std::map<std::string, long long>& counts,
+  const std::map<std::string, double>& seconds);
+}
+
+#endif

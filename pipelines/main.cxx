@@ -1,0 +1,75 @@
+/**
+ * crossfield: choose the singularities of planar cross fields. One subcommand, one file.
+ *
+ * Exit status: 0 done; 1 done but the answer is no; 2 bad usage or bad input, with one sentence on
+ * standard error and no file written.
+ */
+#include "CommandLine.h"
+#include "PipelineRun.h"
+
+#include "vtkLogger.h"
+
+#include <CLI/CLI.hpp>
+
+#include <vtksys/SystemTools.hxx>
+
+#include <iostream>
+
+namespace
+{
+void PrintPaths(const char* program)
+{
+  std::string path;
+  std::string error;
+  vtksys::SystemTools::FindProgramPath(program, path, error);
+  std::cout << "program: " << path << "\n"
+            << "plugin: " << CROSSFIELD_PLUGIN_PATH << "\n"
+            << "python: " << CROSSFIELD_PYTHON_PATH << "\n";
+}
+}
+
+int main(int argc, char** argv)
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // PipelineRun says what went wrong
+  CLI::App app("Choose the singularities of planar cross fields.", "crossfield");
+  app.set_version_flag("--version", CROSSFIELD_VERSION);
+  bool paths = false;
+  app.add_flag("--paths", paths, "print where the program, the plugin and the Python package are");
+  app.require_subcommand(0, 1);
+  int status = Done;
+  AddDomainCommand(app, status);
+  AddDrillCommand(app, status);
+  AddSolveCommand(app, status);
+  try
+  {
+    app.parse(argc, argv);
+    if (paths)
+    {
+      PrintPaths(argv[0]);
+    }
+    else if (app.get_subcommands().empty())
+    {
+      throw std::runtime_error("No subcommand was given; see `crossfield --help`.");
+    }
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+    {
+      return app.exit(error); // help and version
+    }
+    std::cerr << "crossfield: " << error.what() << "; see `crossfield --help`.\n";
+    return BadInput;
+  }
+  catch (const PipelineRun::Error& error)
+  {
+    std::cerr << "crossfield: " << error.what() << "\n";
+    return error.GetStatus();
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "crossfield: " << error.what() << "\n";
+    return BadInput;
+  }
+  return status;
+}
