@@ -3,8 +3,6 @@
 #include "Error.h"
 #include "PlanarMesher.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -161,7 +159,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
       box.extend(loop[i]);
     }
   }
-  const SizeField size(sources, meshSize, options.gradation, box.min(), box.max());
+  const SizeField size(sources, meshSize, options.gradation, box);
   return TriangulateDomain(drilled, marks, size, progress);
 }
 }

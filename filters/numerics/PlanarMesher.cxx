@@ -2,6 +2,7 @@
 #include "PlanarMesher.h"
 
 #include "Error.h"
+#include "PointLattice.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_criteria_2.h>
@@ -119,6 +120,10 @@ Triangulation TriangulateLoops(const std::vector<Loop>& loops)
 /// domain, for the mesher.
 void ComputeDepths(Triangulation& triangulation)
 {
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+  {
+    face->info().depth = None;
+  }
   std::vector<Triangulation::Face_handle> current = { triangulation.infinite_face() };
   current.front()->info().depth = 0;
   for (int depth = 0; !current.empty(); ++depth)
@@ -189,8 +194,8 @@ std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& siz
   return result;
 }
 
-/// Criteria of Delaunay_mesher_2: a triangle is bad when it has an angle below 20.7°, or a longest
-/// edge above the size wanted at its centre.
+/// Criteria of Delaunay_mesher_2: a triangle is bad when it has an angle below 27° (20.7° if it is
+/// much smaller than wanted), or a longest edge well above the size wanted at its centre.
 class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation>
 {
 public:
@@ -200,7 +205,8 @@ public:
   struct Quality
   {
     double sineSquared = 1.0; ///< Of the smallest angle.
-    double oversize = 0.0;    ///< (longest edge / wanted size)².
+    double bound = 0.0;       ///< What it should be at least.
+    double oversize = 0.0;    ///< (longest edge / longest allowed edge)².
     bool TooLarge() const { return this->oversize > 1.0; }
     bool operator<(const Quality& other) const
     {
@@ -225,8 +231,7 @@ public:
       {
         return CGAL::Mesh_2::IMPERATIVELY_BAD;
       }
-      // sin² 20.7° = 1/8: up to here the refinement provably ends (CGAL manual, Mesh_2).
-      return quality.sineSquared < 0.125 ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
+      return quality.sineSquared < quality.bound ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
     }
     CGAL::Mesh_2::Face_badness operator()(
       const Triangulation::Face_handle& face, Quality& quality) const
@@ -241,7 +246,13 @@ public:
       std::sort(lengths, lengths + 3);
       const double twiceArea = Cross(p[1] - p[0], p[2] - p[0]);
       const double wanted = this->Size((p[0] + p[1] + p[2]) / 3.0);
-      quality.oversize = lengths[2] / (wanted * wanted);
+      // Between the lattice and the boundary triangles are up to half as long again as wanted.
+      constexpr double Slack = 1.5;
+      quality.oversize = lengths[2] / (Slack * Slack * wanted * wanted);
+      // sin² 20.7° = 1/8: up to here the refinement provably ends (CGAL manual, Mesh_2). 27° is
+      // asked of triangles above a fifth of the wanted size: their number is limited, so this ends too.
+      const double sine = std::sin(27.0 / 180.0 * Pi);
+      quality.bound = lengths[2] > 0.04 * wanted * wanted ? sine * sine : 0.125;
       quality.sineSquared = twiceArea * twiceArea / (lengths[1] * lengths[2]);
       return (*this)(quality);
     }
@@ -289,6 +300,91 @@ std::vector<CgalPoint> HoleSeeds(const Triangulation& triangulation, std::size_t
     }
   }
   return result;
+}
+
+/// Whether a point keeps its distance, relative to the wanted size, from the vertices and segments
+/// of the face that it lies in; points of a boundary-only triangulation near a segment or vertex
+/// lie in a face that has it.
+bool IsClear(const Triangulation::Face_handle& face, const Point& point, double size)
+{
+  // Half an edge from a segment and two thirds from a vertex leave triangles with angles above 27°
+  // in most places; the mesher mends the others.
+  constexpr double FromSegment = 0.5;
+  constexpr double FromVertex = 0.65;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point here = FromCgal(face->vertex(i)->point());
+    if ((point - here).squaredNorm() < FromVertex * FromVertex * size * size)
+    {
+      return false;
+    }
+    if (face->is_constrained(i))
+    {
+      const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
+      const Point along = FromCgal(face->vertex(Triangulation::cw(i))->point()) - from;
+      if (Cross(along, point - from) < FromSegment * size * along.norm())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The points among the candidates that lie in the domain and keep their distance.
+std::vector<CgalPoint> KeepClear(
+  const Triangulation& triangulation, const std::vector<Point>& candidates, const SizeField& size)
+{
+  std::vector<CgalPoint> kept;
+  Triangulation::Face_handle hint;
+  for (const Point& point : candidates)
+  {
+    hint = triangulation.locate(ToCgal(point), hint);
+    if (!triangulation.is_infinite(hint) && hint->is_in_domain() &&
+      IsClear(hint, point, size(point)))
+    {
+      kept.push_back(ToCgal(point));
+    }
+  }
+  return kept;
+}
+
+/// Two rings of points around every hole, staggered against its vertices: the field is steepest
+/// there, and the same triangles on all sides of a hole keep its numerical error even.
+std::vector<Point> HoleRings(
+  const PlanarDomain& domain, const std::vector<BoundaryEdge>& loopMarks, const SizeField& size)
+{
+  std::vector<Point> rings;
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    if (loopMarks[l].kind != BoundaryKind::Hole)
+    {
+      continue;
+    }
+    const Loop& hole = domain.loops[l];
+    const auto count = static_cast<double>(hole.size());
+    Point centre = Point::Zero();
+    for (const Point& point : hole)
+    {
+      centre += point / count;
+    }
+    double radius = (hole[0] - centre).norm();
+    for (int ring = 1; ring <= 2; ++ring)
+    {
+      radius += 0.5 * std::sqrt(3.0) * 2.0 * Pi * radius / count;
+      if (2.0 * Pi * radius / count > 1.25 * size(centre + Point(radius, 0.0)))
+      {
+        break; // as many points as the hole has would be too few
+      }
+      const double start = std::atan2(hole[0].y() - centre.y(), hole[0].x() - centre.x());
+      for (double i = 0.5 * ring; i < count + 0.5 * ring - 0.25; i += 1.0)
+      {
+        const double angle = start + 2.0 * Pi * i / count;
+        rings.push_back(centre + radius * Point(std::cos(angle), std::sin(angle)));
+      }
+    }
+  }
+  return rings;
 }
 
 /// Gives the points that the mesher put on a segment the number of that segment's loop.
@@ -391,7 +487,15 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
   ComputeDepths(triangulation);
   const std::vector<CgalPoint> seeds = HoleSeeds(triangulation, domain.loops.size());
-  progress.Report(0.1);
+
+  const std::vector<CgalPoint> rings =
+    KeepClear(triangulation, HoleRings(domain, loopMarks, size), size);
+  triangulation.insert(rings.begin(), rings.end());
+  ComputeDepths(triangulation);
+  const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
+  progress.Report(0.3);
+  triangulation.insert(bulk.begin(), bulk.end());
+  progress.Report(0.5);
 
   CGAL::Delaunay_mesher_2<Triangulation, GradedCriteria> mesher(
     triangulation, GradedCriteria(size));
@@ -403,7 +507,7 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   {
     if (step % StepsBetweenReports == 0)
     {
-      progress.Report(0.1 + 0.8 * (1.0 - 1.0 / (1.0 + step * 1e-5)));
+      progress.Report(0.5 + 0.4 * (1.0 - 1.0 / (1.0 + step * 1e-5)));
     }
   }
   SpreadLoopNumbers(triangulation);

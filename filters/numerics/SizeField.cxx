@@ -3,14 +3,17 @@
 #include "Error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace crossfield
 {
 SizeField::SizeField(const std::vector<SizeSource>& sources, double maximum, double gradation,
-  Point lower, Point upper)
+  const Eigen::AlignedBox2d& box)
   : Maximum(maximum)
   , Gradation(gradation)
+  , Box(box)
+  , Root{ box.center(), 0.5 * box.sizes().maxCoeff() }
 {
   if (!(maximum > 0.0) || !(gradation > 0.0))
   {
@@ -23,19 +26,26 @@ SizeField::SizeField(const std::vector<SizeSource>& sources, double maximum, dou
       this->Sources.push_back(source);
     }
   }
-  this->Root = { 0.5 * (lower + upper), 0.5 * (upper - lower).maxCoeff() };
   this->Cells.emplace_back();
   std::vector<int> all(this->Sources.size());
   std::iota(all.begin(), all.end(), 0);
   this->Split(0, this->Root, all, 0);
 }
 
-double SizeField::Evaluate(const Point& point, const int* candidates, int count) const
+SizeField::Square SizeField::Square::Child(int number) const
+{
+  const double half = 0.5 * this->halfWidth;
+  return { this->centre + Point((number & 1) != 0 ? half : -half, (number & 2) != 0 ? half : -half),
+    half };
+}
+
+double SizeField::Evaluate(const Point& point, const std::array<int, 2>& range) const
 {
   double size = this->Maximum;
-  for (int i = 0; i < count; ++i)
+  for (int i = range[0]; i < range[1]; ++i)
   {
-    const SizeSource& source = this->Sources[static_cast<std::size_t>(candidates[i])];
+    const SizeSource& source =
+      this->Sources[static_cast<std::size_t>(this->Candidates[static_cast<std::size_t>(i)])];
     size = std::min(size, source.size + this->Gradation * (point - source.position).norm());
   }
   return size;
@@ -44,38 +54,40 @@ double SizeField::Evaluate(const Point& point, const int* candidates, int count)
 void SizeField::Split(
   int cell, const Square& square, const std::vector<int>& candidates, int depth)
 {
-  const double centreSize =
-    this->Evaluate(square.centre, candidates.data(), static_cast<int>(candidates.size()));
+  std::vector<double> values;
+  double centreSize = this->Maximum;
+  for (int candidate : candidates)
+  {
+    const SizeSource& source = this->Sources[static_cast<std::size_t>(candidate)];
+    values.push_back(source.size + this->Gradation * (square.centre - source.position).norm());
+    centreSize = std::min(centreSize, values.back());
+  }
   // Over the cell every source's function changes by at most gradation × half-diagonal, so a source
   // above the minimum by more than twice that at the centre never attains it.
   const double reach = this->Gradation * std::sqrt(2.0) * square.halfWidth;
   std::vector<int> kept;
-  for (int candidate : candidates)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
-    const SizeSource& source = this->Sources[static_cast<std::size_t>(candidate)];
-    const double value = source.size + this->Gradation * (square.centre - source.position).norm();
-    if (value <= centreSize + 2.0 * reach)
+    if (values[i] <= centreSize + 2.0 * reach)
     {
-      kept.push_back(candidate);
+      kept.push_back(candidates[i]);
     }
   }
   constexpr int MaximumDepth = 48; // beyond it a double cannot tell the children apart
   if (kept.empty() || square.halfWidth <= centreSize || depth == MaximumDepth)
   {
     Cell& leaf = this->Cells[static_cast<std::size_t>(cell)];
-    leaf.firstCandidate = static_cast<int>(this->Candidates.size());
-    leaf.candidateCount = static_cast<int>(kept.size());
+    leaf.range[0] = static_cast<int>(this->Candidates.size());
     this->Candidates.insert(this->Candidates.end(), kept.begin(), kept.end());
+    leaf.range[1] = static_cast<int>(this->Candidates.size());
     return;
   }
   const int firstChild = static_cast<int>(this->Cells.size());
   this->Cells[static_cast<std::size_t>(cell)].firstChild = firstChild;
   this->Cells.resize(this->Cells.size() + 4);
-  const double half = 0.5 * square.halfWidth;
   for (int child = 0; child < 4; ++child)
   {
-    const Point offset((child & 1) != 0 ? half : -half, (child & 2) != 0 ? half : -half);
-    this->Split(firstChild + child, { square.centre + offset, half }, kept, depth + 1);
+    this->Split(firstChild + child, square.Child(child), kept, depth + 1);
   }
 }
 
@@ -85,14 +97,50 @@ double SizeField::operator()(const Point& point) const
   Square square = this->Root;
   while (cell->firstChild >= 0)
   {
-    const bool right = point.x() >= square.centre.x();
-    const bool upper = point.y() >= square.centre.y();
-    square.halfWidth *= 0.5;
-    square.centre += Point(right ? square.halfWidth : -square.halfWidth,
-      upper ? square.halfWidth : -square.halfWidth);
-    cell = &this->Cells[static_cast<std::size_t>(cell->firstChild + (right ? 1 : 0) + (upper ? 2 : 0))];
+    const int child =
+      (point.x() >= square.centre.x() ? 1 : 0) + (point.y() >= square.centre.y() ? 2 : 0);
+    square = square.Child(child);
+    cell = &this->Cells[static_cast<std::size_t>(cell->firstChild + child)];
   }
-  return this->Evaluate(
-    point, this->Candidates.data() + cell->firstCandidate, cell->candidateCount);
+  return this->Evaluate(point, cell->range);
+}
+
+void SizeField::Collect(int cell, const Square& square, std::vector<Leaf>& leaves) const
+{
+  const Cell& here = this->Cells[static_cast<std::size_t>(cell)];
+  if (here.firstChild < 0)
+  {
+    const Point half(square.halfWidth, square.halfWidth);
+    const Eigen::AlignedBox2d box =
+      Eigen::AlignedBox2d(square.centre - half, square.centre + half).intersection(this->Box);
+    if (!box.isEmpty())
+    {
+      leaves.push_back(Leaf(*this, box, here.range));
+    }
+    return;
+  }
+  for (int child = 0; child < 4; ++child)
+  {
+    this->Collect(here.firstChild + child, square.Child(child), leaves);
+  }
+}
+
+double SizeField::Leaf::LowerBound() const
+{
+  double smallest = this->Field.Maximum;
+  for (int i = this->Range[0]; i < this->Range[1]; ++i)
+  {
+    const int source = this->Field.Candidates[static_cast<std::size_t>(i)];
+    smallest = std::min(smallest, this->Field.Sources[static_cast<std::size_t>(source)].size);
+  }
+  const double change = 0.5 * this->Field.Gradation * this->box.diagonal().norm();
+  return std::max(smallest, this->SizeAt(this->box.center()) - change);
+}
+
+std::vector<SizeField::Leaf> SizeField::Leaves() const
+{
+  std::vector<Leaf> leaves;
+  this->Collect(0, this->Root, leaves);
+  return leaves;
 }
 }
