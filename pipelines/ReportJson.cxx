@@ -57,7 +57,8 @@ Json Value(vtkDataArray* array)
 {
   namespace names = vtkCrossFieldArrayNames;
   static const std::set<std::string> flags = { names::Converged, names::Consistent };
-  static const std::set<std::string> lists = { names::HoleDegree, names::HoleNormRange };
+  static const std::set<std::string> lists = { names::HoleDegree, names::HoleNormRange,
+    names::HolonomyDefect };
   if (flags.count(array->GetName()) != 0)
   {
     return array->GetComponent(0, 0) != 0.0;

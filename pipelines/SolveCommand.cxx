@@ -88,6 +88,8 @@ int Solve(const SolveOptions& options)
   // 4. Solve.
   vtkNew<vtkPerforatedCrossField> solver;
   solver->SetInputConnection(drill->GetOutputPort());
+  solver->SetMethod(options.method == "unit-norm" ? vtkPerforatedCrossField::MethodUnitNorm
+                                                  : vtkPerforatedCrossField::MethodConstrained);
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -125,9 +127,9 @@ void AddSolveCommand(CLI::App& app, int& status)
   CLI::App* command = app.add_subcommand("solve", "compute the cross field");
   command->footer("Example: crossfield solve builtin:disk -s four.csv -o field.vtu --json -");
   options->AddTo(*command);
-  command->add_option("--method", options->method, "constrained")
+  command->add_option("--method", options->method, "constrained or unit-norm")
     ->capture_default_str()
-    ->check(CLI::IsMember({ "constrained" }));
+    ->check(CLI::IsMember({ "constrained", "unit-norm" }));
   command->add_option("--json", options->json, "write the numbers to this file, or - for output");
   command->add_flag(
     "--strict", options->strict, "exit with status 1 when there are unwanted singularities");

@@ -25,6 +25,9 @@ struct CrossField
   bool converged = false;
   std::vector<double> multipliers; ///< One per hole, for the constraint C of DegreeConstraint.
 
+  /// Per inner loop, radians; unit-norm method only (UnitNormField.h).
+  std::vector<double> holonomyDefect;
+
   std::vector<HoleReading> holes; ///< In the order of the configuration.
   int unwantedSingularities = 0;
   PoincareHopfCount count;

@@ -44,6 +44,17 @@ void DegreeConstraint::AddHessian(double factor, Eigen::MatrixXcd& matrix) const
   }
 }
 
+DegreeConstraint MakeDegreeConstraint(
+  std::vector<int> unknowns, const std::vector<Point>& midpoints, int degree)
+{
+  Point centre = Point::Zero();
+  for (const Point& midpoint : midpoints)
+  {
+    centre += midpoint / static_cast<double>(midpoints.size());
+  }
+  return { std::move(unknowns), degree, DegreeTarget(midpoints, centre, degree) };
+}
+
 double DegreeTarget(const std::vector<Point>& midpoints, const Point& centre, int degree)
 {
   const auto m = static_cast<int>(midpoints.size());

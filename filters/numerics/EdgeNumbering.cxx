@@ -61,39 +61,46 @@ int EdgeNumbering::EulerCharacteristic(const TriangleMesh& mesh) const
 
 EdgeNumbering NumberEdges(const TriangleMesh& mesh)
 {
+  constexpr int None = -1;
   EdgeNumbering edges;
   EdgeTable table(mesh);
-  std::vector<int> triangleCount;
   edges.vertices.reserve(mesh.triangles.size() * 3 / 2 + mesh.boundary.size());
   edges.ofTriangle.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles)
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     std::array<int, 3> numbers;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      numbers[i] = table.Number(triangle[i], triangle[(i + 1) % 3], edges.vertices);
-      triangleCount.resize(edges.vertices.size(), 0);
-      if (++triangleCount[static_cast<std::size_t>(numbers[i])] > 2)
+      numbers[i] = table.Number(
+        mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3], edges.vertices);
+      edges.triangles.resize(edges.vertices.size(), { None, None });
+      auto& pair = edges.triangles[static_cast<std::size_t>(numbers[i])];
+      if (pair[1] != None)
       {
         throw Error("More than two triangles share an edge; give a manifold triangle mesh.");
       }
+      pair[pair[0] == None ? 0 : 1] = static_cast<int>(t);
     }
     edges.ofTriangle.push_back(numbers);
   }
+  std::vector<bool> marked(edges.vertices.size(), false);
   for (const BoundaryEdge& edge : mesh.boundary)
   {
     const int number = table.Number(edge.vertices[0], edge.vertices[1], edges.vertices);
-    if (number >= static_cast<int>(triangleCount.size()))
+    if (number >= static_cast<int>(marked.size()))
     {
       throw Error("A boundary line is not an edge of any triangle; drill the mesh again.");
     }
-    triangleCount[static_cast<std::size_t>(number)] = 2;
+    marked[static_cast<std::size_t>(number)] = true;
     edges.ofBoundary.push_back(number);
   }
-  if (std::find(triangleCount.begin(), triangleCount.end(), 1) != triangleCount.end())
+  for (std::size_t e = 0; e < marked.size(); ++e)
   {
-    throw Error("A boundary edge of the mesh has no line cell that says what it is part of; give a "
-                "mesh made by the drill filter.");
+    if (edges.triangles[e][1] == None && !marked[e])
+    {
+      throw Error("A boundary edge of the mesh has no line cell that says what it is part of; give "
+                  "a mesh made by the drill filter.");
+    }
   }
   return edges;
 }

@@ -12,6 +12,8 @@ struct EdgeNumbering
   std::vector<std::array<int, 2>> vertices;
   /// Edges p0p1, p1p2, p2p0 of triangle (p0, p1, p2).
   std::vector<std::array<int, 3>> ofTriangle;
+  /// The one or two triangles at each edge; −1 where there is none.
+  std::vector<std::array<int, 2>> triangles;
   /// Edge of each entry of mesh.boundary.
   std::vector<int> ofBoundary;
 

@@ -1,198 +1,69 @@
 #include "PerforatedSolve.h"
 
-#include "NestedDissection.h"
-#include "SparseCholesky.h"
+#include "ConstrainedField.h"
 #include "Stopwatch.h"
+#include "UnitNormField.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-constexpr int Aligned = -1;
+/// Alignment that is off by more than this is not rounding: the potential did not fit its boundary.
+constexpr double AlignmentTolerance = 1e-6;
 
-/// Which edges are unknowns, where they are, and the prescribed values of the others.
-struct Unknowns
+void UseUnitNorm(const PerforatedProblem& problem, CrossField& field)
 {
-  std::vector<int> ofEdge;     ///< Number of the unknown, or Aligned.
-  std::vector<Point> midpoint; ///< Of each unknown.
-  std::vector<int> holes;      ///< Unknowns on holes, hole by hole counter-clockwise.
-  ComplexVector aligned;       ///< Of each edge; zero where it is an unknown.
-};
-
-Unknowns NumberUnknowns(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
-{
-  Unknowns unknowns;
-  unknowns.ofEdge.assign(static_cast<std::size_t>(edges.Count()), 0);
-  unknowns.aligned = ComplexVector::Zero(edges.Count());
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-  {
-    const BoundaryEdge& edge = mesh.boundary[i];
-    if (edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner)
-    {
-      const int number = edges.ofBoundary[i];
-      unknowns.ofEdge[static_cast<std::size_t>(number)] = Aligned;
-      unknowns.aligned[number] =
-        AlignedRepresentation(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
-          mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
-    }
-  }
-  for (std::size_t e = 0; e < unknowns.ofEdge.size(); ++e)
-  {
-    if (unknowns.ofEdge[e] != Aligned)
-    {
-      unknowns.ofEdge[e] = static_cast<int>(unknowns.midpoint.size());
-      unknowns.midpoint.push_back(0.5 *
-        (mesh.points[static_cast<std::size_t>(edges.vertices[e][0])] +
-          mesh.points[static_cast<std::size_t>(edges.vertices[e][1])]));
-    }
-  }
-  for (const BoundaryLoop& loop : loops)
-  {
-    if (loop.kind == BoundaryKind::Hole)
-    {
-      for (int edge : loop.edges)
-      {
-        const int number = edges.ofBoundary[static_cast<std::size_t>(edge)];
-        unknowns.holes.push_back(unknowns.ofEdge[static_cast<std::size_t>(number)]);
-      }
-    }
-  }
-  return unknowns;
+  UnitNormField result = SolveUnitNorm(problem);
+  field.u = std::move(result.u);
+  field.energy = result.energy;
+  field.residual = result.residual;
+  field.converged = result.residual <= AlignmentTolerance;
+  field.holonomyDefect = std::move(result.holonomyDefect);
 }
 
-/// The part of a matrix over all edges that couples unknowns.
-SparseMatrix Restrict(const SparseMatrix& matrix, const Unknowns& unknowns)
+void UseConstrained(const PerforatedProblem& problem, const ReducedOptions& options,
+  const Progress& progress, CrossField& field)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-  for (int column = 0; column < matrix.outerSize(); ++column)
-  {
-    const int j = unknowns.ofEdge[static_cast<std::size_t>(column)];
-    for (SparseMatrix::InnerIterator entry(matrix, column); j != Aligned && entry; ++entry)
-    {
-      const int i = unknowns.ofEdge[static_cast<std::size_t>(entry.row())];
-      if (i != Aligned)
-      {
-        entries.emplace_back(i, j, entry.value());
-      }
-    }
-  }
-  const auto count = static_cast<Eigen::Index>(unknowns.midpoint.size());
-  SparseMatrix restricted(count, count);
-  restricted.setFromTriplets(entries.begin(), entries.end());
-  return restricted;
-}
-
-std::vector<DegreeConstraint> MakeConstraints(
-  const std::vector<BoundaryLoop>& loops, const Unknowns& unknowns)
-{
-  std::vector<DegreeConstraint> constraints;
-  int position = 0;
-  for (const BoundaryLoop& loop : loops)
-  {
-    if (loop.kind != BoundaryKind::Hole)
-    {
-      continue;
-    }
-    DegreeConstraint constraint;
-    constraint.degree = loop.quarterIndex;
-    std::vector<Point> midpoints;
-    Point centre = Point::Zero();
-    for (std::size_t i = 0; i < loop.edges.size(); ++i, ++position)
-    {
-      constraint.unknowns.push_back(position);
-      midpoints.push_back(
-        unknowns.midpoint[static_cast<std::size_t>(unknowns.holes[static_cast<std::size_t>(position)])]);
-      centre += midpoints.back() / static_cast<double>(loop.edges.size());
-    }
-    constraint.target = DegreeTarget(midpoints, centre, constraint.degree);
-    constraints.push_back(std::move(constraint));
-  }
-  return constraints;
-}
-
-ComplexVector Gather(const ComplexVector& values, const std::vector<int>& positions)
-{
-  ComplexVector result(static_cast<Eigen::Index>(positions.size()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    result[static_cast<Eigen::Index>(i)] = values[positions[i]];
-  }
-  return result;
-}
-
-ComplexVector SolveComplex(const SparseCholesky& factor, const ComplexVector& rightHandSide)
-{
-  Eigen::MatrixXd parts(rightHandSide.size(), 2);
-  parts << rightHandSide.real(), rightHandSide.imag();
-  const Eigen::MatrixXd solution = factor.Solve(parts);
-  ComplexVector result(rightHandSide.size());
-  result.real() = solution.col(0);
-  result.imag() = solution.col(1);
-  return result;
+  const ConstrainedSolver solver(problem);
+  progress.Report(0.3);
+  ConstrainedField result = solver.Recover(
+    SolveReduced(solver.GetReducedProblem(), options, progress.Part(0.3, 0.7)));
+  field.u = std::move(result.u);
+  field.energy = result.energy;
+  field.iterations = result.reduced.iterations;
+  field.residual = result.reduced.residual;
+  field.converged =
+    result.reduced.converged && result.alignmentResidual <= AlignmentTolerance;
+  field.multipliers.assign(
+    result.reduced.multipliers.begin(), result.reduced.multipliers.end());
 }
 }
 
 CrossField SolvePerforated(
-  const TriangleMesh& mesh, const ReducedOptions& options, const Progress& progress)
+  const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
 {
   CrossField field;
+  PerforatedProblem problem(mesh);
+  field.count = problem.count;
+  field.seconds.assemble = problem.assembleSeconds;
+  field.seconds.factor = problem.factorSeconds;
+  progress.Report(0.6);
+
   Stopwatch stopwatch;
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  field.count = CountMeshQuarters(mesh, loops);
-  RequireConsistent(field.count);
-
-  field.edges = NumberEdges(mesh);
-  const Unknowns unknowns = NumberUnknowns(mesh, field.edges, loops);
-  const std::vector<DegreeConstraint> constraints = MakeConstraints(loops, unknowns);
-  const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.edges);
-  const SparseMatrix matrix = Restrict(stiffness, unknowns);
-  const ComplexVector load = -(stiffness * unknowns.aligned);
-  ComplexVector rightHandSide(matrix.rows());
-  for (std::size_t e = 0; e < unknowns.ofEdge.size(); ++e)
+  if (options.method == PerforatedMethod::UnitNorm)
   {
-    if (unknowns.ofEdge[e] != Aligned)
-    {
-      rightHandSide[unknowns.ofEdge[e]] = load[static_cast<Eigen::Index>(e)];
-    }
+    UseUnitNorm(problem, field);
   }
-  field.seconds.assemble = stopwatch.Lap();
-  progress.Report(0.2);
-
-  const SparseCholesky factor(
-    matrix, NestedDissection(matrix, unknowns.midpoint, unknowns.holes));
-  field.seconds.factor = stopwatch.Lap();
-  progress.Report(0.8);
-
-  const ComplexVector harmonic = SolveComplex(factor, rightHandSide);
-  const ReducedProblem problem{
-    factor.TrailingSchurComplement(static_cast<int>(unknowns.holes.size())),
-    Gather(harmonic, unknowns.holes), constraints };
-  const ReducedSolution reduced = SolveReduced(problem, options, progress.Part(0.8, 0.95));
-  field.iterations = reduced.iterations;
-  field.residual = reduced.residual;
-  field.converged = reduced.converged;
-  field.multipliers.assign(reduced.multipliers.begin(), reduced.multipliers.end());
-
-  // The multipliers act on the hole edges as forces.
-  const ComplexVector forces = reduced.Forces(problem);
-  for (std::size_t i = 0; i < unknowns.holes.size(); ++i)
+  else
   {
-    rightHandSide[unknowns.holes[i]] += forces[static_cast<Eigen::Index>(i)];
+    UseConstrained(problem, options.reduced, progress.Part(0.6, 0.9), field);
   }
-  const ComplexVector solution = SolveComplex(factor, rightHandSide);
-  field.u = unknowns.aligned;
-  for (std::size_t e = 0; e < unknowns.ofEdge.size(); ++e)
-  {
-    if (unknowns.ofEdge[e] != Aligned)
-    {
-      field.u[static_cast<Eigen::Index>(e)] = solution[unknowns.ofEdge[e]];
-    }
-  }
-  field.energy = 0.5 * field.u.dot(stiffness * field.u).real();
   field.seconds.solve = stopwatch.Lap();
-  ReadReport(mesh, loops, field);
+  field.edges = std::move(problem.edges);
+  ReadReport(mesh, problem.loops, field);
   progress.Report(1.0);
   return field;
 }

@@ -21,11 +21,11 @@ struct DualPoint
   Eigen::LLT<Eigen::MatrixXcd> factor;
 };
 
-DualPoint Evaluate(const ReducedProblem& problem, const ComplexVector& load, Eigen::VectorXd at)
+DualPoint Evaluate(const ReducedProblem& problem, Eigen::VectorXd at)
 {
   DualPoint point;
   point.multipliers = std::move(at);
-  Eigen::MatrixXcd hessian = problem.schurComplement.cast<Complex>();
+  Eigen::MatrixXcd hessian = problem.matrix.cast<Complex>();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
     problem.constraints[i].AddHessian(
@@ -37,8 +37,8 @@ DualPoint Evaluate(const ReducedProblem& problem, const ComplexVector& load, Eig
   {
     return point;
   }
-  point.x = point.factor.solve(load);
-  point.value = -0.5 * load.dot(point.x).real();
+  point.x = point.factor.solve(problem.load);
+  point.value = -0.5 * problem.load.dot(point.x).real();
   point.gradient.resize(point.multipliers.size());
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
@@ -51,10 +51,10 @@ DualPoint Evaluate(const ReducedProblem& problem, const ComplexVector& load, Eig
       std::abs(point.gradient[row]) / static_cast<double>(constraint.unknowns.size()));
   }
   const ComplexVector elastic = hessian * point.x;
-  const double scale = elastic.norm() + load.norm();
+  const double scale = elastic.norm() + problem.load.norm();
   if (scale > 0.0)
   {
-    point.residual = std::max(point.residual, (elastic - load).norm() / scale);
+    point.residual = std::max(point.residual, (elastic - problem.load).norm() / scale);
   }
   return point;
 }
@@ -86,8 +86,7 @@ ComplexVector ReducedSolution::Forces(const ReducedProblem& problem) const
 ReducedSolution SolveReduced(
   const ReducedProblem& problem, const ReducedOptions& options, const Progress& progress)
 {
-  const ComplexVector load = problem.schurComplement * problem.harmonic;
-  DualPoint point = Evaluate(problem, load,
+  DualPoint point = Evaluate(problem,
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size())));
   ReducedSolution solution;
   bool stalled = !point.positiveDefinite;
@@ -102,7 +101,7 @@ ReducedSolution SolveReduced(
     double length = 1.0;
     for (int halving = 0; stalled && halving < 40; ++halving, length *= 0.5)
     {
-      DualPoint trial = Evaluate(problem, load, point.multipliers + length * step);
+      DualPoint trial = Evaluate(problem, point.multipliers + length * step);
       // Close to the maximum q no longer resolves the progress that its gradient still shows.
       stalled = !(trial.positiveDefinite &&
         (trial.value >= point.value + 1e-4 * length * slope ||
@@ -114,7 +113,7 @@ ReducedSolution SolveReduced(
     }
     ++solution.iterations;
   }
-  solution.x = point.positiveDefinite ? point.x : problem.harmonic;
+  solution.x = point.x;
   solution.multipliers = point.multipliers;
   solution.residual = point.residual;
   solution.converged = point.positiveDefinite && point.residual <= options.tolerance;

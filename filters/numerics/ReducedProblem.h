@@ -8,11 +8,11 @@
 namespace crossfield
 {
 /// The constrained problem after everything but the hole edges is eliminated (METHOD §3):
-///   minimise ½ (x − x⁰)ᴴ S (x − x⁰)   subject to   ½ xᴴ A_i x = t_i.
+///   minimise ½ xᴴ S x − Re(bᴴ x)   subject to   ½ xᴴ A_i x = t_i.
 struct ReducedProblem
 {
-  Eigen::MatrixXd schurComplement; ///< S, symmetric positive definite.
-  ComplexVector harmonic;          ///< x⁰, the minimiser without constraints.
+  Eigen::MatrixXd matrix; ///< S, symmetric positive definite.
+  ComplexVector load;     ///< b; S⁻¹ b are the values of the field without constraints.
   std::vector<DegreeConstraint> constraints;
 };
 
@@ -32,14 +32,14 @@ struct ReducedSolution
   double residual = 0.0;
   bool converged = false;
 
-  /// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S (x − x⁰) when solved.
+  /// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S x − b when solved.
   ComplexVector Forces(const ReducedProblem& problem) const;
 };
 
 /// Newton's method on the dual, from the harmonic field (λ = 0).
 ///
-/// While H(λ) = S + Σ λ_i A_i is positive definite, x(λ) = H(λ)⁻¹ S x⁰ minimises the Lagrangian and
-///   q(λ) = −½ (S x⁰)ᴴ x(λ) − Σ λ_i t_i
+/// While H(λ) = S + Σ λ_i A_i is positive definite, x(λ) = H(λ)⁻¹ b minimises the Lagrangian and
+///   q(λ) = −½ bᴴ x(λ) − Σ λ_i t_i
 /// is concave with ∂q/∂λ_i = C_i(x(λ)) − t_i and ∂²q/∂λ_i∂λ_j = −Re((A_i x)ᴴ H⁻¹ A_j x). A line
 /// search on q keeps H positive definite, so a converged solution is the global minimiser of the
 /// problem, not only a critical point. Where the maximiser of q lies on the border of the region

@@ -113,7 +113,7 @@ Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) con
   return result;
 }
 
-Eigen::MatrixXd SparseCholesky::TrailingSchurComplement(int count) const
+Eigen::MatrixXd SparseCholesky::TrailingFactor(int count) const
 {
   const cholmod_factor& factor = *this->Data->factor;
   const auto n = static_cast<int>(factor.n);
@@ -147,6 +147,6 @@ Eigen::MatrixXd SparseCholesky::TrailingSchurComplement(int count) const
       }
     }
   }
-  return trailing * trailing.transpose();
+  return trailing;
 }
 }

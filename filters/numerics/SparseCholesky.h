@@ -23,9 +23,9 @@ public:
   /// Solves A X = B column by column. Throws Error when the result is not finite.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
-  /// Schur complement of A on the last `count` unknowns of the order, in that order: it is
-  /// L_tt L_ttᵀ for the trailing block L_tt of the factor, so it costs no solve (METHOD §3).
-  Eigen::MatrixXd TrailingSchurComplement(int count) const;
+  /// Lower triangular L_tt of the last `count` unknowns of the order, in that order. L_tt L_ttᵀ is
+  /// the Schur complement of A on them, which therefore costs no solve (METHOD §3).
+  Eigen::MatrixXd TrailingFactor(int count) const;
 
 private:
   struct Factor;

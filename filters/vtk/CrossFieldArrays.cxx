@@ -133,5 +133,14 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
   AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
   AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
   AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
+  if (!field.holonomyDefect.empty())
+  {
+    const auto islands = static_cast<vtkIdType>(field.holonomyDefect.size());
+    auto defects = NewArray(data, names::HolonomyDefect, 1, islands);
+    for (vtkIdType i = 0; i < islands; ++i)
+    {
+      defects->SetValue(i, field.holonomyDefect[static_cast<std::size_t>(i)]);
+    }
+  }
 }
 }

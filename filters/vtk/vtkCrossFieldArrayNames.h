@@ -33,6 +33,7 @@ constexpr const char* TangentTurning = "TangentTurning";
 constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
 constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
 constexpr const char* Consistent = "Consistent";
+constexpr const char* HolonomyDefect = "HolonomyDefect";
 }
 
 #endif

@@ -13,6 +13,9 @@
 
 vtkStandardNewMacro(vtkPerforatedCrossField);
 
+static_assert(static_cast<int>(crossfield::PerforatedMethod::UnitNorm) ==
+    vtkPerforatedCrossField::MethodUnitNorm,
+  "methods are numbered as in the numerics");
 static_assert(FilterRun::Inconsistent == vtkPerforatedCrossField::InconsistentError,
   "the code that FilterRun returns is the one that the header promises");
 
@@ -40,9 +43,10 @@ int vtkPerforatedCrossField::RequestData(
         return;
       }
       const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      crossfield::ReducedOptions options;
-      options.maximumIterations = this->MaximumIterations;
-      options.tolerance = this->Tolerance;
+      crossfield::PerforatedOptions options;
+      options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
+      options.reduced.maximumIterations = this->MaximumIterations;
+      options.reduced.tolerance = this->Tolerance;
       const crossfield::CrossField field =
         crossfield::SolvePerforated(cells.mesh, options, progress);
       if (!field.converged)
@@ -65,6 +69,8 @@ int vtkPerforatedCrossField::RequestData(
 void vtkPerforatedCrossField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == MethodUnitNorm ? "UnitNorm" : "Constrained")
+     << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "

@@ -2,12 +2,15 @@
  * @class   vtkPerforatedCrossField
  * @brief   the smoothest boundary-aligned cross field with prescribed singularities in holes
  *
- * A cross is represented by u = e^{4iθ}. Minimises ½ ∫ |∇u|² over complex Crouzeix-Raviart
- * functions on the drilled mesh with u = e^{4iτ} on every outer and inner boundary edge (τ its
- * direction angle) and on every hole the degree constraint
- *   Σ_j Im(conj(u_j) u_{j+1}) = Σ_j sin(k Δα_j)
- * over its edge midpoints, counter-clockwise, where k is the hole's quarter index and Δα_j the
- * angle between neighbouring midpoints seen from the centre.
+ * A cross is represented by u = e^{4iθ}. The field lives in the Crouzeix-Raviart space of the
+ * drilled mesh (values at the midpoints of edges) with u = e^{4iτ} on every outer and inner boundary
+ * edge, τ its direction angle. By Method:
+ * - Constrained minimises ½ ∫ |∇u|² over complex u with, on every hole, the degree constraint
+ *     Σ_j Im(conj(u_j) u_{j+1}) = Σ_j sin(k Δα_j)
+ *   over its edge midpoints, counter-clockwise, where k is the hole's quarter index and Δα_j the
+ *   angle between neighbouring midpoints seen from the centre. |u| is free, and may vanish.
+ * - UnitNorm minimises ½ ∫ |∇φ|² over u = e^{iφ} whose phase turns k times around every hole: a
+ *   linear problem without iterations, |u| = 1 everywhere.
  *
  * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays).
  *
@@ -20,24 +23,28 @@
  *   with θ = arg(u) / 4, and the branch at +90°;
  * - `CrossNorm` (cells and points, double, 1): |u|; not 1, the minimisation is over the plane.
  *
- * Field data, one value each unless said: `Energy` (½ ∫ |∇u|²), `Iterations`, `Residual` (of the
- * optimality conditions, relative), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
+ * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,
+ * `Residual` (of the optimality conditions, relative; UnitNorm: largest deviation of the integrated
+ * phase from the prescribed crosses), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
  * reached), `HoleNormRange` (2 components per hole: least and largest |u| on it),
  * `UnwantedSingularities` (int), `EulerCharacteristic`, `Valence`, `TangentTurning`,
  * `RequiredInteriorQuarters`, `GivenInteriorQuarters`, `Consistent` (of the generalised
- * Poincaré-Hopf theorem).
+ * Poincaré-Hopf theorem), `HolonomyDefect` (UnitNorm, per inner loop, radians in (−π, π]: the phase
+ * that a single-valued potential carries to it minus that of its alignment; absorbed by adding a
+ * harmonic field).
  *
  * An empty mesh gives an empty output. Failure, with an empty output: a mesh without the arrays of
  * vtkDrillHoles; a hole with too few edges for its quarter index; quarter indices that violate the
  * Poincaré-Hopf theorem (GetErrorCode() is then InconsistentError, not vtkErrorCode::UserError). An
  * iteration that does not converge is a warning and `Converged` 0.
  *
- * Cost: one sparse Cholesky factorisation with one unknown per edge; the iterations work on a dense
- * matrix over the edges of the holes only.
+ * Cost: one sparse Cholesky factorisation with one unknown per vertex; the iterations work on a
+ * dense matrix over the edges of the holes only.
  *
  * Paper: "Singularity placements via perforation strategy". Differences from it: the constraint
  * sums over all edges of a hole and its target is that of unit vectors on the polygon, not 2πk; the
- * Hessian carries the multipliers; everything but the holes is eliminated once.
+ * Hessian carries the multipliers; everything but the holes is eliminated once, from the Laplacian
+ * of the conjugate potentials; the iteration maximises the dual.
  *
  * @sa vtkDrillHoles, vtkCrossGlyphs, crossfield::SolvePerforated
  */
@@ -61,15 +68,30 @@ public:
     InconsistentError = 40001
   };
 
+  /** How the field is computed. */
+  enum
+  {
+    MethodConstrained = 0,
+    MethodUnitNorm = 1
+  };
+
   ///@{
-  /** Most iterations. Default: 100. Range: at least 1. */
+  /** The method; see the class comment. Default: MethodConstrained. */
+  vtkSetClampMacro(Method, int, MethodConstrained, MethodUnitNorm);
+  vtkGetMacro(Method, int);
+  void SetMethodToConstrained() { this->SetMethod(MethodConstrained); }
+  void SetMethodToUnitNorm() { this->SetMethod(MethodUnitNorm); }
+  ///@}
+
+  ///@{
+  /** Constrained method: most iterations. Default: 100. Range: at least 1. */
   vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
   ///@}
 
   ///@{
   /**
-   * The iteration stops when the relative residual of the optimality conditions is below this.
+   * Constrained method: the iteration stops when the relative residual of the optimality conditions is below this.
    * Default: 1e-10. Range: 1e-15 to 1e-2.
    */
   vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
@@ -93,6 +115,7 @@ private:
   vtkPerforatedCrossField(const vtkPerforatedCrossField&) = delete;
   void operator=(const vtkPerforatedCrossField&) = delete;
 
+  int Method = MethodConstrained;
   int MaximumIterations = 100;
   double Tolerance = 1e-10;
   double StageSeconds[3] = { 0.0, 0.0, 0.0 };

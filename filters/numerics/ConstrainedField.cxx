@@ -1,0 +1,156 @@
+#include "ConstrainedField.h"
+
+#include "ConjugateField.h"
+
+namespace crossfield
+{
+namespace
+{
+/// Sources of the conjugates of Re u and Im u at the vertices of aligned loops, and the differences
+/// between the ends of the islands' strips.
+Eigen::MatrixXd AlignedLoad(const PerforatedProblem& problem)
+{
+  const PotentialSolver& potential = *problem.potential;
+  Eigen::MatrixXd load = Eigen::MatrixXd::Zero(potential.Rows(), 2);
+  const auto set = [&load](Eigen::Index row, const Complex& value)
+  { load.row(row) << value.real(), value.imag(); };
+  const std::vector<int> previous = problem.PreviousBoundaryEdges();
+  for (std::size_t i = 0; i < problem.mesh.boundary.size(); ++i)
+  {
+    const BoundaryEdge& edge = problem.mesh.boundary[i];
+    if (edge.kind != BoundaryKind::Hole)
+    {
+      set(edge.vertices[0],
+        problem.aligned[static_cast<Eigen::Index>(i)] - problem.aligned[previous[i]]);
+    }
+  }
+  for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
+  {
+    const IslandStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
+    set(potential.PeriodRow(k),
+      problem.aligned[strip.firstBoundaryEdge] - problem.aligned[strip.lastBoundaryEdge]);
+  }
+  return load;
+}
+
+Point Midpoint(const TriangleMesh& mesh, const BoundaryEdge& edge)
+{
+  return 0.5 *
+    (mesh.points[static_cast<std::size_t>(edge.vertices[0])] +
+      mesh.points[static_cast<std::size_t>(edge.vertices[1])]);
+}
+}
+
+ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
+  : Problem(problem)
+  , Load(AlignedLoad(problem))
+{
+  for (const BoundaryLoop& loop : problem.loops)
+  {
+    if (loop.kind != BoundaryKind::Hole)
+    {
+      continue;
+    }
+    std::vector<int> positions;
+    std::vector<Point> midpoints;
+    for (int edge : loop.edges)
+    {
+      positions.push_back(static_cast<int>(this->HoleEdges.size()));
+      this->HoleEdges.push_back(problem.edges.ofBoundary[static_cast<std::size_t>(edge)]);
+      this->NextOnHole.push_back(positions.back() + 1);
+      midpoints.push_back(
+        Midpoint(problem.mesh, problem.mesh.boundary[static_cast<std::size_t>(edge)]));
+    }
+    this->NextOnHole.back() = positions.front();
+    this->Reduced.constraints.push_back(
+      MakeDegreeConstraint(std::move(positions), midpoints, loop.quarterIndex));
+  }
+
+  const PotentialSolver& potential = *problem.potential;
+  const auto count = static_cast<Eigen::Index>(this->HoleEdges.size());
+  const auto trailing = static_cast<Eigen::Index>(potential.TrailingRows().size());
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(trailing, count); // ∇ᵀ
+  for (Eigen::Index j = 0; j < count; ++j)
+  {
+    differences(j, j) += 1.0;
+    differences(j, this->NextOnHole[static_cast<std::size_t>(j)]) -= 1.0;
+  }
+  const Eigen::MatrixXd root =
+    potential.TrailingFactor().triangularView<Eigen::Lower>().solve(differences);
+  this->Reduced.matrix = root.transpose() * root;
+  // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
+  const double weight = count > 0 ? this->Reduced.matrix.trace() / static_cast<double>(count) : 0.0;
+  for (const DegreeConstraint& constraint : this->Reduced.constraints)
+  {
+    const auto first = static_cast<Eigen::Index>(constraint.unknowns.front());
+    const auto size = static_cast<Eigen::Index>(constraint.unknowns.size());
+    this->Reduced.matrix.block(first, first, size, size).array() +=
+      weight / static_cast<double>(size);
+  }
+
+  const Eigen::MatrixXd free = potential.Solve(this->Load);
+  this->Reduced.load.resize(count);
+  for (Eigen::Index j = 0; j < count; ++j)
+  {
+    // −f_next = Ψ_j − Ψ_{j+1}, with vertex j between edges j and j + 1.
+    const int next = this->NextOnHole[static_cast<std::size_t>(j)];
+    const Eigen::RowVector2d step = free.row(potential.TrailingRows()[static_cast<std::size_t>(j)]) -
+      free.row(potential.TrailingRows()[static_cast<std::size_t>(next)]);
+    this->Reduced.load[next] = Complex(step[0], step[1]);
+  }
+}
+
+ComplexVector ConstrainedSolver::HoleValues(const ComplexVector& u) const
+{
+  ComplexVector values(static_cast<Eigen::Index>(this->HoleEdges.size()));
+  for (std::size_t j = 0; j < this->HoleEdges.size(); ++j)
+  {
+    values[static_cast<Eigen::Index>(j)] = u[this->HoleEdges[j]];
+  }
+  for (const DegreeConstraint& constraint : this->Reduced.constraints)
+  {
+    auto part = values.segment(static_cast<Eigen::Index>(constraint.unknowns.front()),
+      static_cast<Eigen::Index>(constraint.unknowns.size()));
+    part.array() -= part.mean();
+  }
+  return values;
+}
+
+ConstrainedField ConstrainedSolver::Recover(const ReducedSolution& solution) const
+{
+  const PerforatedProblem& problem = this->Problem;
+  const PotentialSolver& potential = *problem.potential;
+  Eigen::MatrixXd load = this->Load;
+  for (std::size_t j = 0; j < this->HoleEdges.size(); ++j)
+  {
+    const Complex source =
+      solution.x[static_cast<Eigen::Index>(j)] - solution.x[this->NextOnHole[j]];
+    load.row(potential.TrailingRows()[j]) << source.real(), source.imag();
+  }
+  const Eigen::MatrixXd potentials = potential.Solve(load);
+
+  ConstrainedField field;
+  field.reduced = solution;
+  field.u.resize(problem.edges.Count());
+  const int first = problem.FirstOuterEdge();
+  const Complex start = problem.aligned[first];
+  for (int part = 0; part < 2; ++part)
+  {
+    const Eigen::Matrix2Xd gradient = potential.Gradient(potentials.col(part));
+    field.energy += GradientEnergy(problem.mesh, gradient);
+    const Eigen::VectorXd values = IntegrateConjugate(problem.mesh, problem.edges, gradient,
+      problem.edges.ofBoundary[static_cast<std::size_t>(first)],
+      part == 0 ? start.real() : start.imag());
+    if (part == 0)
+    {
+      field.u.real() = values;
+    }
+    else
+    {
+      field.u.imag() = values;
+    }
+  }
+  field.alignmentResidual = problem.Align(field.u);
+  return field;
+}
+}

@@ -1,0 +1,200 @@
+#include "PotentialSolver.h"
+
+#include "Error.h"
+#include "NestedDissection.h"
+#include "P1Laplacian.h"
+#include "SparseCholesky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+/// Vertices of the holes; see PotentialSolver::TrailingRows.
+std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
+{
+  std::vector<int> vertices;
+  for (const BoundaryLoop& loop : loops)
+  {
+    for (int edge : loop.edges)
+    {
+      if (loop.kind == BoundaryKind::Hole)
+      {
+        // Edges are directed clockwise around the hole, so edge j starts where edge j + 1 ends.
+        vertices.push_back(mesh.boundary[static_cast<std::size_t>(edge)].vertices[0]);
+      }
+    }
+  }
+  return vertices;
+}
+
+/// The P1 matrix bordered by the periods, without the row and column of the ground.
+Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const std::vector<IslandStrip>& strips, int ground)
+{
+  Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, edges);
+  const Eigen::Index vertexCount = matrix.rows();
+  const auto size = vertexCount + static_cast<Eigen::Index>(strips.size());
+  matrix.conservativeResize(size, size);
+  std::vector<Eigen::Triplet<double>> border;
+  for (std::size_t k = 0; k < strips.size(); ++k)
+  {
+    const auto row = static_cast<int>(vertexCount + static_cast<Eigen::Index>(k));
+    // η_k on the triangles of its strip, to find where other strips overlap.
+    std::vector<std::pair<int, Eigen::Vector3d>> products;
+    for (const IslandStrip::Step& step : strips[k].steps)
+    {
+      const Eigen::Vector3d product = P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
+        Eigen::Map<const Eigen::Vector3d>(step.left.data());
+      products.emplace_back(step.triangle, product);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const int vertex = mesh.triangles[static_cast<std::size_t>(step.triangle)][i];
+        border.emplace_back(vertex, row, product[static_cast<Eigen::Index>(i)]);
+        border.emplace_back(row, vertex, product[static_cast<Eigen::Index>(i)]);
+      }
+    }
+    std::sort(products.begin(), products.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t l = 0; l < strips.size(); ++l)
+    {
+      for (const IslandStrip::Step& step : strips[l].steps)
+      {
+        const auto found = std::lower_bound(products.begin(), products.end(), step.triangle,
+          [](const auto& entry, int triangle) { return entry.first < triangle; });
+        if (found != products.end() && found->first == step.triangle)
+        {
+          border.emplace_back(static_cast<int>(vertexCount + static_cast<Eigen::Index>(l)), row,
+            found->second.dot(Eigen::Map<const Eigen::Vector3d>(step.left.data())));
+        }
+      }
+    }
+  }
+  if (!border.empty())
+  {
+    Eigen::SparseMatrix<double> addition(size, size);
+    addition.setFromTriplets(border.begin(), border.end());
+    matrix += addition;
+  }
+  // Without the ground.
+  Eigen::SparseMatrix<double> grounded(size - 1, size - 1);
+  grounded.reserve(matrix.nonZeros());
+  for (Eigen::Index column = 0; column < size; ++column)
+  {
+    if (column == ground)
+    {
+      continue;
+    }
+    grounded.startVec(column - (column > ground ? 1 : 0));
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      if (entry.row() != ground)
+      {
+        grounded.insertBack(entry.row() - (entry.row() > ground ? 1 : 0),
+          column - (column > ground ? 1 : 0)) = entry.value();
+      }
+    }
+  }
+  grounded.finalize();
+  return grounded;
+}
+}
+
+PotentialSolver::PotentialSolver(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
+  : Mesh(mesh)
+  , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
+  , Strips(FindIslandStrips(mesh, edges, loops))
+  , Trailing(HoleVertices(mesh, loops))
+{
+  const auto outer = std::find_if(loops.begin(), loops.end(),
+    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Outer; });
+  if (outer == loops.end())
+  {
+    throw Error("The mesh has no outer boundary loop; give a mesh made by the drill filter.");
+  }
+  this->Ground = mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0];
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    this->Trailing.push_back(static_cast<int>(this->PeriodRow(k)));
+  }
+
+  const Eigen::SparseMatrix<double> matrix =
+    BorderedMatrix(mesh, edges, this->Strips, this->Ground);
+  const auto reduced = [this](int row) { return row - (row > this->Ground ? 1 : 0); };
+  std::vector<int> last;
+  std::transform(this->Trailing.begin(), this->Trailing.end(), std::back_inserter(last), reduced);
+  std::vector<Point> places(mesh.points);
+  places.erase(places.begin() + this->Ground);
+  places.resize(static_cast<std::size_t>(matrix.rows()), Point::Zero()); // periods have no place
+  this->Factor = std::make_unique<SparseCholesky>(matrix, NestedDissection(matrix, places, last));
+  this->TrailingLower = this->Factor->TrailingFactor(static_cast<int>(last.size()));
+}
+
+PotentialSolver::~PotentialSolver() = default;
+
+Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) const
+{
+  for (Eigen::Index column = 0; column < rightHandSides.cols(); ++column)
+  {
+    const auto sources = rightHandSides.col(column).head(this->VertexCount);
+    // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
+    const double rounding = static_cast<double>(this->VertexCount) *
+      std::numeric_limits<double>::epsilon() * sources.lpNorm<1>();
+    if (!(std::abs(sources.sum()) <= rounding))
+    {
+      throw Error("The sources of the potential add up to " + std::to_string(sources.sum()) +
+        " instead of zero, so it has no solution; the quarter indices violate Poincaré-Hopf.");
+    }
+  }
+  return this->SolveGrounded(rightHandSides);
+}
+
+Eigen::MatrixXd PotentialSolver::SolveGrounded(const Eigen::MatrixXd& rightHandSides) const
+{
+  const Eigen::Index above = this->Ground;
+  const Eigen::Index below = this->Rows() - this->Ground - 1;
+  Eigen::MatrixXd reduced(this->Rows() - 1, rightHandSides.cols());
+  reduced << rightHandSides.topRows(above), rightHandSides.bottomRows(below);
+  const Eigen::MatrixXd solved = this->Factor->Solve(reduced);
+  Eigen::MatrixXd solution(this->Rows(), rightHandSides.cols());
+  solution << solved.topRows(above), Eigen::MatrixXd::Zero(1, rightHandSides.cols()),
+    solved.bottomRows(below);
+  return solution;
+}
+
+Eigen::Matrix2Xd PotentialSolver::Gradient(const Eigen::VectorXd& solution) const
+{
+  const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
+  {
+    const auto& triangle = this->Mesh.triangles[t];
+    const Point& p0 = this->Mesh.points[static_cast<std::size_t>(triangle[0])];
+    const Point a = this->Mesh.points[static_cast<std::size_t>(triangle[1])] - p0;
+    const Point b = this->Mesh.points[static_cast<std::size_t>(triangle[2])] - p0;
+    const double da = f1 - f0;
+    const double db = f2 - f0;
+    return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
+  };
+  Eigen::Matrix2Xd gradient(2, static_cast<Eigen::Index>(this->Mesh.triangles.size()));
+  for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
+  {
+    const auto& v = this->Mesh.triangles[t];
+    gradient.col(static_cast<Eigen::Index>(t)) =
+      gradientOf(t, solution[v[0]], solution[v[1]], solution[v[2]]);
+  }
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    for (const IslandStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    {
+      gradient.col(step.triangle) += solution[this->PeriodRow(k)] *
+        gradientOf(static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
+    }
+  }
+  return gradient;
+}
+}

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "EdgeNumbering.h"
+#include "IslandStrip.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace crossfield
+{
+class SparseCholesky;
+
+/// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
+/// constrained field and everything derived from a potential (METHOD §2, §3).
+///
+/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop: the
+/// amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
+/// cut functions η_k of IslandStrip, which have a gradient on their strips only. The matrix is
+///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
+/// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
+/// One vertex of the outer loop, the ground, is left out to remove it.
+///
+/// What the right-hand sides mean, when φ is the conjugate of Ψ: ∇φ = rot ∇Ψ, rot = +90°, φ at the
+/// midpoints of edges (Crouzeix-Raviart):
+/// - at a boundary vertex: φ on the boundary edge after it minus φ on the one before, walking with
+///   the domain on the left; at an interior vertex: −2π times the turns of φ around it;
+/// - at a period: φ on the strip's first edge minus φ on its last edge.
+///
+/// The trailing unknowns, hole vertices then periods, come last in the factorisation, so their
+/// Schur complement T is at hand: any treatment of holes and islands is a small dense problem.
+class PotentialSolver
+{
+public:
+  /// Throws Error when the mesh is not connected or has degenerate triangles.
+  PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
+    const std::vector<BoundaryLoop>& loops);
+  ~PotentialSolver();
+
+  /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
+  Eigen::Index Rows() const { return this->VertexCount + this->PeriodCount(); }
+  Eigen::Index PeriodCount() const { return static_cast<Eigen::Index>(this->Strips.size()); }
+  /// Row of the k-th period.
+  Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount + k; }
+  const std::vector<IslandStrip>& GetStrips() const { return this->Strips; }
+
+  /// Rows of the trailing unknowns: per hole its vertices, counter-clockwise, where vertex j joins
+  /// edges j and j + 1 of the hole's BoundaryLoop; then the periods.
+  const std::vector<int>& TrailingRows() const { return this->Trailing; }
+
+  /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns.
+  const Eigen::MatrixXd& TrailingFactor() const { return this->TrailingLower; }
+
+  /// Solves for any number of columns; the ground is 0 in the result. The entries of a column at
+  /// vertices must add up to zero, or there is no solution: throws Error with their sum.
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// Like Solve, but without the requirement: the ground takes the sources that are missing.
+  Eigen::MatrixXd SolveGrounded(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// Gradient ∇Ψ + Σ q_k ∇η_k of one solution on every triangle.
+  Eigen::Matrix2Xd Gradient(const Eigen::VectorXd& solution) const;
+
+private:
+  const TriangleMesh& Mesh;
+  Eigen::Index VertexCount;
+  std::vector<IslandStrip> Strips;
+  int Ground;
+  std::vector<int> Trailing;
+  std::unique_ptr<SparseCholesky> Factor;
+  Eigen::MatrixXd TrailingLower;
+};
+}
