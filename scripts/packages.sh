@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that building and testing need. Quick when nothing is missing.
+#
+#   scripts/packages.sh
+set -euo pipefail
+
+packages=(
+  # Compiler and tools.
+  ccache cmake g++ ninja-build
+  # Numerics: meshes, matrices, sparse Cholesky factorisation.
+  libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
+  # Program and tests; Xvfb is the screen on which pictures are drawn.
+  libbenchmark-dev libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
+  # ParaView, its VTK and its Python.
+  paraview paraview-dev python3-dev python3-paraview
+  # find_package(ParaView) asks for these; paraview-dev does not depend on them.
+  libavcodec-dev libavformat-dev libdouble-conversion-dev libfreetype-dev libgdal-dev
+  libgl2ps-dev libglew-dev libhdf5-openmpi-dev libqt5opengl5-dev libqt5svg5-dev libswscale-dev
+  libtheora-dev libutfcpp-dev qtbase5-dev qttools5-dev
+  # The plugin's help pages are made with it.
+  qtxmlpatterns5-dev-tools
+)
+
+states=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${packages[@]}" \
+  2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  if ! grep --quiet --line-regexp --fixed-strings "installed $package" <<<"$states"; then
+    missing+=("$package")
+  fi
+done
+if [[ ${#missing[@]} -eq 0 ]]; then
+  exit 0
+fi
+
+echo "Installing: ${missing[*]}"
+as_root=()
+if [[ $(id --user) -ne 0 ]]; then
+  if ! command -v sudo >/dev/null; then
+    echo "Become root and run this again, or install: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+# Waits when another program is installing packages.
+apt=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --option DPkg::Lock::Timeout=600)
+"${as_root[@]}" "${apt[@]}" update
+"${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "${missing[@]}"

@@ -1,0 +1,206 @@
+/**
+ * Seconds of every stage on the unit disk with eight holes, at 10,000, 100,000 and 1,000,000
+ * triangles, and beside them in the same run a bare CHOLMOD factorisation (supernodal, AMD: analyse,
+ * factor, two solves) of the scalar Crouzeix-Raviart matrix of the same mesh.
+ *
+ *   build/bin/benchStages
+ */
+#include "BuiltinDomains.h"
+#include "CrouzeixRaviart.h"
+#include "DrillHoles.h"
+#include "PerforatedSolve.h"
+#include "Stopwatch.h"
+
+#include <benchmark/benchmark.h>
+#include <cholmod.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+
+namespace
+{
+using namespace crossfield;
+
+/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (METHOD §9).
+Configuration EightHoles()
+{
+  Configuration configuration;
+  for (int i = 0; i < 6; ++i)
+  {
+    const double angle = Pi * i / 3.0;
+    configuration.push_back({ 0.7 * Point(std::cos(angle), std::sin(angle)), 1, 0.02 });
+  }
+  configuration.push_back({ { 0.2, 0.0 }, -1, 0.02 });
+  configuration.push_back({ { -0.2, 0.0 }, -1, 0.02 });
+  return configuration;
+}
+
+/// Edge length that gives about so many triangles: a disk of area π in equilateral ones.
+double MeshSizeFor(std::int64_t triangles)
+{
+  return std::sqrt(4.0 * Pi / (std::sqrt(3.0) * static_cast<double>(triangles)));
+}
+
+TriangleMesh MakeMesh(std::int64_t triangles)
+{
+  BuiltinDomain disk;
+  disk.edgeLength = MeshSizeFor(triangles);
+  DrillOptions options;
+  options.meshSize = disk.edgeLength;
+  return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), options);
+}
+
+/// The mesh of a size, made once for all benchmarks.
+const TriangleMesh& MeshOf(std::int64_t triangles)
+{
+  static std::map<std::int64_t, TriangleMesh> meshes;
+  auto found = meshes.find(triangles);
+  if (found == meshes.end())
+  {
+    found = meshes.emplace(triangles, MakeMesh(triangles)).first;
+  }
+  return found->second;
+}
+
+void Mesh(benchmark::State& state)
+{
+  for (auto _ : state)
+  {
+    const TriangleMesh mesh = MakeMesh(state.range(0));
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+  }
+}
+
+/// The matrix of the free unknowns, as an implementation of the paper would factor it.
+void BareCholmod(benchmark::State& state)
+{
+  const TriangleMesh& mesh = MeshOf(state.range(0));
+  const EdgeNumbering edges = NumberEdges(mesh);
+  std::vector<int> number(static_cast<std::size_t>(edges.Count()), 0);
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    if (mesh.boundary[i].kind != BoundaryKind::Hole)
+    {
+      number[static_cast<std::size_t>(edges.ofBoundary[i])] = -1;
+    }
+  }
+  int count = 0;
+  for (int& n : number)
+  {
+    n = n < 0 ? -1 : count++;
+  }
+  const SparseMatrix all = CrouzeixRaviartStiffness(mesh, edges);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int column = 0; column < all.outerSize(); ++column)
+  {
+    for (SparseMatrix::InnerIterator entry(all, column); entry; ++entry)
+    {
+      const int i = number[static_cast<std::size_t>(entry.row())];
+      const int j = number[static_cast<std::size_t>(column)];
+      if (i >= j && j >= 0)
+      {
+        entries.emplace_back(i, j, entry.value());
+      }
+    }
+  }
+  SparseMatrix matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  for (auto _ : state)
+  {
+    cholmod_common common;
+    cholmod_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_AMD;
+    cholmod_sparse view = {};
+    view.nrow = view.ncol = static_cast<std::size_t>(count);
+    view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+    view.p = matrix.outerIndexPtr();
+    view.i = matrix.innerIndexPtr();
+    view.x = matrix.valuePtr();
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = view.packed = 1;
+    cholmod_factor* factor = cholmod_analyze(&view, &common);
+    cholmod_factorize(&view, factor, &common);
+    cholmod_dense* right = cholmod_ones(view.nrow, 2, CHOLMOD_REAL, &common);
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, factor, right, &common);
+    benchmark::DoNotOptimize(solution->x);
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&right, &common);
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+}
+
+/// The time of the row is factor + solve; assembling is a counter beside it.
+void Solve(benchmark::State& state, PerforatedMethod method)
+{
+  const TriangleMesh& mesh = MeshOf(state.range(0));
+  PerforatedOptions options;
+  options.method = method;
+  for (auto _ : state)
+  {
+    const CrossField field = SolvePerforated(mesh, options);
+    state.SetIterationTime(field.seconds.factor + field.seconds.solve);
+    state.counters["assemble"] = field.seconds.assemble;
+    state.counters["factor"] = field.seconds.factor;
+    state.counters["solve"] = field.seconds.solve;
+    state.counters["newton"] = field.seconds.newton;
+    state.counters["iterations"] = field.iterations;
+    state.counters["wrong"] = field.wrongDegrees + (field.converged ? 0 : 1);
+  }
+}
+
+/// The program as a user runs it: from nothing to the .vtu on disk.
+void WholeRun(benchmark::State& state)
+{
+  const std::string folder = "/tmp/crossfield-bench-" + std::to_string(getpid());
+  const std::string csv = folder + ".csv";
+  const std::string vtu = folder + ".vtu";
+  std::ofstream stream(csv);
+  stream.precision(17);
+  stream << "x,y,quarter_index,radius\n";
+  for (const Singularity& singularity : EightHoles())
+  {
+    stream << singularity.position.x() << "," << singularity.position.y() << ","
+           << singularity.quarterIndex << "," << singularity.radius << "\n";
+  }
+  stream.close();
+  const std::string command = std::string(CROSSFIELD_PROGRAM) + " solve builtin:disk -s " + csv +
+    " --size " + std::to_string(MeshSizeFor(state.range(0))) + " -o " + vtu + " > /dev/null";
+  for (auto _ : state)
+  {
+    if (std::system(command.c_str()) != 0)
+    {
+      state.SkipWithError("the program failed");
+      break;
+    }
+  }
+  rusage usage = {};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  state.counters["peak_GiB"] = static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
+  std::remove(csv.c_str());
+  std::remove(vtu.c_str());
+}
+
+void Sizes(benchmark::internal::Benchmark* benchmark)
+{
+  benchmark->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Iterations(1);
+}
+
+BENCHMARK(Mesh)->Apply(Sizes)->UseRealTime();
+BENCHMARK(BareCholmod)->Apply(Sizes)->UseRealTime();
+BENCHMARK_CAPTURE(Solve, Constrained, PerforatedMethod::Constrained)->Apply(Sizes)->UseManualTime();
+BENCHMARK_CAPTURE(Solve, UnitNorm, PerforatedMethod::UnitNorm)->Apply(Sizes)->UseManualTime();
+BENCHMARK(WholeRun)->Apply(Sizes)->UseRealTime();
+}

@@ -1,0 +1,29 @@
+"""Takes an example out of README.md, and runs it if asked to, so that no example can rot.
+
+    python3 run_readme.py README.md LANGUAGE BUILD_DIRECTORY FILE [-- COMMAND...]
+
+README.md must have exactly one fenced block of the LANGUAGE. It is written to FILE, with `build/`
+replaced by the build directory of the tests. With a COMMAND, `COMMAND... FILE` runs in a temporary
+directory, and must succeed and write a file `field.vtu` there.
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+readme, language, build_directory, name = sys.argv[1:5]
+command = sys.argv[6:]
+
+with open(readme, encoding="utf-8") as file:
+    blocks = re.findall(r"^```%s\n(.*?)^```$" % language, file.read(), re.DOTALL | re.MULTILINE)
+if len(blocks) != 1:
+    sys.exit("%s has %d blocks of %s instead of 1." % (readme, len(blocks), language))
+with open(name, "w", encoding="utf-8") as file:
+    file.write(re.sub(r"\bbuild/", build_directory + "/", blocks[0]))
+
+if command:
+    with tempfile.TemporaryDirectory() as directory:
+        subprocess.run(command + [name], cwd=directory, check=True)
+        if not os.path.exists(os.path.join(directory, "field.vtu")):
+            sys.exit("The example has not written field.vtu.")

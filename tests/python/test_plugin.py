@@ -1,0 +1,167 @@
+"""The plugin in ParaView: pvpython test_plugin.py PLUGIN
+
+Every proxy exists and is documented, the default chain gives the field it should, bad input gives
+an empty output, a changed input gives another result, and no filter changes its input.
+"""
+import math
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE
+
+from checks import check, check_default_field, check_equal, fingerprint, value, values
+
+PROXIES = {
+    "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
+    "SingularitySource": ("sources", "Singularities FileName"),
+    "DrillHoles": ("filters", "Input Singularities MeshSize MinimumHoleEdges Gradation"),
+    "PerforatedCrossField": ("filters", "Input Method MaximumIterations Tolerance"),
+    "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
+}
+
+
+def properties_of(prototype):
+    iterator = prototype.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        yield iterator.GetKey(), iterator.GetProperty()
+        iterator.Next()
+
+
+def check_documentation(documentation, what):
+    check(documentation is not None, "%s has no documentation" % what)
+    check(documentation.GetShortHelp(), "%s has no short help" % what)
+    check(documentation.GetLongHelp(), "%s has no long help" % what)
+    check("Example" in (documentation.GetDescription() or ""), "%s has no example" % what)
+
+
+def test_proxies():
+    for name, (group, wanted) in PROXIES.items():
+        prototype = servermanager.ProxyManager().GetPrototypeProxy(group, name)
+        check(prototype is not None, "there is no proxy %s" % name)
+        check_documentation(prototype.GetDocumentation(), name)
+        # Python names come from labels, so a label must be the name with spaces.
+        check_equal(prototype.GetXMLLabel().replace(" ", ""), name, "the label")
+        menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
+        check_equal(menu.GetAttribute("category"), "Cross Field", "the menu of %s" % name)
+        found = dict(properties_of(prototype))
+        check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
+        for key, item in found.items():
+            check_documentation(item.GetDocumentation(), "%s.%s" % (name, key))
+            check_equal(item.GetXMLLabel().replace(" ", ""), key, "the label")
+
+
+def field_of(singularities, **domain):
+    return PerforatedCrossField(
+        Input=DrillHoles(Input=PlanarDomainSource(**domain), Singularities=singularities))
+
+
+def fetch(proxy):
+    proxy.UpdatePipeline()
+    return servermanager.Fetch(proxy)
+
+
+def test_default_chain():
+    field = field_of(SingularitySource())
+    data = fetch(field)
+    check_default_field(data)
+    crosses = fetch(CrossGlyphs(Input=field))
+    triangles = [data.GetCellType(cell) for cell in range(data.GetNumberOfCells())].count(VTK_TRIANGLE)
+    check_equal(crosses.GetNumberOfLines(), 2 * triangles, "the number of lines")
+    thinned = fetch(CrossGlyphs(Input=field, Spacing=0.1, ScaleByNorm=1))
+    check(0 < thinned.GetNumberOfLines() <= 2 * 20 * 20, "the spacing does not thin out")
+
+
+def test_other_domains():
+    """Domains on which another set of quarter indices, or none, is right."""
+    for rows, domain in (([], dict(DomainName="ring")),
+                         ([], dict(DomainName="square")),
+                         ([], dict(DomainName="rectangle", Width=3, Height=0.5)),
+                         ([0.5, 0.4, 1, 0.1], dict(DomainName="quarter-disk")),
+                         ([-0.7, 0, 1, 0.1, 0.7, 0, 1, 0.1, 0, -0.3, 1, 0.1, 0, 0.3, 1, 0.1],
+                          dict(DomainName="ellipse"))):
+        field = fetch(field_of(SingularitySource(Singularities=rows), **domain))
+        check_equal(value(field, "Consistent"), 1, "Consistent of %s" % domain)
+        check_equal(values(field, "HoleDegree"), rows[2::4], "HoleDegree of %s" % domain)
+
+
+def test_unit_norm():
+    """One hole of quarter index 4 in the middle of the disk: the energy is 16 π log(1 / radius)."""
+    field = field_of(SingularitySource(Singularities=[0, 0, 4, 0.1]))
+    field.Method = "Unit Norm"
+    data = fetch(field)
+    check_equal(value(data, "Converged"), 1, "Converged")
+    check_equal(values(data, "HoleDegree"), [4], "HoleDegree")
+    check_equal(value(data, "UnwantedSingularities"), 0, "UnwantedSingularities")
+    exact = 16 * math.pi * math.log(10)
+    check(abs(value(data, "Energy") - exact) < 0.02 * exact, "the energy is not %g" % exact)
+
+
+def test_bad_input():
+    four = [0.4, 0.4, 1, 0.1, -0.4, 0.4, 1, 0.1, -0.4, -0.4, 1, 0.1]
+    bad = {
+        "a hole outside the domain": dict(Singularities=four + [2, 0, 1, 0.1]),
+        "a hole that cuts the boundary": dict(Singularities=four + [0.95, 0, 1, 0.1]),
+        "overlapping holes": dict(Singularities=four + [0.45, 0.4, 1, 0.1]),
+        "a negative radius": dict(Singularities=four + [0.4, -0.4, 1, -0.1]),
+        "a quarter index that is not an integer": dict(Singularities=four + [0.4, -0.4, 0.5, 0.1]),
+        "a file that is missing": dict(FileName="/no/such/file.csv"),
+        "quarter indices of the wrong sum": dict(Singularities=four),
+    }
+    for what, rows in bad.items():
+        field = field_of(SingularitySource(**rows))
+        check_equal(fetch(field).GetNumberOfCells(), 0, "%s: the number of cells" % what)
+        check(fetch(field).GetFieldData().GetArray("Energy") is None, "%s: there is an energy" % what)
+
+    # On a ring a field without singularities exists, so a lost configuration must not pass for none.
+    field = field_of(SingularitySource(FileName="/no/such/file.csv"), DomainName="ring")
+    field.UpdatePipeline()
+    check_equal(fetch(field).GetNumberOfCells(), 0, "a ring, no file: the number of cells")
+    field = field_of(SingularitySource(), DomainName="ring", InnerRadius=2)
+    check_equal(fetch(field).GetNumberOfCells(), 0, "a ring inside out: the number of cells")
+
+
+def test_changed_input():
+    singularities = SingularitySource()
+    field = field_of(singularities)
+    first = value(fetch(field), "Energy")
+    rows = list(singularities.Singularities)
+    singularities.Singularities = [0.5, 0, 1, 0.1, 0, 0.5, 1, 0.1, -0.5, 0, 1, 0.1, 0, -0.5, 1, 0.15]
+    check_equal(values(fetch(field), "HoleDegree"), [1, 1, 1, 1], "HoleDegree")
+    check(abs(value(fetch(field), "Energy") - first) > 0.1, "the energy has not changed")
+    singularities.Singularities = [0, 0, 0.5, 0.2]
+    check_equal(fetch(field).GetNumberOfCells(), 0, "the number of cells after an error")
+    singularities.Singularities = rows
+    check_equal(value(fetch(field), "Energy"), first, "the energy of the first input again")
+
+
+def server_data(proxy):
+    """The object of the server itself: a fetched one might be a copy."""
+    return proxy.GetClientSideObject().GetOutputDataObject(0)
+
+
+def test_input_untouched():
+    domain, singularities = PlanarDomainSource(), SingularitySource()
+    drilled = DrillHoles(Input=domain, Singularities=singularities)
+    field = PerforatedCrossField(Input=drilled)
+    crosses = CrossGlyphs(Input=field)
+    crosses.UpdatePipeline()
+    for proxy, name, other, inputs in ((drilled, "MeshSize", 0.08, [domain, singularities]),
+                                       (field, "Tolerance", 1e-9, [drilled]),
+                                       (crosses, "Scale", 0.5, [field])):
+        crosses.UpdatePipeline()
+        before = [fingerprint(server_data(source)) for source in inputs]
+        time = server_data(proxy).GetMTime()
+        setattr(proxy, name, other)
+        proxy.UpdatePipeline()
+        check(server_data(proxy).GetMTime() > time, "%s did not run" % proxy.GetXMLName())
+        after = [fingerprint(server_data(source)) for source in inputs]
+        check(after == before, "%s has changed its input" % proxy.GetXMLName())
+
+
+LoadPlugin(sys.argv[1], ns=globals())
+for test in (test_proxies, test_default_chain, test_other_domains, test_unit_norm, test_bad_input,
+             test_changed_input, test_input_untouched):
+    test()
+    print(test.__name__, "passed")
