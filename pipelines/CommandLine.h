@@ -19,6 +19,8 @@ enum ExitStatus
 
 /** The subcommands; each sets `status` when it has run. */
 ///@{
+void AddCheckCommand(CLI::App& app, int& status);
+void AddCornersCommand(CLI::App& app, int& status);
 void AddDomainCommand(CLI::App& app, int& status);
 void AddDrillCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);

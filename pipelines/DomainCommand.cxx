@@ -32,12 +32,18 @@ void AddDomainCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield domain ring --inner-radius 0.46 -o ring.vtp");
   command
     ->add_option("NAME", options->name,
-      "disk, ring, ellipse, quarter-disk, square, rectangle or l-shape")
+      "disk, ring, ellipse, quarter-disk, square, rectangle, l-shape, hexagonal, star, "
+      "angular-balanced, angular-negative, angular-positive or angular-hole")
     ->required();
   command->add_option("-o,--output", options->output, "the .vtp file to write")->required();
-  command->add_option("--radius", options->radius, "of disk, ring and quarter-disk")->capture_default_str();
-  command->add_option("--inner-radius", options->innerRadius, "of ring")->capture_default_str();
-  command->add_option("--width", options->width, "of ellipse, square, rectangle, l-shape")->capture_default_str();
+  command->add_option("--radius", options->radius,
+      "of disk, ring, quarter-disk, hexagonal and star")
+    ->capture_default_str();
+  command->add_option("--inner-radius", options->innerRadius, "of ring and star")
+    ->capture_default_str();
+  command->add_option("--width", options->width,
+      "of ellipse, square, rectangle, l-shape and the angular domains")
+    ->capture_default_str();
   command->add_option("--height", options->height, "of ellipse and rectangle")->capture_default_str();
   command->add_option("--size", options->edgeLength,
     "length of the segments of curves; default: 1/40 of the domain's diagonal");

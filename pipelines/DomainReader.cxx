@@ -2,6 +2,7 @@
 
 #include "PipelineRun.h"
 #include "vtkPlanarDomainSource.h"
+#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -27,7 +28,7 @@ namespace
 using PipelineRun::Error;
 
 template <class Reader>
-vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   reader->SetFileName(file.c_str());
@@ -41,6 +42,13 @@ vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
     throw Error("The file '" + file + "' cannot be read (" + error.what() +
       "); check it, or save it again as binary or ASCII, not appended.");
   }
+  return reader;
+}
+
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
+{
+  const auto reader = Read<Reader>(file);
   auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (data == nullptr || data->GetNumberOfCells() == 0)
   {
@@ -143,5 +151,17 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   }
   throw Error("The domain '" + argument +
     "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply or .csv file.");
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file)
+{
+  if (vtksys::SystemTools::FileExists(file, true) &&
+    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)) == ".vtp")
+  {
+    return Read<vtkXMLPolyDataReader>(file);
+  }
+  auto source = vtkSmartPointer<vtkSingularitySource>::New();
+  source->SetFileName(file);
+  return source;
 }
 }

@@ -20,6 +20,9 @@ extern const char* const Help;
  * cannot be read or holds no cells, and for an unknown ending.
  */
 vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength);
+
+/** A source or reader for points with quarter indices: a .vtp file, else .csv. */
+vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file);
 }
 
 #endif

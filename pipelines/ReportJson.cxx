@@ -4,9 +4,10 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
-#include <vtk_nlohmannjson.h>
-#include VTK_NLOHMANN_JSON(json.hpp)
+#include <nlohmann/json.hpp>
 
 #include <cctype>
 #include <set>
@@ -56,7 +57,8 @@ Json Tuple(vtkDataArray* array, vtkIdType tuple)
 Json Value(vtkDataArray* array)
 {
   namespace names = vtkCrossFieldArrayNames;
-  static const std::set<std::string> flags = { names::Converged, names::Consistent };
+  static const std::set<std::string> flags = { names::Converged, names::Consistent,
+    names::StartedFromUnitNorm, names::UnitHoles };
   static const std::set<std::string> lists = { names::HoleDegree, names::HoleNormRange,
     names::HolonomyDefect };
   if (flags.count(array->GetName()) != 0)
@@ -98,5 +100,20 @@ std::string Write(vtkFieldData* data, const std::map<std::string, long long>& co
     report["seconds"] = seconds;
   }
   return report.dump(2) + "\n";
+}
+
+std::string AddSingularities(const std::string& report, vtkPolyData* singularities)
+{
+  Json json = Json::parse(report);
+  vtkDataArray* quarters =
+    singularities->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
+  json["singularities"] = Json::array();
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const double* place = singularities->GetPoint(i);
+    json["singularities"].push_back(
+      { { "x", place[0] }, { "y", place[1] }, { "quarter_index", Number(quarters, i, 0) } });
+  }
+  return json.dump(2) + "\n";
 }
 }

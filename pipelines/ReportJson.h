@@ -5,6 +5,7 @@
 #include <string>
 
 class vtkFieldData;
+class vtkPolyData;
 
 /** The numbers of a run as JSON. */
 namespace ReportJson
@@ -16,6 +17,9 @@ namespace ReportJson
  */
 std::string Write(vtkFieldData* data, const std::map<std::string, long long>& counts,
   const std::map<std::string, double>& seconds);
+
+/** A report with the list `singularities` of x, y and quarter_index added. */
+std::string AddSingularities(const std::string& report, vtkPolyData* singularities);
 }
 
 #endif

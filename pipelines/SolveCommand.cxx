@@ -5,6 +5,7 @@
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "GinzburgLandauSolve.h"
 #include "OutputFile.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
@@ -22,6 +23,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -30,9 +32,16 @@ namespace
 struct SolveOptions : MeshOptions
 {
   std::string method = "constrained";
+  std::string start = "best";
+  bool unitHoles = false;
+  double epsilon = 0.0;
+  std::string corners;
   std::string json;
   bool strict = false;
 };
+
+/** Names of the starts, in the order of the filter's codes. */
+const std::vector<std::string> Starts = { "best", "harmonic", "unit-norm" };
 
 double Value(vtkUnstructuredGrid* field, const char* name)
 {
@@ -46,7 +55,9 @@ void PrintSummary(vtkUnstructuredGrid* field)
             << (Value(field, names::Converged) != 0.0 ? "converged" : "NOT converged") << " after "
             << Value(field, names::Iterations) << " iterations (residual "
             << Value(field, names::Residual) << "), unwanted singularities "
-            << Value(field, names::UnwantedSingularities) << ", degrees of the holes";
+            << Value(field, names::UnwantedSingularities)
+            << (Value(field, names::UnitHoles) != 0.0 ? ", unit crosses on the holes" : "")
+            << ", degrees of the holes";
   vtkDataArray* degrees = field->GetFieldData()->GetArray(names::HoleDegree);
   for (vtkIdType i = 0; i < degrees->GetNumberOfTuples(); ++i)
   {
@@ -55,8 +66,62 @@ void PrintSummary(vtkUnstructuredGrid* field)
   std::cout << "\n";
 }
 
+/** The names of all starts, of the constrained and the Ginzburg-Landau method. */
+std::vector<std::string> AllStarts()
+{
+  std::vector<std::string> all = Starts;
+  for (const std::string& start : GinzburgLandauSolve::Starts)
+  {
+    if (std::find(all.begin(), all.end(), start) == all.end())
+    {
+      all.push_back(start);
+    }
+  }
+  return all;
+}
+
+/** Throws what makes bad usage when an option does not belong to the method. */
+void CheckUsage(const SolveOptions& options)
+{
+  const bool reference = options.method == "ginzburg-landau";
+  if (!reference && options.singularities.empty())
+  {
+    throw CLI::RequiredError("--singularities");
+  }
+  if (!reference && options.epsilon != 0.0)
+  {
+    throw CLI::ValidationError("--epsilon belongs to --method ginzburg-landau");
+  }
+  const std::vector<std::string>& starts = reference ? GinzburgLandauSolve::Starts : Starts;
+  const bool isDefault = options.start == SolveOptions().start;
+  if (!isDefault && std::find(starts.begin(), starts.end(), options.start) == starts.end())
+  {
+    throw CLI::ValidationError("--start " + options.start + " does not belong to --method " +
+      options.method);
+  }
+}
+
+int SolveByGinzburgLandau(const SolveOptions& options)
+{
+  GinzburgLandauSolve solve;
+  static_cast<MeshOptions&>(solve) = options;
+  solve.epsilon = options.epsilon;
+  if (options.start != SolveOptions().start)
+  {
+    solve.start = options.start;
+  }
+  solve.json = options.json;
+  solve.strict = options.strict;
+  return solve.Run();
+}
+
 int Solve(const SolveOptions& options)
 {
+  CheckUsage(options);
+  if (options.method == "ginzburg-landau")
+  {
+    return SolveByGinzburgLandau(options);
+  }
   namespace names = vtkCrossFieldArrayNames;
   // 1. Check the outputs before any work.
   if (!options.output.empty())
@@ -90,6 +155,13 @@ int Solve(const SolveOptions& options)
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetMethod(options.method == "unit-norm" ? vtkPerforatedCrossField::MethodUnitNorm
                                                   : vtkPerforatedCrossField::MethodConstrained);
+  solver->SetStart(static_cast<int>(
+    std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
+  solver->SetUnitHoles(options.unitHoles);
+  if (!options.corners.empty())
+  {
+    solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
+  }
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -127,9 +199,26 @@ void AddSolveCommand(CLI::App& app, int& status)
   CLI::App* command = app.add_subcommand("solve", "compute the cross field");
   command->footer("Example: crossfield solve builtin:disk -s four.csv -o field.vtu --json -");
   options->AddTo(*command);
-  command->add_option("--method", options->method, "constrained or unit-norm")
+  command->get_option("--singularities")->required(false);
+  command
+    ->add_option("--method", options->method,
+      "constrained, unit-norm, or ginzburg-landau, which places singularities by itself and makes "
+      "no use of -s")
     ->capture_default_str()
-    ->check(CLI::IsMember({ "constrained", "unit-norm" }));
+    ->check(CLI::IsMember({ "constrained", "unit-norm", "ginzburg-landau" }));
+  command
+    ->add_option("--start", options->start,
+      "of the constrained method: harmonic, unit-norm, or best of both; of ginzburg-landau: harmonic "
+      "(its default), constant or zero")
+    ->capture_default_str()
+    ->check(CLI::IsMember(AllStarts()));
+  command
+    ->add_option("--epsilon", options->epsilon,
+      "of ginzburg-landau: radius of the cores, a length; default: the mean edge length")
+    ->check(CLI::PositiveNumber);
+  command->add_flag("--unit-holes", options->unitHoles, "force unit crosses on the holes");
+  command->add_option("--corners", options->corners,
+    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
   command->add_option("--json", options->json, "write the numbers to this file, or - for output");
   command->add_flag(
     "--strict", options->strict, "exit with status 1 when there are unwanted singularities");

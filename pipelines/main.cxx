@@ -38,6 +38,8 @@ int main(int argc, char** argv)
   app.require_subcommand(0, 1);
   int status = Done;
   AddDomainCommand(app, status);
+  AddCheckCommand(app, status);
+  AddCornersCommand(app, status);
   AddDrillCommand(app, status);
   AddSolveCommand(app, status);
   try

@@ -1,5 +1,6 @@
 #include "BuiltinDomains.h"
 
+#include "AngularDomains.h"
 #include "Error.h"
 
 #include <cmath>
@@ -106,11 +107,42 @@ std::vector<Loop> LShape(const BuiltinDomain& domain)
     { 0.0, w } } };
 }
 
+std::vector<Loop> Hexagonal(const BuiltinDomain& domain)
+{
+  return HexagonalDomain(RequirePositive(domain.radius, "radius"));
+}
+
+std::vector<Loop> Star(const BuiltinDomain& domain)
+{
+  const double inner = RequirePositive(domain.innerRadius, "inner radius");
+  if (!(inner < RequirePositive(domain.radius, "radius")))
+  {
+    throw Error("The inner radius of a star must be smaller than its radius.");
+  }
+  return StarDomain(domain.radius, inner);
+}
+
+/// An angular domain of the paper that has a width only.
+template <std::vector<Loop> (*Make)(double)>
+std::vector<Loop> Angular(const BuiltinDomain& domain)
+{
+  return Make(RequirePositive(domain.width, "width"));
+}
+
+std::vector<Loop> AngularHole(const BuiltinDomain& domain)
+{
+  const double width = RequirePositive(domain.width, "width");
+  return AngularHoleDomain(width, EdgeLength(domain, width, 0.5 * width));
+}
+
 const std::vector<std::pair<std::string, Maker>>& Makers()
 {
   static const std::vector<std::pair<std::string, Maker>> makers = { { "disk", Disk },
     { "ring", Ring }, { "ellipse", Ellipse }, { "quarter-disk", QuarterDisk }, { "square", Square },
-    { "rectangle", Rectangle }, { "l-shape", LShape } };
+    { "rectangle", Rectangle }, { "l-shape", LShape }, { "hexagonal", Hexagonal }, { "star", Star },
+    { "angular-balanced", Angular<AngularBalancedDomain> },
+    { "angular-negative", Angular<AngularNegativeDomain> },
+    { "angular-positive", Angular<AngularPositiveDomain> }, { "angular-hole", AngularHole } };
   return makers;
 }
 }

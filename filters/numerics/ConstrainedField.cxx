@@ -2,6 +2,8 @@
 
 #include "ConjugateField.h"
 
+#include <algorithm>
+
 namespace crossfield
 {
 namespace
@@ -26,7 +28,8 @@ Eigen::MatrixXd AlignedLoad(const PerforatedProblem& problem)
   }
   for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
   {
-    const IslandStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
+    const LoopStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
+    // On a hole `aligned` is 0; what its edges contribute is an unknown.
     set(potential.PeriodRow(k),
       problem.aligned[strip.firstBoundaryEdge] - problem.aligned[strip.lastBoundaryEdge]);
   }
@@ -43,6 +46,7 @@ Point Midpoint(const TriangleMesh& mesh, const BoundaryEdge& edge)
 
 ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   : Problem(problem)
+  , ConstantsCount(false)
   , Load(AlignedLoad(problem))
 {
   for (const BoundaryLoop& loop : problem.loops)
@@ -69,35 +73,53 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   const PotentialSolver& potential = *problem.potential;
   const auto count = static_cast<Eigen::Index>(this->HoleEdges.size());
   const auto trailing = static_cast<Eigen::Index>(potential.TrailingRows().size());
-  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(trailing, count); // ∇ᵀ
-  for (Eigen::Index j = 0; j < count; ++j)
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < static_cast<int>(count); ++j)
   {
-    differences(j, j) += 1.0;
-    differences(j, this->NextOnHole[static_cast<std::size_t>(j)]) -= 1.0;
+    entries.emplace_back(j, j, 1.0);
+    entries.emplace_back(j, this->NextOnHole[static_cast<std::size_t>(j)], -1.0);
   }
-  const Eigen::MatrixXd root =
-    potential.TrailingFactor().triangularView<Eigen::Lower>().solve(differences);
-  this->Reduced.matrix = root.transpose() * root;
-  // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
-  const double weight = count > 0 ? this->Reduced.matrix.trace() / static_cast<double>(count) : 0.0;
-  for (const DegreeConstraint& constraint : this->Reduced.constraints)
+  for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
   {
-    const auto first = static_cast<Eigen::Index>(constraint.unknowns.front());
-    const auto size = static_cast<Eigen::Index>(constraint.unknowns.size());
-    this->Reduced.matrix.block(first, first, size, size).array() +=
-      weight / static_cast<double>(size);
+    const int last = potential.GetStrips()[static_cast<std::size_t>(k)].lastBoundaryEdge;
+    if (problem.mesh.boundary[static_cast<std::size_t>(last)].kind == BoundaryKind::Hole)
+    {
+      const int edge = problem.edges.ofBoundary[static_cast<std::size_t>(last)];
+      const auto position = std::find(this->HoleEdges.begin(), this->HoleEdges.end(), edge);
+      entries.emplace_back(static_cast<int>(count + k),
+        static_cast<int>(position - this->HoleEdges.begin()), -1.0);
+      this->ConstantsCount = true;
+    }
+  }
+  this->Differences.resize(trailing, count);
+  this->Differences.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::MatrixXd root = potential.TrailingFactor().triangularView<Eigen::Lower>().solve(
+    Eigen::MatrixXd(this->Differences));
+  this->Reduced.matrix = root.transpose() * root;
+  if (!this->ConstantsCount)
+  {
+    // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
+    const double weight =
+      count > 0 ? this->Reduced.matrix.trace() / static_cast<double>(count) : 0.0;
+    for (const DegreeConstraint& constraint : this->Reduced.constraints)
+    {
+      const auto first = static_cast<Eigen::Index>(constraint.unknowns.front());
+      const auto size = static_cast<Eigen::Index>(constraint.unknowns.size());
+      this->Reduced.matrix.block(first, first, size, size).array() +=
+        weight / static_cast<double>(size);
+    }
   }
 
   const Eigen::MatrixXd free = potential.Solve(this->Load);
-  this->Reduced.load.resize(count);
-  for (Eigen::Index j = 0; j < count; ++j)
+  Eigen::MatrixXd freeTrailing(trailing, 2);
+  for (Eigen::Index i = 0; i < trailing; ++i)
   {
-    // −f_next = Ψ_j − Ψ_{j+1}, with vertex j between edges j and j + 1.
-    const int next = this->NextOnHole[static_cast<std::size_t>(j)];
-    const Eigen::RowVector2d step = free.row(potential.TrailingRows()[static_cast<std::size_t>(j)]) -
-      free.row(potential.TrailingRows()[static_cast<std::size_t>(next)]);
-    this->Reduced.load[next] = Complex(step[0], step[1]);
+    freeTrailing.row(i) = free.row(potential.TrailingRows()[static_cast<std::size_t>(i)]);
   }
+  const Eigen::MatrixXd load = -(this->Differences.transpose() * freeTrailing);
+  this->Reduced.load.resize(count);
+  this->Reduced.load.real() = load.col(0);
+  this->Reduced.load.imag() = load.col(1);
 }
 
 ComplexVector ConstrainedSolver::HoleValues(const ComplexVector& u) const
@@ -109,6 +131,10 @@ ComplexVector ConstrainedSolver::HoleValues(const ComplexVector& u) const
   }
   for (const DegreeConstraint& constraint : this->Reduced.constraints)
   {
+    if (this->ConstantsCount)
+    {
+      break;
+    }
     auto part = values.segment(static_cast<Eigen::Index>(constraint.unknowns.front()),
       static_cast<Eigen::Index>(constraint.unknowns.size()));
     part.array() -= part.mean();
@@ -121,11 +147,11 @@ ConstrainedField ConstrainedSolver::Recover(const ReducedSolution& solution) con
   const PerforatedProblem& problem = this->Problem;
   const PotentialSolver& potential = *problem.potential;
   Eigen::MatrixXd load = this->Load;
-  for (std::size_t j = 0; j < this->HoleEdges.size(); ++j)
+  const ComplexVector sources = this->Differences * solution.x;
+  for (Eigen::Index i = 0; i < sources.size(); ++i)
   {
-    const Complex source =
-      solution.x[static_cast<Eigen::Index>(j)] - solution.x[this->NextOnHole[j]];
-    load.row(potential.TrailingRows()[j]) << source.real(), source.imag();
+    load.row(potential.TrailingRows()[static_cast<std::size_t>(i)]) +=
+      Eigen::RowVector2d(sources[i].real(), sources[i].imag());
   }
   const Eigen::MatrixXd potentials = potential.Solve(load);
 

@@ -22,9 +22,12 @@ struct ConstrainedField
 /// and j + 1, the conjugate potentials of Re u and Im u have sources s_j = x_j − x_{j+1} at the hole
 /// vertices, s = ∇ᵀx, and the forces of the constraints on the hole edges are f_j = Ψ_j − Ψ_{j−1},
 /// f = ∇Ψ. So the Schur complement of the Crouzeix-Raviart matrix on the hole edges is
-/// S = ∇ T⁻¹ ∇ᵀ with the trailing Schur complement T of PotentialSolver. Neither forces nor
-/// constraints change when a constant is added to x on a hole: the energy is minimised over these
-/// constants, and S is completed by the gauge that makes the mean of x on every hole zero.
+/// S = ∇ T⁻¹ ∇ᵀ with the trailing Schur complement T of PotentialSolver. The degree constraints do
+/// not change when a constant is added to x on a hole: the energy is minimised over these constants,
+/// and S is completed by the gauge that makes the mean of x on every hole zero.
+///
+/// If the potential has periods around holes, the constants count: hole period k has the source
+/// u(first edge of its strip) − x_last and acts on the last edge, so ∇ᵀ gets a row −x_last for it.
 class ConstrainedSolver
 {
 public:
@@ -43,7 +46,9 @@ private:
   const PerforatedProblem& Problem;
   std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
   std::vector<int> NextOnHole;      ///< Position in HoleEdges of the next edge of the same hole.
+  bool ConstantsCount;              ///< The potential has periods around holes.
   Eigen::MatrixXd Load;             ///< Sources from the aligned loops, columns Re and Im.
+  Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.
   ReducedProblem Reduced;
 };
 }

@@ -2,7 +2,7 @@
 
 #include "Error.h"
 
-#include <cstdlib>
+#include <algorithm>
 #include <numeric>
 #include <string>
 
@@ -10,6 +10,20 @@ namespace crossfield
 {
 namespace
 {
+/// Whether each vertex is one with a chosen quarter index.
+std::vector<bool> FindChosen(const TriangleMesh& mesh, const PoincareHopfCount& counted)
+{
+  std::vector<bool> chosen(mesh.points.size(), false);
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
+    chosen[vertex] = std::any_of(counted.corners.begin(), counted.corners.end(),
+      [&](const CountedCorner& corner)
+      { return corner.chosen && corner.position == mesh.points[vertex]; });
+  }
+  return chosen;
+}
+
 /// Whether each vertex is a corner of an aligned loop.
 std::vector<bool> FindCorners(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
 {
@@ -30,16 +44,30 @@ std::vector<bool> FindCorners(const TriangleMesh& mesh, const std::vector<Bounda
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::size_t next = (i + 1) % count;
-      if (std::abs(AngleBetween(direction(i), direction(next))) > DefaultCornerAngle)
-      {
-        // The outer loop is walked along its edges, an inner loop against them.
-        const auto& edge = mesh.boundary[static_cast<std::size_t>(loop.edges[i])];
-        corner[static_cast<std::size_t>(
-          edge.vertices[loop.kind == BoundaryKind::Outer ? 1 : 0])] = true;
-      }
+      // The outer loop is walked along its edges, an inner loop against them.
+      const auto& edge = mesh.boundary[static_cast<std::size_t>(loop.edges[i])];
+      const auto vertex =
+        static_cast<std::size_t>(edge.vertices[loop.kind == BoundaryKind::Outer ? 1 : 0]);
+      corner[vertex] = IsCorner(AngleBetween(direction(i), direction(next)));
     }
   }
   return corner;
+}
+
+/// Holes whose degree is not the prescribed one.
+int CountWrongDegrees(const std::vector<BoundaryLoop>& loops, const CrossField& field)
+{
+  int wrong = 0;
+  std::size_t hole = 0;
+  for (const BoundaryLoop& loop : loops)
+  {
+    if (loop.kind == BoundaryKind::Hole)
+    {
+      wrong += field.holes[hole].degree != loop.quarterIndex ? 1 : 0;
+      ++hole;
+    }
+  }
+  return wrong;
 }
 }
 
@@ -56,7 +84,7 @@ void ReadReport(
       degrees += field.holes.back().degree;
     }
   }
-  const FieldIndices indices = ReadIndices(mesh, field.edges, field.u);
+  FieldIndices indices = ReadIndices(mesh, field.edges, field.u);
   const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
     std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
   if (sum != 4 * field.count.eulerCharacteristic)
@@ -66,6 +94,9 @@ void ReadReport(
       ", which cannot be; the field has a zero or non-finite value on an edge.");
   }
   const std::vector<bool> corner = FindCorners(mesh, loops);
+  const std::vector<bool> chosen = FindChosen(mesh, field.count);
+  MergeAtVertices(mesh, chosen, indices);
+  field.wrongDegrees = CountWrongDegrees(loops, field);
   field.unwantedSingularities = 0;
   for (int index : indices.ofTriangle)
   {
@@ -73,7 +104,7 @@ void ReadReport(
   }
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
-    field.unwantedSingularities += indices.ofVertex[v] != 0 && !corner[v] ? 1 : 0;
+    field.unwantedSingularities += indices.ofVertex[v] != 0 && !corner[v] && !chosen[v] ? 1 : 0;
   }
 }
 }

@@ -4,7 +4,8 @@
 
 namespace crossfield
 {
-SparseMatrix CrouzeixRaviartStiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)
+SparseMatrix CrouzeixRaviartStiffness(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const Eigen::VectorXd& weights)
 {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * mesh.triangles.size());
@@ -23,12 +24,13 @@ SparseMatrix CrouzeixRaviartStiffness(const TriangleMesh& mesh, const EdgeNumber
       throw Error("Triangle " + std::to_string(t) +
         " has no area or is clockwise; remesh the domain with the drill filter.");
     }
+    const double weight = weights.size() == 0 ? 1.0 : weights[static_cast<Eigen::Index>(t)];
     for (std::size_t i = 0; i < 3; ++i)
     {
       for (std::size_t j = 0; j < 3; ++j)
       {
         entries.emplace_back(
-          edges.ofTriangle[t][i], edges.ofTriangle[t][j], along[i].dot(along[j]) / area);
+          edges.ofTriangle[t][i], edges.ofTriangle[t][j], weight * along[i].dot(along[j]) / area);
       }
     }
   }

@@ -18,8 +18,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 ///
 /// Rows and columns are edges. Symmetric, both halves stored; positive semidefinite with the
 /// constants of each connected part as kernel; four times the P1 element matrix; in the plane it
-/// does not change when the mesh is scaled or rotated. Throws Error for a triangle without area.
-SparseMatrix CrouzeixRaviartStiffness(const TriangleMesh& mesh, const EdgeNumbering& edges);
+/// does not change when the mesh is scaled or rotated. `weights`, if not empty, has a factor for the
+/// integral over each triangle. Throws Error for a triangle without area.
+SparseMatrix CrouzeixRaviartStiffness(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const Eigen::VectorXd& weights = {});
 
 /// Representation e^{4iτ} of the crosses aligned with a direction of angle τ.
 Complex AlignedRepresentation(const Point& direction);

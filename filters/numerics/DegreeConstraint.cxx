@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -52,7 +53,14 @@ DegreeConstraint MakeDegreeConstraint(
   {
     centre += midpoint / static_cast<double>(midpoints.size());
   }
-  return { std::move(unknowns), degree, DegreeTarget(midpoints, centre, degree) };
+  DegreeConstraint constraint{ std::move(unknowns), degree,
+    DegreeTarget(midpoints, centre, degree), {} };
+  for (const Point& midpoint : midpoints)
+  {
+    const Point arm = midpoint - centre;
+    constraint.turning.push_back(std::polar(1.0, degree * std::atan2(arm.y(), arm.x())));
+  }
+  return constraint;
 }
 
 double DegreeTarget(const std::vector<Point>& midpoints, const Point& centre, int degree)

@@ -16,6 +16,9 @@ struct DegreeConstraint
   std::vector<int> unknowns; ///< Positions of the u_j in the vector of all hole unknowns.
   int degree = 0;
   double target = 0.0;
+  /// Unit values that turn with the angle α_j of edge j seen from the centre, e^{i d α_j}; their C is
+  /// the target.
+  std::vector<Complex> turning;
 
   double Value(const ComplexVector& u) const;
   /// A u, in the positions of u; zero elsewhere.

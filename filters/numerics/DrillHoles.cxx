@@ -1,11 +1,11 @@
 #include "DrillHoles.h"
 
+#include "DomainQueries.h"
 #include "Error.h"
 #include "PlanarMesher.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace crossfield
@@ -19,32 +19,6 @@ std::string Describe(std::size_t row, const Singularity& singularity)
   text << "singularity " << row << " at (" << singularity.position.x() << ", "
        << singularity.position.y() << ")";
   return text.str();
-}
-
-double DistanceToSegment(const Point& point, const Point& from, const Point& to)
-{
-  const Point along = to - from;
-  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - from - t * along).norm();
-}
-
-/// Distance to the boundary, negative outside the domain.
-double SignedDistance(const Point& point, const PlanarDomain& domain)
-{
-  double distance = std::numeric_limits<double>::infinity();
-  double winding = 0.0;
-  for (const Loop& loop : domain.loops)
-  {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const Point& from = loop[i];
-      const Point& to = loop[(i + 1) % loop.size()];
-      distance = std::min(distance, DistanceToSegment(point, from, to));
-      winding += AngleBetween(from - point, to - point);
-    }
-  }
-  // The loops wind once around a point of the domain and not at all around any other.
-  return winding > Pi ? distance : -distance;
 }
 
 void CheckSingularity(std::size_t row, const Singularity& singularity)

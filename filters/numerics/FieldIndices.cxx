@@ -69,6 +69,22 @@ FieldIndices ReadIndices(
   return indices;
 }
 
+void MergeAtVertices(
+  const TriangleMesh& mesh, const std::vector<bool>& marked, FieldIndices& indices)
+{
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (int vertex : mesh.triangles[t])
+    {
+      if (marked[static_cast<std::size_t>(vertex)])
+      {
+        indices.ofVertex[static_cast<std::size_t>(vertex)] += indices.ofTriangle[t];
+        indices.ofTriangle[t] = 0;
+      }
+    }
+  }
+}
+
 bool HoleReading::Reliable() const
 {
   // Below a tenth of the largest norm the direction of u between two edges is anyone's guess.

@@ -21,6 +21,12 @@ struct FieldIndices
 FieldIndices ReadIndices(
   const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u);
 
+/// Moves the indices of the triangles at marked vertices to these vertices. Where the cross turns
+/// by more than π/4 within one triangle at a corner, a wrapped difference is taken for the shorter
+/// way, and a turn of the corner shows in the triangle; together they are right.
+void MergeAtVertices(
+  const TriangleMesh& mesh, const std::vector<bool>& marked, FieldIndices& indices);
+
 /// How a field behaves on one hole.
 struct HoleReading
 {

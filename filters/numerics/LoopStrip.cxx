@@ -1,4 +1,4 @@
-#include "IslandStrip.h"
+#include "LoopStrip.h"
 
 #include <algorithm>
 
@@ -16,12 +16,12 @@ std::size_t PositionIn(const std::array<int, 3>& edgesOfTriangle, int edge)
 }
 
 /// How a strip passes a triangle from one of its edges to another.
-IslandStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int to)
+LoopStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int to)
 {
   const auto& numbers = edges.ofTriangle[static_cast<std::size_t>(triangle)];
   const std::size_t in = PositionIn(numbers, from);
   const std::size_t out = PositionIn(numbers, to);
-  IslandStrip::Step step{ triangle, { 0.0, 0.0, 0.0 } };
+  LoopStrip::Step step{ triangle, { 0.0, 0.0, 0.0 } };
   if (out == (in + 2) % 3)
   {
     // Edges i and i + 2 meet in vertex i; the way turns counter-clockwise around it.
@@ -37,12 +37,15 @@ IslandStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int t
 }
 }
 
-std::vector<IslandStrip> FindIslandStrips(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
+std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const std::vector<BoundaryLoop>& loops, bool withHoles)
 {
-  std::vector<IslandStrip> strips;
-  if (std::none_of(loops.begin(), loops.end(),
-        [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Inner; }))
+  const auto wanted = [withHoles](const BoundaryLoop& loop)
+  {
+    return loop.kind == BoundaryKind::Inner || (withHoles && loop.kind == BoundaryKind::Hole);
+  };
+  std::vector<LoopStrip> strips;
+  if (std::none_of(loops.begin(), loops.end(), wanted))
   {
     return strips;
   }
@@ -85,7 +88,7 @@ std::vector<IslandStrip> FindIslandStrips(
 
   for (const BoundaryLoop& loop : loops)
   {
-    if (loop.kind != BoundaryKind::Inner)
+    if (!wanted(loop))
     {
       continue;
     }
@@ -97,7 +100,7 @@ std::vector<IslandStrip> FindIslandStrips(
     };
     const int nearest = *std::min_element(loop.edges.begin(), loop.edges.end(),
       [&](int a, int b) { return reached(a) < reached(b); });
-    IslandStrip strip;
+    LoopStrip strip;
     strip.lastBoundaryEdge = nearest;
     int out = edges.ofBoundary[static_cast<std::size_t>(nearest)];
     int triangle = triangles[static_cast<std::size_t>(out)][0];

@@ -4,12 +4,12 @@
 
 namespace crossfield
 {
-/// A shortest chain of triangles from the outer loop to an inner loop: the cut across which a
-/// multivalued potential jumps (METHOD §3, islands).
-struct IslandStrip
+/// A shortest chain of triangles from the outer loop to an inner loop or hole: the cut across which
+/// a multivalued potential jumps (METHOD §3, islands).
+struct LoopStrip
 {
   int firstBoundaryEdge = 0; ///< Position in mesh.boundary of the outer edge where it starts,
-  int lastBoundaryEdge = 0;  ///< and of the edge of the inner loop where it ends.
+  int lastBoundaryEdge = 0;  ///< and of the edge of the other loop where it ends.
   struct Step
   {
     int triangle;
@@ -19,7 +19,7 @@ struct IslandStrip
   std::vector<Step> steps;
 };
 
-/// One strip per inner loop, in the order of the loops.
-std::vector<IslandStrip> FindIslandStrips(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops);
+/// One strip per inner loop, and one per hole if asked for, in the order of the loops.
+std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const std::vector<BoundaryLoop>& loops, bool withHoles);
 }

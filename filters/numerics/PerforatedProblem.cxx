@@ -13,14 +13,41 @@ bool IsAligned(const BoundaryEdge& edge)
 {
   return edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner;
 }
+
+/// The chosen quarter indices by vertex of the mesh.
+std::map<int, int> ChosenByVertex(
+  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners)
+{
+  std::vector<int> vertices;
+  std::vector<Point> points;
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    if (IsAligned(edge))
+    {
+      vertices.push_back(edge.vertices[0]);
+      points.push_back(mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
+    }
+  }
+  std::map<int, int> chosen;
+  const std::vector<std::size_t> matches = MatchChoices(points, corners);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    chosen[vertices[matches[i]]] = corners[i].quarterIndex;
+  }
+  return chosen;
+}
 }
 
-PerforatedProblem::PerforatedProblem(const TriangleMesh& drilled)
+PerforatedProblem::PerforatedProblem(
+  const TriangleMesh& drilled, PotentialSolver::Periods periods,
+  const std::vector<CornerChoice>& chosenCorners)
   : mesh(drilled)
+  , corners(chosenCorners)
 {
   Stopwatch stopwatch;
   this->loops = FindBoundaryLoops(drilled);
-  this->count = CountMeshQuarters(drilled, this->loops);
+  this->count = CountMeshQuarters(drilled, this->loops, corners);
+  this->chosenQuarters = ChosenByVertex(drilled, corners);
   RequireConsistent(this->count);
   this->edges = NumberEdges(drilled);
   this->aligned = ComplexVector::Zero(static_cast<Eigen::Index>(drilled.boundary.size()));
@@ -35,7 +62,7 @@ PerforatedProblem::PerforatedProblem(const TriangleMesh& drilled)
     }
   }
   this->assembleSeconds = stopwatch.Lap();
-  this->potential = std::make_unique<PotentialSolver>(drilled, this->edges, this->loops);
+  this->potential = std::make_unique<PotentialSolver>(drilled, this->edges, this->loops, periods);
   this->factorSeconds = stopwatch.Lap();
 }
 

@@ -4,6 +4,8 @@
 #include "PoincareHopf.h"
 #include "PotentialSolver.h"
 
+#include <map>
+
 namespace crossfield
 {
 /// What every solve on a perforated domain starts from: a drilled mesh with its edges, loops, count
@@ -14,14 +16,20 @@ struct PerforatedProblem
   EdgeNumbering edges;
   std::vector<BoundaryLoop> loops;
   PoincareHopfCount count;
+  std::vector<CornerChoice> corners; ///< As they were given.
+  std::map<int, int> chosenQuarters; ///< The same by vertex of the mesh.
   /// u = e^{4iτ} on the edges of outer and inner loops, in the order of mesh.boundary; 0 on holes.
   ComplexVector aligned;
   std::unique_ptr<PotentialSolver> potential;
   double assembleSeconds = 0.0;
   double factorSeconds = 0.0;
 
-  /// Throws Error when the quarter indices of the holes violate Poincaré-Hopf.
-  explicit PerforatedProblem(const TriangleMesh& drilled);
+  /// `chosenCorners`: quarter indices chosen for vertices of outer and inner loops; at the others
+  /// the cross makes the smallest rotation. Throws Error when the quarter indices of the holes
+  /// violate Poincaré-Hopf.
+  explicit PerforatedProblem(const TriangleMesh& drilled,
+    PotentialSolver::Periods periods = PotentialSolver::Periods::Islands,
+    const std::vector<CornerChoice>& chosenCorners = {});
 
   /// Boundary edge (position in mesh.boundary) that ends where each boundary edge starts.
   std::vector<int> PreviousBoundaryEdges() const;

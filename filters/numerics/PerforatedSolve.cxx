@@ -1,10 +1,13 @@
 #include "PerforatedSolve.h"
 
 #include "ConstrainedField.h"
+#include "ReducedLocal.h"
+#include "ReducedUnit.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace crossfield
@@ -22,23 +25,78 @@ void UseUnitNorm(const PerforatedProblem& problem, CrossField& field)
   field.residual = result.residual;
   field.converged = result.residual <= AlignmentTolerance;
   field.holonomyDefect = std::move(result.holonomyDefect);
+  ReadReport(problem.mesh, problem.loops, field);
 }
 
-void UseConstrained(const PerforatedProblem& problem, const ReducedOptions& options,
+/// Puts one solution of the constrained problem into the field and reads the report.
+void UseSolution(const PerforatedProblem& problem, const ConstrainedSolver& solver,
+  const ReducedSolution& solution, CrossField& field)
+{
+  ConstrainedField result = solver.Recover(solution);
+  field.u = std::move(result.u);
+  field.energy = result.energy;
+  field.iterations = solution.iterations;
+  field.residual = solution.residual;
+  field.converged = solution.converged && result.alignmentResidual <= AlignmentTolerance;
+  field.multipliers.assign(solution.multipliers.begin(), solution.multipliers.end());
+  ReadReport(problem.mesh, problem.loops, field);
+}
+
+/// Fewer of these are better, the first that differs decides.
+auto Shortcomings(const CrossField& field)
+{
+  return std::make_tuple(
+    !field.converged, field.wrongDegrees, field.unwantedSingularities, field.energy);
+}
+
+void UseConstrained(const PerforatedProblem& problem, const PerforatedOptions& options,
   const Progress& progress, CrossField& field)
 {
   const ConstrainedSolver solver(problem);
-  progress.Report(0.3);
-  ConstrainedField result = solver.Recover(
-    SolveReduced(solver.GetReducedProblem(), options, progress.Part(0.3, 0.7)));
-  field.u = std::move(result.u);
-  field.energy = result.energy;
-  field.iterations = result.reduced.iterations;
-  field.residual = result.reduced.residual;
-  field.converged =
-    result.reduced.converged && result.alignmentResidual <= AlignmentTolerance;
-  field.multipliers.assign(
-    result.reduced.multipliers.begin(), result.reduced.multipliers.end());
+  progress.Report(0.2);
+  if (options.start != PerforatedStart::UnitNorm)
+  {
+    Stopwatch stopwatch;
+    const ReducedSolution solution =
+      SolveReduced(solver.GetReducedProblem(), options.reduced, progress.Part(0.2, 0.5));
+    field.seconds.newton = stopwatch.Lap();
+    UseSolution(problem, solver, solution, field);
+    const bool asWished =
+      field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
+    if (options.start == PerforatedStart::Harmonic || asWished)
+    {
+      return;
+    }
+  }
+  // A second opinion that takes longer than the paper's longest run would not settle either.
+  ReducedOptions patience = options.reduced;
+  patience.maximumIterations = std::min(patience.maximumIterations, 60);
+  const ComplexVector unitNorm = SolveUnitNorm(problem).u;
+  CrossField other = field;
+  other.startedFromUnitNorm = true;
+  UseSolution(problem, solver,
+    SolveReducedFrom(solver.GetReducedProblem(), solver.HoleValues(unitNorm), patience,
+      progress.Part(0.5, 0.8)),
+    other);
+  if (options.start == PerforatedStart::UnitNorm || Shortcomings(other) < Shortcomings(field))
+  {
+    field = std::move(other);
+  }
+}
+
+/// |u| = 1 on the holes, from the unit-norm field.
+void UseUnitHoles(const PerforatedProblem& islandsOnly, const ReducedOptions& options,
+  const Progress& progress, CrossField& field)
+{
+  const PerforatedProblem problem(
+    islandsOnly.mesh, PotentialSolver::Periods::IslandsAndHoles, islandsOnly.corners);
+  const ConstrainedSolver solver(problem);
+  field.startedFromUnitNorm = true;
+  field.unitHoles = true;
+  UseSolution(problem, solver,
+    SolveReducedUnit(solver.GetReducedProblem(), solver.HoleValues(SolveUnitNorm(islandsOnly).u),
+      options, progress),
+    field);
 }
 }
 
@@ -46,24 +104,33 @@ CrossField SolvePerforated(
   const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
 {
   CrossField field;
-  PerforatedProblem problem(mesh);
+  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
   field.count = problem.count;
   field.seconds.assemble = problem.assembleSeconds;
   field.seconds.factor = problem.factorSeconds;
   progress.Report(0.6);
 
   Stopwatch stopwatch;
+  // The report needs the edges of the mesh, which the problem refers to until it is solved.
+  field.edges = problem.edges;
   if (options.method == PerforatedMethod::UnitNorm)
   {
     UseUnitNorm(problem, field);
   }
   else
   {
-    UseConstrained(problem, options.reduced, progress.Part(0.6, 0.9), field);
+    if (!options.unitHoles)
+    {
+      UseConstrained(problem, options, progress.Part(0.6, 0.9), field);
+    }
+    const bool mend = options.start == PerforatedStart::Best &&
+      (field.wrongDegrees > 0 || !field.converged);
+    if (options.unitHoles || mend)
+    {
+      UseUnitHoles(problem, options.reduced, progress.Part(0.9, 1.0), field);
+    }
   }
   field.seconds.solve = stopwatch.Lap();
-  field.edges = std::move(problem.edges);
-  ReadReport(mesh, problem.loops, field);
   progress.Report(1.0);
   return field;
 }

@@ -12,10 +12,26 @@ enum class PerforatedMethod
   UnitNorm     ///< UnitNormField.h: |u| = 1, from one linear system.
 };
 
+/// Where the iteration of the constrained method starts.
+enum class PerforatedStart
+{
+  /// Harmonic. Where its field has a wrong degree or an unwanted singularity, unit-norm as well,
+  /// and the better of the two; where a degree is still wrong, |u| = 1 is forced on the holes.
+  Best,
+  Harmonic, ///< The field without constraints: leads to the global minimum of the energy.
+  UnitNorm  ///< The unit-norm field: leads to a local minimum near it.
+};
+
 struct PerforatedOptions
 {
   PerforatedMethod method = PerforatedMethod::Constrained;
+  PerforatedStart start = PerforatedStart::Best;
+  bool unitHoles = false; ///< Constrained method: force |u| = 1 on the holes (ReducedUnit.h).
   ReducedOptions reduced; ///< Of the constrained method.
+  /// Quarter indices chosen for vertices of outer and inner loops instead of the smallest rotations.
+  /// The unit-norm field takes them; the constrained one is only held to the sum that they leave to
+  /// the holes.
+  std::vector<CornerChoice> corners;
 };
 
 /// The smoothest cross field on a drilled mesh with the degrees prescribed on its holes, and a

@@ -4,38 +4,72 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <optional>
 
 namespace crossfield
 {
-PoincareHopfCount CountQuarters(
-  const std::vector<Loop>& loops, int givenInteriorQuarters, double cornerAngle)
+namespace
+{
+/// The chosen quarter index of every vertex that has one.
+std::vector<std::vector<std::optional<int>>> ChosenIndices(
+  const std::vector<Loop>& loops, const std::vector<CornerChoice>& choices)
+{
+  std::vector<std::vector<std::optional<int>>> chosen;
+  std::vector<Point> vertices;
+  for (const Loop& loop : loops)
+  {
+    chosen.emplace_back(loop.size());
+    vertices.insert(vertices.end(), loop.begin(), loop.end());
+  }
+  const std::vector<std::size_t> matches = MatchChoices(vertices, choices);
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    std::size_t vertex = matches[i];
+    std::size_t loop = 0;
+    while (vertex >= loops[loop].size())
+    {
+      vertex -= loops[loop++].size();
+    }
+    chosen[loop][vertex] = choices[i].quarterIndex;
+  }
+  return chosen;
+}
+}
+
+PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
+  double cornerAngle, const std::vector<CornerChoice>& choices)
 {
   PoincareHopfCount count;
   count.eulerCharacteristic = 2 - static_cast<int>(loops.size());
   count.givenInteriorQuarters = givenInteriorQuarters;
-  double corners = 0.0;
-  double curves = 0.0;
-  for (const Loop& loop : loops)
+  count.hasChoices = !choices.empty();
+  const auto chosen = ChosenIndices(loops, choices);
+  for (std::size_t l = 0; l < loops.size(); ++l)
   {
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    LoopCount part;
+    for (std::size_t v = 0; v < loops[l].size(); ++v)
     {
-      const Point& here = loop[i];
-      const Point before = here - loop[(i + loop.size() - 1) % loop.size()];
-      const Point after = loop[(i + 1) % loop.size()] - here;
-      const double turning = AngleBetween(before, after);
-      if (std::abs(turning) > cornerAngle)
+      const Corner vertex = DescribeVertex(loops, l, v);
+      const double turning = vertex.Turning();
+      if (!IsCorner(turning, cornerAngle) && !chosen[l][v])
       {
-        corners += SmallestRotation(turning);
+        part.tangentTurning += turning;
+        continue;
       }
-      else
-      {
-        curves += turning;
-      }
+      CountedCorner corner;
+      static_cast<Corner&>(corner) = vertex;
+      corner.quarterIndex = chosen[l][v].value_or(SmallestRotationIndex(turning));
+      corner.chosen = chosen[l][v].has_value();
+      part.valence += turning - 0.5 * Pi * corner.quarterIndex;
+      part.cornerQuarters += corner.quarterIndex;
+      count.corners.push_back(corner);
     }
+    part.valence /= 2.0 * Pi;
+    part.tangentTurning /= 2.0 * Pi;
+    count.valence += part.valence;
+    count.tangentTurning += part.tangentTurning;
+    count.loops.push_back(part);
   }
-  count.valence = corners / (2.0 * Pi);
-  count.tangentTurning = curves / (2.0 * Pi);
   count.requiredInteriorQuarters =
     static_cast<int>(std::lround(4.0 * (count.valence + count.tangentTurning)));
   return count;
@@ -45,16 +79,20 @@ double SmallestRotation(double turning)
 {
   double rotation = std::remainder(turning, 0.5 * Pi);
   // An angle of exactly π/4 may come out of the coordinates' rounding on either side.
-  constexpr double Rounding = 1e-9;
-  if (rotation < -0.25 * Pi + Rounding)
+  if (rotation < -0.25 * Pi + AngleRounding)
   {
     rotation += 0.5 * Pi;
   }
   return rotation;
 }
 
-PoincareHopfCount CountMeshQuarters(
-  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
+int SmallestRotationIndex(double turning)
+{
+  return static_cast<int>(std::lround((turning - SmallestRotation(turning)) / (0.5 * Pi)));
+}
+
+PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
+  const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices)
 {
   std::vector<Loop> aligned;
   int given = 0;
@@ -77,19 +115,37 @@ PoincareHopfCount CountMeshQuarters(
       std::reverse(aligned.back().begin(), aligned.back().end());
     }
   }
-  return CountQuarters(aligned, given);
+  return CountQuarters(aligned, given, DefaultCornerAngle, choices);
+}
+
+std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)
+{
+  const std::string sums = "The quarter indices of the singularities add up to " +
+    std::to_string(count.givenInteriorQuarters);
+  const std::string domain = std::string(" on this domain") +
+    (count.hasChoices ? " with the chosen quarter indices of corners" : "");
+  if (count.Consistent())
+  {
+    const auto defect = std::find_if(holonomyDefects.begin(), holonomyDefects.end(),
+      [](double value) { return std::abs(value) > 1e-2; });
+    return sums + ", as the Poincaré-Hopf theorem asks" + domain +
+      (defect == holonomyDefects.end()
+          ? "."
+          : ", but at inner loop " + std::to_string(defect - holonomyDefects.begin() + 1) +
+            " there is a holonomy defect of " + std::to_string(*defect) +
+            " radians; move singularities until it vanishes if H has to be single-valued.");
+  }
+  const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
+  return sums + " but the Poincaré-Hopf theorem asks for " +
+    std::to_string(count.requiredInteriorQuarters) + domain + "; add singularities of total " +
+    std::to_string(missing) + " or remove some of total " + std::to_string(-missing) + ".";
 }
 
 void RequireConsistent(const PoincareHopfCount& count)
 {
   if (!count.Consistent())
   {
-    const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
-    throw Error("The quarter indices of the singularities add up to " +
-      std::to_string(count.givenInteriorQuarters) + " but the Poincaré-Hopf theorem asks for " +
-      std::to_string(count.requiredInteriorQuarters) + " on this domain; add singularities of total " +
-        std::to_string(missing) + ".",
-      Error::Kind::Inconsistent);
+    throw Error(Verdict(count), Error::Kind::Inconsistent);
   }
 }
 }

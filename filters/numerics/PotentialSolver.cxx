@@ -35,7 +35,7 @@ std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<Bounda
 
 /// The P1 matrix bordered by the periods, without the row and column of the ground.
 Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<IslandStrip>& strips, int ground)
+  const std::vector<LoopStrip>& strips, int ground)
 {
   Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, edges);
   const Eigen::Index vertexCount = matrix.rows();
@@ -47,7 +47,7 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
     const auto row = static_cast<int>(vertexCount + static_cast<Eigen::Index>(k));
     // η_k on the triangles of its strip, to find where other strips overlap.
     std::vector<std::pair<int, Eigen::Vector3d>> products;
-    for (const IslandStrip::Step& step : strips[k].steps)
+    for (const LoopStrip::Step& step : strips[k].steps)
     {
       const Eigen::Vector3d product = P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
         Eigen::Map<const Eigen::Vector3d>(step.left.data());
@@ -63,7 +63,7 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
       [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t l = 0; l < strips.size(); ++l)
     {
-      for (const IslandStrip::Step& step : strips[l].steps)
+      for (const LoopStrip::Step& step : strips[l].steps)
       {
         const auto found = std::lower_bound(products.begin(), products.end(), step.triangle,
           [](const auto& entry, int triangle) { return entry.first < triangle; });
@@ -105,11 +105,11 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
 }
 }
 
-PotentialSolver::PotentialSolver(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
+PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const std::vector<BoundaryLoop>& loops, Periods periods)
   : Mesh(mesh)
   , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
-  , Strips(FindIslandStrips(mesh, edges, loops))
+  , Strips(FindLoopStrips(mesh, edges, loops, periods == Periods::IslandsAndHoles))
   , Trailing(HoleVertices(mesh, loops))
 {
   const auto outer = std::find_if(loops.begin(), loops.end(),
@@ -189,7 +189,7 @@ Eigen::Matrix2Xd PotentialSolver::Gradient(const Eigen::VectorXd& solution) cons
   }
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    for (const IslandStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
     {
       gradient.col(step.triangle) += solution[this->PeriodRow(k)] *
         gradientOf(static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "EdgeNumbering.h"
-#include "IslandStrip.h"
+#include "LoopStrip.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -15,9 +15,9 @@ class SparseCholesky;
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
 /// constrained field and everything derived from a potential (METHOD §2, §3).
 ///
-/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop: the
-/// amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
-/// cut functions η_k of IslandStrip, which have a gradient on their strips only. The matrix is
+/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop (and
+/// hole, if asked for): the amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
+/// cut functions η_k of LoopStrip, which have a gradient on their strips only. The matrix is
 ///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
 /// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
 /// One vertex of the outer loop, the ground, is left out to remove it.
@@ -33,9 +33,17 @@ class SparseCholesky;
 class PotentialSolver
 {
 public:
+  /// Which loops have a period. A hole needs one only where its edges are not free to shift by a
+  /// common constant.
+  enum class Periods
+  {
+    Islands,
+    IslandsAndHoles
+  };
+
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const std::vector<BoundaryLoop>& loops);
+    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands);
   ~PotentialSolver();
 
   /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
@@ -43,10 +51,10 @@ public:
   Eigen::Index PeriodCount() const { return static_cast<Eigen::Index>(this->Strips.size()); }
   /// Row of the k-th period.
   Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount + k; }
-  const std::vector<IslandStrip>& GetStrips() const { return this->Strips; }
+  const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
 
   /// Rows of the trailing unknowns: per hole its vertices, counter-clockwise, where vertex j joins
-  /// edges j and j + 1 of the hole's BoundaryLoop; then the periods.
+  /// edges j and j + 1 of the hole's BoundaryLoop; then the periods, islands before holes.
   const std::vector<int>& TrailingRows() const { return this->Trailing; }
 
   /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns.
@@ -65,7 +73,7 @@ public:
 private:
   const TriangleMesh& Mesh;
   Eigen::Index VertexCount;
-  std::vector<IslandStrip> Strips;
+  std::vector<LoopStrip> Strips;
   int Ground;
   std::vector<int> Trailing;
   std::unique_ptr<SparseCholesky> Factor;

@@ -42,7 +42,8 @@ struct ReducedSolution
 ///   q(λ) = −½ bᴴ x(λ) − Σ λ_i t_i
 /// is concave with ∂q/∂λ_i = C_i(x(λ)) − t_i and ∂²q/∂λ_i∂λ_j = −Re((A_i x)ᴴ H⁻¹ A_j x). A line
 /// search on q keeps H positive definite, so a converged solution is the global minimiser of the
-/// problem, not only a critical point. Where the maximiser of q lies on the border of the region
+/// problem, not only a critical point. The first steps are taken in the low Fourier modes of the
+/// holes only, which carry most of the field. Where the maximiser of q lies on the border of the region
 /// in which H is positive definite the iteration stalls: reported, not an error.
 ReducedSolution SolveReduced(
   const ReducedProblem& problem, const ReducedOptions& options = {}, const Progress& progress = {});

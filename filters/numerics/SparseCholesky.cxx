@@ -79,8 +79,8 @@ SparseCholesky::SparseCholesky(
   }
   if (this->Data->factor == nullptr || common->status != CHOLMOD_OK)
   {
-    throw Error("The matrix is not positive definite; the mesh may be in several parts or have "
-                "degenerate triangles, remesh the domain.");
+    throw NotPositiveDefinite("The matrix is not positive definite; the mesh may be in several "
+                              "parts or have degenerate triangles, remesh the domain.");
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Error.h"
+
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
@@ -8,13 +10,20 @@
 
 namespace crossfield
 {
+/// Thrown by SparseCholesky for a matrix that is not positive definite.
+class NotPositiveDefinite : public Error
+{
+public:
+  using Error::Error;
+};
+
 /// Supernodal Cholesky factorisation A = Pᵀ L Lᵀ P of a symmetric positive definite matrix by
 /// CHOLMOD, in a given elimination order.
 class SparseCholesky
 {
 public:
   /// `matrix` has both halves stored, `order[i]` is the unknown eliminated i-th. Throws Error when
-  /// an entry is not finite or the matrix is not positive definite.
+  /// an entry is not finite, and NotPositiveDefinite when the matrix is not.
   SparseCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;

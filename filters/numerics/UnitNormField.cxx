@@ -28,8 +28,11 @@ Eigen::VectorXd AlignedSources(const PerforatedProblem& problem)
     if (edge.kind != BoundaryKind::Hole)
     {
       const BoundaryEdge& before = mesh.boundary[static_cast<std::size_t>(previous[i])];
-      sources[edge.vertices[0]] =
-        4.0 * SmallestRotation(AngleBetween(direction(before), direction(edge)));
+      const double turning = AngleBetween(direction(before), direction(edge));
+      const auto chosen = problem.chosenQuarters.find(edge.vertices[0]);
+      sources[edge.vertices[0]] = chosen == problem.chosenQuarters.end()
+        ? 4.0 * SmallestRotation(turning)
+        : 4.0 * turning - 2.0 * Pi * chosen->second;
     }
   }
   return sources;
@@ -144,7 +147,7 @@ UnitNormField SolveUnitNorm(const PerforatedProblem& problem)
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {
-      const IslandStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
+      const LoopStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
       const double wanted = std::arg(problem.aligned[strip.firstBoundaryEdge] *
         std::conj(problem.aligned[strip.lastBoundaryEdge]));
       defects[k] = Wrap(wanted - carried[k]);

@@ -1,9 +1,11 @@
 #include "CrossFieldArrays.h"
 
 #include "CrossSamples.h"
+#include "Error.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
@@ -109,6 +111,28 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
 }
 
 //------------------------------------------------------------------------------
+crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
+  const crossfield::EdgeNumbering& edges, vtkUnstructuredGrid* input)
+{
+  vtkDataArray* exact = input->GetCellData()->GetArray(vtkCrossFieldArrayNames::CrossFieldCR);
+  if (exact == nullptr || exact->GetNumberOfComponents() != 6)
+  {
+    throw crossfield::Error("The mesh has no cell array 'CrossFieldCR' with 6 components; give a "
+                            "field made by one of the cross field filters.");
+  }
+  crossfield::ComplexVector u = crossfield::ComplexVector::Zero(edges.Count());
+  for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      u[edges.ofTriangle[t][i]] = Complex(exact->GetComponent(cells.triangleCells[t], 2 * i),
+        exact->GetComponent(cells.triangleCells[t], 2 * i + 1));
+    }
+  }
+  return u;
+}
+
+//------------------------------------------------------------------------------
 void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
@@ -117,6 +141,8 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
   AddInteger(data, names::Iterations, field.iterations);
   AddValue(data, names::Residual, field.residual);
   AddInteger(data, names::Converged, field.converged ? 1 : 0);
+  AddInteger(data, names::StartedFromUnitNorm, field.startedFromUnitNorm ? 1 : 0);
+  AddInteger(data, names::UnitHoles, field.unitHoles ? 1 : 0);
   const auto holes = static_cast<vtkIdType>(field.holes.size());
   auto degrees = AddIntegers(data, names::HoleDegree, holes);
   auto norms = NewArray(data, names::HoleNormRange, 2, holes);
@@ -133,6 +159,7 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
   AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
   AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
   AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
+  data->RemoveArray(names::HolonomyDefect); // of a field that the mesh carried before
   if (!field.holonomyDefect.empty())
   {
     const auto islands = static_cast<vtkIdType>(field.holonomyDefect.size());
@@ -142,5 +169,41 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
       defects->SetValue(i, field.holonomyDefect[static_cast<std::size_t>(i)]);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void AddGinzburgLandauReport(
+  const crossfield::GinzburgLandauField& field, vtkUnstructuredGrid* output)
+{
+  namespace names = vtkCrossFieldArrayNames;
+  AddReport(field, output);
+  vtkFieldData* data = output->GetFieldData();
+  AddValue(data, names::Epsilon, field.epsilon);
+  AddValue(data, names::GradientEnergy, field.gradientEnergy);
+  AddValue(data, names::PenaltyEnergy, field.penaltyEnergy);
+  AddInteger(data, names::ConvexifiedSteps, field.convexifiedSteps);
+}
+
+//------------------------------------------------------------------------------
+Eigen::VectorXd ReadOnTriangles(const DomainConversion::DrilledMesh& cells, const std::string& name,
+  vtkUnstructuredGrid* input)
+{
+  Eigen::VectorXd values;
+  if (name.empty())
+  {
+    return values;
+  }
+  vtkDataArray* array = input->GetCellData()->GetArray(name.c_str());
+  if (array == nullptr || array->GetNumberOfComponents() != 1)
+  {
+    throw crossfield::Error("The mesh has no cell array '" + name +
+      "' with one component; add it, or leave the name empty.");
+  }
+  values.resize(static_cast<Eigen::Index>(cells.triangleCells.size()));
+  for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
+  {
+    values[static_cast<Eigen::Index>(t)] = array->GetComponent(cells.triangleCells[t], 0);
+  }
+  return values;
 }
 }

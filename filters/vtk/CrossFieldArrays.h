@@ -3,6 +3,9 @@
 
 #include "CrossFieldReport.h"
 #include "DomainConversion.h"
+#include "GinzburgLandau.h"
+
+#include <string>
 
 class vtkUnstructuredGrid;
 
@@ -13,8 +16,26 @@ namespace CrossFieldArrays
 void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
   vtkUnstructuredGrid* output);
 
+/**
+ * The values of `CrossFieldCR` at the edges of the mesh that the cells were read into. Throws
+ * crossfield::Error when the array is missing or does not have 6 components.
+ */
+crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
+  const crossfield::EdgeNumbering& edges, vtkUnstructuredGrid* input);
+
 /** The report as field data; see vtkPerforatedCrossField. */
 void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output);
+
+/** The report and what vtkGinzburgLandauCrossField adds to it. */
+void AddGinzburgLandauReport(
+  const crossfield::GinzburgLandauField& field, vtkUnstructuredGrid* output);
+
+/**
+ * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when
+ * the array is missing or does not have one component.
+ */
+Eigen::VectorXd ReadOnTriangles(const DomainConversion::DrilledMesh& cells, const std::string& name,
+  vtkUnstructuredGrid* input);
 }
 
 #endif

@@ -217,11 +217,9 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 //------------------------------------------------------------------------------
 crossfield::Configuration ReadConfiguration(vtkDataSet* input)
 {
+  // The array is asked for even when there are no points: a source that failed gives no points and
+  // no array, and must not pass for the empty configuration.
   crossfield::Configuration configuration;
-  if (input->GetNumberOfPoints() == 0)
-  {
-    return configuration;
-  }
   vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
@@ -244,6 +242,11 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input)
     if (radii != nullptr)
     {
       singularity.radius = radii->GetTuple1(i);
+      if (!(singularity.radius > 0.0))
+      {
+        throw Error("The radius of singularity " + std::to_string(i) +
+          " is not positive; give a positive radius, or leave the array 'Radius' out.");
+      }
     }
     configuration.push_back(singularity);
   }

@@ -24,6 +24,8 @@ constexpr const char* Energy = "Energy";
 constexpr const char* Iterations = "Iterations";
 constexpr const char* Residual = "Residual";
 constexpr const char* Converged = "Converged";
+constexpr const char* StartedFromUnitNorm = "StartedFromUnitNorm";
+constexpr const char* UnitHoles = "UnitHoles";
 constexpr const char* HoleDegree = "HoleDegree";
 constexpr const char* HoleNormRange = "HoleNormRange";
 constexpr const char* UnwantedSingularities = "UnwantedSingularities";
@@ -34,6 +36,32 @@ constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
 constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
 constexpr const char* Consistent = "Consistent";
 constexpr const char* HolonomyDefect = "HolonomyDefect";
+// Field data: vtkGinzburgLandauCrossField.
+constexpr const char* Epsilon = "Epsilon";
+constexpr const char* GradientEnergy = "GradientEnergy";
+constexpr const char* PenaltyEnergy = "PenaltyEnergy";
+constexpr const char* ConvexifiedSteps = "ConvexifiedSteps";
+// Corners, points: vtkBoundaryCornerClassifier and vtkPoincareHopfCheck.
+constexpr const char* Angle = "Angle";
+constexpr const char* QuarterIndexScarce = "QuarterIndexScarce";
+constexpr const char* QuarterIndexBalanced = "QuarterIndexBalanced";
+constexpr const char* QuarterIndexExcess = "QuarterIndexExcess";
+constexpr const char* QuarterIndexConventional = "QuarterIndexConventional";
+constexpr const char* CornerEnergy = "CornerEnergy";
+constexpr const char* Cancellable = "Cancellable";
+constexpr const char* Tied = "Tied";
+constexpr const char* Overridden = "Overridden";
+// Scenario table and field data: vtkBoundaryCornerClassifier.
+constexpr const char* Scenario = "Scenario";
+constexpr const char* Sum = "Sum";
+constexpr const char* Feasible = "Feasible";
+constexpr const char* Chosen = "Chosen";
+constexpr const char* InteriorQuarters = "InteriorQuarters";
+// Loop table and field data: vtkPoincareHopfCheck.
+constexpr const char* BoundaryLoop = "BoundaryLoop";
+constexpr const char* CornerQuarters = "CornerQuarters";
+constexpr const char* RequiredPart = "RequiredPart";
+constexpr const char* Reason = "Reason";
 }
 
 #endif

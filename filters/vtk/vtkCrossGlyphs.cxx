@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -70,8 +71,8 @@ std::vector<Place> TrianglePlaces(vtkDataSet* input)
   return places;
 }
 
-/** Keeps in each square of the grid the place nearest to its middle. */
-std::vector<Place> ThinOut(const std::vector<Place>& places, double spacing)
+/** Keeps in each square of the grid the place nearest to its middle, and moves it there if it can. */
+std::vector<Place> ThinOut(vtkDataSet* input, const std::vector<Place>& places, double spacing)
 {
   std::map<std::array<double, 2>, std::pair<double, Place>> nearest;
   for (const Place& place : places)
@@ -87,10 +88,24 @@ std::vector<Place> ThinOut(const std::vector<Place>& places, double spacing)
     }
   }
   std::vector<Place> kept;
+  vtkNew<vtkIdList> ids;
   for (const auto& entry : nearest)
   {
-    kept.push_back(entry.second.second);
-    kept.back().room = spacing;
+    Place place = entry.second.second;
+    place.room = spacing;
+    const double middle[3] = { (entry.first[0] + 0.5) * spacing, (entry.first[1] + 0.5) * spacing,
+      place.centre[2] };
+    double corners[3][3];
+    input->GetCellPoints(place.cell, ids);
+    for (int i = 0; i < 3; ++i)
+    {
+      input->GetPoint(ids->GetId(i), corners[i]);
+    }
+    if (vtkTriangle::PointInTriangle(middle, corners[0], corners[1], corners[2], 0.0) != 0)
+    {
+      std::copy(middle, middle + 3, place.centre.begin());
+    }
+    kept.push_back(place);
   }
   return kept;
 }
@@ -127,7 +142,7 @@ int vtkCrossGlyphs::RequestData(
       progress.Report(0.5);
       if (this->Spacing > 0.0)
       {
-        places = ThinOut(places, this->Spacing);
+        places = ThinOut(input, places, this->Spacing);
       }
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();

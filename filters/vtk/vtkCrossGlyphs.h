@@ -8,7 +8,8 @@
  * Output (vtkPolyData): for every cross two VTK_LINE cells through its place, along ±`Cross` and
  * ±`Cross2`, with the cell array `CrossNorm` (double, 1) of the cell it was taken from. By default
  * there is one cross per triangle, at its centre; with Spacing s > 0 at most one per square of a
- * grid of side s, that of the triangle whose centre is nearest to the middle of the square.
+ * grid of side s, that of the triangle whose centre is nearest to the middle of the square, drawn at
+ * the middle if the triangle contains it.
  *
  * The length of a line is Scale times the spacing, or Scale times the square root of the cell's
  * area without a spacing; with ScaleByNorm also times `CrossNorm`.

@@ -25,6 +25,10 @@
  * The edge length is MeshSize, graded down to the boundary's own spacing and to the edges of the
  * holes. No angle is below 20.7° except where the boundary has sharper corners.
  *
+ * @warning The segments of the boundary are taken as they are: where they stand for a curve and are
+ * longer than the mesh size, the field follows every one of them and its energy rises. Sample curves
+ * at the mesh size.
+ *
  * An empty domain gives an empty output. Failure, with an empty output: a curve that is open,
  * branches, crosses or touches itself; several outer loops; a boundary that is not in one plane; a
  * hole outside the domain, cutting its boundary or overlapping another; a radius or mesh size that

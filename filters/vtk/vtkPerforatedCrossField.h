@@ -13,6 +13,10 @@
  *   linear problem without iterations, |u| = 1 everywhere.
  *
  * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays).
+ * Port 1, optional, corners: points with the point array `QuarterIndex` (integers), each at a vertex
+ * of an outer or inner loop, for example from vtkBoundaryCornerClassifier. They replace the smallest
+ * rotations of the cross: UnitNorm takes these indices; Constrained is held only to the sum that
+ * they leave to the holes.
  *
  * Output: the mesh, and
  * - `CrossFieldCR` (cells, double, 6): triangle (p0, p1, p2): Re, Im of u at the midpoints of p0p1,
@@ -26,7 +30,8 @@
  * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,
  * `Residual` (of the optimality conditions, relative; UnitNorm: largest deviation of the integrated
  * phase from the prescribed crosses), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
- * reached), `HoleNormRange` (2 components per hole: least and largest |u| on it),
+ * reached), `StartedFromUnitNorm` and `UnitHoles` (0 or 1: what led to the field that was kept; see
+ * Start), `HoleNormRange` (2 components per hole: least and largest |u| on it),
  * `UnwantedSingularities` (int), `EulerCharacteristic`, `Valence`, `TangentTurning`,
  * `RequiredInteriorQuarters`, `GivenInteriorQuarters`, `Consistent` (of the generalised
  * Poincaré-Hopf theorem), `HolonomyDefect` (UnitNorm, per inner loop, radians in (−π, π]: the phase
@@ -68,6 +73,11 @@ public:
     InconsistentError = 40001
   };
 
+  /** Connects port 1, the corners. */
+  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  /** Sets port 1 to a data object. */
+  void SetCornersData(vtkDataObject* data) { this->SetInputData(1, data); }
+
   /** How the field is computed. */
   enum
   {
@@ -81,6 +91,35 @@ public:
   vtkGetMacro(Method, int);
   void SetMethodToConstrained() { this->SetMethod(MethodConstrained); }
   void SetMethodToUnitNorm() { this->SetMethod(MethodUnitNorm); }
+  ///@}
+
+  /** Where the iteration of the constrained method starts. */
+  enum
+  {
+    StartBest = 0,
+    StartHarmonic = 1,
+    StartUnitNorm = 2
+  };
+
+  ///@{
+  /**
+   * Constrained method: the start. Harmonic leads to the global minimum of the energy, UnitNorm to a
+   * local one near the unit-norm field. Best tries both if the first has a wrong degree or an
+   * unwanted singularity, keeps the better one, and forces |u| = 1 on the holes if a degree is still
+   * wrong. Default: StartBest.
+   */
+  vtkSetClampMacro(Start, int, StartBest, StartUnitNorm);
+  vtkGetMacro(Start, int);
+  void SetStartToBest() { this->SetStart(StartBest); }
+  void SetStartToHarmonic() { this->SetStart(StartHarmonic); }
+  void SetStartToUnitNorm() { this->SetStart(StartUnitNorm); }
+  ///@}
+
+  ///@{
+  /** Constrained method: force |u| = 1 on every hole. Default: off. */
+  vtkSetMacro(UnitHoles, bool);
+  vtkGetMacro(UnitHoles, bool);
+  vtkBooleanMacro(UnitHoles, bool);
   ///@}
 
   ///@{
@@ -116,6 +155,8 @@ private:
   void operator=(const vtkPerforatedCrossField&) = delete;
 
   int Method = MethodConstrained;
+  int Start = StartBest;
+  bool UnitHoles = false;
   int MaximumIterations = 100;
   double Tolerance = 1e-10;
   double StageSeconds[3] = { 0.0, 0.0, 0.0 };

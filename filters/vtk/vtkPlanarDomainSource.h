@@ -15,6 +15,17 @@
  * | square | Width | lower left corner at the origin |
  * | rectangle | Width, Height | lower left corner at the origin |
  * | l-shape | Width; the upper right quarter is missing | lower left corner at the origin |
+ * | hexagonal | Radius of its corners | centred at the origin, regular |
+ * | star | Radius, InnerRadius | centred at the origin, five tips |
+ * | angular-balanced | Width | left side on the y axis, symmetric about the x axis |
+ * | angular-negative | Width | centred at the origin |
+ * | angular-positive | Width | centred at the origin |
+ * | angular-hole | Width | centred at the origin |
+ *
+ * The angular domains are those of the paper's section "Generalized Poincaré-Hopf theorem", drawn
+ * from its text: six sides with two angles of 145° and four of 107.5° (interior singularities of
+ * total 0); a hexagon with angles of 100° and 130° (two −1/4); one with angles of 80° and 140° (two
+ * +1/4); the latter with a round hole of radius Width / 10 (total −2/4, four flat angles).
  *
  * Failure: an unknown name or a length that is not positive; the output is then empty.
  *
@@ -43,19 +54,22 @@ public:
   ///@}
 
   ///@{
-  /** Radius of disk, ring (its outer circle) and quarter-disk. Default: 1. */
+  /** Radius of disk, ring (its outer circle), quarter-disk, hexagonal and star. Default: 1. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /** Radius of the inner circle of the ring. Default: 0.4, the ratio of the paper's first ring. */
+  /**
+   * Radius of the inner circle of the ring, and of the inner corners of the star. Default: 0.4, the
+   * ratio of the paper's first ring.
+   */
   vtkSetMacro(InnerRadius, double);
   vtkGetMacro(InnerRadius, double);
   ///@}
 
   ///@{
-  /** Width of ellipse, square, rectangle and l-shape. Default: 2. */
+  /** Width of ellipse, square, rectangle, l-shape and the angular domains. Default: 2. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);
   ///@}

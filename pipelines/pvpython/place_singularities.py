@@ -106,7 +106,7 @@ SaveData(arguments.output, proxy=field, DataMode="Binary", CompressorType="ZLib"
 # 4. The picture: about forty crosses across the domain, holes in red.
 bounds = field.GetDataInformation().GetBounds()
 spacing = max(bounds[1] - bounds[0], bounds[3] - bounds[2]) / 40
-crosses = CrossGlyphs(Input=field, Spacing=spacing)
+crosses = CrossGlyphs(Input=field, Spacing=spacing, Scale=0.7)
 
 view = CreateRenderView(ViewSize=[1200, 1200], OrientationAxesVisibility=0,
                         UseColorPaletteForBackground=0, Background=[1, 1, 1])

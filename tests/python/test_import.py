@@ -124,6 +124,32 @@ def test_changed_input():
     check_equal(value(chain.field(), "Energy"), first, "the energy of the first input again")
 
 
+def test_topology():
+    domain = crossfield.vtkPlanarDomainSource()
+    domain.SetDomainName("angular-hole")
+    proposal = crossfield.vtkConfigurationProposal()
+    proposal.SetInputConnection(domain.GetOutputPort())
+    verdict = crossfield.vtkPoincareHopfCheck()
+    verdict.SetInputConnection(domain.GetOutputPort())
+    verdict.Update()
+    check_equal(value(verdict.GetOutput(), "Consistent"), 0, "Consistent without singularities")
+    check_equal(value(verdict.GetOutput(), "RequiredInteriorQuarters"), -2, "the required sum")
+    verdict.SetSingularitiesConnection(proposal.GetOutputPort())
+    verdict.Update()
+    check_equal(value(verdict.GetOutput(), "Consistent"), 1, "Consistent")
+    check_equal(verdict.GetOutputDataObject(1).GetNumberOfRows(), 2, "the number of loops")
+    check_equal(verdict.GetOutputDataObject(2).GetNumberOfPoints(), 6, "the number of corners")
+
+    classifier = crossfield.vtkBoundaryCornerClassifier()
+    classifier.SetInputConnection(domain.GetOutputPort())
+    classifier.Update()
+    check_equal(classifier.GetOutputDataObject(1).GetNumberOfRows(), 3, "the number of scenarios")
+    first = value(classifier.GetOutput(), "Energy")
+    classifier.AddOverride(-1, 0, -1)
+    classifier.Update()
+    check(value(classifier.GetOutput(), "Energy") > first, "an override costs nothing")
+
+
 def test_input_untouched():
     chain = Chain()
     chain.crosses.Update()
@@ -138,7 +164,7 @@ def test_input_untouched():
         check(after == before, "%s has changed its input" % algorithm.GetClassName())
 
 
-for test in (test_default_chain, test_bad_input, test_file, test_changed_input,
+for test in (test_default_chain, test_bad_input, test_file, test_changed_input, test_topology,
              test_input_untouched):
     test()
     print(test.__name__, "passed")

@@ -13,10 +13,15 @@ from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE
 from checks import check, check_default_field, check_equal, fingerprint, value, values
 
 PROXIES = {
+    "BoundaryCornerClassifier": (
+        "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
+    "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
+    "ConfigurationProposal": (
+        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "SingularitySource": ("sources", "Singularities FileName"),
     "DrillHoles": ("filters", "Input Singularities MeshSize MinimumHoleEdges Gradation"),
-    "PerforatedCrossField": ("filters", "Input Method MaximumIterations Tolerance"),
+    "PerforatedCrossField": ("filters", "Input Corners Method MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 
@@ -136,6 +141,35 @@ def test_changed_input():
     check_equal(value(fetch(field), "Energy"), first, "the energy of the first input again")
 
 
+def test_topology():
+    domain = PlanarDomainSource(DomainName="angular-hole")
+    proposal = ConfigurationProposal(Input=domain, CancelFlatCorners=1)
+    verdict = PoincareHopfCheck(Input=domain, Singularities=proposal)
+    data = fetch(verdict)
+    check_equal(value(data, "RequiredInteriorQuarters"), -2, "RequiredInteriorQuarters")
+    check_equal(value(data, "GivenInteriorQuarters"), -2, "GivenInteriorQuarters")
+    check_equal(value(data, "Consistent"), 1, "Consistent")
+    check_equal(len(values(data, "HolonomyDefect")), 1, "the number of holonomy defects")
+    corners = servermanager.Fetch(OutputPort(verdict, 2))
+    check_equal(corners.GetNumberOfPoints(), 6, "the number of corners")
+    verdict = PoincareHopfCheck(Input=domain)
+    check_equal(value(fetch(verdict), "Consistent"), 0, "Consistent without singularities")
+    sentence = fetch(verdict).GetFieldData().GetAbstractArray("Reason").GetValue(0)
+    check("total -2" in sentence, "'%s' does not say what to add" % sentence)
+
+    domain = PlanarDomainSource(DomainName="angular-negative")
+    classifier = BoundaryCornerClassifier(Input=domain)
+    check_equal(fetch(classifier).GetNumberOfPoints(), 6, "the number of corners")
+    pair = SingularitySource(Singularities=[-0.5, 0, 1, 0.05, 0.5, 0, -1, 0.05])
+    drilled = DrillHoles(Input=domain, Singularities=pair)
+    refused = PerforatedCrossField(Input=drilled)
+    check_equal(fetch(refused).GetNumberOfCells(), 0, "the number of cells without corners")
+    solved = PerforatedCrossField(Input=drilled, Corners=classifier, Method=1)
+    check_equal(value(fetch(solved), "UnwantedSingularities"), 0, "UnwantedSingularities")
+    classifier.Overrides = [-1, 0, 0]
+    check_equal(fetch(solved).GetNumberOfCells(), 0, "the number of cells with another corner")
+
+
 def server_data(proxy):
     """The object of the server itself: a fetched one might be a copy."""
     return proxy.GetClientSideObject().GetOutputDataObject(0)
@@ -162,6 +196,6 @@ def test_input_untouched():
 
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_default_chain, test_other_domains, test_unit_norm, test_bad_input,
-             test_changed_input, test_input_untouched):
+             test_topology, test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

@@ -1,0 +1,208 @@
+#include "ConfigurationProposal.h"
+
+#include "DomainQueries.h"
+#include "Error.h"
+#include "PoincareHopf.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+/// Radius of the largest disk around a place that stays off those of the others, all of one size.
+double Room(const Point& place, double clearance, const Configuration& others, std::size_t except)
+{
+  double room = clearance;
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    if (i != except)
+    {
+      room = std::min(room, 0.5 * (others[i].position - place).norm());
+    }
+  }
+  return room;
+}
+
+/// Places inside the domain to choose from, with their distance to the boundary.
+struct Candidates
+{
+  std::vector<Point> places;
+  std::vector<double> clearances;
+
+  explicit Candidates(const PlanarDomain& domain)
+  {
+    Eigen::AlignedBox2d box;
+    for (const Point& point : domain.loops[0])
+    {
+      box.extend(point);
+    }
+    constexpr int Count = 64;
+    const double step = box.sizes().maxCoeff() / Count;
+    const Point half = 0.5 * box.sizes();
+    const int columns = static_cast<int>(half.x() / step);
+    const int rows = static_cast<int>(half.y() / step);
+    for (int row = -rows; row <= rows; ++row)
+    {
+      for (int column = -columns; column <= columns; ++column)
+      {
+        const Point place = box.center() + step * Point(column, row);
+        const double clearance = SignedDistance(place, domain);
+        if (clearance > 0.0)
+        {
+          this->places.push_back(place);
+          this->clearances.push_back(clearance);
+        }
+      }
+    }
+  }
+
+  /// The candidate with the most room beside the others.
+  std::size_t Best(const Configuration& others, std::size_t except) const
+  {
+    std::size_t best = 0;
+    double most = -1.0;
+    for (std::size_t i = 0; i < this->places.size(); ++i)
+    {
+      const double room = Room(this->places[i], this->clearances[i], others, except);
+      // By more than rounding, so that mirrored domains are not decided by it.
+      if (room > most * (1.0 + 1e-9))
+      {
+        best = i;
+        most = room;
+      }
+    }
+    return best;
+  }
+};
+
+/// The corners of a loop, starting behind one that is not cancelled, so that no pair is cut.
+std::vector<Corner> CornersOfLoop(const std::vector<Corner>& corners, int loop)
+{
+  std::vector<Corner> own;
+  std::copy_if(corners.begin(), corners.end(), std::back_inserter(own),
+    [loop](const Corner& corner) { return corner.loop == loop; });
+  const auto sharp = std::find_if(
+    own.begin(), own.end(), [](const Corner& corner) { return !corner.Cancellable(); });
+  std::rotate(own.begin(), sharp, own.end());
+  return own;
+}
+
+/// One +1 for every two corners in [3π/4, π) that follow each other on a loop, or for a single one.
+Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Corner>& corners)
+{
+  Configuration added;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    if (!corners[i].Cancellable())
+    {
+      continue;
+    }
+    Point from = corners[i].position;
+    Point inward = corners[i].inward;
+    double reach = std::numeric_limits<double>::infinity();
+    if (i + 1 < corners.size() && corners[i + 1].Cancellable())
+    {
+      const Point along = corners[i + 1].position - corners[i].position;
+      from = 0.5 * (corners[i].position + corners[i + 1].position);
+      inward = (corners[i].inward + corners[i + 1].inward).normalized();
+      reach = 0.5 * along.norm();
+      ++i;
+    }
+    Singularity singularity;
+    const double way = ClearWay(domain, from, inward);
+    singularity.position = from + std::min(reach, 0.25 * way) * inward;
+    if (SignedDistance(singularity.position, domain) <= 0.0)
+    {
+      // Between two corners of a curve the way may leave the domain; the first corner's does not.
+      const double own = ClearWay(domain, corners[i].position, corners[i].inward);
+      singularity.position = corners[i].position + 0.25 * own * corners[i].inward;
+    }
+    added.push_back(singularity);
+  }
+  return added;
+}
+}
+
+Configuration ProposeConfiguration(
+  const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
+{
+  for (const Singularity& singularity : options.given)
+  {
+    if (!(SignedDistance(singularity.position, domain) > 0.0))
+    {
+      throw Error("A given singularity lies outside the domain; move it inside.");
+    }
+  }
+  Configuration result = options.given;
+  const std::size_t given = result.size();
+  if (options.cancelFlatCorners)
+  {
+    const std::vector<Corner> corners = FindCorners(domain.loops, options.cornerAngle);
+    for (std::size_t loop = 0; loop < domain.loops.size(); ++loop)
+    {
+      const Configuration added =
+        CancelFlatCorners(domain, CornersOfLoop(corners, static_cast<int>(loop)));
+      result.insert(result.end(), added.begin(), added.end());
+    }
+  }
+  const std::size_t fixed = result.size();
+  const int missing =
+    CountQuarters(domain.loops, TotalQuarters(result), options.cornerAngle, options.corners)
+      .requiredInteriorQuarters -
+    TotalQuarters(result);
+
+  // 1. One after the other to where there is most room.
+  const Candidates candidates(domain);
+  progress.Report(0.5);
+  if (candidates.places.empty() && missing != 0)
+  {
+    throw Error("The domain is too thin to place singularities in it; give them yourself.");
+  }
+  std::vector<std::size_t> chosen;
+  for (int i = 0; i < std::abs(missing); ++i)
+  {
+    Singularity singularity;
+    chosen.push_back(candidates.Best(result, result.size()));
+    singularity.position = candidates.places[chosen.back()];
+    singularity.quarterIndex = missing > 0 ? 1 : -1;
+    result.push_back(singularity);
+  }
+
+  // 2. Again and again, until none wants to move. Every move makes one of them freer, but moves
+  //    might come back to where they were.
+  constexpr int MostSweeps = 50;
+  bool moved = true;
+  for (int sweep = 0; sweep < MostSweeps && moved; ++sweep)
+  {
+    progress.Report(0.5 + 0.5 * sweep / MostSweeps);
+    moved = false;
+    for (std::size_t i = fixed; i < result.size(); ++i)
+    {
+      const std::size_t best = candidates.Best(result, i);
+      const std::size_t here = chosen[i - fixed];
+      if (Room(candidates.places[best], candidates.clearances[best], result, i) >
+        Room(candidates.places[here], candidates.clearances[here], result, i) * (1.0 + 1e-9))
+      {
+        chosen[i - fixed] = best;
+        result[i].position = candidates.places[best];
+        moved = true;
+      }
+    }
+  }
+
+  // 3. Radii that leave room for a mesh in between.
+  for (std::size_t i = given; i < result.size(); ++i)
+  {
+    const Point& place = result[i].position;
+    result[i].radius = std::min(
+      domain.Diagonal() / 40.0, Room(place, SignedDistance(place, domain), result, i) / 3.0);
+  }
+  return result;
+}
+}

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "PlanarDomain.h"
+
+namespace crossfield
+{
+/// Distance of a point to the boundary, negative outside the domain.
+double SignedDistance(const Point& point, const PlanarDomain& domain);
+
+/// How far one can go from a point of the boundary into the domain, in a unit direction, before
+/// meeting the boundary again; 0 when that never happens.
+double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction);
+}

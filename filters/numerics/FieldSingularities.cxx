@@ -1,0 +1,327 @@
+#include "FieldSingularities.h"
+
+#include "BoundaryCorners.h"
+#include "Error.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace crossfield
+{
+namespace
+{
+using Place = FieldSingularity::Place;
+
+bool IsAligned(const BoundaryEdge& edge)
+{
+  return edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner;
+}
+
+/// What the boundary makes of each vertex.
+struct VertexRole
+{
+  Place place = Place::Inside;
+  int id = -1;
+  bool corner = false;
+};
+
+std::vector<VertexRole> FindRoles(const TriangleMesh& mesh, double cornerAngle)
+{
+  std::vector<VertexRole> roles(mesh.points.size());
+  std::vector<Point> arriving(mesh.points.size(), Point::Zero());
+  const auto direction = [&mesh](const BoundaryEdge& edge)
+  {
+    return Point(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
+      mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
+  };
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    if (IsAligned(edge))
+    {
+      arriving[static_cast<std::size_t>(edge.vertices[1])] = direction(edge);
+    }
+  }
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    if (IsAligned(edge))
+    {
+      const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
+      roles[vertex].place =
+        edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
+      roles[vertex].id = edge.id;
+      roles[vertex].corner = IsCorner(AngleBetween(arriving[vertex], direction(edge)), cornerAngle);
+    }
+  }
+  return roles;
+}
+
+/// Sets of vertices that are united pair by pair.
+class VertexSets
+{
+public:
+  explicit VertexSets(std::size_t count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int vertex)
+  {
+    while (this->At(vertex) != vertex)
+    {
+      vertex = this->At(vertex) = this->At(this->At(vertex));
+    }
+    return vertex;
+  }
+  void Unite(int a, int b) { this->At(this->Find(a)) = this->Find(b); }
+
+private:
+  int& At(int vertex) { return this->Parent[static_cast<std::size_t>(vertex)]; }
+  std::vector<int> Parent;
+};
+
+/// The singular triangles and vertices that are read as one singularity.
+struct Cluster
+{
+  int quarterIndex = 0;
+  int weight = 0; ///< Σ |index|.
+  Point weighted = Point::Zero();
+  VertexRole role; ///< Of its vertices as long as all are on a loop.
+  bool onBoundary = true;
+  std::vector<Point> zeros; ///< Of the piecewise linear field, with the sign of quarterIndex.
+
+  void Add(int index, const Point& place, const VertexRole& at)
+  {
+    this->quarterIndex += index;
+    this->weight += std::abs(index);
+    this->weighted += std::abs(index) * place;
+    this->onBoundary = this->onBoundary && at.place != Place::Inside;
+    this->role = at;
+  }
+};
+
+/// The zero of the linear function on a triangle with the values u at the midpoints of its sides
+/// and `sign` as the sign of its Jacobian determinant, if it lies in the triangle.
+std::optional<Point> LinearZero(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const ComplexVector& u, std::size_t t, int sign)
+{
+  const auto& sides = edges.ofTriangle[t];
+  const Complex sum = u[sides[0]] + u[sides[1]] + u[sides[2]];
+  Complex corners[3];
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    corners[i] = sum - 2.0 * u[sides[(i + 1) % 3]];
+  }
+  double coordinates[3];
+  double total = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    coordinates[i] = std::imag(std::conj(corners[(i + 1) % 3]) * corners[(i + 2) % 3]);
+    total += coordinates[i];
+  }
+  if (!(total * sign > 0.0))
+  {
+    return std::nullopt;
+  }
+  Point zero = Point::Zero();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double barycentric = coordinates[i] / total;
+    if (barycentric < 0.0)
+    {
+      return std::nullopt;
+    }
+    zero += barycentric * mesh.points[static_cast<std::size_t>(mesh.triangles[t][i])];
+  }
+  return zero;
+}
+
+Point Centroid(const TriangleMesh& mesh, std::size_t t)
+{
+  Point sum = Point::Zero();
+  for (const int vertex : mesh.triangles[t])
+  {
+    sum += mesh.points[static_cast<std::size_t>(vertex)];
+  }
+  return sum / 3.0;
+}
+
+/// Merges what is singular off the corners.
+std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const ComplexVector& u, const FieldIndices& indices, const std::vector<VertexRole>& roles)
+{
+  const auto singular = [&](int vertex)
+  {
+    const auto v = static_cast<std::size_t>(vertex);
+    return indices.ofVertex[v] != 0 && !roles[v].corner;
+  };
+  VertexSets sets(mesh.points.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (indices.ofTriangle[t] != 0)
+    {
+      sets.Unite(mesh.triangles[t][0], mesh.triangles[t][1]);
+      sets.Unite(mesh.triangles[t][1], mesh.triangles[t][2]);
+    }
+  }
+  for (const auto& [from, to] : edges.vertices)
+  {
+    if (singular(from) && singular(to))
+    {
+      sets.Unite(from, to);
+    }
+  }
+
+  std::map<int, Cluster> clusters;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (indices.ofTriangle[t] != 0)
+    {
+      clusters[sets.Find(mesh.triangles[t][0])].Add(
+        indices.ofTriangle[t], Centroid(mesh, t), VertexRole());
+    }
+  }
+  for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v)
+  {
+    if (singular(v))
+    {
+      const auto vertex = static_cast<std::size_t>(v);
+      clusters[sets.Find(v)].Add(indices.ofVertex[vertex], mesh.points[vertex], roles[vertex]);
+    }
+  }
+  // Zeros are looked for in the singular triangles and around the singular vertices.
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& triangle = mesh.triangles[t];
+    const auto around = std::find_if(triangle.begin(), triangle.end(), singular);
+    if (indices.ofTriangle[t] == 0 && around == triangle.end())
+    {
+      continue;
+    }
+    Cluster& cluster =
+      clusters[sets.Find(indices.ofTriangle[t] != 0 ? triangle[0] : *around)];
+    if (const auto zero = LinearZero(mesh, edges, u, t, cluster.quarterIndex))
+    {
+      cluster.zeros.push_back(*zero);
+    }
+  }
+  return clusters;
+}
+
+FieldSingularity Describe(const Cluster& cluster)
+{
+  FieldSingularity singularity;
+  singularity.quarterIndex = cluster.quarterIndex;
+  singularity.position = cluster.weighted / cluster.weight;
+  if (cluster.onBoundary)
+  {
+    singularity.place = cluster.role.place;
+    singularity.id = cluster.role.id;
+  }
+  else if (std::abs(cluster.quarterIndex) == 1 && !cluster.zeros.empty())
+  {
+    const Point centre = singularity.position;
+    singularity.position = *std::min_element(cluster.zeros.begin(), cluster.zeros.end(),
+      [&centre](const Point& a, const Point& b)
+      { return (a - centre).squaredNorm() < (b - centre).squaredNorm(); });
+  }
+  return singularity;
+}
+
+FieldSingularity DescribeHole(
+  const TriangleMesh& mesh, const BoundaryLoop& loop, const HoleReading& reading)
+{
+  FieldSingularity hole;
+  hole.place = Place::Hole;
+  hole.id = loop.id;
+  hole.quarterIndex = reading.degree;
+  const auto vertex = [&](int edge)
+  {
+    return mesh.points[static_cast<std::size_t>(
+      mesh.boundary[static_cast<std::size_t>(edge)].vertices[0])];
+  };
+  for (const int edge : loop.edges)
+  {
+    hole.position += vertex(edge) / static_cast<double>(loop.edges.size());
+  }
+  for (const int edge : loop.edges)
+  {
+    hole.radius += (vertex(edge) - hole.position).norm() / static_cast<double>(loop.edges.size());
+  }
+  return hole;
+}
+}
+
+std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
+  const EdgeNumbering& edges, const ComplexVector& u, const FieldSingularityOptions& options)
+{
+  if (u.size() != edges.Count() || !u.allFinite())
+  {
+    throw Error("The field has " + std::to_string(u.size()) + " values for " +
+      std::to_string(edges.Count()) +
+      " edges, or some that are not finite numbers; compute it again.");
+  }
+  FieldIndices indices = ReadIndices(mesh, edges, u);
+  const std::vector<VertexRole> roles = FindRoles(mesh, options.cornerAngle);
+  std::vector<bool> corners;
+  for (const VertexRole& role : roles)
+  {
+    corners.push_back(role.corner);
+  }
+  MergeAtVertices(mesh, corners, indices);
+  std::vector<FieldSingularity> found;
+  int sum = 0;
+  int holes = 0;
+  for (const auto& [root, cluster] : FindClusters(mesh, edges, u, indices, roles))
+  {
+    sum += cluster.quarterIndex;
+    if (cluster.quarterIndex != 0)
+    {
+      found.push_back(Describe(cluster));
+    }
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    if (roles[v].corner)
+    {
+      sum += indices.ofVertex[v];
+      if (options.corners && indices.ofVertex[v] != 0)
+      {
+        found.push_back(
+          { { mesh.points[v], indices.ofVertex[v], 0.0 }, roles[v].place, roles[v].id });
+      }
+    }
+  }
+  for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
+  {
+    if (loop.kind == BoundaryKind::Hole)
+    {
+      const HoleReading reading = ReadHole(loop, edges, u);
+      sum += reading.degree;
+      ++holes;
+      if (options.holes && reading.degree != 0)
+      {
+        found.push_back(DescribeHole(mesh, loop, reading));
+      }
+    }
+  }
+  const int required = 4 * (edges.EulerCharacteristic(mesh) + holes);
+  if (sum != required)
+  {
+    throw Error("The indices of the field and of the boundary add up to " + std::to_string(sum) +
+      " instead of " + std::to_string(required) +
+      "; the field is not aligned with the boundary of its mesh, compute it again.");
+  }
+  std::sort(found.begin(), found.end(),
+    [](const FieldSingularity& a, const FieldSingularity& b)
+    {
+      return std::make_tuple(a.place, a.position.x(), a.position.y()) <
+        std::make_tuple(b.place, b.position.x(), b.position.y());
+    });
+  return found;
+}
+}

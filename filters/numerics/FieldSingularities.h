@@ -1,0 +1,53 @@
+#pragma once
+
+#include "FieldIndices.h"
+#include "PlanarDomain.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+/// A place where a cross field is singular. `radius` is that of the hole, 0 for all others.
+struct FieldSingularity : Singularity
+{
+  /// Where it is; the codes of `BoundaryKind`.
+  enum class Place
+  {
+    Inside = 0,
+    OuterLoop = 1,
+    InnerLoop = 2,
+    Hole = 3
+  };
+  Place place = Place::Inside;
+  /// Loop number on the boundary, row of the configuration for holes, −1 inside.
+  int id = -1;
+};
+
+struct FieldSingularityOptions
+{
+  /// Also the corners of the boundary, with the quarter index that the field takes there (if not 0).
+  bool corners = false;
+  /// Also the holes, at their centres, with the degree of the field on them (if not 0).
+  bool holes = false;
+  /// A vertex of an outer or inner loop that turns by more is a corner; radians.
+  double cornerAngle = DefaultCornerAngle;
+};
+
+/// Reads the singularities of a Crouzeix-Raviart field, one for each, from the indices of triangles
+/// and vertices (FieldIndices.h). `u` has one value per edge and may vanish.
+///
+/// Wherever u turns by more than half a turn from one midpoint to the next, the index of one
+/// singularity is spread over neighbouring triangles and vertices, and for |k| ≥ 2 with both signs.
+/// So singular triangles and vertices are merged when they share a vertex or are joined by an edge;
+/// the quarter index is their sum, and what adds up to zero is none. Corners take the indices of their
+/// triangles (MergeAtVertices) and are merged with nothing else: they belong to the boundary.
+///
+/// The position is the zero of the piecewise linear field if |k| = 1 and one lies in the merged
+/// triangles, else the mean of the centroids and vertices weighted by |index|. A singularity of
+/// which nothing but vertices of a loop is left has moved into the boundary: the place says so.
+///
+/// The result is sorted by place, then by x and y. Throws Error for values that are not finite, and
+/// if the indices inside, on the boundary and on holes do not add up to 4χ, as they do for every
+/// field that is aligned with outer and inner loops.
+std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
+  const EdgeNumbering& edges, const ComplexVector& u, const FieldSingularityOptions& options = {});
+}

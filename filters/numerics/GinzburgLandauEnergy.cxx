@@ -1,0 +1,305 @@
+#include "GinzburgLandauEnergy.h"
+
+#include "Error.h"
+#include "NestedDissection.h"
+#include "SparseCholesky.h"
+
+#include <cmath>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+double TriangleArea(const TriangleMesh& mesh, std::size_t t)
+{
+  const auto& triangle = mesh.triangles[t];
+  const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];
+  return 0.5 *
+    Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
+      mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
+}
+
+void CheckPinning(
+  const GinzburgLandauPinning& pinning, Eigen::Index triangles, Eigen::Index edges)
+{
+  const Eigen::Index norms = pinning.norm.size();
+  if (norms != 0 && norms != triangles && norms != edges)
+  {
+    throw Error("The norm that the penalty asks for has " + std::to_string(norms) +
+      " values on a mesh with " + std::to_string(triangles) + " triangles and " +
+      std::to_string(edges) + " edges; give one value per triangle or one per edge.");
+  }
+  if (!pinning.norm.allFinite() || (norms != 0 && pinning.norm.minCoeff() < 0.0))
+  {
+    throw Error("The norm that the penalty asks for is negative or not finite somewhere; give "
+                "values of 0 or more, 1 where nothing is pinned.");
+  }
+  const Eigen::Index weights = pinning.gradientWeight.size();
+  if (weights != 0 && weights != triangles)
+  {
+    throw Error("The weight of the gradient term has " + std::to_string(weights) +
+      " values on a mesh with " + std::to_string(triangles) +
+      " triangles; give one value per triangle.");
+  }
+  if (!pinning.gradientWeight.allFinite() ||
+    (weights != 0 && !(pinning.gradientWeight.minCoeff() > 0.0)))
+  {
+    throw Error("The weight of the gradient term is not positive or not finite somewhere; give "
+                "positive values, 1 where nothing is pinned.");
+  }
+}
+
+/// The entries of a matrix over all edges in the rows and columns of the free ones.
+SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
+{
+  std::vector<int> unknown(static_cast<std::size_t>(matrix.rows()), -1);
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    unknown[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    for (SparseMatrix::InnerIterator entry(matrix, free[i]); entry; ++entry)
+    {
+      const int row = unknown[static_cast<std::size_t>(entry.row())];
+      if (row >= 0)
+      {
+        entries.emplace_back(row, static_cast<int>(i), entry.value());
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(free.size());
+  SparseMatrix restricted(size, size);
+  restricted.setFromTriplets(entries.begin(), entries.end());
+  return restricted;
+}
+
+/// The matrix that acts on real and imaginary parts alike, with all entries of the diagonal blocks.
+SparseMatrix OnBothParts(const SparseMatrix& matrix)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(2 * (matrix.nonZeros() + matrix.rows())));
+  for (int column = 0; column < static_cast<int>(matrix.cols()); ++column)
+  {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      const auto row = static_cast<int>(entry.row());
+      entries.emplace_back(2 * row, 2 * column, entry.value());
+      entries.emplace_back(2 * row + 1, 2 * column + 1, entry.value());
+    }
+    entries.emplace_back(2 * column, 2 * column + 1, 0.0);
+    entries.emplace_back(2 * column + 1, 2 * column, 0.0);
+  }
+  SparseMatrix both(2 * matrix.rows(), 2 * matrix.cols());
+  both.setFromTriplets(entries.begin(), entries.end());
+  return both;
+}
+
+/// Position of an entry in the list of values of a matrix.
+std::ptrdiff_t PositionOf(SparseMatrix& matrix, Eigen::Index row, Eigen::Index column)
+{
+  return &matrix.coeffRef(row, column) - matrix.valuePtr();
+}
+}
+
+GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  double epsilon, const GinzburgLandauPinning& pinning)
+  : InverseSquare(1.0 / (epsilon * epsilon))
+{
+  if (!(epsilon > 0.0) || !std::isfinite(epsilon))
+  {
+    throw Error("The length epsilon of the Ginzburg-Landau penalty must be positive; give a length "
+                "of about the size of a triangle.");
+  }
+  const auto triangleCount = static_cast<Eigen::Index>(mesh.triangles.size());
+  CheckPinning(pinning, triangleCount, edges.Count());
+  this->Stiffness = CrouzeixRaviartStiffness(mesh, edges, pinning.gradientWeight);
+
+  this->Mass = this->Pull = this->Offset = Eigen::VectorXd::Zero(edges.Count());
+  const bool perTriangle = pinning.norm.size() == triangleCount;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const double share = TriangleArea(mesh, t) / 3.0;
+    for (const int edge : edges.ofTriangle[t])
+    {
+      const double norm = pinning.norm.size() == 0 ? 1.0
+        : perTriangle                              ? pinning.norm[static_cast<Eigen::Index>(t)]
+                                                   : pinning.norm[edge];
+      this->Mass[edge] += share;
+      this->Pull[edge] += share * norm * norm;
+      this->Offset[edge] += share * norm * norm * norm * norm;
+    }
+  }
+
+  std::vector<bool> fixed(static_cast<std::size_t>(edges.Count()), false);
+  std::vector<Complex> prescribed;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const BoundaryEdge& edge = mesh.boundary[i];
+    if (edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner)
+    {
+      fixed[static_cast<std::size_t>(edges.ofBoundary[i])] = true;
+      this->Fixed.push_back(edges.ofBoundary[i]);
+      prescribed.push_back(
+        AlignedRepresentation(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
+          mesh.points[static_cast<std::size_t>(edge.vertices[0])]));
+    }
+  }
+  this->Prescribed = Eigen::Map<const ComplexVector>(
+    prescribed.data(), static_cast<Eigen::Index>(prescribed.size()));
+  std::vector<Point> places;
+  for (int edge = 0; edge < edges.Count(); ++edge)
+  {
+    if (!fixed[static_cast<std::size_t>(edge)])
+    {
+      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
+      this->Free.push_back(edge);
+      places.push_back(0.5 *
+        (mesh.points[static_cast<std::size_t>(from)] + mesh.points[static_cast<std::size_t>(to)]));
+    }
+  }
+  this->FreeStiffness = Restrict(this->Stiffness, this->Free);
+  this->Order = NestedDissection(this->FreeStiffness, places);
+  this->Pattern = OnBothParts(this->FreeStiffness);
+  for (Eigen::Index i = 0; i < this->FreeStiffness.rows(); ++i)
+  {
+    this->Blocks.push_back({ PositionOf(this->Pattern, 2 * i, 2 * i),
+      PositionOf(this->Pattern, 2 * i + 1, 2 * i), PositionOf(this->Pattern, 2 * i, 2 * i + 1),
+      PositionOf(this->Pattern, 2 * i + 1, 2 * i + 1) });
+  }
+}
+
+void GinzburgLandauEnergy::Align(ComplexVector& u) const
+{
+  for (std::size_t i = 0; i < this->Fixed.size(); ++i)
+  {
+    u[this->Fixed[i]] = this->Prescribed[static_cast<Eigen::Index>(i)];
+  }
+}
+
+double GinzburgLandauEnergy::GradientPart(const ComplexVector& u) const
+{
+  return 0.5 * u.dot(ComplexVector(this->Stiffness * u)).real();
+}
+
+double GinzburgLandauEnergy::PenaltyPart(const ComplexVector& u) const
+{
+  const Eigen::ArrayXd square = u.array().abs2();
+  // Completed to a square: a small penalty must not drown in the rounding of large terms.
+  const Eigen::ArrayXd wanted = this->Pull.array() / this->Mass.array();
+  const Eigen::ArrayXd spread = this->Offset.array() - this->Pull.array() * wanted;
+  return 0.25 * this->InverseSquare *
+    (this->Mass.array() * (square - wanted).square() + spread).sum();
+}
+
+Eigen::VectorXd GinzburgLandauEnergy::Gradient(const ComplexVector& u) const
+{
+  const ComplexVector elastic = this->Stiffness * u;
+  Eigen::VectorXd gradient(2 * static_cast<Eigen::Index>(this->Free.size()));
+  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  {
+    const int edge = this->Free[i];
+    const double push =
+      this->InverseSquare * (this->Mass[edge] * std::norm(u[edge]) - this->Pull[edge]);
+    const Complex value = elastic[edge] + push * u[edge];
+    gradient[2 * static_cast<Eigen::Index>(i)] = value.real();
+    gradient[2 * static_cast<Eigen::Index>(i) + 1] = value.imag();
+  }
+  return gradient;
+}
+
+double GinzburgLandauEnergy::RelativeResidual(const ComplexVector& u) const
+{
+  ComplexVector inside = ComplexVector::Zero(u.size());
+  double penalty = 0.0;
+  for (const int edge : this->Free)
+  {
+    inside[edge] = u[edge];
+    penalty += std::norm(
+      this->InverseSquare * (this->Mass[edge] * std::norm(u[edge]) - this->Pull[edge]) * u[edge]);
+  }
+  const ComplexVector elastic = this->Stiffness * inside;
+  const ComplexVector load = this->Stiffness * ComplexVector(u - inside);
+  double elasticSum = 0.0;
+  double loadSum = 0.0;
+  for (const int edge : this->Free)
+  {
+    elasticSum += std::norm(elastic[edge]);
+    loadSum += std::norm(load[edge]);
+  }
+  const double scale = std::sqrt(elasticSum) + std::sqrt(loadSum) + std::sqrt(penalty);
+  return scale > 0.0 ? this->Gradient(u).norm() / scale : 0.0;
+}
+
+Eigen::SparseMatrix<double> GinzburgLandauEnergy::Hessian(
+  const ComplexVector& u, double shift) const
+{
+  SparseMatrix hessian = this->Pattern;
+  double* values = hessian.valuePtr();
+  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  {
+    const int edge = this->Free[i];
+    const double mass = this->InverseSquare * this->Mass[edge];
+    const double push =
+      mass * std::norm(u[edge]) + (shift - 1.0) * this->InverseSquare * this->Pull[edge];
+    const double x = u[edge].real();
+    const double y = u[edge].imag();
+    const auto& [xx, yx, xy, yy] = this->Blocks[i];
+    values[xx] += push + 2.0 * mass * x * x;
+    values[yx] += 2.0 * mass * x * y;
+    values[xy] += 2.0 * mass * x * y;
+    values[yy] += push + 2.0 * mass * y * y;
+  }
+  return hessian;
+}
+
+Eigen::VectorXd GinzburgLandauEnergy::Metric() const
+{
+  Eigen::VectorXd metric(2 * static_cast<Eigen::Index>(this->Free.size()));
+  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  {
+    metric.segment<2>(2 * static_cast<Eigen::Index>(i))
+      .setConstant(this->InverseSquare * this->Pull[this->Free[i]]);
+  }
+  return metric;
+}
+
+std::vector<int> GinzburgLandauEnergy::UnknownOrder() const
+{
+  std::vector<int> order;
+  order.reserve(2 * this->Order.size());
+  for (const int i : this->Order)
+  {
+    order.push_back(2 * i);
+    order.push_back(2 * i + 1);
+  }
+  return order;
+}
+
+ComplexVector GinzburgLandauEnergy::HarmonicField() const
+{
+  ComplexVector u = ComplexVector::Zero(this->Stiffness.rows());
+  this->Align(u);
+  if (this->Free.empty())
+  {
+    return u;
+  }
+  const ComplexVector load = this->Stiffness * u;
+  Eigen::MatrixXd parts(static_cast<Eigen::Index>(this->Free.size()), 2);
+  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  {
+    parts(static_cast<Eigen::Index>(i), 0) = -load[this->Free[i]].real();
+    parts(static_cast<Eigen::Index>(i), 1) = -load[this->Free[i]].imag();
+  }
+  parts = SparseCholesky(this->FreeStiffness, this->Order).Solve(parts);
+  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    u[this->Free[i]] = Complex(parts(row, 0), parts(row, 1));
+  }
+  return u;
+}
+}

@@ -1,0 +1,183 @@
+#include "vtkBoundaryCornerClassifier.h"
+
+#include "CornerConversion.h"
+#include "DomainConversion.h"
+#include "FilterRun.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkBoundaryCornerClassifier);
+
+namespace
+{
+int RequireInteger(double quarterIndex)
+{
+  if (!(std::floor(quarterIndex) == quarterIndex && std::abs(quarterIndex) < VTK_INT_MAX))
+  {
+    throw crossfield::Error("The quarter index that was given for a corner is not an integer; give "
+                            "4 times its index, for example 1 or 0.");
+  }
+  return static_cast<int>(quarterIndex);
+}
+
+/** Sets a row of a list that grows as needed. */
+template <class Row>
+void SetRow(std::vector<Row>& rows, int row, const Row& value)
+{
+  if (static_cast<std::size_t>(row) >= rows.size())
+  {
+    rows.resize(static_cast<std::size_t>(row) + 1, value);
+  }
+  rows[static_cast<std::size_t>(row)] = value;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkBoundaryCornerClassifier::vtkBoundaryCornerClassifier()
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::SetOverride(int row, double x, double y, double quarterIndex)
+{
+  if (row < 0)
+  {
+    vtkErrorMacro("The row of an override must not be negative.");
+    return;
+  }
+  SetRow(this->Overrides, row, { x, y, quarterIndex });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::AddOverride(double x, double y, double quarterIndex)
+{
+  this->SetOverride(static_cast<int>(this->Overrides.size()), x, y, quarterIndex);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::RemoveAllOverrides()
+{
+  this->Overrides.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::SetPointOverride(
+  int row, vtkIdType pointId, double quarterIndex)
+{
+  if (row < 0)
+  {
+    vtkErrorMacro("The row of an override must not be negative.");
+    return;
+  }
+  SetRow(this->PointOverrides, row, { static_cast<double>(pointId), quarterIndex });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::AddPointOverride(vtkIdType pointId, double quarterIndex)
+{
+  this->SetPointOverride(static_cast<int>(this->PointOverrides.size()), pointId, quarterIndex);
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::RemoveAllPointOverrides()
+{
+  this->PointOverrides.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkBoundaryCornerClassifier::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoundaryCornerClassifier::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkBoundaryCornerClassifier::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (domain->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      progress.Report(0.5);
+      crossfield::ClassificationOptions options;
+      options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+      options.splitHalves = this->SplitHalves;
+      if (this->PrintedCoefficient)
+      {
+        options.coefficient = crossfield::InteriorCoefficient::Printed;
+      }
+      for (const auto& [x, y, quarterIndex] : this->Overrides)
+      {
+        options.overrides.push_back({ crossfield::Point(x, y), RequireInteger(quarterIndex) });
+      }
+      for (const auto& [pointId, quarterIndex] : this->PointOverrides)
+      {
+        const auto id = static_cast<vtkIdType>(pointId);
+        if (id < 0 || id >= domain->GetNumberOfPoints())
+        {
+          throw crossfield::Error("A quarter index was given for point " + std::to_string(id) +
+            " but the domain has no such point; give a point id below " +
+            std::to_string(domain->GetNumberOfPoints()) + ".");
+        }
+        const double* point = domain->GetPoint(id);
+        options.overrides.push_back(
+          { crossfield::Point(point[0], point[1]), RequireInteger(quarterIndex) });
+      }
+      const crossfield::CornerClassification classification =
+        crossfield::ClassifyCorners(crossfield::MakePlanarDomain(input.loops), options);
+      CornerConversion::WriteCorners(
+        classification, input.z, vtkPolyData::GetData(outputVector, 0));
+      CornerConversion::WriteScenarios(classification, vtkTable::GetData(outputVector, 1));
+      CornerConversion::WriteConfiguration(
+        classification.split, input.z, vtkPolyData::GetData(outputVector, 2));
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundaryCornerClassifier::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "PrintedCoefficient: " << (this->PrintedCoefficient ? "on" : "off") << "\n";
+  os << indent << "SplitHalves: " << (this->SplitHalves ? "on" : "off") << "\n";
+  os << indent << "Overrides: " << this->Overrides.size() << "\n";
+  for (const auto& [x, y, quarterIndex] : this->Overrides)
+  {
+    os << indent.GetNextIndent() << x << " " << y << " " << quarterIndex << "\n";
+  }
+  os << indent << "PointOverrides: " << this->PointOverrides.size() << "\n";
+  for (const auto& [pointId, quarterIndex] : this->PointOverrides)
+  {
+    os << indent.GetNextIndent() << pointId << " " << quarterIndex << "\n";
+  }
+}

@@ -1,0 +1,93 @@
+#include "vtkCrossFieldSingularities.h"
+
+#include "CornerConversion.h"
+#include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FieldSingularities.h"
+#include "FilterRun.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkCrossFieldSingularities);
+
+namespace
+{
+void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singularities, double z,
+  vtkPolyData* output)
+{
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName(vtkCrossFieldArrayNames::BoundaryKind);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkCrossFieldArrayNames::BoundaryId);
+  crossfield::Configuration configuration;
+  for (const crossfield::FieldSingularity& singularity : singularities)
+  {
+    configuration.push_back(singularity);
+    kinds->InsertNextValue(static_cast<int>(singularity.place));
+    ids->InsertNextValue(singularity.id);
+  }
+  CornerConversion::WriteConfiguration(configuration, z, output);
+  output->GetPointData()->AddArray(kinds);
+  output->GetPointData()->AddArray(ids);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCrossFieldSingularities::vtkCrossFieldSingularities() = default;
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldSingularities::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldSingularities::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress&)
+    {
+      if (input->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
+      const crossfield::EdgeNumbering edges = crossfield::NumberEdges(cells.mesh);
+      crossfield::FieldSingularityOptions options;
+      options.corners = this->IncludeCorners;
+      options.holes = this->IncludeHoles;
+      options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+      const auto singularities = crossfield::FindFieldSingularities(
+        cells.mesh, edges, CrossFieldArrays::ReadField(cells, edges, input), options);
+      vtkPolyData* output = vtkPolyData::GetData(outputVector);
+      WriteSingularities(singularities, input->GetBounds()[4], output);
+      if (!this->IncludeHoles)
+      {
+        // Only holes have a radius, and a radius of 0 could not be drilled.
+        output->GetPointData()->RemoveArray(vtkCrossFieldArrayNames::Radius);
+      }
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IncludeCorners: " << (this->IncludeCorners ? "on" : "off") << "\n";
+  os << indent << "IncludeHoles: " << (this->IncludeHoles ? "on" : "off") << "\n";
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+}

@@ -1,0 +1,89 @@
+#include "vtkGinzburgLandauCrossField.h"
+
+#include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FilterRun.h"
+#include "GinzburgLandau.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkGinzburgLandauCrossField);
+
+static_assert(static_cast<int>(crossfield::GinzburgLandauStart::Given) ==
+    vtkGinzburgLandauCrossField::StartGiven,
+  "starts are numbered as in the numerics");
+
+//------------------------------------------------------------------------------
+vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField() = default;
+
+//------------------------------------------------------------------------------
+int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGinzburgLandauCrossField::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (input->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
+      crossfield::GinzburgLandauOptions options;
+      options.epsilon = this->Epsilon;
+      options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
+      if (this->Start == StartGiven)
+      {
+        options.given =
+          CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
+      }
+      options.pinning.norm =
+        CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
+      options.pinning.gradientWeight =
+        CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
+      options.maximumIterations = this->MaximumIterations;
+      options.tolerance = this->Tolerance;
+      const crossfield::GinzburgLandauField field =
+        crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
+      if (!field.converged)
+      {
+        vtkWarningMacro("The iteration stopped after "
+          << field.iterations << " steps with a relative residual of " << field.residual
+          << "; the field is not a minimum. Allow more iterations, or use a larger epsilon.");
+      }
+      output->ShallowCopy(input);
+      CrossFieldArrays::AddField(cells, field, output);
+      CrossFieldArrays::AddGinzburgLandauReport(field, output);
+      this->StageSeconds[0] = field.seconds.assemble;
+      this->StageSeconds[1] = field.seconds.factor;
+      this->StageSeconds[2] = field.seconds.solve;
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGinzburgLandauCrossField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const char* const starts[] = { "Harmonic", "Constant", "Zero", "Given" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
+  os << indent << "Start: " << starts[this->Start] << "\n";
+  os << indent << "NormArrayName: " << this->NormArrayName << "\n";
+  os << indent << "GradientWeightArrayName: " << this->GradientWeightArrayName << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
+     << this->StageSeconds[2] << "\n";
+}

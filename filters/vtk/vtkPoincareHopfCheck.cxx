@@ -1,0 +1,249 @@
+#include "vtkPoincareHopfCheck.h"
+
+#include "CornerConversion.h"
+#include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FieldCheck.h"
+#include "FilterRun.h"
+#include "HolonomyCheck.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkPoincareHopfCheck);
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+/** What is known about a configuration or a field. */
+struct Findings
+{
+  crossfield::PoincareHopfCount count;
+  bool consistent = false;
+  std::string reason;
+  std::vector<double> holonomyDefects;
+  bool isField = false;
+  std::vector<int> holeDegrees;
+  int unwantedSingularities = 0;
+  double z = 0.0;
+};
+
+vtkUnstructuredGrid* AsField(vtkDataSet* domain)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(domain);
+  return grid != nullptr && grid->GetCellData()->GetArray(names::CrossFieldCR) != nullptr &&
+      grid->GetCellData()->GetArray(names::BoundaryKind) != nullptr
+    ? grid
+    : nullptr;
+}
+
+Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities,
+  const std::vector<crossfield::CornerChoice>& corners, double cornerAngle, bool holonomy,
+  const crossfield::Progress& progress)
+{
+  Findings result;
+  const DomainConversion::Loops loops = DomainConversion::ReadLoops(input);
+  progress.Report(0.1);
+  const crossfield::PlanarDomain domain = crossfield::MakePlanarDomain(loops.loops);
+  crossfield::Configuration configuration;
+  if (singularities != nullptr)
+  {
+    configuration = DomainConversion::ReadConfiguration(singularities);
+  }
+  crossfield::RequireInside(domain, configuration);
+  result.z = loops.z;
+  result.count = crossfield::CountQuarters(
+    domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, corners);
+  result.consistent = result.count.Consistent();
+  if (result.consistent && holonomy)
+  {
+    result.holonomyDefects = crossfield::HolonomyDefects(
+      domain, configuration, corners, progress.Part(0.1, 1.0));
+  }
+  result.reason = crossfield::Verdict(result.count, result.holonomyDefects);
+  return result;
+}
+
+Findings CheckField(vtkUnstructuredGrid* input,
+  const std::vector<crossfield::CornerChoice>& corners, const crossfield::Progress& progress)
+{
+  Findings result;
+  const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
+  progress.Report(0.5);
+  const crossfield::FieldCheck check = crossfield::CheckField(cells.mesh,
+    CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input), corners);
+  result.count = check.count;
+  result.consistent = check.asPrescribed;
+  result.reason = check.verdict;
+  result.isField = true;
+  for (const crossfield::HoleReading& hole : check.holes)
+  {
+    result.holeDegrees.push_back(hole.degree);
+  }
+  result.unwantedSingularities = check.unwantedSingularities;
+  result.z = input->GetPoint(0)[2];
+  return result;
+}
+
+void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  for (int value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->AddArray(array);
+}
+
+void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->AddArray(array);
+}
+
+void WriteFindings(const Findings& findings, vtkFieldData* data)
+{
+  const crossfield::PoincareHopfCount& count = findings.count;
+  AddIntegers(data, names::EulerCharacteristic, { count.eulerCharacteristic });
+  AddNumbers(data, names::Valence, { count.valence });
+  AddNumbers(data, names::TangentTurning, { count.tangentTurning });
+  AddIntegers(data, names::RequiredInteriorQuarters, { count.requiredInteriorQuarters });
+  AddIntegers(data, names::GivenInteriorQuarters, { count.givenInteriorQuarters });
+  AddIntegers(data, names::Consistent, { findings.consistent ? 1 : 0 });
+  if (findings.isField)
+  {
+    AddIntegers(data, names::HoleDegree, findings.holeDegrees);
+    AddIntegers(data, names::UnwantedSingularities, { findings.unwantedSingularities });
+  }
+  else
+  {
+    // One that came with the input belongs to another configuration.
+    data->RemoveArray(names::HolonomyDefect);
+  }
+  if (!findings.holonomyDefects.empty())
+  {
+    AddNumbers(data, names::HolonomyDefect, findings.holonomyDefects);
+  }
+  vtkNew<vtkStringArray> reason;
+  reason->SetName(names::Reason);
+  reason->InsertNextValue(findings.reason);
+  data->AddArray(reason);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkPoincareHopfCheck::vtkPoincareHopfCheck()
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkPoincareHopfCheck::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPoincareHopfCheck::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[3] = { "vtkDataSet", "vtkTable", "vtkPolyData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPoincareHopfCheck::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  if (input == nullptr)
+  {
+    return 0;
+  }
+  const auto provide = [outputVector](int port, const char* type, auto create)
+  {
+    vtkInformation* info = outputVector->GetInformationObject(port);
+    vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
+    if (output == nullptr || !output->IsA(type))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), create());
+    }
+  };
+  provide(0, input->GetClassName(),
+    [input] { return vtkSmartPointer<vtkDataObject>::Take(input->NewInstance()); });
+  provide(1, "vtkTable", [] { return vtkSmartPointer<vtkTable>::New(); });
+  provide(2, "vtkPolyData", [] { return vtkSmartPointer<vtkPolyData>::New(); });
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkPoincareHopfCheck::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
+  vtkDataSet* chosen = vtkDataSet::GetData(inputVector[2]);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (domain->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const std::vector<crossfield::CornerChoice> corners = CornerConversion::ReadChoices(chosen);
+      vtkUnstructuredGrid* field = AsField(domain);
+      const Findings findings = field != nullptr
+        ? CheckField(field, corners, progress)
+        : CheckConfiguration(domain, singularities, corners,
+            vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
+      vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
+      output->ShallowCopy(domain);
+      WriteFindings(findings, output->GetFieldData());
+      CornerConversion::WriteLoopTable(
+        findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
+      CornerConversion::WriteCountedCorners(
+        findings.count.corners, findings.z, vtkPolyData::GetData(outputVector, 2));
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkPoincareHopfCheck::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "Holonomy: " << (this->Holonomy ? "on" : "off") << "\n";
+}

@@ -1,0 +1,138 @@
+/**
+ * crossfield corners DOMAIN [-o F.vtp]: the corners of a domain with their quarter indices in each
+ * scenario and in the cheapest assignment.
+ *
+ *   crossfield corners builtin:l-shape -o corners.vtp --json -
+ */
+#include "CommandLine.h"
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "TopologyJson.h"
+#include "vtkBoundaryCornerClassifier.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+struct CornersOptions
+{
+  std::string domain;
+  std::string output;
+  std::string json;
+  bool split = false;
+  bool printed = false;
+  std::vector<double> overrides; ///< x, y, quarter index; x, y, quarter index; …
+};
+
+void PrintSummary(vtkBoundaryCornerClassifier* classifier)
+{
+  vtkPolyData* corners = classifier->GetOutput();
+  const auto value = [corners](const char* name, vtkIdType i)
+  { return corners->GetPointData()->GetArray(name)->GetTuple1(i); };
+  std::cout << "x y angle quarter_index scarce balanced excess conventional energy\n";
+  for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
+  {
+    std::cout << corners->GetPoint(i)[0] << " " << corners->GetPoint(i)[1];
+    for (const char* name : { names::Angle, names::QuarterIndex, names::QuarterIndexScarce,
+           names::QuarterIndexBalanced, names::QuarterIndexExcess, names::QuarterIndexConventional,
+           names::CornerEnergy })
+    {
+      std::cout << " " << value(name, i);
+    }
+    std::cout << (value(names::Tied, i) != 0.0 ? " tied" : "")
+              << (value(names::Cancellable, i) != 0.0 ? " cancellable" : "") << "\n";
+  }
+  auto* table = vtkTable::SafeDownCast(classifier->GetOutputDataObject(1));
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto entry = [&](const char* name) { return table->GetValueByName(row, name); };
+    std::cout << entry(names::Scenario).ToString() << ": sum " << entry(names::Sum).ToInt()
+              << ", energy " << entry(names::Energy).ToDouble()
+              << (entry(names::Feasible).ToInt() != 0 ? "" : ", not feasible")
+              << (entry(names::Chosen).ToInt() != 0 ? ", chosen" : "") << "\n";
+  }
+  vtkFieldData* data = corners->GetFieldData();
+  std::cout << "energy " << data->GetArray(names::Energy)->GetTuple1(0)
+            << ", interior quarter indices "
+            << data->GetArray(names::InteriorQuarters)->GetTuple1(0) << "\n";
+}
+
+int Corners(const CornersOptions& options)
+{
+  // 1. Check the outputs before any work.
+  if (!options.output.empty())
+  {
+    OutputFile::RequireWritable(options.output, ".vtp");
+  }
+  if (!options.json.empty() && options.json != "-")
+  {
+    OutputFile::RequireWritable(options.json, "");
+  }
+
+  // 2. Classify.
+  const auto domain = DomainReader::Open(options.domain, 0.0);
+  vtkNew<vtkBoundaryCornerClassifier> classifier;
+  classifier->SetInputConnection(domain->GetOutputPort());
+  classifier->SetSplitHalves(options.split);
+  classifier->SetPrintedCoefficient(options.printed);
+  for (std::size_t i = 0; i + 2 < options.overrides.size(); i += 3)
+  {
+    classifier->AddOverride(
+      options.overrides[i], options.overrides[i + 1], options.overrides[i + 2]);
+  }
+  PipelineRun::Update(classifier, "corners");
+
+  // 3. Write.
+  if (!options.output.empty())
+  {
+    OutputFile::Write(classifier->GetOutput(), options.output);
+  }
+  if (options.json.empty())
+  {
+    PrintSummary(classifier);
+  }
+  else
+  {
+    OutputFile::WriteText(TopologyJson::Write(classifier), options.json);
+  }
+  return Done;
+}
+}
+
+void AddCornersCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<CornersOptions>();
+  CLI::App* command = app.add_subcommand("corners", "choose the quarter indices of corners");
+  command->footer("Example: crossfield corners builtin:l-shape -o corners.vtp --json -");
+  command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
+  command->add_option("-o,--output", options->output, "the .vtp file to write");
+  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  command->add_option("--override", options->overrides,
+      "X Y K: the corner nearest to (X, Y) has the quarter index K; may be repeated")
+    ->type_size(3)
+    ->expected(1, 1000);
+  command->add_flag(
+    "--split", options->split, "replace k = 2 by k = 1 and an interior singularity close by");
+  command->add_flag("--printed-coefficient", options->printed,
+    "count interior singularities twice, as the paper prints it");
+  command->callback([options, &status] { status = Corners(*options); });
+}

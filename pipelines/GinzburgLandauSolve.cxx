@@ -1,0 +1,136 @@
+/**
+ * crossfield solve DOMAIN --method ginzburg-landau -o F.vtu: the reference to compare with, which
+ * places singularities by itself.
+ *
+ *   crossfield solve builtin:ring --method ginzburg-landau --epsilon 0.01 --start constant \
+ *     --size 0.04 -o field.vtu
+ */
+#include "GinzburgLandauSolve.h"
+
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "ReportJson.h"
+#include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldSingularities.h"
+#include "vtkDrillHoles.h"
+#include "vtkGinzburgLandauCrossField.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+double Value(vtkUnstructuredGrid* field, const char* name)
+{
+  return field->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
+{
+  std::cout << "energy " << Value(field, names::Energy) << " (gradient "
+            << Value(field, names::GradientEnergy) << ", penalty "
+            << Value(field, names::PenaltyEnergy) << ", epsilon " << Value(field, names::Epsilon)
+            << "), " << (Value(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << Value(field, names::Iterations) << " iterations (residual "
+            << Value(field, names::Residual) << "), unwanted singularities "
+            << Value(field, names::UnwantedSingularities) << "\n";
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const double* place = singularities->GetPoint(i);
+    std::cout << "quarter index "
+              << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
+              << " at " << place[0] << " " << place[1] << "\n";
+  }
+}
+}
+
+const std::vector<std::string> GinzburgLandauSolve::Starts = { "harmonic", "constant", "zero" };
+
+int GinzburgLandauSolve::Run() const
+{
+  // 1. Check the outputs before any work.
+  if (!this->output.empty())
+  {
+    OutputFile::RequireWritable(this->output, ".vtu");
+  }
+  if (!this->json.empty() && this->json != "-")
+  {
+    OutputFile::RequireWritable(this->json, "");
+  }
+
+  // 2. Read the domain. A configuration is read as well, so that a wrong name does not go unnoticed,
+  //    but nothing is made of it: this method has its own.
+  const auto domainReader = DomainReader::Open(this->domain, this->size);
+  vtkNew<vtkSingularitySource> singularities;
+  singularities->RemoveAllSingularities();
+  if (!this->singularities.empty())
+  {
+    vtkNew<vtkSingularitySource> unused;
+    unused->SetFileName(this->singularities);
+    PipelineRun::Update(unused, "reading");
+  }
+
+  // 3. Triangulate, without holes.
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  vtkNew<vtkDrillHoles> drill;
+  drill->SetInputConnection(domainReader->GetOutputPort());
+  drill->SetSingularitiesConnection(singularities->GetOutputPort());
+  drill->SetMeshSize(this->size);
+  PipelineRun::Update(drill, "meshing");
+  timer->StopTimer();
+  std::map<std::string, double> seconds;
+  seconds["mesh"] = timer->GetElapsedTime();
+
+  // 4. Minimise, and look for the singularities.
+  vtkNew<vtkGinzburgLandauCrossField> solver;
+  solver->SetInputConnection(drill->GetOutputPort());
+  solver->SetEpsilon(this->epsilon);
+  solver->SetStart(
+    static_cast<int>(std::find(Starts.begin(), Starts.end(), this->start) - Starts.begin()));
+  PipelineRun::Update(solver, "solving");
+  vtkUnstructuredGrid* field = solver->GetOutput();
+  seconds["assemble"] = solver->GetStageSeconds()[0];
+  seconds["factor"] = solver->GetStageSeconds()[1];
+  seconds["solve"] = solver->GetStageSeconds()[2];
+  vtkNew<vtkCrossFieldSingularities> found;
+  found->SetInputConnection(solver->GetOutputPort());
+  PipelineRun::Update(found, "reading singularities");
+
+  // 5. Write the field and the report.
+  timer->StartTimer();
+  if (!this->output.empty())
+  {
+    OutputFile::Write(field, this->output);
+  }
+  timer->StopTimer();
+  seconds["write"] = timer->GetElapsedTime();
+  if (this->json.empty())
+  {
+    PrintSummary(field, found->GetOutput());
+  }
+  else
+  {
+    const std::string report =
+      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
+    OutputFile::WriteText(ReportJson::AddSingularities(report, found->GetOutput()), this->json);
+  }
+
+  // 6. The answer.
+  const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0;
+  return Value(field, names::Converged) == 0.0 || (this->strict && unwanted) ? AnswerIsNo : Done;
+}

@@ -1,0 +1,24 @@
+#ifndef GinzburgLandauSolve_h
+#define GinzburgLandauSolve_h
+
+#include "CommandLine.h"
+
+#include <string>
+#include <vector>
+
+/** What `crossfield solve --method ginzburg-landau` was asked to do. */
+struct GinzburgLandauSolve : MeshOptions
+{
+  double epsilon = 0.0;
+  std::string start = "harmonic";
+  std::string json;
+  bool strict = false;
+
+  /** Names of the starts, in the order of the filter's codes. */
+  static const std::vector<std::string> Starts;
+
+  /** Solves, writes and reports; returns the exit status. */
+  int Run() const;
+};
+
+#endif

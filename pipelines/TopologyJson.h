@@ -1,0 +1,19 @@
+#ifndef TopologyJson_h
+#define TopologyJson_h
+
+#include <string>
+
+class vtkBoundaryCornerClassifier;
+class vtkPoincareHopfCheck;
+
+/** The results of the topological filters as JSON; the filters must have been updated. */
+namespace TopologyJson
+{
+/** Counts, flags and the reason, and the lists `holonomy_defect`, `loops` and `corners`. */
+std::string Write(vtkPoincareHopfCheck* check);
+
+/** The chosen scenario, all three under `scenarios`, `corners` and `split`. */
+std::string Write(vtkBoundaryCornerClassifier* classifier);
+}
+
+#endif

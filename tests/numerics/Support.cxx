@@ -1,0 +1,377 @@
+#include "Support.h"
+
+#include "BuiltinDomains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace crossfield::test
+{
+namespace
+{
+double DistanceToSegment(const Point& point, const Point& from, const Point& to)
+{
+  const Point along = to - from;
+  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - from - t * along).norm();
+}
+}
+
+double Random::Uniform(double lower, double upper)
+{
+  return lower + (upper - lower) * (static_cast<double>(this->Engine()) / 4294967296.0);
+}
+
+int Random::Integer(int lower, int upper)
+{
+  return lower + static_cast<int>(this->Engine() % static_cast<std::uint32_t>(upper - lower + 1));
+}
+
+Complex Random::Square()
+{
+  const double real = this->Uniform(-1.0, 1.0);
+  return { real, this->Uniform(-1.0, 1.0) };
+}
+
+Complex Random::UnitComplex()
+{
+  return std::polar(1.0, this->Uniform(-Pi, Pi));
+}
+
+Point Similarity::operator()(const Point& point) const
+{
+  const double c = std::cos(this->angle);
+  const double s = std::sin(this->angle);
+  return this->scale * Point(c * point.x() - s * point.y(), s * point.x() + c * point.y()) +
+    this->shift;
+}
+
+Loop Similarity::operator()(const Loop& loop) const
+{
+  Loop result;
+  for (const Point& point : loop)
+  {
+    result.push_back((*this)(point));
+  }
+  return result;
+}
+
+std::vector<Loop> Similarity::operator()(const std::vector<Loop>& loops) const
+{
+  std::vector<Loop> result;
+  for (const Loop& loop : loops)
+  {
+    result.push_back((*this)(loop));
+  }
+  return result;
+}
+
+PlanarDomain Similarity::operator()(const PlanarDomain& domain) const
+{
+  return PlanarDomain{ (*this)(domain.loops) };
+}
+
+Configuration Similarity::operator()(const Configuration& configuration) const
+{
+  Configuration result = configuration;
+  for (Singularity& singularity : result)
+  {
+    singularity.position = (*this)(singularity.position);
+    singularity.radius *= this->scale;
+  }
+  return result;
+}
+
+TriangleMesh Similarity::operator()(const TriangleMesh& mesh) const
+{
+  TriangleMesh result = mesh;
+  result.points = (*this)(mesh.points);
+  return result;
+}
+
+Loop RegularPolygon(int count, double radius, const Point& centre)
+{
+  Loop loop;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * Pi * i / count;
+    loop.push_back(centre + radius * Point(std::cos(angle), std::sin(angle)));
+  }
+  return loop;
+}
+
+PlanarDomain RandomSmoothDomain(Random& random, int pointCount)
+{
+  constexpr int Harmonics = 5;
+  double cosines[Harmonics];
+  double sines[Harmonics];
+  for (int k = 0; k < Harmonics; ++k)
+  {
+    // Falling like 1 / k², so that the curvature stays moderate.
+    const double size = 0.25 / ((k + 1) * (k + 1));
+    cosines[k] = random.Uniform(-size, size);
+    sines[k] = random.Uniform(-size, size);
+  }
+  Loop loop;
+  for (int i = 0; i < pointCount; ++i)
+  {
+    const double angle = 2.0 * Pi * i / pointCount;
+    double radius = 1.0;
+    for (int k = 0; k < Harmonics; ++k)
+    {
+      radius += cosines[k] * std::cos((k + 1) * angle) + sines[k] * std::sin((k + 1) * angle);
+    }
+    loop.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return MakePlanarDomain({ loop });
+}
+
+Configuration RandomHoles(Random& random, const PlanarDomain& domain, int count)
+{
+  Configuration holes;
+  while (static_cast<int>(holes.size()) < count)
+  {
+    // The domain is star-shaped: a point of the boundary drawn towards the origin is inside.
+    const Loop& outer = domain.loops.front();
+    const auto i = static_cast<std::size_t>(random.Integer(0, static_cast<int>(outer.size()) - 1));
+    Singularity hole;
+    hole.position = std::sqrt(random.Uniform(0.0, 0.9)) * outer[i];
+    hole.radius = std::exp(random.Uniform(std::log(0.01), std::log(0.08)));
+    hole.quarterIndex = random.Integer(-2, 2);
+    const bool fits = DistanceToLoop(hole.position, outer) > 2.0 * hole.radius &&
+      std::all_of(holes.begin(), holes.end(),
+        [&](const Singularity& other) {
+          return (other.position - hole.position).norm() >
+            other.radius + hole.radius + std::min(other.radius, hole.radius);
+        });
+    if (fits)
+    {
+      holes.push_back(hole);
+    }
+  }
+  return holes;
+}
+
+PlanarDomain Builtin(const std::string& name, double edgeLength)
+{
+  BuiltinDomain domain;
+  domain.name = name;
+  domain.edgeLength = edgeLength;
+  return MakePlanarDomain(MakeBuiltinDomain(domain));
+}
+
+double DistanceToLoop(const Point& point, const Loop& loop)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    distance =
+      std::min(distance, DistanceToSegment(point, loop[i], loop[(i + 1) % loop.size()]));
+  }
+  return distance;
+}
+
+Configuration OnCircle(
+  int count, double circleRadius, double firstAngle, int quarterIndex, double holeRadius)
+{
+  Configuration result;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = firstAngle + 2.0 * Pi * i / count;
+    result.push_back({ circleRadius * Point(std::cos(angle), std::sin(angle)), quarterIndex,
+      holeRadius });
+  }
+  return result;
+}
+
+double TriangleArea(const TriangleMesh& mesh, std::size_t triangle)
+{
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return 0.5 * Cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+}
+
+double MeshArea(const TriangleMesh& mesh)
+{
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    area += TriangleArea(mesh, t);
+  }
+  return area;
+}
+
+double SmallestAngle(const TriangleMesh& mesh, std::size_t triangle)
+{
+  double smallest = Pi;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Point& here = mesh.points[mesh.triangles[triangle][i]];
+    const Point& next = mesh.points[mesh.triangles[triangle][(i + 1) % 3]];
+    const Point& last = mesh.points[mesh.triangles[triangle][(i + 2) % 3]];
+    smallest = std::min(smallest, AngleBetween(next - here, last - here));
+  }
+  return smallest * 180.0 / Pi;
+}
+
+double SmallestAngle(const TriangleMesh& mesh)
+{
+  double smallest = 180.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    smallest = std::min(smallest, SmallestAngle(mesh, t));
+  }
+  return smallest;
+}
+
+Point Midpoint(const TriangleMesh& mesh, const EdgeNumbering& edges, int edge)
+{
+  const auto& [a, b] = edges.vertices[edge];
+  return 0.5 * (mesh.points[a] + mesh.points[b]);
+}
+
+bool Identical(const TriangleMesh& a, const TriangleMesh& b)
+{
+  const auto same = [](const BoundaryEdge& e, const BoundaryEdge& f)
+  {
+    return e.vertices == f.vertices && e.kind == f.kind && e.id == f.id &&
+      e.quarterIndex == f.quarterIndex;
+  };
+  return a.points == b.points && a.triangles == b.triangles &&
+    std::equal(a.boundary.begin(), a.boundary.end(), b.boundary.begin(), b.boundary.end(), same);
+}
+
+std::vector<int> WalkedVertices(const TriangleMesh& mesh, const BoundaryLoop& loop)
+{
+  std::vector<int> vertices;
+  for (int edge : loop.edges)
+  {
+    // Outer loops are walked along their edges, the others against them.
+    vertices.push_back(mesh.boundary[edge].vertices[loop.kind == BoundaryKind::Outer ? 0 : 1]);
+  }
+  return vertices;
+}
+
+Loop WalkedPoints(const TriangleMesh& mesh, const BoundaryLoop& loop)
+{
+  Loop points;
+  for (int vertex : WalkedVertices(mesh, loop))
+  {
+    points.push_back(mesh.points[vertex]);
+  }
+  return points;
+}
+
+TriangleMesh Refine(const TriangleMesh& mesh)
+{
+  const EdgeNumbering edges = NumberEdges(mesh);
+  const int first = static_cast<int>(mesh.points.size());
+  TriangleMesh fine;
+  fine.points = mesh.points;
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    fine.points.push_back(Midpoint(mesh, edges, e));
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const int ab = first + edges.ofTriangle[t][0];
+    const int bc = first + edges.ofTriangle[t][1];
+    const int ca = first + edges.ofTriangle[t][2];
+    fine.triangles.insert(
+      fine.triangles.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
+  }
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    BoundaryEdge half = mesh.boundary[i];
+    const int middle = first + edges.ofBoundary[i];
+    half.vertices[1] = middle;
+    fine.boundary.push_back(half);
+    half.vertices = { middle, mesh.boundary[i].vertices[1] };
+    fine.boundary.push_back(half);
+  }
+  return fine;
+}
+
+TriangleMesh Renumber(const TriangleMesh& mesh, Random& random)
+{
+  std::vector<int> place(mesh.points.size());
+  std::iota(place.begin(), place.end(), 0);
+  random.Shuffle(place);
+  TriangleMesh result = mesh;
+  for (std::size_t v = 0; v < place.size(); ++v)
+  {
+    result.points[static_cast<std::size_t>(place[v])] = mesh.points[v];
+  }
+  for (auto& triangle : result.triangles)
+  {
+    std::rotate(triangle.begin(), triangle.begin() + random.Integer(0, 2), triangle.end());
+    for (int& vertex : triangle)
+    {
+      vertex = place[static_cast<std::size_t>(vertex)];
+    }
+  }
+  for (BoundaryEdge& edge : result.boundary)
+  {
+    for (int& vertex : edge.vertices)
+    {
+      vertex = place[static_cast<std::size_t>(vertex)];
+    }
+  }
+  random.Shuffle(result.triangles);
+  random.Shuffle(result.boundary);
+  return result;
+}
+
+double ConvergenceRate(const std::vector<double>& sizes, const std::vector<double>& errors)
+{
+  double meanX = 0.0;
+  double meanY = 0.0;
+  const auto count = static_cast<double>(sizes.size());
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    meanX += std::log(sizes[i]) / count;
+    meanY += std::log(errors[i]) / count;
+  }
+  double above = 0.0;
+  double below = 0.0;
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    const double x = std::log(sizes[i]) - meanX;
+    above += x * (std::log(errors[i]) - meanY);
+    below += x * x;
+  }
+  return above / below;
+}
+
+testing::AssertionResult Refuses(
+  const std::function<void()>& call, const std::vector<std::string>& parts, Error::Kind kind)
+{
+  try
+  {
+    call();
+  }
+  catch (const Error& error)
+  {
+    const std::string sentence = error.what();
+    for (const std::string& part : parts)
+    {
+      if (sentence.find(part) == std::string::npos)
+      {
+        return testing::AssertionFailure() << "'" << sentence << "' does not say '" << part << "'";
+      }
+    }
+    if (error.GetKind() != kind)
+    {
+      return testing::AssertionFailure() << "'" << sentence << "' is an error of another kind";
+    }
+    return testing::AssertionSuccess();
+  }
+  catch (const std::exception& error)
+  {
+    return testing::AssertionFailure() << "threw something else: " << error.what();
+  }
+  return testing::AssertionFailure() << "threw nothing";
+}
+}

@@ -1,0 +1,151 @@
+#include "DrillHoles.h"
+#include "NestedDissection.h"
+#include "Support.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <numeric>
+
+namespace crossfield::test
+{
+namespace
+{
+std::vector<Point> Midpoints(const TriangleMesh& mesh, const EdgeNumbering& edges)
+{
+  std::vector<Point> places;
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    places.push_back(Midpoint(mesh, edges, e));
+  }
+  return places;
+}
+
+bool IsPermutation(std::vector<int> order, std::size_t count)
+{
+  std::vector<int> all(count);
+  std::iota(all.begin(), all.end(), 0);
+  std::sort(order.begin(), order.end());
+  return order == all;
+}
+
+/// Five-point Laplacian on a grid, and its points.
+SparseMatrix Grid(int side, std::vector<Point>& places)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < side * side; ++i)
+  {
+    places.emplace_back(i % side, i / side);
+    entries.emplace_back(i, i, 4.0);
+    for (const int j : { (i + 1) % side != 0 ? i + 1 : -1, i + side < side * side ? i + side : -1 })
+    {
+      if (j >= 0)
+      {
+        entries.emplace_back(i, j, -1.0);
+        entries.emplace_back(j, i, -1.0);
+      }
+    }
+  }
+  SparseMatrix matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::Index FactorEntries(const SparseMatrix& matrix, const std::vector<int>& order)
+{
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(matrix.rows());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    permutation.indices()[order[i]] = static_cast<int>(i);
+  }
+  SparseMatrix permuted;
+  permuted = matrix.twistedBy(permutation);
+  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(permuted);
+  return factor.matrixL().nestedExpression().nonZeros();
+}
+
+TEST(NestedDissection, IsAPermutationWithTheLastUnknownsAtTheEnd)
+{
+  Random random(12);
+  for (int trial = 0; trial < 10; ++trial)
+  {
+    const PlanarDomain domain = RandomSmoothDomain(random);
+    const TriangleMesh mesh = DrillHoles(domain, RandomHoles(random, domain, trial % 4));
+    const EdgeNumbering edges = NumberEdges(mesh);
+    const SparseMatrix matrix = CrouzeixRaviartStiffness(mesh, edges);
+    std::vector<int> shuffled(edges.vertices.size());
+    std::iota(shuffled.begin(), shuffled.end(), 0);
+    random.Shuffle(shuffled);
+    for (const int count : { 0, 1, 50, edges.Count() })
+    {
+      const std::vector<int> last(shuffled.begin(), shuffled.begin() + count);
+      const std::vector<int> order = NestedDissection(matrix, Midpoints(mesh, edges), last);
+      ASSERT_TRUE(IsPermutation(order, shuffled.size()));
+      EXPECT_TRUE(std::equal(last.begin(), last.end(), order.end() - count));
+    }
+  }
+}
+
+TEST(NestedDissection, CopesWithUnknownsThatCannotBeSeparated)
+{
+  // All in one place, and all coupled to each other.
+  const int count = 100;
+  const SparseMatrix dense = Eigen::MatrixXd::Ones(count, count).sparseView();
+  Random random(13);
+  std::vector<Point> scattered;
+  for (int i = 0; i < count; ++i)
+  {
+    scattered.emplace_back(random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0));
+  }
+  EXPECT_TRUE(IsPermutation(NestedDissection(dense, scattered), count));
+  const std::vector<Point> together(count, Point(1.0, 2.0));
+  EXPECT_TRUE(IsPermutation(NestedDissection(dense, together), count));
+  SparseMatrix diagonal(count, count);
+  diagonal.setIdentity();
+  EXPECT_TRUE(IsPermutation(NestedDissection(diagonal, together), count));
+  EXPECT_TRUE(NestedDissection(SparseMatrix(0, 0), {}).empty());
+}
+
+TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
+{
+  // Row by row a grid of n² points fills a band, n³ entries; separators need some 8 n² log₂ n.
+  constexpr int Side = 150;
+  std::vector<Point> places;
+  const SparseMatrix grid = Grid(Side, places);
+  std::vector<int> rowByRow(places.size());
+  std::iota(rowByRow.begin(), rowByRow.end(), 0);
+  const auto band = static_cast<double>(FactorEntries(grid, rowByRow));
+  EXPECT_GT(band, 0.9 * Side * Side * Side);
+  const auto separated =
+    static_cast<double>(FactorEntries(grid, NestedDissection(grid, places)));
+  EXPECT_LT(separated, 8.0 * Side * Side * std::log2(Side));
+  EXPECT_LT(separated, 0.4 * band);
+}
+
+TEST(NestedDissection, NumbersTheSeparatorBehindBothHalves)
+{
+  // A chain of 101 points splits at its middle: the last unknown separates the two halves.
+  constexpr int Count = 101;
+  std::vector<Point> places;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < Count; ++i)
+  {
+    places.emplace_back(i, 0.0);
+    entries.emplace_back(i, i, 2.0);
+    if (i > 0)
+    {
+      entries.emplace_back(i, i - 1, -1.0);
+      entries.emplace_back(i - 1, i, -1.0);
+    }
+  }
+  SparseMatrix chain(Count, Count);
+  chain.setFromTriplets(entries.begin(), entries.end());
+  const std::vector<int> order = NestedDissection(chain, places);
+  EXPECT_NEAR(order.back(), 0.5 * (Count - 1), 1.0);
+  // The half on its left is done before anything on its right, or the other way round.
+  const auto isLeft = [&](int unknown) { return unknown < order.back(); };
+  EXPECT_TRUE(std::is_partitioned(order.begin(), order.end() - 1, isLeft) ||
+    std::is_partitioned(order.begin(), order.end() - 1, [&](int u) { return !isLeft(u); }));
+}
+}
+}

@@ -1,0 +1,84 @@
+"""What the tests of the program share: they run it as a person does, in a folder of their own."""
+
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["CROSSFIELD_PROGRAM"]
+
+FOUR = [(x, y, 1, 0.1) for x, y in ((0.42, 0.42), (-0.42, 0.42), (-0.42, -0.42), (0.42, -0.42))]
+
+# One line that begins with the program's name and ends with a full stop.
+SENTENCE = re.compile(r"\Acrossfield: [^\n]+\.\n\Z")
+
+
+def write_configuration(path, rows=FOUR):
+    """Rows of x, y, quarter index and radius; texts stay as they are."""
+    lines = ["x,y,quarter_index,radius"] + [",".join(str(value) for value in row) for row in rows]
+    pathlib.Path(path).write_text("\n".join(lines) + "\n")
+
+
+class ProgramTest(unittest.TestCase):
+    """A test that runs in an empty folder, in which four.csv suits the unit disk."""
+
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="crossfield-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        write_configuration(self.folder / "four.csv")
+
+    def run_program(self, *arguments, stdout=subprocess.PIPE, **options):
+        return subprocess.run(
+            [PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, stdout=stdout,
+            stderr=subprocess.PIPE, timeout=30, check=False, **options)
+
+    def snapshot(self):
+        """Name, time and fingerprint of everything in the folder."""
+        return {
+            str(path.relative_to(self.folder)): (
+                path.stat().st_mtime_ns, self.digest(path) if path.is_file() else "folder")
+            for path in sorted(self.folder.rglob("*"))}
+
+    def digest(self, name):
+        return hashlib.sha256((self.folder / name).read_bytes()).hexdigest()
+
+    def succeed(self, *arguments):
+        """Runs the program, which must be silent on standard error; returns its output."""
+        result = self.run_program(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.args)
+        return result.stdout
+
+    def solve(self, domain, *arguments, singularities="four.csv"):
+        """The report of `solve` as a dictionary."""
+        report = self.succeed("solve", domain, "-s", singularities, "--json", "-", *arguments)
+        return json.loads(report)
+
+    def refuse(self, *arguments, says=(), status=2):
+        """Runs the program, which must leave the folder alone and say why in one sentence."""
+        before = self.snapshot()
+        result = self.run_program(*arguments)
+        self.assertEqual(result.returncode, status, (result.args, result.stdout, result.stderr))
+        self.assertRegex(result.stderr, SENTENCE)
+        self.assertEqual(result.stdout, "")
+        for part in says:
+            self.assertIn(part, result.stderr)
+        after = self.snapshot()
+        self.assertEqual(list(after), list(before), "a file was added or removed")
+        for name in before:
+            self.assertEqual(after[name], before[name], f"{name} was touched")
+        return result.stderr
+
+    def refuse_solve(self, domain, *arguments, singularities="four.csv", **options):
+        """Refuses to solve, while field.vtu and report.json of an earlier run are there."""
+        for name in ("field.vtu", "report.json"):
+            (self.folder / name).write_text("from an earlier run\n")
+            os.utime(self.folder / name, (1e9, 1e9))
+        return self.refuse("solve", domain, "-s", singularities, "-o", "field.vtu",
+                           "--json", "report.json", *arguments, **options)

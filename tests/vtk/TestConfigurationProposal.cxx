@@ -1,0 +1,94 @@
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkConfigurationProposal.h"
+#include "vtkDrillHoles.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkPoincareHopfCheck.h"
+
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+class ConfigurationProposalFilter : public testing::Test
+{
+public:
+  void SetUp() override { this->Filter->SetInputConnection(this->Source->GetOutputPort()); }
+
+  double Quarters(vtkIdType point)
+  {
+    return this->Filter->GetOutput()->GetPointData()->GetArray("QuarterIndex")->GetTuple1(point);
+  }
+
+  vtkNew<vtkPlanarDomainSource> Source;
+  vtkNew<vtkConfigurationProposal> Filter;
+};
+}
+
+TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
+{
+  FilterChecks::CheckRunTwice(
+    this->Filter, [this] { this->Source->SetDomainName("disk"); },
+    [this] { this->Source->SetDomainName("star"); });
+  FilterChecks::CheckInputUntouched(this->Filter);
+  FilterChecks::CheckProgressAndAbort(this->Filter, false);
+  FilterChecks::CheckPrintSelf(this->Filter, { "CornerAngle", "CancelFlatCorners" });
+  FilterChecks::CheckEmptyInput(this->Filter);
+}
+
+TEST_F(ConfigurationProposalFilter, SatisfiesTheCheckAndTheDrill)
+{
+  vtkNew<vtkPoincareHopfCheck> check;
+  check->SetInputConnection(this->Source->GetOutputPort());
+  check->SetSingularitiesConnection(this->Filter->GetOutputPort());
+  vtkNew<vtkDrillHoles> drill;
+  drill->SetInputConnection(this->Source->GetOutputPort());
+  drill->SetSingularitiesConnection(this->Filter->GetOutputPort());
+  for (const char* name : { "disk", "star", "angular-hole", "angular-positive" })
+  {
+    this->Source->SetDomainName(name);
+    FilterChecks::UpdateWithoutError(check);
+    EXPECT_EQ(
+      FilterChecks::Output(check)->GetFieldData()->GetArray("Consistent")->GetTuple1(0), 1.0);
+    FilterChecks::UpdateWithoutError(drill);
+  }
+}
+
+TEST_F(ConfigurationProposalFilter, KeepsWhatIsGivenAndCancelsFlatCorners)
+{
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.1, 0.2, 3.0, 0.07 } }));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
+  EXPECT_EQ(this->Quarters(0), 3.0);
+  EXPECT_EQ(this->Quarters(1), 1.0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetPoint(0)[0], 0.1);
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(0), 0.07);
+
+  this->Filter->SetSingularitiesConnection(nullptr);
+  this->Source->SetDomainName("angular-balanced");
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
+  this->Filter->CancelFlatCornersOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
+  EXPECT_EQ(this->Quarters(0), 1.0);
+  EXPECT_EQ(this->Quarters(1), -1.0);
+}
+
+TEST_F(ConfigurationProposalFilter, Refusals)
+{
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 1.0, 0.1 } }));
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "outside" }), vtkErrorCode::UserError);
+  this->Filter->SetSingularitiesConnection(nullptr);
+  this->Filter->SetCornersData(TestInputs::Singularities({ { 0.0, 0.0, 1.0, 0.0 } }));
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "not a vertex" }), vtkErrorCode::UserError);
+  this->Filter->SetCornersConnection(nullptr);
+  FilterChecks::UpdateWithoutError(this->Filter);
+}

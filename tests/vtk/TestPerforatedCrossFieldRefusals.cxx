@@ -1,0 +1,172 @@
+// Meshes that vtkPerforatedCrossField cannot use, and configurations for which there is no field.
+
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkPerforatedCrossField.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+using FilterChecks::CaptureError;
+
+class PerforatedCrossFieldRefusals : public testing::Test
+{
+public:
+  /** After each refusal a good input must work: nothing of the failure stays. */
+  void TearDown() override
+  {
+    this->Filter->SetInputData(TestInputs::DrilledDisk());
+    FilterChecks::UpdateWithoutError(this->Filter);
+  }
+
+  /** The drilled disk with the cells for which `keep` is true. */
+  vtkSmartPointer<vtkUnstructuredGrid> Keep(const std::function<bool(vtkIdType)>& keep)
+  {
+    const auto mesh = TestInputs::DrilledDisk();
+    auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    result->SetPoints(mesh->GetPoints());
+    result->Allocate(mesh->GetNumberOfCells());
+    vtkCellData* data = result->GetCellData();
+    data->CopyAllocate(mesh->GetCellData());
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      if (keep(cell))
+      {
+        mesh->GetCellPoints(cell, ids);
+        data->CopyData(
+          mesh->GetCellData(), cell, result->InsertNextCell(mesh->GetCellType(cell), ids));
+      }
+    }
+    return result;
+  }
+
+  void ExpectError(vtkUnstructuredGrid* mesh, const std::vector<std::string>& parts)
+  {
+    this->Filter->SetInputData(mesh);
+    EXPECT_EQ(CaptureError(this->Filter, parts), vtkErrorCode::UserError);
+  }
+
+  /** Sets the array on the cells that have a value there now. */
+  static void Replace(vtkUnstructuredGrid* mesh, const char* name, int before, int after)
+  {
+    vtkDataArray* array = mesh->GetCellData()->GetArray(name);
+    for (vtkIdType cell = 0; cell < array->GetNumberOfTuples(); ++cell)
+    {
+      if (mesh->GetCellType(cell) == VTK_LINE && array->GetTuple1(cell) == before)
+      {
+        array->SetTuple1(cell, after);
+      }
+    }
+  }
+
+  vtkNew<vtkPerforatedCrossField> Filter;
+};
+}
+
+TEST_F(PerforatedCrossFieldRefusals, InconsistentConfiguration)
+{
+  const auto disk = TestInputs::Loops({ TestInputs::Circle(64, 1.0) });
+  this->Filter->SetInputData(
+    TestInputs::Drill(disk, { { 0.5, 0.0, 1.0, 0.1 }, { -0.5, 0.0, 2.0, 0.1 } }, 0.2));
+  EXPECT_EQ(CaptureError(this->Filter, { "add up to 3", "asks for 4" }),
+    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+  this->Filter->SetInputData(TestInputs::Drill(disk, {}, 0.2));
+  EXPECT_EQ(CaptureError(this->Filter, { "add up to 0", "asks for 4" }),
+    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+}
+
+TEST_F(PerforatedCrossFieldRefusals, MeshWithoutTheArraysOfTheDrill)
+{
+  for (const char* name : { "BoundaryKind", "BoundaryId", "QuarterIndex" })
+  {
+    const auto mesh = TestInputs::DrilledDisk();
+    mesh->GetCellData()->RemoveArray(name);
+    this->ExpectError(mesh, { "'" + std::string(name) + "'" });
+  }
+  const auto bare = TestInputs::DrilledDisk();
+  bare->GetCellData()->Initialize();
+  this->ExpectError(bare, { "'BoundaryKind'" });
+}
+
+TEST_F(PerforatedCrossFieldRefusals, CellsThatAreNoDrilledMesh)
+{
+  const auto mesh = TestInputs::DrilledDisk();
+  const vtkIdType last = mesh->GetNumberOfCells() - 1;
+  const auto withoutLastLine = this->Keep([last](vtkIdType cell) { return cell != last; });
+  this->ExpectError(withoutLastLine, {});
+  const auto withoutLines = this->Keep(
+    [&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_TRIANGLE; });
+  this->ExpectError(withoutLines, {});
+  const auto withoutTriangle = this->Keep([](vtkIdType cell) { return cell != 0; });
+  this->ExpectError(withoutTriangle, {});
+  const auto onlyLines = this->Keep(
+    [&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_LINE; });
+  this->ExpectError(onlyLines, {});
+
+  const auto quadrilateral = this->Keep([](vtkIdType) { return true; });
+  const vtkIdType ids[4] = { 0, 1, 2, 3 };
+  quadrilateral->InsertNextCell(VTK_QUAD, 4, ids);
+  for (const char* name : { "BoundaryKind", "BoundaryId", "QuarterIndex" })
+  {
+    quadrilateral->GetCellData()->GetArray(name)->InsertNextTuple1(0);
+  }
+  this->ExpectError(quadrilateral, { "Cell " + std::to_string(last + 1) });
+}
+
+TEST_F(PerforatedCrossFieldRefusals, CodesOutOfRange)
+{
+  const auto kind = TestInputs::DrilledDisk();
+  Replace(kind, "BoundaryKind", 3, 7);
+  this->ExpectError(kind, { "BoundaryKind" });
+  const auto joined = TestInputs::DrilledDisk();
+  Replace(joined, "BoundaryId", 1, 0); // two loops that claim to be one
+  this->ExpectError(joined, { "do not form one closed loop" });
+}
+
+TEST_F(PerforatedCrossFieldRefusals, HoleWithTooFewEdges)
+{
+  const auto mesh = TestInputs::DrilledDisk();
+  // 4 = 1 + 1 + 40 − 38, on polygons with 32 edges or not many more.
+  vtkDataArray* quarters = mesh->GetCellData()->GetArray("QuarterIndex");
+  vtkDataArray* kinds = mesh->GetCellData()->GetArray("BoundaryKind");
+  vtkDataArray* rows = mesh->GetCellData()->GetArray("BoundaryId");
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    if (kinds->GetTuple1(cell) == 3 && rows->GetTuple1(cell) >= 2)
+    {
+      quarters->SetTuple1(cell, rows->GetTuple1(cell) == 2 ? 40 : -38);
+    }
+  }
+  this->ExpectError(mesh, { "edges", "quarter index" });
+}
+
+TEST_F(PerforatedCrossFieldRefusals, PointsThatAreNotFinite)
+{
+  const auto mesh = TestInputs::DrilledDisk();
+  mesh->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  this->ExpectError(mesh, {});
+}
+
+TEST_F(PerforatedCrossFieldRefusals, TriangleWithoutArea)
+{
+  const auto mesh = TestInputs::DrilledDisk();
+  vtkNew<vtkIdList> ids;
+  mesh->GetCellPoints(0, ids);
+  mesh->GetPoints()->SetPoint(ids->GetId(0), mesh->GetPoint(ids->GetId(1)));
+  this->ExpectError(mesh, {});
+}

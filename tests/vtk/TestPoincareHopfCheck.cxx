@@ -1,0 +1,264 @@
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkBoundaryCornerClassifier.h"
+#include "vtkConfigurationProposal.h"
+#include "vtkDrillHoles.h"
+#include "vtkPerforatedCrossField.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkPoincareHopfCheck.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+class PoincareHopfCheck : public testing::Test
+{
+public:
+  void SetUp() override
+  {
+    this->Filter->SetInputConnection(this->Source->GetOutputPort());
+    this->Filter->SetSingularitiesData(TestInputs::Singularities(TestInputs::FourOnDisk()));
+  }
+
+  vtkFieldData* Field() { return FilterChecks::Output(this->Filter)->GetFieldData(); }
+  double Value(const char* name) { return this->Field()->GetArray(name)->GetTuple1(0); }
+  std::string Reason()
+  {
+    auto* reason = vtkStringArray::SafeDownCast(this->Field()->GetAbstractArray("Reason"));
+    return reason == nullptr ? "" : std::string(reason->GetValue(0));
+  }
+  vtkTable* Loops() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
+  vtkPolyData* Corners() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2)); }
+
+  vtkNew<vtkPlanarDomainSource> Source;
+  vtkNew<vtkPoincareHopfCheck> Filter;
+};
+}
+
+TEST_F(PoincareHopfCheck, KeepsTheRulesOfAFilter)
+{
+  FilterChecks::CheckRunTwice(
+    this->Filter, [this] { this->Source->SetDomainName("disk"); },
+    [this] { this->Source->SetDomainName("ellipse"); });
+  FilterChecks::CheckInputUntouched(this->Filter);
+  FilterChecks::CheckPrintSelf(this->Filter, { "CornerAngle", "Holonomy" });
+  this->Source->SetDomainName("ring");
+  this->Filter->SetSingularitiesData(
+    TestInputs::Singularities({ { 0.7, 0.0, 1.0, 0.05 }, { -0.7, 0.0, -1.0, 0.05 } }));
+  FilterChecks::CheckProgressAndAbort(this->Filter);
+  FilterChecks::CheckEmptyInput(this->Filter);
+}
+
+TEST_F(PoincareHopfCheck, ConsistentOnTheDisk)
+{
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("EulerCharacteristic"), 1.0);
+  EXPECT_EQ(this->Value("Valence"), 0.0);
+  EXPECT_NEAR(this->Value("TangentTurning"), 1.0, 1e-12);
+  EXPECT_EQ(this->Value("RequiredInteriorQuarters"), 4.0);
+  EXPECT_EQ(this->Value("GivenInteriorQuarters"), 4.0);
+  EXPECT_EQ(this->Value("Consistent"), 1.0);
+  EXPECT_EQ(this->Field()->GetArray("HolonomyDefect"), nullptr);
+  EXPECT_NE(this->Reason().find("as the Poincaré-Hopf theorem asks"), std::string::npos);
+  // The domain passes through.
+  vtkPolyData* domain = this->Source->GetOutput();
+  EXPECT_EQ(FilterChecks::Output(this->Filter)->GetNumberOfPoints(), domain->GetNumberOfPoints());
+  EXPECT_EQ(domain->GetFieldData()->GetNumberOfArrays(), 0);
+}
+
+TEST_F(PoincareHopfCheck, InconsistentIsNoError)
+{
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 1.0, 0.1 } }));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Consistent"), 0.0);
+  EXPECT_NE(this->Reason().find("add up to 1 "), std::string::npos);
+  EXPECT_NE(this->Reason().find("add singularities of total 3 or remove some of total -3."),
+    std::string::npos);
+}
+
+TEST_F(PoincareHopfCheck, SingularitiesAreOptional)
+{
+  this->Filter->SetSingularitiesConnection(nullptr);
+  this->Source->SetDomainName("l-shape");
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Consistent"), 1.0);
+  EXPECT_EQ(this->Value("GivenInteriorQuarters"), 0.0);
+  EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 6);
+}
+
+TEST_F(PoincareHopfCheck, LoopsAndCorners)
+{
+  this->Source->SetDomainName("angular-hole");
+  this->Filter->SetSingularitiesConnection(nullptr);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RequiredInteriorQuarters"), -2.0);
+  vtkTable* loops = this->Loops();
+  ASSERT_EQ(loops->GetNumberOfRows(), 2);
+  EXPECT_NEAR(loops->GetValueByName(0, "Valence").ToDouble(), 0.5, 1e-12);
+  EXPECT_EQ(loops->GetValueByName(0, "CornerQuarters").ToInt(), 2);
+  EXPECT_EQ(loops->GetValueByName(0, "RequiredPart").ToInt(), 2);
+  EXPECT_NEAR(loops->GetValueByName(1, "TangentTurning").ToDouble(), -1.0, 1e-12);
+  EXPECT_EQ(loops->GetValueByName(1, "RequiredPart").ToInt(), -4);
+  double cancellable = 0.0;
+  for (vtkIdType i = 0; i < this->Corners()->GetNumberOfPoints(); ++i)
+  {
+    cancellable += this->Corners()->GetPointData()->GetArray("Cancellable")->GetTuple1(i);
+  }
+  EXPECT_EQ(cancellable, 4.0);
+}
+
+TEST_F(PoincareHopfCheck, HolonomyOfARing)
+{
+  this->Source->SetDomainName("ring");
+  this->Filter->SetSingularitiesData(
+    TestInputs::Singularities({ { 0.7, 0.0, 1.0, 0.05 }, { 0.2, 0.65, -1.0, 0.05 } }));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Consistent"), 1.0);
+  ASSERT_NE(this->Field()->GetArray("HolonomyDefect"), nullptr);
+  const double defect = this->Value("HolonomyDefect");
+  EXPECT_GT(std::abs(defect), 0.1);
+  EXPECT_EQ(this->Loops()->GetValueByName(1, "HolonomyDefect").ToDouble(), defect);
+  EXPECT_TRUE(std::isnan(this->Loops()->GetValueByName(0, "HolonomyDefect").ToDouble()));
+  EXPECT_NE(this->Reason().find("inner loop 1"), std::string::npos) << this->Reason();
+  this->Filter->HolonomyOff();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Field()->GetArray("HolonomyDefect"), nullptr);
+}
+
+TEST_F(PoincareHopfCheck, ChosenCornersChangeTheSum)
+{
+  // The exact minimiser of the hexagon with two tips takes the sum 4.
+  this->Source->SetDomainName("angular-negative");
+  this->Filter->SetSingularitiesConnection(nullptr);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RequiredInteriorQuarters"), -2.0);
+  vtkNew<vtkBoundaryCornerClassifier> classifier;
+  classifier->SetInputConnection(this->Source->GetOutputPort());
+  this->Filter->SetCornersConnection(classifier->GetOutputPort());
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RequiredInteriorQuarters"),
+    classifier->GetOutput()->GetFieldData()->GetArray("InteriorQuarters")->GetTuple1(0));
+  EXPECT_EQ(this->Value("RequiredInteriorQuarters"), 0.0);
+}
+
+TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
+{
+  this->Source->SetDomainName("angular-negative");
+  vtkNew<vtkBoundaryCornerClassifier> classifier;
+  classifier->SetInputConnection(this->Source->GetOutputPort());
+  vtkNew<vtkDrillHoles> drill;
+  drill->SetInputConnection(this->Source->GetOutputPort());
+  drill->SetSingularitiesData(
+    TestInputs::Singularities({ { -0.5, 0.0, 1.0, 0.05 }, { 0.5, 0.0, -1.0, 0.05 } }));
+  vtkNew<vtkPerforatedCrossField> solver;
+  solver->SetInputConnection(drill->GetOutputPort());
+  solver->SetMethodToUnitNorm();
+  EXPECT_EQ(FilterChecks::CaptureError(solver, { "asks for -2" }),
+    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+  solver->SetCornersConnection(classifier->GetOutputPort());
+  FilterChecks::UpdateWithoutError(solver);
+  vtkFieldData* report = solver->GetOutput()->GetFieldData();
+  EXPECT_EQ(report->GetArray("UnwantedSingularities")->GetTuple1(0), 0.0);
+  EXPECT_EQ(report->GetArray("RequiredInteriorQuarters")->GetTuple1(0), 0.0);
+
+  // The field shows the chosen indices.
+  this->Filter->SetInputConnection(solver->GetOutputPort());
+  this->Filter->SetCornersConnection(classifier->GetOutputPort());
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Consistent"), 1.0) << this->Reason();
+  vtkPolyData* chosen = classifier->GetOutput();
+  vtkPolyData* taken = this->Corners();
+  ASSERT_EQ(taken->GetNumberOfPoints(), chosen->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < chosen->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    chosen->GetPoint(i, point);
+    const vtkIdType match = taken->FindPoint(point);
+    EXPECT_EQ(taken->GetPointData()->GetArray("QuarterIndex")->GetTuple1(match),
+      chosen->GetPointData()->GetArray("QuarterIndex")->GetTuple1(i));
+  }
+}
+
+TEST_F(PoincareHopfCheck, ReadsASolvedField)
+{
+  for (const bool unitNorm : { false, true })
+  {
+    vtkNew<vtkPerforatedCrossField> solver;
+    solver->SetInputData(TestInputs::DrilledDisk());
+    solver->SetMethod(unitNorm ? vtkPerforatedCrossField::MethodUnitNorm
+                               : vtkPerforatedCrossField::MethodConstrained);
+    this->Filter->SetInputConnection(solver->GetOutputPort());
+    this->Filter->SetSingularitiesConnection(nullptr);
+    FilterChecks::UpdateWithoutError(this->Filter);
+    EXPECT_EQ(this->Value("Consistent"), 1.0);
+    EXPECT_EQ(this->Value("RequiredInteriorQuarters"), 4.0);
+    EXPECT_EQ(this->Value("GivenInteriorQuarters"), 4.0);
+    EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
+    vtkDataArray* degrees = this->Field()->GetArray("HoleDegree");
+    ASSERT_EQ(degrees->GetNumberOfTuples(), 4);
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      EXPECT_EQ(degrees->GetTuple1(i), 1.0);
+    }
+    // Its mesh passes through with the field.
+    EXPECT_NE(FilterChecks::Output(this->Filter)->GetCellData()->GetArray("CrossFieldCR"), nullptr);
+
+    // The same field where other degrees were asked for.
+    vtkNew<vtkUnstructuredGrid> other;
+    other->DeepCopy(solver->GetOutput());
+    vtkDataArray* quarters = other->GetCellData()->GetArray("QuarterIndex");
+    vtkDataArray* ids = other->GetCellData()->GetArray("BoundaryId");
+    for (vtkIdType cell = 0; cell < other->GetNumberOfCells(); ++cell)
+    {
+      if (quarters->GetTuple1(cell) != 0.0)
+      {
+        quarters->SetTuple1(cell, ids->GetTuple1(cell) == 0.0 ? 2 : 1);
+      }
+    }
+    this->Filter->SetInputData(other);
+    FilterChecks::UpdateWithoutError(this->Filter);
+    EXPECT_EQ(this->Value("Consistent"), 0.0);
+    EXPECT_NE(this->Reason().find("degree 1 instead of 2 on hole 0"), std::string::npos)
+      << this->Reason();
+  }
+}
+
+TEST_F(PoincareHopfCheck, Refusals)
+{
+  const auto refuse = [this](const std::vector<std::string>& parts)
+  {
+    EXPECT_EQ(FilterChecks::CaptureError(this->Filter, parts), vtkErrorCode::UserError);
+    EXPECT_EQ(this->Loops()->GetNumberOfRows(), 0);
+    EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 0);
+  };
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.1 } }));
+  refuse({ "singularity 0", "(3, 0)", "outside" });
+  auto bare = TestInputs::Singularities({ { 0.0, 0.0, 4.0, 0.1 } });
+  bare->GetPointData()->RemoveArray("QuarterIndex");
+  this->Filter->SetSingularitiesData(bare);
+  refuse({ "'QuarterIndex'" });
+  this->Filter->SetSingularitiesConnection(nullptr);
+  this->Filter->SetCornersData(bare);
+  refuse({ "corners", "'QuarterIndex'" });
+  this->Filter->SetCornersData(TestInputs::Singularities({ { 0.1, 0.0, 1.0, 0.0 } }));
+  refuse({ "(0.1, 0)", "not a vertex" });
+  this->Filter->SetCornersConnection(nullptr);
+  this->Filter->SetInputData(TestInputs::OpenCurve({ { 0, 0 }, { 1, 0 }, { 1, 1 } }));
+  refuse({ "open curve" });
+  this->Filter->SetInputConnection(this->Source->GetOutputPort());
+  FilterChecks::UpdateWithoutError(this->Filter);
+}

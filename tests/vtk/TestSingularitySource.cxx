@@ -1,0 +1,214 @@
+#include "FilterChecks.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace
+{
+using Row = std::array<double, 4>;
+
+class SingularitySource : public testing::Test
+{
+public:
+  /** Writes a file that is removed after the test, and makes the source read it. */
+  void SetText(const std::string& text)
+  {
+    this->File = testing::TempDir() + "crossfield-singularities-" +
+      testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
+    std::ofstream stream(this->File, std::ios::binary);
+    stream << text;
+    stream.close();
+    ASSERT_TRUE(stream);
+    this->Source->SetFileName(this->File);
+    this->Source->Modified(); // the name may be that of an earlier text
+  }
+
+  void TearDown() override
+  {
+    if (!this->File.empty())
+    {
+      std::remove(this->File.c_str());
+    }
+  }
+
+  /** The rows of the output; without a radius it reads as −1. */
+  std::vector<Row> Rows()
+  {
+    this->Source->Update();
+    EXPECT_EQ(this->Source->GetErrorCode(), vtkErrorCode::NoError);
+    vtkPolyData* output = this->Source->GetOutput();
+    vtkDataArray* quarters = FilterChecks::RequireArray(output->GetPointData(), "QuarterIndex");
+    vtkDataArray* radii = output->GetPointData()->GetArray("Radius");
+    EXPECT_EQ(output->GetNumberOfVerts(), output->GetNumberOfPoints());
+    EXPECT_EQ(output->GetNumberOfCells(), output->GetNumberOfPoints());
+    std::vector<Row> rows;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      output->GetPoint(i, point);
+      EXPECT_EQ(point[2], 0.0);
+      EXPECT_EQ(output->GetCellType(i), VTK_VERTEX);
+      rows.push_back({ point[0], point[1], quarters->GetTuple1(i),
+        radii != nullptr ? radii->GetTuple1(i) : -1.0 });
+    }
+    return rows;
+  }
+
+  std::string File;
+  vtkNew<vtkSingularitySource> Source;
+};
+}
+
+TEST_F(SingularitySource, KeepsTheRulesOfAFilter)
+{
+  FilterChecks::CheckRunTwice(
+    this->Source, [this] { this->Source->SetSingularity(0, 0.0, 0.0, 1.0, 0.2); },
+    [this] { this->Source->SetSingularity(0, 0.5, 0.0, -1.0, 0.2); });
+  FilterChecks::CheckProgressAndAbort(this->Source, false);
+  FilterChecks::CheckPrintSelf(this->Source, { "FileName", "Singularities" });
+}
+
+TEST_F(SingularitySource, DefaultIsTheFirstFigureOfThePaper)
+{
+  const double d = 0.6 * std::sqrt(0.5);
+  const std::vector<Row> rows = this->Rows();
+  ASSERT_EQ(rows.size(), 4u);
+  double sumX = 0.0;
+  double sumY = 0.0;
+  for (const auto& [x, y, quarterIndex, radius] : rows)
+  {
+    EXPECT_NEAR(std::abs(x), d, 1e-15);
+    EXPECT_NEAR(std::abs(y), d, 1e-15);
+    EXPECT_EQ(quarterIndex, 1.0);
+    EXPECT_EQ(radius, 0.1);
+    sumX += x;
+    sumY += y;
+  }
+  EXPECT_EQ(sumX, 0.0);
+  EXPECT_EQ(sumY, 0.0);
+  EXPECT_EQ(std::set<Row>(rows.begin(), rows.end()).size(), 4u) << "one in each quadrant";
+}
+
+TEST_F(SingularitySource, ArraysHaveTheirNamesAndTypes)
+{
+  this->Source->Update();
+  vtkPointData* data = this->Source->GetOutput()->GetPointData();
+  ASSERT_EQ(data->GetNumberOfArrays(), 2);
+  ASSERT_NE(data->GetArray("QuarterIndex"), nullptr);
+  EXPECT_EQ(data->GetArray("QuarterIndex")->GetDataType(), VTK_INT);
+  EXPECT_EQ(data->GetArray("QuarterIndex")->GetNumberOfComponents(), 1);
+  ASSERT_NE(data->GetArray("Radius"), nullptr);
+  EXPECT_EQ(data->GetArray("Radius")->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(data->GetArray("Radius")->GetNumberOfComponents(), 1);
+}
+
+TEST_F(SingularitySource, RowsAreSetAppendedAndRemoved)
+{
+  this->Source->RemoveAllSingularities();
+  EXPECT_EQ(this->Source->GetNumberOfSingularities(), 0);
+  EXPECT_TRUE(this->Rows().empty());
+  this->Source->AddSingularity(1.0, 2.0, 3.0, 4.0);
+  this->Source->SetSingularity(2, 5.0, 6.0, -7.0, 8.0);
+  EXPECT_EQ(this->Source->GetNumberOfSingularities(), 3);
+  std::vector<Row> rows = this->Rows();
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], Row({ 1.0, 2.0, 3.0, 4.0 }));
+  EXPECT_EQ(rows[2], Row({ 5.0, 6.0, -7.0, 8.0 }));
+  this->Source->SetSingularity(0, 9.0, 9.0, 9.0, 9.0);
+  this->Source->SetNumberOfSingularities(1);
+  rows = this->Rows();
+  EXPECT_EQ(rows, std::vector<Row>({ { 9.0, 9.0, 9.0, 9.0 } }));
+}
+
+TEST_F(SingularitySource, ReadsAFile)
+{
+  this->SetText("x,y,quarter_index,radius\n0.5,-0.25,1,0.1\n1e-3,2,-2,0.05\n");
+  const std::vector<Row> expected = { { 0.5, -0.25, 1.0, 0.1 }, { 1e-3, 2.0, -2.0, 0.05 } };
+  EXPECT_EQ(this->Rows(), expected);
+
+  // Other columns, another order, spaces and the line ends of Windows.
+  this->SetText("name,radius, quarter_index,y,x\r\na,0.1, 1,-0.25,0.5\r\nb,0.05, -2,2,1e-3\r\n");
+  EXPECT_EQ(this->Rows(), expected);
+
+  // The rows count again.
+  this->Source->SetFileName(nullptr);
+  EXPECT_EQ(this->Rows().size(), 4u);
+}
+
+TEST_F(SingularitySource, AFileWithoutRadiiGivesNoRadius)
+{
+  this->SetText("x,y,quarter_index\n0.5,-0.25,1\n");
+  EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.5, -0.25, 1.0, -1.0 } }));
+  EXPECT_EQ(this->Source->GetOutput()->GetPointData()->GetArray("Radius"), nullptr);
+}
+
+TEST_F(SingularitySource, AFileMayHaveNoRows)
+{
+  this->SetText("x,y,quarter_index,radius\n");
+  EXPECT_TRUE(this->Rows().empty());
+}
+
+TEST_F(SingularitySource, RefusesFilesItCannotUse)
+{
+  this->Source->SetFileName("/no/such/folder/four.csv");
+  EXPECT_EQ(FilterChecks::CaptureError(this->Source, { "'/no/such/folder/four.csv'" }),
+    vtkErrorCode::UserError);
+  this->Source->SetFileName(testing::TempDir());
+  FilterChecks::CaptureError(this->Source, { "'" + testing::TempDir() + "'" });
+
+  struct Case
+  {
+    const char* text;
+    const char* complaint;
+  };
+  const Case cases[] = { { "", "no column 'x'" },
+    { "x,quarter_index\n0,1\n", "no column 'y'" },
+    { "x,y\n0,0\n", "no column 'quarter_index'" },
+    { "0.5,0.5,1,0.1\n", "no column 'x'" },
+    { "x,y,quarter_index\n0,zero,1\n", "no number in column 'y'" },
+    { "x,y,quarter_index\n0,,1\n", "no number in column 'y'" },
+    { "x,y,quarter_index\n0,1.5m,1\n", "no number in column 'y'" },
+    { "x,y,quarter_index\n0,0\n", "no number in column 'quarter_index'" },
+    { "x,y,quarter_index,radius\n0,0,1\n", "no number in column 'radius'" },
+    { "x,y,quarter_index\n0,nan,1\n", "Row 0" },
+    { "x,y,quarter_index\n0,0,1\n0,inf,1\n", "Row 1" },
+    { "x,y,quarter_index,radius\n0,0,1,nan\n", "Row 0" },
+    { "x,y,quarter_index\n0,0,0.25\n", "not an integer" },
+    { "x,y,quarter_index\n0,0,nan\n", "quarter" } };
+  for (const Case& test : cases)
+  {
+    SCOPED_TRACE(test.text);
+    this->SetText(test.text);
+    FilterChecks::CaptureError(this->Source, { test.complaint });
+  }
+  this->SetText("x,y,quarter_index\n0,0,1\n");
+  EXPECT_EQ(this->Rows().size(), 1u) << "after the refusals";
+}
+
+TEST_F(SingularitySource, RefusesRowsThatAreNoNumbers)
+{
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  this->Source->SetSingularity(3, 0.0, 0.0, 0.5, 0.1);
+  FilterChecks::CaptureError(this->Source, { "singularity 3", "not an integer" });
+  this->Source->SetSingularity(3, notANumber, 0.0, 1.0, 0.1);
+  FilterChecks::CaptureError(this->Source, { "Row 3", "not a finite number" });
+  this->Source->SetSingularity(3, 0.0, 0.0, 1.0, notANumber);
+  FilterChecks::CaptureError(this->Source, { "Row 3", "not a finite number" });
+  FilterChecks::MessageRecorder messages(this->Source);
+  this->Source->SetSingularity(-1, 0.0, 0.0, 1.0, 0.1);
+  EXPECT_EQ(messages.errors.size(), 1u);
+  EXPECT_EQ(this->Source->GetNumberOfSingularities(), 4);
+}
