@@ -62,18 +62,8 @@ const std::vector<std::string> GinzburgLandauSolve::Starts = { "harmonic", "cons
 
 int GinzburgLandauSolve::Run() const
 {
-  // 1. Check the outputs before any work.
-  if (!this->output.empty())
-  {
-    OutputFile::RequireWritable(this->output, ".vtu");
-  }
-  if (!this->json.empty() && this->json != "-")
-  {
-    OutputFile::RequireWritable(this->json, "");
-  }
-
-  // 2. Read the domain. A configuration is read as well, so that a wrong name does not go unnoticed,
-  //    but nothing is made of it: this method has its own.
+  // 1. Read the domain. A configuration is read as well, so that a wrong name does not go
+  //    unnoticed, but nothing is made of it: this method has its own.
   const auto domainReader = DomainReader::Open(this->domain, this->size);
   vtkNew<vtkSingularitySource> singularities;
   singularities->RemoveAllSingularities();
@@ -84,7 +74,7 @@ int GinzburgLandauSolve::Run() const
     PipelineRun::Update(unused, "reading");
   }
 
-  // 3. Triangulate, without holes.
+  // 2. Triangulate, without holes.
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   vtkNew<vtkDrillHoles> drill;
@@ -96,7 +86,7 @@ int GinzburgLandauSolve::Run() const
   std::map<std::string, double> seconds;
   seconds["mesh"] = timer->GetElapsedTime();
 
-  // 4. Minimise, and look for the singularities.
+  // 3. Minimise, and look for the singularities.
   vtkNew<vtkGinzburgLandauCrossField> solver;
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetEpsilon(this->epsilon);
@@ -111,7 +101,7 @@ int GinzburgLandauSolve::Run() const
   found->SetInputConnection(solver->GetOutputPort());
   PipelineRun::Update(found, "reading singularities");
 
-  // 5. Write the field and the report.
+  // 4. Write the field and the report.
   timer->StartTimer();
   if (!this->output.empty())
   {
@@ -130,7 +120,7 @@ int GinzburgLandauSolve::Run() const
     OutputFile::WriteText(ReportJson::AddSingularities(report, found->GetOutput()), this->json);
   }
 
-  // 6. The answer.
+  // 5. The answer.
   const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0;
   return Value(field, names::Converged) == 0.0 || (this->strict && unwanted) ? AnswerIsNo : Done;
 }

@@ -17,7 +17,7 @@ struct GinzburgLandauSolve : MeshOptions
   /** Names of the starts, in the order of the filter's codes. */
   static const std::vector<std::string> Starts;
 
-  /** Solves, writes and reports; returns the exit status. */
+  /** Solves, writes and reports, to outputs that can be written; returns the exit status. */
   int Run() const;
 };
 

@@ -118,10 +118,6 @@ int SolveByGinzburgLandau(const SolveOptions& options)
 int Solve(const SolveOptions& options)
 {
   CheckUsage(options);
-  if (options.method == "ginzburg-landau")
-  {
-    return SolveByGinzburgLandau(options);
-  }
   namespace names = vtkCrossFieldArrayNames;
   // 1. Check the outputs before any work.
   if (!options.output.empty())
@@ -131,6 +127,10 @@ int Solve(const SolveOptions& options)
   if (!options.json.empty() && options.json != "-")
   {
     OutputFile::RequireWritable(options.json, "");
+  }
+  if (options.method == "ginzburg-landau")
+  {
+    return SolveByGinzburgLandau(options);
   }
 
   // 2. Read the domain and the configuration.
@@ -208,8 +208,8 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->check(CLI::IsMember({ "constrained", "unit-norm", "ginzburg-landau" }));
   command
     ->add_option("--start", options->start,
-      "of the constrained method: harmonic, unit-norm, or best of both; of ginzburg-landau: harmonic "
-      "(its default), constant or zero")
+      "of the constrained method: harmonic, unit-norm, or best of both; of ginzburg-landau: "
+      "harmonic (its default), constant or zero")
     ->capture_default_str()
     ->check(CLI::IsMember(AllStarts()));
   command

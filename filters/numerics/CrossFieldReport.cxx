@@ -87,7 +87,7 @@ void ReadReport(
   FieldIndices indices = ReadIndices(mesh, field.edges, field.u);
   const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
     std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
-  if (sum != 4 * field.count.eulerCharacteristic)
+  if (sum != 4 * field.count.eulerCharacteristic || !field.u.allFinite())
   {
     throw Error("The indices of the field add up to " + std::to_string(sum) + " instead of " +
       std::to_string(4 * field.count.eulerCharacteristic) +

@@ -97,6 +97,10 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   const DrillOptions& options, const Progress& progress)
 {
   const double meshSize = ResolveMeshSize(options, domain);
+  if (options.minimumHoleEdges < 3)
+  {
+    throw Error("A hole needs at least 3 edges; raise the smallest number of edges of a hole.");
+  }
   Configuration holes = configuration;
   for (Singularity& hole : holes)
   {

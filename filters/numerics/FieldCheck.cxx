@@ -85,6 +85,12 @@ std::string Describe(const FieldCheck& check, int otherCorners)
       std::string(" other quarter indices than chosen at ") + std::to_string(otherCorners) +
       " corners";
   }
+  if (wrong.empty() && check.holes.empty())
+  {
+    return "The field has interior quarter indices of total " +
+      std::to_string(check.interiorQuarters) +
+      ", as its boundary asks, and no holes that prescribe any.";
+  }
   return wrong.empty()
     ? "The field has the prescribed degrees on its holes and no other singularities inside."
     : wrong + "; move the holes, split large quarter indices or use the unit-norm method.";
@@ -143,6 +149,10 @@ FieldCheck CheckField(
 
   check.count = CountMeshQuarters(mesh, loops, TakenIndices(mesh, indices, field.count.corners));
   check.count.givenInteriorQuarters = given + check.interiorQuarters;
+  if (check.holes.empty() && check.interiorQuarters != 0)
+  {
+    check.unwantedSingularities = 0; // the boundary asks for them, and nothing says where
+  }
   const int otherCorners = CountOtherCorners(field.count.corners, check.count.corners);
   check.asPrescribed = degrees && check.unwantedSingularities == 0 && otherCorners == 0;
   check.verdict = Describe(check, otherCorners);

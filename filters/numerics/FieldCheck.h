@@ -13,7 +13,8 @@ struct FieldCheck
   std::vector<HoleReading> holes;      ///< In the order of the configuration.
   std::vector<int> prescribedDegrees;  ///< Likewise.
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.
-  /// As in CrossField, but triangles at a corner belong to it.
+  /// As in CrossField, but triangles at a corner belong to it, and on a mesh without holes the
+  /// singularities that the boundary asks for are nobody's fault.
   int unwantedSingularities = 0;
   /// Degrees and chosen corners are as prescribed, and there are no unwanted singularities.
   bool asPrescribed = false;

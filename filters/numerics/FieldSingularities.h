@@ -24,9 +24,9 @@ struct FieldSingularity : Singularity
 
 struct FieldSingularityOptions
 {
-  /// Also the corners of the boundary, with the quarter index that the field takes there (if not 0).
+  /// Also the corners of the boundary, with the quarter index that the field takes there, if any.
   bool corners = false;
-  /// Also the holes, at their centres, with the degree of the field on them (if not 0).
+  /// Also the holes, at their centres, with the degree of the field on them, if any.
   bool holes = false;
   /// A vertex of an outer or inner loop that turns by more is a corner; radians.
   double cornerAngle = DefaultCornerAngle;
@@ -38,8 +38,8 @@ struct FieldSingularityOptions
 /// Wherever u turns by more than half a turn from one midpoint to the next, the index of one
 /// singularity is spread over neighbouring triangles and vertices, and for |k| ≥ 2 with both signs.
 /// So singular triangles and vertices are merged when they share a vertex or are joined by an edge;
-/// the quarter index is their sum, and what adds up to zero is none. Corners take the indices of their
-/// triangles (MergeAtVertices) and are merged with nothing else: they belong to the boundary.
+/// the quarter index is their sum, and what adds up to zero is none. Corners take the indices of
+/// their triangles (MergeAtVertices) and are merged with nothing else, they are of the boundary.
 ///
 /// The position is the zero of the piecewise linear field if |k| = 1 and one lies in the merged
 /// triangles, else the mean of the centroids and vertices weighted by |index|. A singularity of

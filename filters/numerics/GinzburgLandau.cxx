@@ -115,7 +115,10 @@ public:
   bool LeaveSaddle()
   {
     this->Shift = LastShift;
-    this->TryFactor();
+    if (!this->TryFactor())
+    {
+      return false;
+    }
     const Eigen::VectorXd metric = this->Functional.Metric();
     Eigen::VectorXd direction(metric.size());
     for (Eigen::Index i = 0; i < direction.size(); ++i)

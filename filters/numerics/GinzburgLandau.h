@@ -33,8 +33,8 @@ struct GinzburgLandauOptions
 double ResolveEpsilon(
   const GinzburgLandauOptions& options, const TriangleMesh& mesh, const EdgeNumbering& edges);
 
-/// A local minimiser of GinzburgLandauEnergy, and what the solver has to say about it. In the report
-/// of CrossField:
+/// A local minimiser of GinzburgLandauEnergy, and what the solver has to say about it. In the
+/// report of CrossField:
 /// - energy = gradientEnergy + penaltyEnergy;
 /// - count.givenInteriorQuarters is the sum of the singularities found inside, so that the count
 ///   compares what the domain requires with what the field has;
@@ -55,14 +55,14 @@ struct GinzburgLandauField : CrossField
 /// with a line search on the energy.
 ///
 /// Where the Hessian H is not positive definite, H + τ D is factored instead, D the matrix of
-/// 1/ε² ∫ f² u · v and τ = 1/64, 1/16, 1/4 or 1, for which it always is; steps with a small τ follow
-/// the directions in which the energy falls off a saddle. It is converged only if H itself is
-/// positive definite at the end: where it is not and the energy falls by less than 1e-4 of itself,
-/// the next step is in the direction of negative curvature that inverse iteration finds.
+/// 1/ε² ∫ f² u · v and τ = 1/64, 1/16, 1/4 or 1, for which it always is; steps with a small τ
+/// follow the directions in which the energy falls off a saddle. It is converged only if H itself
+/// is positive definite at the end: where it is not and the energy falls by less than 1e-4 of
+/// itself, the next step is in the direction of negative curvature that inverse iteration finds.
 ///
-/// Any domain is allowed, since the singularities come by themselves. Throws Error when the mesh has
-/// holes, ε is not positive, or the given start does not fit the mesh. An iteration that does not
-/// converge is not an error: see CrossField::converged.
+/// Any domain is allowed, since the singularities come by themselves. Throws Error when the mesh
+/// has holes, ε is not positive, or the given start does not fit the mesh. An iteration that does
+/// not converge is not an error: see CrossField::converged.
 GinzburgLandauField SolveGinzburgLandau(const TriangleMesh& mesh,
   const GinzburgLandauOptions& options = {}, const Progress& progress = {});
 }

@@ -25,8 +25,8 @@
  * singularities, unless one has moved into the boundary.
  *
  * An empty input gives an empty output. Failure, with an empty output: a missing array; values that
- * are not finite; indices inside, on the boundary and on holes that do not add up to 4χ, because the
- * field is not aligned with the boundary of its mesh.
+ * are not finite; indices inside, on the boundary and on holes that do not add up to 4χ, because
+ * the field is not aligned with the boundary of its mesh.
  *
  * @sa vtkGinzburgLandauCrossField, vtkPoincareHopfCheck, crossfield::FindFieldSingularities
  */

@@ -6,9 +6,10 @@
  *   E(u) = ½ ∫ w |∇u|² + 1/(4ε²) ∫ (|u|² − f²)²
  * over Crouzeix-Raviart fields (values at the midpoints of edges) with u = e^{4iτ} on every outer
  * and inner boundary edge, τ its direction angle. f = w = 1, unless NormArrayName or
- * GradientWeightArrayName give other values to pin singularities where they are small. Singularities
- * come by themselves, as zeros of u with a core of about ε: the method to compare others with. The
- * penalty is integrated by the midpoints of edges, an error of second order in the mesh size.
+ * GradientWeightArrayName give other values to pin singularities where they are small.
+ * Singularities come by themselves, as zeros of u with a core of about ε: the method to compare
+ * others with. The penalty is integrated by the midpoints of edges, an error of second order in the
+ * mesh size.
  *
  * The minimum is a local one, and depends on Start: on a ring, Harmonic keeps the radial field
  * without singularities while Constant ends with four of either sign and twice the energy.
@@ -25,9 +26,9 @@
  * in it; `HoleDegree` and `HoleNormRange` are empty; `GivenInteriorQuarters` is the sum of the
  * singularities found inside, to be compared with `RequiredInteriorQuarters` (with corners of the
  * boundary the field may choose other indices for them, and `Consistent` is then 0);
- * `UnwantedSingularities` is what the field has beyond the least that the Poincaré-Hopf theorem asks
- * for, Σ |k| − |required sum|. Besides: `Epsilon` (double, the length used) and `ConvexifiedSteps`
- * (int, iterations in which the Hessian was not positive definite).
+ * `UnwantedSingularities` is what the field has beyond the least that the Poincaré-Hopf theorem
+ * asks for, Σ |k| − |required sum|. Besides: `Epsilon` (double, the length used) and
+ * `ConvexifiedSteps` (int, iterations in which the Hessian was not positive definite).
  *
  * Epsilon is a length in the units of the domain; well below the edge length the mesh holds
  * singularities wherever they happen to be, well above the size of the domain there are none. Any
@@ -38,8 +39,8 @@
  * of range; StartGiven without `CrossFieldCR`. An iteration that does not converge is a warning and
  * `Converged` 0.
  *
- * Cost: one sparse Cholesky factorisation with two unknowns per edge in every iteration, some ten to
- * a hundred iterations. On a disk of fine triangles nearly nothing holds the four singularities
+ * Cost: one sparse Cholesky factorisation with two unknowns per edge in every iteration, some ten
+ * to a hundred iterations. On a disk of fine triangles nearly nothing holds the four singularities
  * against a common turn, and that takes most of them.
  *
  * Paper: "Ginzburg-Landau", "Pinning strategy". Difference from it: u is in the Crouzeix-Raviart

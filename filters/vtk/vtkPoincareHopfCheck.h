@@ -28,7 +28,8 @@
  * - `Reason` (string): one sentence, when inconsistent with what to add or remove.
  * Of a solved field: the indices that it takes at corners and the singularities that it has; they
  * always agree, so `Consistent` is 1 when all degrees of holes (`HoleDegree`, int per hole) and
- * chosen corners are as prescribed and there are no others (`UnwantedSingularities`, int).
+ * chosen corners are as prescribed and there are no others (`UnwantedSingularities`, int; without
+ * holes those that the boundary asks for do not count).
  *
  * Output 1 (vtkTable), one row per boundary loop, the outer one first: `BoundaryLoop` (int),
  * `Valence`, `TangentTurning` (double), `CornerQuarters` (int, Σ k_i), `RequiredPart` (int, its

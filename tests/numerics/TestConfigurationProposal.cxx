@@ -301,6 +301,27 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   EXPECT_TRUE(wrong.count.Consistent()) << "the sums agree for every field";
   EXPECT_NE(wrong.verdict.find("4 holes"), std::string::npos) << wrong.verdict;
 
+  // Without holes the singularities are where the field likes them, but there have to be four: here
+  // u = e^{4iφ} around the origin.
+  const TriangleMesh whole = DrillHoles(disk, {});
+  const EdgeNumbering edges = NumberEdges(whole);
+  ComplexVector own(edges.Count());
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    const Point middle = Midpoint(whole, edges, e);
+    own[e] = std::polar(1.0, 4.0 * std::atan2(middle.y(), middle.x()));
+  }
+  for (std::size_t i = 0; i < whole.boundary.size(); ++i)
+  {
+    const auto& ends = whole.boundary[i].vertices;
+    own[edges.ofBoundary[i]] =
+      AlignedRepresentation(whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
+  }
+  const FieldCheck free = CheckField(whole, own);
+  EXPECT_TRUE(free.asPrescribed) << free.verdict;
+  EXPECT_EQ(free.interiorQuarters, 4);
+  EXPECT_NE(free.verdict.find("total 4"), std::string::npos) << free.verdict;
+
   ComplexVector bad = field.u;
   bad[0] = std::nan("");
   EXPECT_TRUE(Refuses([&] { CheckField(mesh, bad); }, { "finite" }));

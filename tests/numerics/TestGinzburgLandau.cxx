@@ -168,7 +168,8 @@ TEST(GinzburgLandau, LeavesASaddleThatSymmetryHolds)
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto& [a, b, c] = mesh.triangles[t];
-    const double distance = ((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0 - middle).norm();
+    const Point centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
+    const double distance = (centre - middle).norm();
     if (distance > 0.2 && distance < 0.35)
     {
       options.pinning.gradientWeight[static_cast<Eigen::Index>(t)] = 0.1;

@@ -82,6 +82,14 @@ class Check(TopologyTest):
         self.assertRegex(result.stderr, SENTENCE)
         self.assertIn("required 4, given 1", result.stdout)
 
+    def test_the_penalty_accepts_what_the_check_refuses(self):
+        write_configuration(self.folder / "one.csv", [(0.0, 0.0, 1, 0.1)])
+        self.check("builtin:disk", "-s", "one.csv", status=1)
+        self.succeed("solve", "builtin:disk", "-s", "one.csv", "--method", "ginzburg-landau",
+                     "--size", "0.1", "-o", "field.vtu")
+        # Singularities of its own make up for the others.
+        self.assertEqual(self.check("field.vtu")["given_interior_quarters"], 4)
+
     def test_holonomy(self):
         write_configuration(self.folder / "two.csv", [(0.7, 0.0, 1, 0.05), (0.2, 0.65, -1, 0.05)])
         report = self.check("builtin:ring", "-s", "two.csv")

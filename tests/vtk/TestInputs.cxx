@@ -231,6 +231,13 @@ vtkSmartPointer<vtkUnstructuredGrid> DrilledDisk(double meshSize)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland()
+{
+  return Drill(Loops({ Rectangle({ 0.0, 0.0 }, { 6.0, 4.0 }), Circle(40, 0.7, { 4.5, 2.0 }) }),
+    { { 1.5, 1.0, -1.0, 0.2 }, { 1.5, 3.0, -1.0, 0.1 }, { 3.0, 2.0, -2.0, 0.15 } }, 0.3);
+}
+
+//------------------------------------------------------------------------------
 std::vector<Row> FourOnDisk()
 {
   const double d = 0.6 * std::sqrt(0.5);

@@ -48,6 +48,9 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructuredGrid(vtkPolyData* input);
 /** The unit disk drilled at FourOnDisk(). */
 vtkSmartPointer<vtkUnstructuredGrid> DrilledDisk(double meshSize = 0.15);
 
+/** A rectangle with an island, drilled at singularities of unlike indices that add up to −4. */
+vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland();
+
 /** What vtkDrillHoles makes of a domain. */
 vtkSmartPointer<vtkUnstructuredGrid> Drill(
   vtkPolyData* domain, const std::vector<Row>& rows, double meshSize);

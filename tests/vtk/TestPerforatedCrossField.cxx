@@ -1,7 +1,7 @@
 #include "FieldReading.h"
 #include "FilterChecks.h"
+#include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
-#include "vtkPerforatedCrossField.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -10,7 +10,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -22,53 +21,13 @@
 namespace
 {
 using Complex = std::complex<double>;
-using TestInputs::Circle;
-
-/** A rectangle with an island, whose corners and holes have unlike indices that add up. */
-vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland()
-{
-  return TestInputs::Drill(
-    TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 6.0, 4.0 }),
-      Circle(40, 0.7, { 4.5, 2.0 }) }),
-    { { 1.5, 1.0, -1.0, 0.2 }, { 1.5, 3.0, -1.0, 0.1 }, { 3.0, 2.0, -2.0, 0.15 } }, 0.3);
-}
-
-class PerforatedCrossField : public testing::Test
-{
-public:
-  vtkUnstructuredGrid* Solve(vtkUnstructuredGrid* mesh)
-  {
-    this->Filter->SetInputData(mesh);
-    FilterChecks::UpdateWithoutError(this->Filter);
-    return this->Filter->GetOutput();
-  }
-
-  double Value(const char* name)
-  {
-    vtkDataArray* array =
-      FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name);
-    EXPECT_EQ(array->GetNumberOfValues(), 1) << name;
-    return array->GetComponent(0, 0);
-  }
-
-  vtkNew<vtkPerforatedCrossField> Filter;
-};
-
-void ExpectArray(vtkFieldData* data, const char* name, int type, int components, vtkIdType tuples)
-{
-  vtkDataArray* array = data->GetArray(name);
-  ASSERT_NE(array, nullptr) << name;
-  EXPECT_EQ(array->GetDataType(), type) << name;
-  EXPECT_EQ(array->GetNumberOfComponents(), components) << name;
-  EXPECT_EQ(array->GetNumberOfTuples(), tuples) << name;
-}
 }
 
 TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilter)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Filter->SetInputData(TestInputs::DrilledDisk()); },
-    [this] { this->Filter->SetInputData(DrilledIsland()); });
+    [this] { this->Filter->SetInputData(TestInputs::DrilledIsland()); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckEmptyInput(this->Filter);
@@ -77,20 +36,9 @@ TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilter)
     { "Method", "Start", "UnitHoles", "MaximumIterations", "Tolerance", "StageSeconds" });
 }
 
-TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilterForUnitNorm)
-{
-  this->Filter->SetMethodToUnitNorm();
-  FilterChecks::CheckRunTwice(
-    this->Filter, [this] { this->Filter->SetInputData(TestInputs::DrilledDisk()); },
-    [this] { this->Filter->SetInputData(DrilledIsland()); });
-  FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckProgressAndAbort(this->Filter);
-  FilterChecks::CheckEmptyInput(this->Filter);
-}
-
 TEST_F(PerforatedCrossField, ArraysHaveTheirNamesTypesAndShapes)
 {
-  const auto mesh = DrilledIsland();
+  const auto mesh = TestInputs::DrilledIsland();
   vtkUnstructuredGrid* output = this->Solve(mesh);
   vtkCellData* cells = output->GetCellData();
   vtkPointData* points = output->GetPointData();
@@ -127,7 +75,7 @@ TEST_F(PerforatedCrossField, ArraysHaveTheirNamesTypesAndShapes)
 
 TEST_F(PerforatedCrossField, TrianglesAndLinesAgreeOnTheirEdges)
 {
-  const FieldReading field(this->Solve(DrilledIsland()));
+  const FieldReading field(this->Solve(TestInputs::DrilledIsland()));
   for (const auto& [side, where] : field.sides)
   {
     const auto opposite = field.sides.find({ side[1], side[0] });
@@ -148,7 +96,7 @@ TEST_F(PerforatedCrossField, TrianglesAndLinesAgreeOnTheirEdges)
 
 TEST_F(PerforatedCrossField, IsAlignedWithTheBoundary)
 {
-  const FieldReading field(this->Solve(DrilledIsland()));
+  const FieldReading field(this->Solve(TestInputs::DrilledIsland()));
   for (std::size_t i = 0; i < field.lines.size(); ++i)
   {
     const auto& line = field.lines[i];
@@ -167,7 +115,7 @@ TEST_F(PerforatedCrossField, IsAlignedWithTheBoundary)
 
 TEST_F(PerforatedCrossField, ShownArraysFollowFromTheExactField)
 {
-  vtkUnstructuredGrid* output = this->Solve(DrilledIsland());
+  vtkUnstructuredGrid* output = this->Solve(TestInputs::DrilledIsland());
   const FieldReading field(output);
   const auto expect = [](vtkFieldData* data, vtkIdType tuple, const Complex& u)
   {
@@ -217,7 +165,7 @@ TEST_F(PerforatedCrossField, ShownArraysFollowFromTheExactField)
 
 TEST_F(PerforatedCrossField, TheReportFollowsFromTheExactField)
 {
-  for (const auto& mesh : { TestInputs::DrilledDisk(), DrilledIsland() })
+  for (const auto& mesh : { TestInputs::DrilledDisk(), TestInputs::DrilledIsland() })
   {
     const FieldReading field(this->Solve(mesh));
     const double energy = this->Value("Energy");
@@ -266,7 +214,7 @@ TEST_F(PerforatedCrossField, ReportsTopologyAndUnwantedSingularities)
 
   // The holes beside the island are far from where the field would like its singularities.
   this->Filter->SetStartToHarmonic(); // towards the minimum, whatever it looks like
-  const FieldReading island(this->Solve(DrilledIsland()));
+  const FieldReading island(this->Solve(TestInputs::DrilledIsland()));
   EXPECT_EQ(this->Value("EulerCharacteristic"), 0.0);
   EXPECT_NEAR(this->Value("Valence"), 0.0, 1e-14); // right angles cost nothing
   EXPECT_NEAR(this->Value("TangentTurning"), -1.0, 1e-14);
@@ -297,9 +245,9 @@ TEST_F(PerforatedCrossField, TheUnitOfLengthDoesNotMatter)
 
 TEST_F(PerforatedCrossField, TurningTheDomainTurnsTheField)
 {
-  this->Solve(DrilledIsland());
+  this->Solve(TestInputs::DrilledIsland());
   const double energy = this->Value("Energy");
-  const auto mesh = DrilledIsland();
+  const auto mesh = TestInputs::DrilledIsland();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     const Complex turned =
@@ -308,7 +256,7 @@ TEST_F(PerforatedCrossField, TurningTheDomainTurnsTheField)
   }
   const FieldReading turned(this->Solve(mesh));
   EXPECT_NEAR(this->Value("Energy"), energy, 1e-9 * energy);
-  const FieldReading plain(this->Solve(DrilledIsland()));
+  const FieldReading plain(this->Solve(TestInputs::DrilledIsland()));
   ASSERT_EQ(turned.triangles.size(), plain.triangles.size());
   double largest = 0.0;
   for (const auto& triangle : plain.triangles)
@@ -320,80 +268,6 @@ TEST_F(PerforatedCrossField, TurningTheDomainTurnsTheField)
     }
   }
   EXPECT_LT(largest, 1e-8);
-}
-
-TEST_F(PerforatedCrossField, UnitNormIsUnitAndTurnsAsPrescribed)
-{
-  this->Filter->SetMethodToUnitNorm();
-  for (const auto& mesh : { TestInputs::DrilledDisk(), DrilledIsland() })
-  {
-    const FieldReading field(this->Solve(mesh));
-    double energy = 0.0;
-    double deviation = 0.0;
-    for (std::size_t t = 0; t < field.triangles.size(); ++t)
-    {
-      for (const Complex& u : field.At(field.triangles[t].cell))
-      {
-        deviation = std::max(deviation, std::abs(std::abs(u) - 1.0));
-      }
-      energy += field.PhaseEnergy(t);
-    }
-    EXPECT_LT(deviation, 1e-12);
-    EXPECT_NEAR(this->Value("Energy"), energy, 1e-9 * energy);
-    EXPECT_EQ(field.Singular(), 0);
-    EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
-    EXPECT_EQ(this->Value("Converged"), 1.0);
-    EXPECT_LT(this->Value("Residual"), 1e-9);
-    vtkDataArray* degrees =
-      FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), "HoleDegree");
-    for (int row = 0; row < degrees->GetNumberOfTuples(); ++row)
-    {
-      const int prescribed = field.lines[field.Walk(3, row).front()].quarterIndex;
-      EXPECT_NEAR(field.Degree(row), prescribed, 1e-12);
-      EXPECT_EQ(degrees->GetComponent(row, 0), prescribed);
-    }
-  }
-  // One inner loop, that of the island.
-  vtkFieldData* report = this->Filter->GetOutput()->GetFieldData();
-  ExpectArray(report, "HolonomyDefect", VTK_DOUBLE, 1, 1);
-  EXPECT_LE(std::abs(this->Value("HolonomyDefect")), std::acos(-1.0));
-}
-
-TEST_F(PerforatedCrossField, StartsLeadToMinima)
-{
-  this->Filter->SetStartToHarmonic();
-  this->Solve(TestInputs::DrilledDisk());
-  const double harmonic = this->Value("Energy");
-  this->Filter->SetStartToUnitNorm();
-  this->Solve(TestInputs::DrilledDisk());
-  EXPECT_EQ(this->Value("StartedFromUnitNorm"), 1.0);
-  EXPECT_NEAR(this->Value("Energy"), harmonic, 1e-9 * harmonic);
-  this->Filter->SetStartToBest();
-  this->Solve(TestInputs::DrilledDisk());
-  EXPECT_NEAR(this->Value("Energy"), harmonic, 1e-9 * harmonic);
-  // Among the fields in the plane are those of unit norm.
-  this->Filter->SetMethodToUnitNorm();
-  this->Solve(TestInputs::DrilledDisk());
-  EXPECT_GT(this->Value("Energy"), harmonic);
-}
-
-TEST_F(PerforatedCrossField, UnitHolesHaveUnitCrosses)
-{
-  this->Solve(TestInputs::DrilledDisk());
-  const double free = this->Value("Energy");
-  EXPECT_EQ(this->Value("UnitHoles"), 0.0);
-  this->Filter->UnitHolesOn();
-  const FieldReading field(this->Solve(TestInputs::DrilledDisk()));
-  EXPECT_EQ(this->Value("UnitHoles"), 1.0);
-  EXPECT_GT(this->Value("Energy"), free);
-  for (int row = 0; row < 4; ++row)
-  {
-    EXPECT_NEAR(field.Degree(row), 1.0, 1e-12);
-    for (std::size_t line : field.Walk(3, row))
-    {
-      EXPECT_NEAR(std::abs(field.OnLine(line)), 1.0, 1e-8);
-    }
-  }
 }
 
 TEST_F(PerforatedCrossField, FewIterationsAreAWarningAndNotConverged)
