@@ -23,6 +23,9 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <fstream>
+#include <sstream>
+
 namespace
 {
 using PipelineRun::Error;
@@ -57,6 +60,28 @@ vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
   return reader;
 }
 
+/** vtkOBJReader takes what is not a number for 0. */
+void RequireNumbers(const std::string& file)
+{
+  std::ifstream stream(file);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number)
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    for (int i = 0; word == "v" && i < 3; ++i)
+    {
+      double value = 0.0;
+      if (!(words >> value))
+      {
+        throw Error("Line " + std::to_string(number) + " of '" + file +
+          "' does not hold three finite numbers; correct it.");
+      }
+    }
+  }
+}
+
 /** The points of a table with columns x and y, joined to one closed polyline. */
 vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
 {
@@ -69,6 +94,10 @@ vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
   if (columns[0] == nullptr || columns[1] == nullptr)
   {
     throw Error("The file '" + file + "' has no columns x and y; its first line must be x,y.");
+  }
+  if (table->GetNumberOfRows() == 0)
+  {
+    throw Error("The file '" + file + "' holds no points; give those of one loop.");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -139,6 +168,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   }
   if (ending == ".obj")
   {
+    RequireNumbers(argument);
     return OpenWith<vtkOBJReader>(argument);
   }
   if (ending == ".ply")

@@ -44,6 +44,10 @@ void RequireWritable(const std::string& file, const std::string& ending)
   {
     throw Error("The output file '" + file + "' must end in " + ending + ".");
   }
+  if (vtksys::SystemTools::FileIsDirectory(file))
+  {
+    throw Error("The output '" + file + "' is a folder; choose another name.");
+  }
   std::string folder = vtksys::SystemTools::GetParentDirectory(
     vtksys::SystemTools::CollapseFullPath(file));
   if (access(folder.c_str(), W_OK) != 0)
@@ -65,28 +69,23 @@ void Write(vtkDataObject* data, const std::string& file)
   }
   vtkNew<vtkZLibDataCompressor> compressor;
   compressor->SetCompressionLevel(1); // twice as fast as the default, and a few per cent larger
-  const std::string part = PartName(file);
   writer->SetInputDataObject(data);
-  writer->SetFileName(part.c_str());
   writer->SetDataModeToBinary();
   writer->SetCompressor(compressor);
-  try
-  {
-    PipelineRun::RequireNoError([&writer] { writer->Write(); });
-  }
-  catch (const Error&)
-  {
-    std::remove(part.c_str());
-    throw Error("The file '" + file + "' cannot be written; check the folder and the free space.");
-  }
-  MoveIntoPlace(part, file);
+  writer->WriteToOutputStringOn(); // VTK 9.1 and 9.2 crash when a stream to a file fails
+  PipelineRun::RequireNoError([&writer] { writer->Write(); });
+  WriteText(writer->GetOutputString(), file);
 }
 
 void WriteText(const std::string& text, const std::string& file)
 {
   if (file == "-")
   {
-    std::cout << text;
+    std::cout << text << std::flush;
+    if (!std::cout)
+    {
+      throw Error("The report cannot be written to standard output; check where it goes.");
+    }
     return;
   }
   const std::string part = PartName(file);

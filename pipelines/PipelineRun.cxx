@@ -14,6 +14,7 @@
 #include <iostream>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace
 {
@@ -26,17 +27,21 @@ public:
 
   void DisplayErrorText(const char* text) override
   {
-    if (this->First.empty())
+    // The executive repeats that an algorithm failed; a few readers leave it at a warning.
+    const bool repetition =
+      std::string(text).find("returned failure for request") != std::string::npos;
+    this->Failed = true;
+    if (this->First.empty() && !repetition)
     {
       this->First = Sentence(text);
     }
   }
-  void DisplayWarningText(const char* text) override
-  {
-    std::cerr << "Warning: " << Sentence(text) << "\n";
-  }
+  void DisplayWarningText(const char* text) override { this->Warnings.push_back(Sentence(text)); }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
 
+  bool Failed = false;
   std::string First;
+  std::vector<std::string> Warnings;
 
 private:
   /** VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n". */
@@ -75,9 +80,16 @@ void RequireNoError(void (*work)(void*), void* data)
     throw;
   }
   vtkOutputWindow::SetInstance(previous);
-  if (!catcher->First.empty())
+  if (catcher->Failed)
   {
-    throw Error(catcher->First);
+    const auto& warnings = catcher->Warnings;
+    throw Error(!catcher->First.empty() ? catcher->First
+        : !warnings.empty()             ? warnings.front()
+                                        : "VTK does not say why");
+  }
+  for (const std::string& warning : catcher->Warnings)
+  {
+    std::cerr << "Warning: " << warning << "\n";
   }
 }
 

@@ -127,6 +127,11 @@ int Solve(const SolveOptions& options)
   if (!options.json.empty() && options.json != "-")
   {
     OutputFile::RequireWritable(options.json, "");
+    if (options.json == options.output)
+    {
+      throw PipelineRun::Error(
+        "The field and the report cannot both go to '" + options.json + "'; give two names.");
+    }
   }
   if (options.method == "ginzburg-landau")
   {

@@ -27,8 +27,14 @@ Loop Arc(double semiAxisX, double semiAxisY, double from, double to, double edge
   // four equal quarters keep the symmetries of the shape.
   const double length = std::max(semiAxisX, semiAxisY) * (to - from);
   const double quarters = (to - from) / (0.5 * Pi);
-  const auto count = static_cast<int>(
-    quarters * std::max(2.0, std::ceil(length / quarters / edgeLength * (1.0 - 1e-12))));
+  const double segments =
+    quarters * std::max(2.0, std::ceil(length / quarters / edgeLength * (1.0 - 1e-12)));
+  if (!(segments < 1e7))
+  {
+    throw Error("The edge length of a built-in domain would cut its curve into more than ten "
+                "million segments; give a larger one.");
+  }
+  const auto count = static_cast<int>(segments);
   Loop points;
   for (int i = 0; i < count; ++i)
   {

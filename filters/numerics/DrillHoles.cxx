@@ -44,6 +44,14 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
     const double distance = SignedDistance(here.position, domain);
     std::ostringstream text;
     text.precision(6);
+    // The points of a smaller hole would be lost in the rounding of the coordinates.
+    const double smallest = 1e-9 * domain.Diagonal();
+    if (here.radius < smallest)
+    {
+      text << "The hole of " << Describe(i, here) << " has a radius of " << here.radius
+           << "; give at least " << smallest << ", 1e-9 of the domain's diagonal.";
+      throw Error(text.str());
+    }
     if (distance < 0.0)
     {
       text << "The hole of " << Describe(i, here) << " lies outside the domain; move it inside.";

@@ -27,6 +27,19 @@ namespace
 using crossfield::Error;
 using crossfield::Point;
 
+/** Readers do not check that the points of a cell exist. */
+void RequirePoints(vtkIdType cell, vtkIdList* ids, vtkIdType count)
+{
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    if (ids->GetId(i) < 0 || ids->GetId(i) >= count)
+    {
+      throw Error("Cell " + std::to_string(cell) + " uses point " + std::to_string(ids->GetId(i)) +
+        " of " + std::to_string(count) + "; the file is damaged, make it again.");
+    }
+  }
+}
+
 /** The lines and surface cells of a data set; other cells than vertices are refused. */
 vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
 {
@@ -44,6 +57,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
   {
     const int type = input->GetCellType(cell);
     input->GetCellPoints(cell, ids);
+    RequirePoints(cell, ids, input->GetNumberOfPoints());
     switch (type)
     {
       case VTK_EMPTY_CELL:
@@ -227,6 +241,11 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input)
     throw Error("The singularities have no point array 'QuarterIndex' with one component; add it "
                 "(4 times the index of each point).");
   }
+  if (radii != nullptr && radii->GetNumberOfComponents() != 1)
+  {
+    throw Error("The point array 'Radius' of the singularities has " +
+      std::to_string(radii->GetNumberOfComponents()) + " components; give one radius per point.");
+  }
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const double quarter = quarters->GetTuple1(i);
@@ -269,6 +288,7 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, points);
+    RequirePoints(cell, points, input->GetNumberOfPoints());
     const auto vertex = [&points](vtkIdType i) { return static_cast<int>(points->GetId(i)); };
     const int kind = static_cast<int>(kinds->GetTuple1(cell));
     if (input->GetCellType(cell) == VTK_TRIANGLE)

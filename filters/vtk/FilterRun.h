@@ -43,6 +43,7 @@ unsigned long Run(Algorithm* self, Work work)
     });
   try
   {
+    progress.Report(0.0); // an abort before the work begins
     work(progress);
     return vtkErrorCode::NoError;
   }
