@@ -93,6 +93,10 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   }
   this->Differences.resize(trailing, count);
   this->Differences.setFromTriplets(entries.begin(), entries.end());
+  if (trailing == 0)
+  {
+    return; // neither holes nor inner loops: nothing is left to choose
+  }
   const Eigen::MatrixXd root = potential.TrailingFactor().triangularView<Eigen::Lower>().solve(
     Eigen::MatrixXd(this->Differences));
   this->Reduced.matrix = root.transpose() * root;

@@ -63,6 +63,10 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
     {
       throw Error("A boundary loop has fewer than three points; it encloses nothing.");
     }
+    if (!std::all_of(loop.begin(), loop.end(), [](const Point& p) { return p.allFinite(); }))
+    {
+      throw Error("The boundary has a point whose coordinates are not finite numbers; remove it.");
+    }
   }
   const std::vector<int> depths = NestingDepths(loops);
   if (std::count(depths.begin(), depths.end(), 0) > 1)

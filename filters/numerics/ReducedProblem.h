@@ -13,7 +13,7 @@ struct ReducedProblem
 {
   Eigen::MatrixXd matrix; ///< S, symmetric positive definite.
   ComplexVector load;     ///< b; S⁻¹ b are the values of the field without constraints.
-  std::vector<DegreeConstraint> constraints;
+  std::vector<DegreeConstraint> constraints; ///< Every unknown belongs to exactly one.
 };
 
 struct ReducedOptions

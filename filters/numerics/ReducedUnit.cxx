@@ -60,6 +60,12 @@ Eigen::MatrixXcd EvenTurning(const ReducedProblem& problem)
 ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
   const ReducedOptions& options, const Progress& progress)
 {
+  ReducedSolution solution;
+  if (problem.constraints.empty())
+  {
+    solution.converged = true;
+    return solution;
+  }
   const Eigen::MatrixXcd turning = EvenTurning(problem);
   const PhaseProblem phases{ turning.adjoint() * problem.matrix.cast<Complex>() * turning,
     turning.adjoint() * problem.load };
@@ -67,7 +73,6 @@ ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
   PhasePoint point(phases,
     nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }));
 
-  ReducedSolution solution;
   bool stalled = false;
   bool minimum = false;
   while (!stalled && solution.iterations < options.maximumIterations)
