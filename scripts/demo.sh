@@ -23,7 +23,8 @@ build/bin/crossfield solve builtin:disk --singularities "$demo/four.csv" --size 
   --output "$demo/cross_field.vtu"
 echo "The same field and its picture, by ParaView:"
 plugin=$(build/bin/crossfield --paths | sed -n 's/^plugin: //p')
-xvfb-run -a pvpython pipelines/pvpython/place_singularities.py --plugin "$plugin" \
+# -noreset: ParaView opens and closes a window first, and a server that resets refuses the next one.
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython pipelines/pvpython/place_singularities.py --plugin "$plugin" \
   --singularities "$demo/four.csv" --output "$demo/cross_field_paraview.vtu" \
   --picture "$demo/cross_field.png"
 

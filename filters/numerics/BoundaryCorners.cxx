@@ -5,21 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <sstream>
 
 namespace crossfield
 {
-namespace
-{
-std::string Place(const Point& point)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << "(" << point.x() << ", " << point.y() << ")";
-  return text.str();
-}
-}
-
 Corner DescribeVertex(const std::vector<Loop>& loops, std::size_t loop, std::size_t vertex)
 {
   const Loop& points = loops[loop];
@@ -67,13 +55,13 @@ std::vector<std::size_t> MatchChoices(
       [&distance](const Point& a, const Point& b) { return distance(a) < distance(b); });
     if (nearest == vertices.end() || !(distance(*nearest) <= reach * reach))
     {
-      throw Error("The corner with a chosen quarter index at " + Place(choice.position) +
+      throw Error("The corner with a chosen quarter index at " + Describe(choice.position) +
         " is not a vertex of the boundary; give the corners of this domain.");
     }
     const auto match = static_cast<std::size_t>(nearest - vertices.begin());
     if (std::find(matches.begin(), matches.end(), match) != matches.end())
     {
-      throw Error("The vertex of the boundary at " + Place(*nearest) +
+      throw Error("The vertex of the boundary at " + Describe(*nearest) +
         " has two chosen quarter indices; give one.");
     }
     matches.push_back(match);

@@ -3,20 +3,11 @@
 #include "Error.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace crossfield
 {
 namespace
 {
-std::string Place(const Point& point)
-{
-  std::ostringstream text;
-  text.precision(9);
-  text << "(" << point.x() << ", " << point.y() << ")";
-  return text.str();
-}
-
 /// The segments without their direction, without repetitions and without points.
 std::vector<std::array<int, 2>> DistinctSegments(std::vector<std::array<int, 2>> segments)
 {
@@ -55,7 +46,7 @@ std::vector<Loop> ChainLoops(
       auto& pair = neighbours[static_cast<std::size_t>(here)];
       if (pair[1] != None)
       {
-        throw Error("The boundary branches at " + Place(point) +
+        throw Error("The boundary branches at " + Describe(point) +
           ": more than two segments meet there; keep one closed curve through each point.");
       }
       pair[pair[0] == None ? 0 : 1] = there;
@@ -65,7 +56,7 @@ std::vector<Loop> ChainLoops(
   {
     if (neighbours[i][0] != None && neighbours[i][1] == None)
     {
-      throw Error("The boundary is an open curve that ends at " + Place(points[i]) +
+      throw Error("The boundary is an open curve that ends at " + Describe(points[i]) +
         "; join its ends so that every loop is closed.");
     }
   }

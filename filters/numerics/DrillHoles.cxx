@@ -14,11 +14,8 @@ namespace
 {
 std::string Describe(std::size_t row, const Singularity& singularity)
 {
-  std::ostringstream text;
-  text.precision(9);
-  text << "singularity " << row << " at (" << singularity.position.x() << ", "
-       << singularity.position.y() << ")";
-  return text.str();
+  return "singularity " + std::to_string(row) + " at " +
+    crossfield::Describe(singularity.position);
 }
 
 void CheckSingularity(std::size_t row, const Singularity& singularity)

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <sstream>
 
 namespace crossfield
 {
@@ -15,6 +16,14 @@ bool Before(const Point& a, const Point& b)
 {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
+}
+
+std::string Describe(const Point& point)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << "(" << point.x() << ", " << point.y() << ")";
+  return text.str();
 }
 
 double SignedArea(const Loop& loop)

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace crossfield
@@ -58,11 +57,8 @@ Point FromCgal(const CgalPoint& point)
 
 [[noreturn]] void ThrowTouching(const Point& point)
 {
-  std::ostringstream text;
-  text.precision(9);
-  text << "The boundary crosses or touches itself near (" << point.x() << ", " << point.y()
-       << "); separate or remove the segments that meet there.";
-  throw Error(text.str());
+  throw Error("The boundary crosses or touches itself near " + Describe(point) +
+    "; separate or remove the segments that meet there.");
 }
 
 /// Inserts the segments of all loops; refuses loops that cross, overlap or touch.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -24,6 +25,9 @@ inline double AngleBetween(const Point& a, const Point& b)
 {
   return std::atan2(Cross(a, b), a.dot(b));
 }
+
+/// "(x, y)", for messages.
+std::string Describe(const Point& point);
 
 /// Area enclosed by a loop, positive when it is counter-clockwise.
 double SignedArea(const Loop& loop);

@@ -6,7 +6,7 @@ The pipeline is that of `crossfield solve builtin:disk`, built from ParaView pro
 
 Usage:
 
-    xvfb-run -a pvpython place_singularities.py --plugin CrossFieldPlugin.so
+    xvfb-run -a -s -noreset pvpython place_singularities.py --plugin CrossFieldPlugin.so
         --output field.vtu --picture field.png [--singularities four.csv]
 
 The file of singularities has the header `x,y,quarter_index,radius`; without one, four
@@ -16,7 +16,7 @@ plugin is. On a desktop pvpython needs no xvfb-run.
 Sample run:
 
     plugin=$(build/bin/crossfield --paths | sed -n 's/^plugin: //p')
-    xvfb-run -a pvpython pipelines/pvpython/place_singularities.py --plugin "$plugin" \
+    xvfb-run -a -s -noreset pvpython pipelines/pvpython/place_singularities.py --plugin "$plugin" \
         --output field.vtu --picture field.png
 """
 import argparse
