@@ -72,7 +72,8 @@ Eigen::MatrixXd LagrangianHessian(const ReducedProblem& problem, const Eigen::Ve
   Eigen::MatrixXcd hessian = problem.matrix.cast<Complex>();
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
-    problem.constraints[i].AddHessian(multipliers[static_cast<Eigen::Index>(i)], hessian);
+    hessian += multipliers[static_cast<Eigen::Index>(i)] *
+      problem.constraints[i].Hessian(problem.matrix.rows());
   }
   return Real(hessian);
 }

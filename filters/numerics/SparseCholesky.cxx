@@ -1,6 +1,6 @@
 #include "SparseCholesky.h"
 
-#include "Error.h"
+#include "SerialBlas.h"
 
 #include <cholmod.h>
 
@@ -25,6 +25,11 @@ struct SparseCholesky::Factor
     this->common.nmethods = 1;
     this->common.method[0].ordering = CHOLMOD_GIVEN;
     this->common.postorder = 1;
+    // Merge supernodes of up to 16 columns always, of up to 32 and 64 with few zeros: planar meshes
+    // have small ones, and calling BLAS less often saves a tenth of the time (CHOLMOD: 4, 16, 48).
+    this->common.nrelax[0] = 16;
+    this->common.nrelax[1] = 32;
+    this->common.nrelax[2] = 64;
   }
   ~Factor()
   {
@@ -65,6 +70,7 @@ SparseCholesky::SparseCholesky(
   view.sorted = 1;
   view.packed = 1;
 
+  const SerialBlas serial;
   cholmod_common* common = &this->Data->common;
   this->Data->factor =
     cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
@@ -79,15 +85,15 @@ SparseCholesky::SparseCholesky(
   }
   if (this->Data->factor == nullptr || common->status != CHOLMOD_OK)
   {
-    throw NotPositiveDefinite("The matrix is not positive definite; the mesh may be in several "
-                              "parts or have degenerate triangles, remesh the domain.");
+    throw NotPositiveDefinite();
   }
 }
 
 SparseCholesky::~SparseCholesky() = default;
 
-Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) const
+Eigen::MatrixXd SparseCholesky::Solve(int system, const Eigen::MatrixXd& rightHandSides) const
 {
+  const SerialBlas serial;
   cholmod_dense view = {};
   view.nrow = static_cast<std::size_t>(rightHandSides.rows());
   view.ncol = static_cast<std::size_t>(rightHandSides.cols());
@@ -96,8 +102,7 @@ Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) con
   view.x = const_cast<double*>(rightHandSides.data());
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution =
-    cholmod_solve(CHOLMOD_A, this->Data->factor, &view, &this->Data->common);
+  cholmod_dense* solution = cholmod_solve(system, this->Data->factor, &view, &this->Data->common);
   if (solution == nullptr)
   {
     throw Error("There is not enough memory to solve the linear system; use a larger mesh size.");
@@ -105,12 +110,28 @@ Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) con
   Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
     static_cast<double*>(solution->x), rightHandSides.rows(), rightHandSides.cols());
   cholmod_free_dense(&solution, &this->Data->common);
+  return result;
+}
+
+Eigen::MatrixXd SparseCholesky::Solve(const Eigen::MatrixXd& rightHandSides) const
+{
+  Eigen::MatrixXd result = this->Solve(CHOLMOD_A, rightHandSides);
   if (!result.allFinite())
   {
     throw Error("The solution of the linear system is not finite; the mesh has degenerate "
                 "triangles, remesh the domain.");
   }
   return result;
+}
+
+Eigen::MatrixXd SparseCholesky::SolveLower(const Eigen::MatrixXd& rightHandSides) const
+{
+  return this->Solve(CHOLMOD_L, this->Solve(CHOLMOD_P, rightHandSides));
+}
+
+Eigen::MatrixXd SparseCholesky::SolveUpper(const Eigen::MatrixXd& rightHandSides) const
+{
+  return this->Solve(CHOLMOD_Pt, this->Solve(CHOLMOD_Lt, rightHandSides));
 }
 
 Eigen::MatrixXd SparseCholesky::TrailingFactor(int count) const
