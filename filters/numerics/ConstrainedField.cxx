@@ -99,7 +99,9 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   }
   const Eigen::MatrixXd root = potential.TrailingFactor().triangularView<Eigen::Lower>().solve(
     Eigen::MatrixXd(this->Differences));
-  this->Reduced.matrix = root.transpose() * root;
+  this->Reduced.matrix = Eigen::MatrixXd::Zero(count, count);
+  this->Reduced.matrix.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+  this->Reduced.matrix.triangularView<Eigen::StrictlyUpper>() = this->Reduced.matrix.transpose();
   if (!this->ConstantsCount)
   {
     // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.

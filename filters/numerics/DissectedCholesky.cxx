@@ -109,17 +109,22 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
 Eigen::MatrixXd DissectedCholesky::FactorHalf(
   const Eigen::SparseMatrix<double>& matrix, Half& half) const
 {
+  if (half.unknowns.empty())
+  {
+    return {}; // of a matrix so small that there is nothing beside the border
+  }
+
   // 1. The part of the border next to the half, in the border's order.
-  std::vector<int> inner(static_cast<std::size_t>(this->Size), -1); // position in half.unknowns
+  std::vector<int> local(static_cast<std::size_t>(this->Size), -1); // positions in elimination order
   for (std::size_t i = 0; i < half.unknowns.size(); ++i)
   {
-    inner[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
+    local[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
   }
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, this->Border[i]); entry; ++entry)
     {
-      if (inner[static_cast<std::size_t>(entry.row())] >= 0)
+      if (local[static_cast<std::size_t>(entry.row())] >= 0)
       {
         half.border.push_back(static_cast<int>(i));
         break;
@@ -130,7 +135,6 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   // 2. The lower half of the matrix on both, in elimination order.
   const auto innerSize = static_cast<int>(half.unknowns.size());
   const auto borderSize = static_cast<int>(half.border.size());
-  std::vector<int> local = std::move(inner);
   for (int i = 0; i < borderSize; ++i)
   {
     local[static_cast<std::size_t>(this->Border[static_cast<std::size_t>(
@@ -187,6 +191,11 @@ DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
   ForBothHalves([&](std::size_t h)
     {
       const Half& half = this->Halves[h];
+      if (half.unknowns.empty())
+      {
+        eliminated.halves[h].resize(0, rightHandSides.cols());
+        return;
+      }
       Eigen::MatrixXd load = Eigen::MatrixXd::Zero(
         Count(half.unknowns) + Count(half.border), rightHandSides.cols());
       for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
@@ -228,6 +237,10 @@ Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) cons
   ForBothHalves([&](std::size_t h)
     {
       const Half& half = this->Halves[h];
+      if (half.unknowns.empty())
+      {
+        return;
+      }
       Eigen::MatrixXd next(Count(half.border), columns);
       for (Eigen::Index i = 0; i < Count(half.border); ++i)
       {

@@ -1,6 +1,7 @@
 #include "ReducedProblem.h"
 
 #include "DenseCholesky.h"
+#include "SerialBlas.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
@@ -200,6 +201,7 @@ ReducedSolution SolveReduced(
     solution.converged = true;
     return solution;
   }
+  const SerialBlas serial; // once, not for every small factorisation
   const Eigen::VectorXd zero =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
 

@@ -24,7 +24,7 @@ struct SparseCholesky::Factor
     this->common.final_ll = 1;
     this->common.nmethods = 1;
     this->common.method[0].ordering = CHOLMOD_GIVEN;
-    this->common.postorder = 1;
+    this->common.postorder = 0; // or unknowns that should come last move when the rest is in parts
     // Merge supernodes of up to 16 columns always, of up to 32 and 64 with few zeros: planar meshes
     // have small ones, and calling BLAS less often saves a tenth of the time (CHOLMOD: 4, 16, 48).
     this->common.nrelax[0] = 16;
@@ -139,14 +139,6 @@ Eigen::MatrixXd SparseCholesky::TrailingFactor(int count) const
   const cholmod_factor& factor = *this->Data->factor;
   const auto n = static_cast<int>(factor.n);
   const int begin = n - count;
-  // CHOLMOD postorders the elimination tree. The trailing unknowns are one chain at its root when
-  // the rest is connected, which keeps them in place; anything else would be a wrong answer.
-  const auto* permutation = static_cast<const int*>(factor.Perm);
-  if (!std::equal(permutation + begin, permutation + n, this->Data->order.begin() + begin))
-  {
-    throw Error("The factorisation moved the unknowns that should come last; the mesh may be in "
-                "several parts.");
-  }
   Eigen::MatrixXd trailing = Eigen::MatrixXd::Zero(count, count);
   const auto* columnStarts = static_cast<const int*>(factor.super);
   const auto* rowStarts = static_cast<const int*>(factor.pi);

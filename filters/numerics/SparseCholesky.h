@@ -22,7 +22,7 @@ public:
 };
 
 /// Supernodal Cholesky factorisation A = Pᵀ L Lᵀ P of a symmetric positive definite matrix by
-/// CHOLMOD, in a given elimination order.
+/// CHOLMOD, in exactly the elimination order given.
 class SparseCholesky
 {
 public:
@@ -37,8 +37,7 @@ public:
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
   /// The two halves of Solve: L⁻¹ P B and Pᵀ L⁻ᵀ B. Rows of the result of the first, and of the
-  /// argument of the second, are in CHOLMOD's order, in which the trailing unknowns keep their places
-  /// at the end.
+  /// argument of the second, are in elimination order.
   Eigen::MatrixXd SolveLower(const Eigen::MatrixXd& rightHandSides) const;
   Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
 
