@@ -1,0 +1,50 @@
+"""State: two configurations on one domain, their fields side by side and their energies in a table.
+
+The table has one row per configuration, the best first: singularities at distance 0.85 from the
+centre of the disk cost less than at 0.6.
+"""
+import math
+
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
+
+
+def square(radius):
+    """Rows of four singularities of quarter index 1 on the diagonals."""
+    rows = []
+    for side in range(4):
+        angle = math.pi / 4 + math.pi / 2 * side
+        rows += [radius * math.cos(angle), radius * math.sin(angle), 1, 0.05]
+    return rows
+
+
+layout = CreateLayout("Configurations")
+configurations = []
+for position, radius in enumerate((0.6, 0.85)):
+    name = "At %g" % radius
+    singularities = SingularitySource(registrationName=name, Singularities=square(radius))
+    configurations.append(singularities)
+    field = PerforatedCrossField(
+        registrationName="Field of " + name, Method="Unit Norm",
+        Input=DrillHoles(registrationName="Mesh of " + name, Input=domain,
+                         Singularities=singularities, MeshSize=0.05))
+    view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                            OrientationAxesVisibility=0, InteractionMode="2D")
+    if position == 0:
+        cell = layout.SplitVertical(0, 0.7)
+        layout.AssignView(layout.SplitHorizontal(1, 0.5), view)
+    else:
+        layout.AssignView(4, view)
+    surface = Show(field, view)
+    SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0,
+                  AmbientColor=[0.85, 0.92, 1])
+    lines = Show(CrossGlyphs(registrationName="Crosses of " + name, Input=field, Spacing=0.06), view)
+    SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+    ResetCamera(view)
+
+energies = SingularityEnergy(registrationName="Energies", Input=domain,
+                             Configurations=configurations)
+table = CreateView("SpreadSheetView")
+layout.AssignView(2, table)
+Show(energies, table)

@@ -1,0 +1,40 @@
+"""State: let four scattered singularities move to where the field is smoothest.
+
+The green points are where they start and the red ones where they end; the curve is the renormalised
+energy over the iterations. The field is that of the moved singularities.
+"""
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
+start = SingularitySource(
+    registrationName="Start",
+    Singularities=[0.5, 0.1, 1, 0.05, 0.0, 0.4, 1, 0.05, -0.6, -0.1, 1, 0.05, 0.2, -0.5, 1, 0.05])
+moved = SingularityOptimizer(registrationName="Moved", Input=domain, Singularities=start,
+                             MeshSize=0.05)
+field = PerforatedCrossField(
+    registrationName="Cross field", Method="Unit Norm",
+    Input=DrillHoles(registrationName="Drilled mesh", Input=domain, Singularities=moved,
+                     MeshSize=0.05))
+crosses = CrossGlyphs(registrationName="Crosses", Input=field, Spacing=0.06)
+
+layout = CreateLayout("Optimisation")
+layout.SplitHorizontal(0, 0.6)
+view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                        OrientationAxesVisibility=0, InteractionMode="2D")
+layout.AssignView(1, view)
+surface = Show(field, view)
+SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0,
+              AmbientColor=[0.85, 0.92, 1])
+lines = Show(crosses, view)
+SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+for points, colour in ((start, [0, 0.6, 0]), (moved, [0.8, 0, 0])):
+    shown = Show(points, view)
+    SetProperties(shown, PointSize=12, RenderPointsAsSpheres=1, ColorArrayName=["POINTS", ""],
+                  AmbientColor=colour, DiffuseColor=colour, Position=[0, 0, 0.02])
+ResetCamera(view)
+
+chart = CreateView("XYChartView")
+layout.AssignView(2, chart)
+curve = Show(OutputPort(moved, 1), chart)
+SetProperties(curve, UseIndexForXAxis=1, SeriesVisibility=["RenormalizedEnergy"])
+chart.ChartTitle = "Renormalised energy"

@@ -1,0 +1,32 @@
+"""State: the scalar field H, the sizes of the quads that it asks for, and the crosses from it.
+
+Five singularities of both signs lie off the centre of a disk. The lines are contours of H, which
+meet the boundary at a right angle where it is straight; the colours are the size map.
+"""
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.04)
+singularities = SingularitySource(
+    registrationName="Singularities",
+    Singularities=[0.5, 0.2, 1, 0.05, -0.45, 0.4, 1, 0.05, -0.3, -0.5, 1, 0.05,
+                   0.35, -0.45, 2, 0.05, 0.05, 0.05, -1, 0.05])
+field = HField(registrationName="H field", Input=domain, Singularities=singularities, MeshSize=0.04)
+crosses = CrossGlyphs(registrationName="Crosses", Input=field, Spacing=0.06)
+
+view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                        OrientationAxesVisibility=0, InteractionMode="2D")
+AssignViewToLayout(view)
+surface = Show(field, view)
+ColorBy(surface, ("POINTS", "SizeMap"))
+surface.SetScalarBarVisibility(view, True)
+SetProperties(GetScalarBar(GetColorTransferFunction("SizeMap"), view),
+              Title="Size", ComponentTitle="", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
+field.UpdatePipeline()
+least, largest = field.PointData["H"].GetRange()
+levels = [least + (largest - least) * (i + 0.5) / 16 for i in range(16)]
+contours = Show(Contour(registrationName="Contours of H", Input=field, ContourBy=["POINTS", "H"],
+                        Isosurfaces=levels), view)
+SetProperties(contours, ColorArrayName=["POINTS", ""], AmbientColor=[0.5, 0, 0.5], DiffuseColor=[0.5, 0, 0.5])
+lines = Show(crosses, view)
+SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+ResetCamera(view)
