@@ -77,6 +77,29 @@ void Write(vtkDataObject* data, const std::string& file)
   WriteText(writer->GetOutputString(), file);
 }
 
+void WriteBlocks(const Blocks& blocks, const std::string& file)
+{
+  using vtksys::SystemTools;
+  const std::string name = SystemTools::GetFilenameWithoutLastExtension(file);
+  const std::string folder =
+    SystemTools::GetParentDirectory(SystemTools::CollapseFullPath(file)) + "/" + name;
+  if (!SystemTools::MakeDirectory(folder).IsSuccess())
+  {
+    throw Error("The folder '" + folder + "' cannot be made; choose another name.");
+  }
+  std::string index = "<?xml version=\"1.0\"?>\n"
+                      "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+                      "  <vtkMultiBlockDataSet>\n";
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const auto& [block, data] = blocks[i];
+    Write(data, folder + "/" + block + ".vtu");
+    index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + block + "\" file=\"" +
+      name + "/" + block + ".vtu\"/>\n";
+  }
+  WriteText(index + "  </vtkMultiBlockDataSet>\n</VTKFile>\n", file);
+}
+
 void WriteText(const std::string& text, const std::string& file)
 {
   if (file == "-")

@@ -100,13 +100,10 @@ Circle Describe(const TriangleMesh& mesh, const BoundaryLoop& loop)
 {
   Circle circle;
   circle.wanted = loop.quarterIndex;
+  circle.centre = CentreOf(loop, mesh);
   const auto ends = [&](int edge) -> const std::array<int, 2>&
   { return mesh.imprinted[static_cast<std::size_t>(edge)].vertices; };
   const auto point = [&](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
-  for (const int edge : loop.edges)
-  {
-    circle.centre += point(ends(edge)[0]) / static_cast<double>(loop.edges.size());
-  }
   for (const int edge : loop.edges)
   {
     const double length = (point(ends(edge)[1]) - point(ends(edge)[0])).norm();

@@ -177,6 +177,23 @@ std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges)
   return result;
 }
 
+Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh)
+{
+  const auto& marked =
+    loop.kind == BoundaryKind::ImprintedCircle ? mesh.imprinted : mesh.boundary;
+  Point sum = Point::Zero();
+  double length = 0.0;
+  for (const int edge : loop.edges)
+  {
+    const auto& ends = marked[static_cast<std::size_t>(edge)].vertices;
+    const Point& from = mesh.points[static_cast<std::size_t>(ends[0])];
+    const Point& to = mesh.points[static_cast<std::size_t>(ends[1])];
+    sum += 0.5 * (to - from).norm() * (from + to);
+    length += (to - from).norm();
+  }
+  return sum / length;
+}
+
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh)
 {
   return FindLoops(mesh.boundary, mesh.points.size());

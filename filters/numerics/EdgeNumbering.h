@@ -44,6 +44,9 @@ struct BoundaryLoop
 /// The edges of the mesh that a loop consists of, in its order.
 std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges);
 
+/// Centre of mass of a loop as a wire: that of a circle also where its edges were split unevenly.
+Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh);
+
 /// The loops of the marked edges, ordered by kind and id. Throws Error when one is not closed.
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
 

@@ -36,7 +36,8 @@ EdgeReduction::EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edge
       midpoints.push_back(Midpoint(mesh, edges, edge));
     }
     this->Reduced.constraints.push_back(
-      MakeDegreeConstraint(std::move(unknowns), midpoints, loop.quarterIndex));
+      MakeDegreeConstraint(
+      std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
   this->Factor = std::make_unique<SparseCholesky>(
     this->Aligned.freeStiffness, this->Aligned.EliminationOrder(this->Constrained));

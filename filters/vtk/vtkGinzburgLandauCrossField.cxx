@@ -18,7 +18,10 @@ static_assert(static_cast<int>(crossfield::GinzburgLandauStart::Given) ==
   "starts are numbered as in the numerics");
 
 //------------------------------------------------------------------------------
-vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField() = default;
+vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField()
+  : vtkCrossFieldSolver(500)
+{
+}
 
 //------------------------------------------------------------------------------
 int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
@@ -53,22 +56,13 @@ int vtkGinzburgLandauCrossField::RequestData(
         CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
       options.pinning.gradientWeight =
         CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
-      options.maximumIterations = this->MaximumIterations;
-      options.tolerance = this->Tolerance;
+      options.maximumIterations = this->GetMaximumIterations();
+      options.tolerance = this->GetTolerance();
       const crossfield::GinzburgLandauField field =
         crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
-      if (!field.converged)
-      {
-        vtkWarningMacro("The iteration stopped after "
-          << field.iterations << " steps with a relative residual of " << field.residual
-          << "; the field is not a minimum. Allow more iterations, or use a larger epsilon.");
-      }
-      output->ShallowCopy(input);
-      CrossFieldArrays::AddField(cells, field, output);
-      CrossFieldArrays::AddGinzburgLandauReport(field, output);
-      this->StageSeconds[0] = field.seconds.assemble;
-      this->StageSeconds[1] = field.seconds.factor;
-      this->StageSeconds[2] = field.seconds.solve;
+      this->Publish(cells, field,
+        "the field is not a minimum. Allow more iterations, or use a larger epsilon.", input, output);
+      CrossFieldArrays::AddConvexifiedSteps(field.convexifiedSteps, output);
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
@@ -82,8 +76,4 @@ void vtkGinzburgLandauCrossField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Start: " << starts[this->Start] << "\n";
   os << indent << "NormArrayName: " << this->NormArrayName << "\n";
   os << indent << "GradientWeightArrayName: " << this->GradientWeightArrayName << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
-     << this->StageSeconds[2] << "\n";
 }

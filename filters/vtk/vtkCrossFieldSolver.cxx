@@ -1,0 +1,34 @@
+#include "vtkCrossFieldSolver.h"
+
+#include "CrossFieldArrays.h"
+
+#include "vtkUnstructuredGrid.h"
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,
+  const crossfield::CrossField& field, const char* advice, vtkUnstructuredGrid* input,
+  vtkUnstructuredGrid* output)
+{
+  if (!field.converged)
+  {
+    vtkWarningMacro("The iteration stopped after "
+      << field.iterations << " steps with a relative residual of " << field.residual << "; "
+      << advice);
+  }
+  output->ShallowCopy(input);
+  CrossFieldArrays::AddField(cells, field, output);
+  CrossFieldArrays::AddReport(field, output);
+  this->StageSeconds[0] = field.seconds.assemble;
+  this->StageSeconds[1] = field.seconds.factor;
+  this->StageSeconds[2] = field.seconds.solve;
+}
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
+     << this->StageSeconds[2] << "\n";
+}
