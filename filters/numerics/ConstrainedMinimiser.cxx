@@ -10,8 +10,15 @@ namespace crossfield
 {
 namespace
 {
-/// The smallest shift, relative to M, that is tried.
-constexpr double FirstShift = 0.125;
+/// The shifts, relative to M, that are tried: the first one, and how they grow. Where a
+/// factorisation is dear, but a step that is damped too much dearer, as in GinzburgLandau.cxx.
+struct Shifts
+{
+  double first;
+  double growth;
+};
+constexpr Shifts DenseShifts = { 0.125, 2.0 };
+constexpr Shifts SparseShifts = { 1.0 / 64.0, 4.0 };
 
 /// Weighting the normals this heavily, relative to the stiffness, leaves the sign of a quadratic form
 /// on their complement to decide whether it is positive definite.
@@ -19,6 +26,9 @@ constexpr double NormalWeight = 1e4;
 
 /// As in GinzburgLandau.cxx: convexified steps that lower the merit by less are caught at a saddle.
 constexpr double SlowDescent = 1e-4;
+
+/// Merits that differ by less, relatively, may differ by what is left of the residual.
+constexpr double NoticeableDescent = 1e-9;
 
 /// The parts of a complex vector as a real one.
 Eigen::Map<const Eigen::VectorXd> Parts(const ComplexVector& x)
@@ -113,7 +123,9 @@ public:
         break;
       }
       const double before = this->Here.Merit(this->Weight);
-      const bool leaves = this->Options.leavesSaddles && (critical || slow) && this->LeaveSaddle();
+      // Off a critical point it has to pay more than the steps that it takes the place of.
+      const bool leaves = this->Options.leavesSaddles && (critical || slow) &&
+        this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent);
       if (critical && !leaves)
       {
         break; // a saddle
@@ -167,11 +179,13 @@ private:
     }
     additions.normals = this->Here.normals;
     additions.weight = NormalWeight * this->Functional.Stiffness();
+    const Shifts& shifts = this->Options.leavesSaddles ? SparseShifts : DenseShifts;
     const bool remember = this->Options.leavesSaddles && !fromZero;
-    additions.shift = remember && this->NextShift >= FirstShift ? this->NextShift : 0.0;
+    additions.shift = remember && this->NextShift >= shifts.first ? this->NextShift : 0.0;
     while (!this->Functional.Factor(this->Here.x, additions))
     {
-      additions.shift = additions.shift == 0.0 ? FirstShift : 2.0 * additions.shift;
+      additions.shift =
+        additions.shift == 0.0 ? shifts.first : shifts.growth * additions.shift;
     }
     this->Shift = additions.shift;
     this->Scale = additions.weight;
@@ -218,8 +232,8 @@ private:
   }
 
   /// A step along the direction of least curvature, which inverse iteration with the factor at hand
-  /// finds; false when the merit does not fall along it.
-  bool LeaveSaddle()
+  /// finds; false when the merit does not fall along it by a given part of itself.
+  bool LeaveSaddle(double wantedDescent)
   {
     Eigen::VectorXd direction(2 * this->Here.x.size());
     for (Eigen::Index i = 0; i < direction.size(); ++i)
@@ -240,7 +254,7 @@ private:
     {
       LocalPoint trial = this->At(length * direction);
       trial = LocalPoint(this->Functional, this->Constraints, trial.x + trial.Restoration());
-      if (trial.Merit(this->Weight) < merit - 1e-9 * std::abs(merit))
+      if (trial.Merit(this->Weight) < merit - wantedDescent * std::abs(merit))
       {
         this->Here = std::move(trial);
         this->Multipliers = this->Here.LeastSquaresMultipliers();

@@ -47,16 +47,22 @@ EdgeReduction::EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edge
   this->Reduced.matrix = lower * Eigen::MatrixXd(root.transpose());
 
   const Eigen::MatrixXd harmonic = this->Factor->Solve(this->Aligned.Load());
-  this->Harmonic.resize(static_cast<Eigen::Index>(this->Constrained.size()));
-  for (std::size_t i = 0; i < this->Constrained.size(); ++i)
-  {
-    this->Harmonic[static_cast<Eigen::Index>(i)] =
-      Complex(harmonic(this->Constrained[i], 0), harmonic(this->Constrained[i], 1));
-  }
+  this->Harmonic = this->ValuesOf(this->Aligned.Extend(harmonic));
   this->Reduced.load = this->Reduced.matrix * this->Harmonic;
 }
 
 EdgeReduction::~EdgeReduction() = default;
+
+ComplexVector EdgeReduction::ValuesOf(const ComplexVector& u) const
+{
+  ComplexVector values(static_cast<Eigen::Index>(this->Constrained.size()));
+  for (std::size_t i = 0; i < this->Constrained.size(); ++i)
+  {
+    values[static_cast<Eigen::Index>(i)] =
+      u[this->Aligned.free[static_cast<std::size_t>(this->Constrained[i])]];
+  }
+  return values;
+}
 
 ComplexVector EdgeReduction::Recover(const ComplexVector& x) const
 {

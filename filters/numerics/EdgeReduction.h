@@ -32,6 +32,9 @@ public:
   /// Values of the field without constraints on the reduced unknowns.
   const ComplexVector& HarmonicValues() const { return this->Harmonic; }
 
+  /// Values of a field on the reduced unknowns.
+  ComplexVector ValuesOf(const ComplexVector& u) const;
+
   /// The field of least energy with these values on the reduced unknowns.
   ComplexVector Recover(const ComplexVector& x) const;
 

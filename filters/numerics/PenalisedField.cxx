@@ -16,7 +16,6 @@ public:
     const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start)
     : Energy(energy)
     , Field(start)
-    , Elastic(energy.Hessian(ComplexVector::Zero(start.size()), 1.0))
   {
     std::set<int> constrained;
     for (const QuadraticConstraint& constraint : constraints)
@@ -28,7 +27,10 @@ public:
     }
     this->Constrained.assign(constrained.begin(), constrained.end());
     this->Order = energy.UnknownOrder(this->Constrained);
-    this->MeanDiagonal = this->Elastic.diagonal().sum() / static_cast<double>(this->Elastic.rows());
+    // Where u = 0 and the shift is 1 nothing but the stiffness matrix is left.
+    const Eigen::VectorXd diagonal =
+      energy.Hessian(ComplexVector::Zero(start.size()), 1.0).diagonal();
+    this->MeanDiagonal = diagonal.size() > 0 ? diagonal.mean() : 1.0;
   }
 
   /// The field on all edges with these values on the free ones.
@@ -60,8 +62,7 @@ public:
   bool Factor(const ComplexVector& x, const Additions& additions) override
   {
     const Eigen::SparseMatrix<double> hessian =
-      this->Energy.Hessian(this->OnAllEdges(x), additions.shift) +
-      additions.shift * this->Elastic + this->OnConstrained(additions);
+      this->Energy.Hessian(this->OnAllEdges(x), additions.shift) + this->OnConstrained(additions);
     try
     {
       this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
@@ -78,7 +79,7 @@ public:
   }
 
 private:
-  /// Σ λ_i A_i + weight × N Nᵀ, which are zero off the constrained edges.
+  /// Σ λ_i A_i + weight × N Nᵀ + shift × the stiffness of M, all zero off the constrained edges.
   Eigen::SparseMatrix<double> OnConstrained(const Additions& additions) const
   {
     std::vector<Eigen::Triplet<double>> entries;
@@ -88,6 +89,13 @@ private:
       entries.emplace_back(2 * entry.row, 2 * entry.column + 1, -entry.value.imag());
       entries.emplace_back(2 * entry.row + 1, 2 * entry.column, entry.value.imag());
       entries.emplace_back(2 * entry.row + 1, 2 * entry.column + 1, entry.value.real());
+    }
+    for (const int edge : this->Constrained)
+    {
+      for (const int row : { 2 * edge, 2 * edge + 1 })
+      {
+        entries.emplace_back(row, row, additions.shift * this->MeanDiagonal);
+      }
     }
     for (Eigen::Index i = 0; i < additions.normals.cols(); ++i)
     {
@@ -111,17 +119,17 @@ private:
         }
       }
     }
-    Eigen::SparseMatrix<double> matrix(this->Elastic.rows(), this->Elastic.cols());
+    const auto size = 2 * static_cast<Eigen::Index>(this->Energy.FreeEdges().size());
+    Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
 
   const GinzburgLandauEnergy& Energy;
   ComplexVector Field; ///< For the values on the aligned edges.
-  Eigen::SparseMatrix<double> Elastic;
   std::vector<int> Constrained; ///< Positions in FreeEdges.
   std::vector<int> Order;
-  double MeanDiagonal;
+  double MeanDiagonal; ///< Of the stiffness matrix.
   std::unique_ptr<SparseCholesky> LastFactor;
 };
 }

@@ -5,6 +5,7 @@
 #include "PenalisedField.h"
 #include "ReducedLocal.h"
 #include "Stopwatch.h"
+#include "UnitNormField.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,48 +177,81 @@ public:
     , Blank(field)
     , Loops(ConstrainedLoops(mesh, boundaryLoops))
     , Unit(FindUnitLoops(this->Loops, options))
+    , Dual(!options.globalConstraint &&
+        std::none_of(this->Unit.begin(), this->Unit.end(), [](bool unit) { return unit; }))
     , Reduction(mesh, field.edges, this->Loops)
     , Problem(this->Reduction.GetReducedProblem(), this->Unit, options.globalConstraint)
   {
+    if (mesh.imprinted.empty() && field.count.Consistent() &&
+      options.start != PerforatedStart::Harmonic)
+    {
+      const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
+      this->UnitNormField = SolveUnitNorm(problem).u;
+    }
   }
 
   CrossField Run(const Progress& progress) const
   {
-    const bool dual = !this->Options.globalConstraint &&
-      std::none_of(this->Unit.begin(), this->Unit.end(), [](bool unit) { return unit; });
-    const ReducedProblem& reduced = this->Reduction.GetReducedProblem();
-    const ReducedOptions& options = this->Options.reduced;
-    if (this->Options.start == PerforatedStart::Harmonic ||
-      (this->Options.start == PerforatedStart::Best && dual))
+    switch (this->Options.start)
     {
-      const CrossField field = this->Finish(dual
-          ? SolveDual(reduced, options, progress.Part(0.0, 0.2))
-          : this->Problem.Solve(
-              this->Reduction.HarmonicValues(), options, progress.Part(0.0, 0.2)),
-        progress.Part(0.2, 0.5));
-      const bool asWished =
-        field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
-      if (asWished || this->Options.start == PerforatedStart::Harmonic)
-      {
-        return field;
-      }
-      CrossField other = this->FromEvenTurning(progress.Part(0.5, 1.0));
-      return IsBetter(other, field) ? other : field;
+      case PerforatedStart::Harmonic:
+        return this->FromHarmonic(progress);
+      case PerforatedStart::UnitNorm:
+        return this->FromUnitCrosses(progress);
+      case PerforatedStart::Best:
+        break;
     }
-    return this->FromEvenTurning(progress);
+    // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
+    // the harmonic field.
+    const bool harmonicFirst =
+      this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormField.size() > 0);
+    const CrossField first = harmonicFirst ? this->FromHarmonic(progress.Part(0.0, 0.5))
+                                           : this->FromUnitCrosses(progress.Part(0.0, 0.5));
+    if (first.converged && first.wrongDegrees == 0 && first.unwantedSingularities == 0)
+    {
+      return first;
+    }
+    const CrossField second = harmonicFirst ? this->FromUnitCrosses(progress.Part(0.5, 1.0))
+                                            : this->FromHarmonic(progress.Part(0.5, 1.0));
+    return IsBetter(second, first) ? second : first;
   }
 
 private:
-  CrossField FromEvenTurning(const Progress& progress) const
+  CrossField FromHarmonic(const Progress& progress) const
   {
-    ComplexVector start = this->Reduction.HarmonicValues();
-    for (const DegreeConstraint& constraint : this->Reduction.GetReducedProblem().constraints)
+    const Progress part = progress.Part(0.0, 0.3);
+    const ReducedOptions& options = this->Options.reduced;
+    return this->Finish(this->Dual
+        ? SolveDual(this->Reduction.GetReducedProblem(), options, part)
+        : this->Problem.Solve(this->Reduction.HarmonicValues(), options, part),
+      progress.Part(0.3, 1.0));
+  }
+
+  /// From the unit-norm field or, where there is none, from unit crosses on the holes.
+  CrossField FromUnitCrosses(const Progress& progress) const
+  {
+    CrossField field = this->Blank;
+    if (this->UnitNormField.size() > 0 && this->Options.epsilon > 0.0)
     {
-      VariantProblem::TurnEvenly(constraint, start);
+      field.u = this->UnitNormField;
+      this->AddPenalty(progress, field);
+      ReadReport(this->Mesh, this->BoundaryLoops, field);
     }
-    CrossField field =
-      this->Finish(this->Problem.Solve(start, this->Options.reduced, progress.Part(0.0, 0.3)),
-        progress.Part(0.3, 1.0));
+    else
+    {
+      ComplexVector start = this->Reduction.HarmonicValues();
+      if (this->UnitNormField.size() > 0)
+      {
+        start = this->Reduction.ValuesOf(this->UnitNormField);
+      }
+      for (const DegreeConstraint& constraint : this->Reduction.GetReducedProblem().constraints)
+      {
+        VariantProblem::TurnEvenly(constraint, start);
+      }
+      field =
+        this->Finish(this->Problem.Solve(start, this->Options.reduced, progress.Part(0.0, 0.3)),
+          progress.Part(0.3, 1.0));
+    }
     field.startedFromUnitNorm = true;
     return field;
   }
@@ -284,8 +318,10 @@ private:
   const CrossField& Blank;
   std::vector<BoundaryLoop> Loops;
   std::vector<bool> Unit;
+  bool Dual; ///< One degree constraint for each hole and nothing else.
   EdgeReduction Reduction;
   VariantProblem Problem;
+  ComplexVector UnitNormField; ///< Empty where there is none, or it is not asked for.
 };
 }
 

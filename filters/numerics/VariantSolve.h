@@ -15,10 +15,12 @@ bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options);
 /// 1. Everything but the edges of the holes is eliminated (EdgeReduction.h), and the quadratic
 ///    problem on them is solved: by the dual method of ReducedProblem.h from the harmonic field, or
 ///    by ConstrainedMinimiser.h from unit crosses that turn evenly on every hole, each with the
-///    phase nearest to the harmonic field. Those satisfy every constraint, have all degrees, and
-///    exist for every sum of quarter indices; PerforatedStart::UnitNorm stands for them here. With
-///    the global constraint or unit norms only the second way is there, from either start.
-/// 2. With the penalty, PenalisedField.h goes on from there.
+///    phase nearest to the unit-norm field, or, where that does not exist, to the harmonic field.
+///    Those satisfy every constraint, have all degrees, and exist for every sum of quarter indices;
+///    PerforatedStart::UnitNorm stands for them here. With the global constraint or unit norms only
+///    the second way is there, from either start.
+/// 2. With the penalty, PenalisedField.h goes on from there; from PerforatedStart::UnitNorm it starts
+///    at the unit-norm field itself, where that exists.
 ///
 /// A hole with unit norm has x_j = e^{i (d α_j + φ)} with one free phase φ, as in ReducedUnit.h.
 ///

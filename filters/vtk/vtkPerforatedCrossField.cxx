@@ -100,10 +100,10 @@ void vtkPerforatedCrossField::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Start: " << this->Start << "\n";
   os << indent << "UnitHoles: " << (this->UnitHoles ? "on" : "off") << "\n";
-  os << indent << "UnitHoleRows:";
+  os << indent << "UnitHoleRows: ";
   for (const int row : this->UnitHoleRows)
   {
-    os << " " << row;
+    os << row << " ";
   }
   os << "\n";
   os << indent << "GlobalConstraint: " << (this->GlobalConstraint ? "on" : "off") << "\n";
