@@ -141,6 +141,12 @@ int Compare(const CompareOptions& options)
     }
   }
 
+  if (!options.csv.empty() && options.csv == options.json)
+  {
+    throw PipelineRun::Error(
+      "The two tables cannot both go to '" + options.csv + "'; give two names.");
+  }
+
   // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
   const auto domain = DomainReader::Open(options.domain, options.size);
   PipelineRun::Update(domain, "reading");

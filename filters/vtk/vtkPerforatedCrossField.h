@@ -118,7 +118,9 @@ public:
    * Constrained method: the start. Harmonic leads to the global minimum of the energy, UnitNorm to a
    * local one near the unit-norm field. Best tries both if the first has a wrong degree or an
    * unwanted singularity, keeps the better one, and forces |u| = 1 on the holes if a degree is still
-   * wrong. Default: StartBest.
+   * wrong. With imprinted circles, a global constraint, chosen unit holes or a penalty, UnitNorm starts
+   * from unit crosses on the holes where no unit-norm field exists, and Best forces nothing.
+   * Default: StartBest.
    */
   vtkSetClampMacro(Start, int, StartBest, StartUnitNorm);
   vtkGetMacro(Start, int);

@@ -159,6 +159,8 @@ class Compare(ProgramTest):
         self.refuse("compare", "builtin:disk", "-s", "four.csv", "--methods", "guess",
                     says=["--methods"])
         self.refuse("compare", "builtin:disk", "-s", "none.csv", "-o", "x.vtm", says=["'none.csv'"])
+        self.refuse("compare", "builtin:disk", "-s", "four.csv", "--csv", "t", "--json", "t",
+                    says=["two names"])
         self.refuse("compare", "builtin:nowhere", "-s", "four.csv", "-o", "x.vtm",
                     says=["nowhere"])
         write_configuration(self.folder / "outside.csv", [(3, 0, 1, 0.1)])
