@@ -1,41 +1,50 @@
 #include "ConjugateField.h"
 
+#include <algorithm>
+
 namespace crossfield
 {
-Eigen::VectorXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::Matrix2Xd& gradients, int firstEdge, double firstValue)
+Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues)
 {
-  const auto midpoint = [&](int edge)
-  {
-    const auto& ends = edges.vertices[static_cast<std::size_t>(edge)];
-    return Point(0.5 *
-      (mesh.points[static_cast<std::size_t>(ends[0])] +
-        mesh.points[static_cast<std::size_t>(ends[1])]));
-  };
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(edges.Count());
+  const Eigen::Index functions = firstValues.size();
+  Eigen::MatrixXd values(functions, edges.Count());
   std::vector<bool> known(static_cast<std::size_t>(edges.Count()), false);
   std::vector<int> queue = { firstEdge };
   queue.reserve(known.size());
   known[static_cast<std::size_t>(firstEdge)] = true;
-  values[firstEdge] = firstValue;
+  values.col(firstEdge) = firstValues;
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
     const int from = queue[next];
-    for (int triangle : edges.triangles[static_cast<std::size_t>(from)])
+    for (int t : edges.triangles[static_cast<std::size_t>(from)])
     {
-      if (triangle < 0)
+      if (t < 0)
       {
         continue;
       }
-      const Point gradient = gradients.col(triangle);
-      for (int to : edges.ofTriangle[static_cast<std::size_t>(triangle)])
+      const auto& ofTriangle = edges.ofTriangle[static_cast<std::size_t>(t)];
+      const auto& triangle = mesh.triangles[static_cast<std::size_t>(t)];
+      const auto point = [&](std::size_t i) -> const Point&
+      { return mesh.points[static_cast<std::size_t>(triangle[i % 3])]; };
+      const auto i = static_cast<std::size_t>(
+        std::find(ofTriangle.begin(), ofTriangle.end(), from) - ofTriangle.begin());
+      for (std::size_t other : { i + 1, i + 2 })
       {
-        if (!known[static_cast<std::size_t>(to)])
+        const int to = ofTriangle[other % 3];
+        if (known[static_cast<std::size_t>(to)])
         {
-          known[static_cast<std::size_t>(to)] = true;
+          continue;
+        }
+        known[static_cast<std::size_t>(to)] = true;
+        queue.push_back(to);
+        // From the midpoint of edge i to that of edge `other`.
+        const Point step =
+          0.5 * (point(other) + point(other + 1) - point(i) - point(i + 1));
+        for (Eigen::Index c = 0; c < functions; ++c)
+        {
           // rot g · Δ = g × Δ
-          values[to] = values[from] + Cross(gradient, midpoint(to) - midpoint(from));
-          queue.push_back(to);
+          values(c, to) = values(c, from) + Cross(gradients.block<2, 1>(2 * c, t), step);
         }
       }
     }
@@ -43,7 +52,7 @@ Eigen::VectorXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
   return values;
 }
 
-double GradientEnergy(const TriangleMesh& mesh, const Eigen::Matrix2Xd& gradients)
+double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients)
 {
   double energy = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -6,14 +6,15 @@
 
 namespace crossfield
 {
-/// The Crouzeix-Raviart function w with ∇w = rot g on every triangle, rot = +90°, and a given value
+/// Crouzeix-Raviart functions w_c with ∇w_c = rot g_c on every triangle, rot = +90°, and given values
 /// on one edge (METHOD §2, discrete conjugacy): summed along edges, in breadth-first order.
 ///
-/// `gradients` has one column per triangle, the gradient of a P1 potential with or without periods.
-/// Where w is multivalued the branch on an edge is that of the shortest way from the first edge.
-Eigen::VectorXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::Matrix2Xd& gradients, int firstEdge, double firstValue);
+/// `gradients` has one column per triangle and two rows per function, the gradients of P1 potentials
+/// with or without periods. The result has one column per edge and one row per function. Where w is
+/// multivalued the branch on an edge is that of the shortest way from the first edge.
+Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues);
 
-/// ½ ∫ |g|² of a field that is constant on every triangle.
-double GradientEnergy(const TriangleMesh& mesh, const Eigen::Matrix2Xd& gradients);
+/// ½ ∫ Σ_c |g_c|² of fields that are constant on every triangle.
+double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients);
 }

@@ -47,7 +47,7 @@ Point Midpoint(const TriangleMesh& mesh, const BoundaryEdge& edge)
 ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   : Problem(problem)
   , ConstantsCount(false)
-  , Load(AlignedLoad(problem))
+  , Aligned(problem.potential->Eliminate(AlignedLoad(problem)))
 {
   for (const BoundaryLoop& loop : problem.loops)
   {
@@ -99,7 +99,9 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   }
   const Eigen::MatrixXd root = potential.TrailingFactor().triangularView<Eigen::Lower>().solve(
     Eigen::MatrixXd(this->Differences));
-  this->Reduced.matrix = root.transpose() * root;
+  this->Reduced.matrix = Eigen::MatrixXd::Zero(count, count);
+  this->Reduced.matrix.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+  this->Reduced.matrix.triangularView<Eigen::StrictlyUpper>() = this->Reduced.matrix.transpose();
   if (!this->ConstantsCount)
   {
     // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
@@ -114,13 +116,7 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
     }
   }
 
-  const Eigen::MatrixXd free = potential.Solve(this->Load);
-  Eigen::MatrixXd freeTrailing(trailing, 2);
-  for (Eigen::Index i = 0; i < trailing; ++i)
-  {
-    freeTrailing.row(i) = free.row(potential.TrailingRows()[static_cast<std::size_t>(i)]);
-  }
-  const Eigen::MatrixXd load = -(this->Differences.transpose() * freeTrailing);
+  const Eigen::MatrixXd load = -(this->Differences.transpose() * this->Aligned.trailing);
   this->Reduced.load.resize(count);
   this->Reduced.load.real() = load.col(0);
   this->Reduced.load.imag() = load.col(1);
@@ -150,36 +146,22 @@ ConstrainedField ConstrainedSolver::Recover(const ReducedSolution& solution) con
 {
   const PerforatedProblem& problem = this->Problem;
   const PotentialSolver& potential = *problem.potential;
-  Eigen::MatrixXd load = this->Load;
   const ComplexVector sources = this->Differences * solution.x;
-  for (Eigen::Index i = 0; i < sources.size(); ++i)
-  {
-    load.row(potential.TrailingRows()[static_cast<std::size_t>(i)]) +=
-      Eigen::RowVector2d(sources[i].real(), sources[i].imag());
-  }
-  const Eigen::MatrixXd potentials = potential.Solve(load);
+  Eigen::MatrixXd added(sources.size(), 2);
+  added << sources.real(), sources.imag();
+  const Eigen::MatrixXd gradient = potential.Gradient(potential.Substitute(this->Aligned, added));
 
   ConstrainedField field;
   field.reduced = solution;
-  field.u.resize(problem.edges.Count());
+  field.energy = GradientEnergy(problem.mesh, gradient);
   const int first = problem.FirstOuterEdge();
   const Complex start = problem.aligned[first];
-  for (int part = 0; part < 2; ++part)
-  {
-    const Eigen::Matrix2Xd gradient = potential.Gradient(potentials.col(part));
-    field.energy += GradientEnergy(problem.mesh, gradient);
-    const Eigen::VectorXd values = IntegrateConjugate(problem.mesh, problem.edges, gradient,
-      problem.edges.ofBoundary[static_cast<std::size_t>(first)],
-      part == 0 ? start.real() : start.imag());
-    if (part == 0)
-    {
-      field.u.real() = values;
-    }
-    else
-    {
-      field.u.imag() = values;
-    }
-  }
+  const Eigen::MatrixXd values = IntegrateConjugate(problem.mesh, problem.edges, gradient,
+    problem.edges.ofBoundary[static_cast<std::size_t>(first)],
+    Eigen::Vector2d(start.real(), start.imag()));
+  field.u.resize(values.cols());
+  field.u.real() = values.row(0);
+  field.u.imag() = values.row(1);
   field.alignmentResidual = problem.Align(field.u);
   return field;
 }

@@ -47,7 +47,8 @@ private:
   std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
   std::vector<int> NextOnHole;      ///< Position in HoleEdges of the next edge of the same hole.
   bool ConstantsCount;              ///< The potential has periods around holes.
-  Eigen::MatrixXd Load;             ///< Sources from the aligned loops, columns Re and Im.
+  /// The potentials with the sources of the aligned loops only, columns Re and Im.
+  PotentialSolver::Eliminated Aligned;
   Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.
   ReducedProblem Reduced;
 };

@@ -33,16 +33,20 @@ ComplexVector DegreeConstraint::Gradient(const ComplexVector& u) const
   return gradient;
 }
 
-void DegreeConstraint::AddHessian(double factor, Eigen::MatrixXcd& matrix) const
+Eigen::SparseMatrix<Complex> DegreeConstraint::Hessian(Eigen::Index size) const
 {
-  const Complex entry(0.0, -factor);
+  const Complex i(0.0, 1.0);
+  std::vector<Eigen::Triplet<Complex>> entries;
   for (std::size_t j = 0; j < this->unknowns.size(); ++j)
   {
     const int here = this->unknowns[j];
     const int next = this->unknowns[(j + 1) % this->unknowns.size()];
-    matrix(here, next) += entry;
-    matrix(next, here) += std::conj(entry);
+    entries.emplace_back(here, next, -i);
+    entries.emplace_back(next, here, i);
   }
+  Eigen::SparseMatrix<Complex> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 DegreeConstraint MakeDegreeConstraint(

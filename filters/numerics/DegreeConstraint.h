@@ -23,8 +23,8 @@ struct DegreeConstraint
   double Value(const ComplexVector& u) const;
   /// A u, in the positions of u; zero elsewhere.
   ComplexVector Gradient(const ComplexVector& u) const;
-  /// Adds factor · A to a matrix over all hole unknowns.
-  void AddHessian(double factor, Eigen::MatrixXcd& matrix) const;
+  /// A, over `size` unknowns.
+  Eigen::SparseMatrix<Complex> Hessian(Eigen::Index size) const;
 };
 
 /// The constraint on edges with the given midpoints, counter-clockwise, around their mean. Throws

@@ -28,19 +28,65 @@ public:
     return this->PartOf[static_cast<std::size_t>(unknown)] == Excluded;
   }
 
-  /// Puts the unknowns in [begin, end) into elimination order.
-  void Order(int* begin, int* end)
+  /// Measures how many unknowns a cut meets per length, in either direction: the rows of a lattice
+  /// are closer to each other than the points in a row.
+  void MeasureDensity(int* begin, int* end)
+  {
+    const Point sizes = this->Box(begin, end).sizes();
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const Halves halves = this->Split(begin, end, axis, -2 - axis);
+      const double length = sizes[1 - axis];
+      this->Density[axis] =
+        length > 0.0 ? static_cast<double>(end - halves.rightEnd) / length : 1.0;
+    }
+  }
+
+  struct Halves
+  {
+    int* leftEnd;
+    int* rightEnd;
+  };
+
+  /// Rearranges [begin, end) into left half, right half, separator, across the axis with the smaller
+  /// separator. `part` is a number that was not used before for any part next to this one.
+  Halves Split(int* begin, int* end, int part)
+  {
+    const Point sizes = this->Box(begin, end).sizes();
+    const int axis = this->Density[0] * sizes.y() <= this->Density[1] * sizes.x() ? 0 : 1;
+    return this->Split(begin, end, axis, part);
+  }
+
+  /// Puts the unknowns in [begin, end) into elimination order. Numbers its parts from `part` in
+  /// steps of two, so that two threads that order disjoint halves do not use the same.
+  void Order(int* begin, int* end, int& part)
   {
     if (end - begin <= SmallestPart)
     {
       return;
     }
+    const Halves halves = this->Split(begin, end, part += 2);
+    this->Order(begin, halves.leftEnd, part);
+    this->Order(halves.leftEnd, halves.rightEnd, part);
+  }
+
+private:
+  static constexpr int Excluded = -1;
+
+  const Point& Place(int unknown) const { return this->Places[static_cast<std::size_t>(unknown)]; }
+
+  Eigen::AlignedBox2d Box(const int* begin, const int* end) const
+  {
     Eigen::AlignedBox2d box;
     for (const int* unknown = begin; unknown != end; ++unknown)
     {
       box.extend(this->Place(*unknown));
     }
-    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    return box;
+  }
+
+  Halves Split(int* begin, int* end, int axis, int part)
+  {
     int* const middle = begin + (end - begin) / 2;
     // Ties are broken by number, so that the order does not depend on the library's nth_element.
     std::nth_element(begin, middle, end,
@@ -50,24 +96,16 @@ public:
         const double y = this->Place(b)[axis];
         return x < y || (x == y && a < b);
       });
-    const int right = ++this->Parts;
     for (const int* unknown = middle; unknown != end; ++unknown)
     {
-      this->PartOf[static_cast<std::size_t>(*unknown)] = right;
+      this->PartOf[static_cast<std::size_t>(*unknown)] = part;
     }
     int* const separator = std::partition(
-      begin, middle, [this, right](int unknown) { return !this->Touches(unknown, right); });
+      begin, middle, [this, part](int unknown) { return !this->Touches(unknown, part); });
     const std::ptrdiff_t separatorSize = middle - separator;
     std::rotate(separator, middle, end);
-    int* const rightEnd = end - separatorSize;
-    this->Order(begin, separator);
-    this->Order(separator, rightEnd);
+    return { separator, end - separatorSize };
   }
-
-private:
-  static constexpr int Excluded = -1;
-
-  const Point& Place(int unknown) const { return this->Places[static_cast<std::size_t>(unknown)]; }
 
   bool Touches(int unknown, int part) const
   {
@@ -83,18 +121,22 @@ private:
 
   const Eigen::SparseMatrix<double>& Matrix;
   const std::vector<Point>& Places;
+  Point Density = Point::Ones();
   std::vector<int> PartOf; ///< Number of the last right half that an unknown was in.
-  int Parts = 0;
 };
 }
 
-std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last)
+Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
+  const std::vector<int>& last, int leftOut)
 {
   Dissector dissector(matrix, places);
   for (int unknown : last)
   {
     dissector.Exclude(unknown);
+  }
+  if (leftOut >= 0)
+  {
+    dissector.Exclude(leftOut);
   }
   std::vector<int> order;
   order.reserve(places.size());
@@ -105,8 +147,33 @@ std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
       order.push_back(unknown);
     }
   }
-  dissector.Order(order.data(), order.data() + order.size());
-  order.insert(order.end(), last.begin(), last.end());
+  int* const begin = order.data();
+  int* const end = begin + order.size();
+  dissector.MeasureDensity(begin, end);
+  const Dissector::Halves halves = dissector.Split(begin, end, 1);
+  // A thread reads the parts of its own half and of the separator only, which stay as they are.
+#pragma omp parallel for num_threads(2) schedule(static, 1)
+  for (int half = 0; half < 2; ++half)
+  {
+    int part = half; // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
+    dissector.Order(half == 0 ? begin : halves.leftEnd,
+      half == 0 ? halves.leftEnd : halves.rightEnd, part);
+  }
+  Dissection dissection;
+  dissection.left.assign(begin, halves.leftEnd);
+  dissection.right.assign(halves.leftEnd, halves.rightEnd);
+  dissection.border.assign(halves.rightEnd, end);
+  dissection.border.insert(dissection.border.end(), last.begin(), last.end());
+  return dissection;
+}
+
+std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<Point>& places, const std::vector<int>& last)
+{
+  const Dissection dissection = Dissect(matrix, places, last);
+  std::vector<int> order = dissection.left;
+  order.insert(order.end(), dissection.right.begin(), dissection.right.end());
+  order.insert(order.end(), dissection.border.begin(), dissection.border.end());
   return order;
 }
 }

@@ -14,4 +14,16 @@ namespace crossfield
 /// given. Returns the order: entry i is the unknown that is eliminated i-th.
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& last = {});
+
+/// The same order by its first separator: `left` and `right` are in elimination order, and no entry
+/// of the matrix joins them; `border` is the separator followed by `last`. The unknown `leftOut` is in
+/// none of them. The halves are ordered in two threads.
+struct Dissection
+{
+  std::vector<int> left;
+  std::vector<int> right;
+  std::vector<int> border;
+};
+Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
+  const std::vector<int>& last, int leftOut = -1);
 }

@@ -1,9 +1,7 @@
 #include "PotentialSolver.h"
 
 #include "Error.h"
-#include "NestedDissection.h"
 #include "P1Laplacian.h"
-#include "SparseCholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +31,9 @@ std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<Bounda
   return vertices;
 }
 
-/// The P1 matrix bordered by the periods, without the row and column of the ground.
+/// The P1 matrix bordered by the periods.
 Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<LoopStrip>& strips, int ground)
+  const std::vector<LoopStrip>& strips)
 {
   Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, edges);
   const Eigen::Index vertexCount = matrix.rows();
@@ -81,27 +79,7 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
     addition.setFromTriplets(border.begin(), border.end());
     matrix += addition;
   }
-  // Without the ground.
-  Eigen::SparseMatrix<double> grounded(size - 1, size - 1);
-  grounded.reserve(matrix.nonZeros());
-  for (Eigen::Index column = 0; column < size; ++column)
-  {
-    if (column == ground)
-    {
-      continue;
-    }
-    grounded.startVec(column - (column > ground ? 1 : 0));
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (entry.row() != ground)
-      {
-        grounded.insertBack(entry.row() - (entry.row() > ground ? 1 : 0),
-          column - (column > ground ? 1 : 0)) = entry.value();
-      }
-    }
-  }
-  grounded.finalize();
-  return grounded;
+  return matrix;
 }
 }
 
@@ -124,51 +102,53 @@ PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& 
     this->Trailing.push_back(static_cast<int>(this->PeriodRow(k)));
   }
 
-  const Eigen::SparseMatrix<double> matrix =
-    BorderedMatrix(mesh, edges, this->Strips, this->Ground);
-  const auto reduced = [this](int row) { return row - (row > this->Ground ? 1 : 0); };
-  std::vector<int> last;
-  std::transform(this->Trailing.begin(), this->Trailing.end(), std::back_inserter(last), reduced);
   std::vector<Point> places(mesh.points);
-  places.erase(places.begin() + this->Ground);
-  places.resize(static_cast<std::size_t>(matrix.rows()), Point::Zero()); // periods have no place
-  this->Factor = std::make_unique<SparseCholesky>(matrix, NestedDissection(matrix, places, last));
-  this->TrailingLower = this->Factor->TrailingFactor(static_cast<int>(last.size()));
+  places.resize(static_cast<std::size_t>(this->Rows()), Point::Zero()); // periods have no place
+  this->Factor = std::make_unique<DissectedCholesky>(
+    BorderedMatrix(mesh, edges, this->Strips), places, this->Trailing, this->Ground);
 }
-
-PotentialSolver::~PotentialSolver() = default;
 
 Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) const
 {
-  for (Eigen::Index column = 0; column < rightHandSides.cols(); ++column)
+  return this->Substitute(this->Eliminate(rightHandSides),
+    Eigen::MatrixXd::Zero(this->TrailingFactor().rows(), rightHandSides.cols()));
+}
+
+PotentialSolver::Eliminated PotentialSolver::Eliminate(const Eigen::MatrixXd& rightHandSides) const
+{
+  Eliminated eliminated;
+  eliminated.forward = this->Factor->Eliminate(rightHandSides);
+  eliminated.trailing = this->TrailingFactor().transpose().triangularView<Eigen::Upper>().solve(
+    eliminated.forward.border.bottomRows(this->TrailingFactor().rows()));
+  const auto sources = rightHandSides.topRows(this->VertexCount);
+  eliminated.sums = sources.colwise().sum();
+  eliminated.sizes = sources.cwiseAbs().colwise().sum();
+  return eliminated;
+}
+
+Eigen::MatrixXd PotentialSolver::Substitute(
+  Eliminated eliminated, const Eigen::MatrixXd& addedSources) const
+{
+  const auto atVertices = addedSources.topRows(addedSources.rows() - this->PeriodCount());
+  for (Eigen::Index column = 0; column < addedSources.cols(); ++column)
   {
-    const auto sources = rightHandSides.col(column).head(this->VertexCount);
+    const double sum = eliminated.sums[column] + atVertices.col(column).sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
-      std::numeric_limits<double>::epsilon() * sources.lpNorm<1>();
-    if (!(std::abs(sources.sum()) <= rounding))
+      std::numeric_limits<double>::epsilon() *
+      (eliminated.sizes[column] + atVertices.col(column).lpNorm<1>());
+    if (!(std::abs(sum) <= rounding))
     {
-      throw Error("The sources of the potential add up to " + std::to_string(sources.sum()) +
+      throw Error("The sources of the potential add up to " + std::to_string(sum) +
         " instead of zero, so it has no solution; the quarter indices violate Poincaré-Hopf.");
     }
   }
-  return this->SolveGrounded(rightHandSides);
+  eliminated.forward.border.bottomRows(this->TrailingFactor().rows()) +=
+    this->TrailingFactor().triangularView<Eigen::Lower>().solve(addedSources);
+  return this->Factor->Substitute(eliminated.forward);
 }
 
-Eigen::MatrixXd PotentialSolver::SolveGrounded(const Eigen::MatrixXd& rightHandSides) const
-{
-  const Eigen::Index above = this->Ground;
-  const Eigen::Index below = this->Rows() - this->Ground - 1;
-  Eigen::MatrixXd reduced(this->Rows() - 1, rightHandSides.cols());
-  reduced << rightHandSides.topRows(above), rightHandSides.bottomRows(below);
-  const Eigen::MatrixXd solved = this->Factor->Solve(reduced);
-  Eigen::MatrixXd solution(this->Rows(), rightHandSides.cols());
-  solution << solved.topRows(above), Eigen::MatrixXd::Zero(1, rightHandSides.cols()),
-    solved.bottomRows(below);
-  return solution;
-}
-
-Eigen::Matrix2Xd PotentialSolver::Gradient(const Eigen::VectorXd& solution) const
+Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) const
 {
   const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
   {
@@ -180,19 +160,27 @@ Eigen::Matrix2Xd PotentialSolver::Gradient(const Eigen::VectorXd& solution) cons
     const double db = f2 - f0;
     return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
   };
-  Eigen::Matrix2Xd gradient(2, static_cast<Eigen::Index>(this->Mesh.triangles.size()));
+  Eigen::MatrixXd gradient(
+    2 * solutions.cols(), static_cast<Eigen::Index>(this->Mesh.triangles.size()));
   for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
   {
     const auto& v = this->Mesh.triangles[t];
-    gradient.col(static_cast<Eigen::Index>(t)) =
-      gradientOf(t, solution[v[0]], solution[v[1]], solution[v[2]]);
+    for (Eigen::Index c = 0; c < solutions.cols(); ++c)
+    {
+      gradient.block<2, 1>(2 * c, static_cast<Eigen::Index>(t)) =
+        gradientOf(t, solutions(v[0], c), solutions(v[1], c), solutions(v[2], c));
+    }
   }
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
     for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
     {
-      gradient.col(step.triangle) += solution[this->PeriodRow(k)] *
+      const Point cut =
         gradientOf(static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
+      for (Eigen::Index c = 0; c < solutions.cols(); ++c)
+      {
+        gradient.block<2, 1>(2 * c, step.triangle) += solutions(this->PeriodRow(k), c) * cut;
+      }
     }
   }
   return gradient;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DissectedCholesky.h"
 #include "EdgeNumbering.h"
 #include "LoopStrip.h"
 
@@ -10,7 +11,6 @@
 
 namespace crossfield
 {
-class SparseCholesky;
 
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
 /// constrained field and everything derived from a potential (METHOD §2, §3).
@@ -44,7 +44,6 @@ public:
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
     const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands);
-  ~PotentialSolver();
 
   /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
   Eigen::Index Rows() const { return this->VertexCount + this->PeriodCount(); }
@@ -58,17 +57,32 @@ public:
   const std::vector<int>& TrailingRows() const { return this->Trailing; }
 
   /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns.
-  const Eigen::MatrixXd& TrailingFactor() const { return this->TrailingLower; }
+  const Eigen::MatrixXd& TrailingFactor() const { return this->Factor->GetLastFactor(); }
+
+  /// A solution that is half done: sources of the trailing unknowns may still be added.
+  struct Eliminated
+  {
+    DissectedCholesky::Eliminated forward;
+    Eigen::MatrixXd trailing; ///< The solution on the trailing unknowns, in their order.
+    Eigen::RowVectorXd sums;  ///< Of the sources at vertices,
+    Eigen::RowVectorXd sizes; ///< and of their absolute values.
+  };
+
+  /// Solves for the trailing unknowns only. What is missing for the sources of a column at vertices
+  /// to add up to zero is taken by the ground until sources are added.
+  Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// The solution everywhere after sources, a row per trailing unknown, were added: half the work of
+  /// Solve, and the same requirement.
+  Eigen::MatrixXd Substitute(Eliminated eliminated, const Eigen::MatrixXd& addedSources) const;
 
   /// Solves for any number of columns; the ground is 0 in the result. The entries of a column at
   /// vertices must add up to zero, or there is no solution: throws Error with their sum.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
-  /// Like Solve, but without the requirement: the ground takes the sources that are missing.
-  Eigen::MatrixXd SolveGrounded(const Eigen::MatrixXd& rightHandSides) const;
-
-  /// Gradient ∇Ψ + Σ q_k ∇η_k of one solution on every triangle.
-  Eigen::Matrix2Xd Gradient(const Eigen::VectorXd& solution) const;
+  /// Gradient ∇Ψ + Σ q_k ∇η_k on every triangle: a column per triangle, two rows per column of the
+  /// solution.
+  Eigen::MatrixXd Gradient(const Eigen::MatrixXd& solutions) const;
 
 private:
   const TriangleMesh& Mesh;
@@ -76,7 +90,6 @@ private:
   std::vector<LoopStrip> Strips;
   int Ground;
   std::vector<int> Trailing;
-  std::unique_ptr<SparseCholesky> Factor;
-  Eigen::MatrixXd TrailingLower;
+  std::unique_ptr<DissectedCholesky> Factor;
 };
 }

@@ -1,5 +1,7 @@
 #include "QuadraticConstraint.h"
 
+#include <algorithm>
+
 namespace crossfield
 {
 double QuadraticConstraint::Value(const ComplexVector& x) const
@@ -28,19 +30,19 @@ QuadraticConstraint SumOfDegrees(const std::vector<DegreeConstraint>& constraint
 {
   QuadraticConstraint sum;
   sum.size = 0.0;
-  const Complex i(0.0, 1.0);
   for (const DegreeConstraint& constraint : constraints)
   {
-    const std::size_t m = constraint.unknowns.size();
-    for (std::size_t j = 0; j < m; ++j)
+    const int last = *std::max_element(constraint.unknowns.begin(), constraint.unknowns.end());
+    const Eigen::SparseMatrix<Complex> hessian = constraint.Hessian(last + 1);
+    for (const int column : constraint.unknowns)
     {
-      const int here = constraint.unknowns[j];
-      const int next = constraint.unknowns[(j + 1) % m];
-      sum.entries.push_back({ here, next, -i });
-      sum.entries.push_back({ next, here, i });
+      for (Eigen::SparseMatrix<Complex>::InnerIterator entry(hessian, column); entry; ++entry)
+      {
+        sum.entries.push_back({ static_cast<int>(entry.row()), column, entry.value() });
+      }
     }
     sum.target += constraint.target;
-    sum.size += static_cast<double>(m);
+    sum.size += static_cast<double>(constraint.unknowns.size());
   }
   return sum;
 }

@@ -1,6 +1,6 @@
 #include "ReducedLocal.h"
 
-#include <Eigen/Cholesky>
+#include "DenseCholesky.h"
 
 #include <utility>
 
@@ -60,12 +60,12 @@ public:
       AddEntry(hessian, entry.row, entry.column, entry.value);
     }
     hessian += additions.weight * additions.normals * additions.normals.transpose();
-    this->LastFactor.compute(hessian);
-    return this->LastFactor.info() == Eigen::Success;
+    this->LastFactor = DenseCholesky<double>(std::move(hessian));
+    return this->LastFactor.IsPositiveDefinite();
   }
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const override
   {
-    return this->LastFactor.solve(rightHandSides);
+    return this->LastFactor.Solve(rightHandSides);
   }
 
 private:
@@ -73,7 +73,7 @@ private:
 
   const QuadraticProblem& Problem;
   Eigen::MatrixXd RealMatrix;
-  Eigen::LLT<Eigen::MatrixXd> LastFactor;
+  DenseCholesky<double> LastFactor;
 };
 }
 

@@ -1,5 +1,8 @@
 #include "ReducedProblem.h"
 
+#include "DenseCholesky.h"
+#include "SerialBlas.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
 
@@ -12,33 +15,55 @@ namespace crossfield
 {
 namespace
 {
-/// The reduced problem in the discrete Fourier modes of every hole, x_j = Σ_q a_q e^{2πi q j/m} / √m
-/// over its m edges: the matrices A_i become diagonal there, with entries 2 sin(2πq/m).
-struct ModalProblem
+/// The reduced problem in some orthonormal basis of the values x on the holes.
+struct DualProblem
 {
-  Eigen::SparseMatrix<Complex> modes; ///< Orthonormal columns.
-  Eigen::MatrixXcd matrix;            ///< S in these modes, Hermitian positive definite.
-  ComplexVector load;                 ///< b in these modes.
-  Eigen::MatrixXd turning;            ///< Column i: diagonal of A_i.
+  Eigen::MatrixXcd matrix;                              ///< S in this basis, lower half.
+  ComplexVector load;                                   ///< b in this basis.
+  std::vector<Eigen::SparseMatrix<Complex>> constraints; ///< A_i in this basis.
   Eigen::VectorXd targets;
   Eigen::VectorXd sizes; ///< Number of edges of every hole.
 };
 
-/// Modes |q| ≤ |d| + extra of every hole.
-ModalProblem ToModes(const ReducedProblem& problem, int extra)
+DualProblem WithTargets(const ReducedProblem& problem)
 {
-  std::vector<Eigen::Triplet<Complex>> entries;
-  std::vector<std::pair<int, double>> turning; // hole and entry of every mode
-  ModalProblem modal;
   const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
-  modal.targets.resize(holes);
-  modal.sizes.resize(holes);
-  for (int i = 0; i < static_cast<int>(holes); ++i)
+  DualProblem dual;
+  dual.targets.resize(holes);
+  dual.sizes.resize(holes);
+  for (Eigen::Index i = 0; i < holes; ++i)
   {
     const DegreeConstraint& constraint = problem.constraints[static_cast<std::size_t>(i)];
+    dual.targets[i] = constraint.target;
+    dual.sizes[i] = static_cast<double>(constraint.unknowns.size());
+  }
+  return dual;
+}
+
+/// In the values themselves.
+DualProblem InValues(const ReducedProblem& problem)
+{
+  DualProblem dual = WithTargets(problem);
+  dual.matrix = problem.matrix.cast<Complex>();
+  dual.load = problem.load;
+  for (const DegreeConstraint& constraint : problem.constraints)
+  {
+    dual.constraints.push_back(constraint.Hessian(problem.matrix.rows()));
+  }
+  return dual;
+}
+
+/// In the discrete Fourier modes |q| ≤ |d| + extra of every hole, x_j = Σ_q a_q e^{2πi q j/m} / √m over
+/// its m edges: A_i is diagonal there, with entries 2 sin(2πq/m).
+DualProblem InModes(const ReducedProblem& problem, int extra)
+{
+  std::vector<Eigen::Triplet<Complex>> waves;
+  std::vector<std::vector<Eigen::Triplet<Complex>>> diagonals;
+  int count = 0;
+  for (const DegreeConstraint& constraint : problem.constraints)
+  {
+    diagonals.emplace_back();
     const auto m = static_cast<int>(constraint.unknowns.size());
-    modal.targets[i] = constraint.target;
-    modal.sizes[i] = m;
     const int highest = std::abs(constraint.degree) + std::min(extra, m);
     for (int q = std::max(-highest, -(m - 1) / 2); q <= std::min(highest, m / 2); ++q)
     {
@@ -46,25 +71,28 @@ ModalProblem ToModes(const ReducedProblem& problem, int extra)
       {
         // The remainder keeps the argument small, and the mode exactly periodic.
         const double angle = 2.0 * Pi * ((q * j) % m) / m;
-        entries.emplace_back(constraint.unknowns[static_cast<std::size_t>(j)],
-          static_cast<int>(turning.size()), std::polar(1.0 / std::sqrt(m), angle));
+        waves.emplace_back(constraint.unknowns[static_cast<std::size_t>(j)], count,
+          std::polar(1.0 / std::sqrt(m), angle));
       }
-      turning.emplace_back(i, 2.0 * std::sin(2.0 * Pi * q / m));
+      diagonals.back().emplace_back(count, count, 2.0 * std::sin(2.0 * Pi * q / m));
+      ++count;
     }
   }
-  const auto count = static_cast<Eigen::Index>(turning.size());
-  modal.modes.resize(problem.matrix.rows(), count);
-  modal.modes.setFromTriplets(entries.begin(), entries.end());
-  modal.turning = Eigen::MatrixXd::Zero(count, holes);
-  for (Eigen::Index mode = 0; mode < count; ++mode)
+  Eigen::SparseMatrix<Complex> modes(problem.matrix.rows(), count);
+  modes.setFromTriplets(waves.begin(), waves.end());
+  DualProblem dual = WithTargets(problem);
+  // S is real: two real products instead of a complex one.
+  Eigen::MatrixXcd product(problem.matrix.rows(), count);
+  product.real() = problem.matrix * Eigen::SparseMatrix<double>(modes.real());
+  product.imag() = problem.matrix * Eigen::SparseMatrix<double>(modes.imag());
+  dual.matrix = modes.adjoint() * product;
+  dual.load = modes.adjoint() * problem.load;
+  for (const auto& diagonal : diagonals)
   {
-    const auto& [hole, value] = turning[static_cast<std::size_t>(mode)];
-    modal.turning(mode, hole) = value;
+    dual.constraints.emplace_back(count, count);
+    dual.constraints.back().setFromTriplets(diagonal.begin(), diagonal.end());
   }
-  const Eigen::MatrixXcd product = problem.matrix.cast<Complex>() * modal.modes;
-  modal.matrix = modal.modes.adjoint() * product;
-  modal.load = modal.modes.adjoint() * problem.load;
-  return modal;
+  return dual;
 }
 
 /// The dual function and what Newton's method needs of it at one λ.
@@ -72,35 +100,41 @@ struct DualPoint
 {
   bool positiveDefinite = false;
   Eigen::VectorXd multipliers;
-  ComplexVector a;
+  ComplexVector x;
+  Eigen::MatrixXcd normals; ///< Column i is A_i x.
   double value = 0.0;
   Eigen::VectorXd gradient; ///< C_i(x) − t_i.
   double residual = std::numeric_limits<double>::infinity(); ///< Of all optimality conditions.
-  Eigen::LLT<Eigen::MatrixXcd> factor;
+  DenseCholesky<Complex> factor;
 };
 
-DualPoint Evaluate(const ModalProblem& problem, Eigen::VectorXd at)
+DualPoint Evaluate(const DualProblem& problem, Eigen::VectorXd at)
 {
   DualPoint point;
   point.multipliers = std::move(at);
   Eigen::MatrixXcd hessian = problem.matrix;
-  hessian.diagonal() += (problem.turning * point.multipliers).cast<Complex>();
-  point.factor.compute(hessian);
-  point.positiveDefinite = point.factor.info() == Eigen::Success;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    hessian += point.multipliers[static_cast<Eigen::Index>(i)] * problem.constraints[i];
+  }
+  point.factor = DenseCholesky<Complex>(hessian);
+  point.positiveDefinite = point.factor.IsPositiveDefinite();
   if (!point.positiveDefinite)
   {
     return point;
   }
-  point.a = point.factor.solve(problem.load);
-  point.gradient =
-    0.5 * (problem.turning.transpose() * point.a.cwiseAbs2()) - problem.targets;
+  point.x = point.factor.Solve(problem.load);
+  point.normals.resize(point.x.size(), point.multipliers.size());
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    point.normals.col(static_cast<Eigen::Index>(i)) = problem.constraints[i] * point.x;
+  }
+  point.gradient = 0.5 * (point.normals.adjoint() * point.x).real() - problem.targets;
   point.value =
-    -0.5 * problem.load.dot(point.a).real() - point.multipliers.dot(problem.targets);
+    -0.5 * problem.load.dot(point.x).real() - point.multipliers.dot(problem.targets);
   // C is a sum of terms of size one over the edges.
-  const double violation = point.gradient.size() == 0
-    ? 0.0
-    : point.gradient.cwiseAbs().cwiseQuotient(problem.sizes).maxCoeff();
-  const ComplexVector elastic = hessian.selfadjointView<Eigen::Lower>() * point.a;
+  const double violation = point.gradient.cwiseAbs().cwiseQuotient(problem.sizes).maxCoeff();
+  const ComplexVector elastic = hessian.selfadjointView<Eigen::Lower>() * point.x;
   const double scale = elastic.norm() + problem.load.norm();
   point.residual =
     std::max(violation, scale > 0.0 ? (elastic - problem.load).norm() / scale : 0.0);
@@ -108,22 +142,23 @@ DualPoint Evaluate(const ModalProblem& problem, Eigen::VectorXd at)
 }
 
 /// δλ with ∇²q δλ = −∇q.
-Eigen::VectorXd NewtonStep(const ModalProblem& problem, const DualPoint& point)
+Eigen::VectorXd NewtonStep(const DualPoint& point)
 {
-  const Eigen::MatrixXcd normals = point.a.asDiagonal() * problem.turning;
-  const Eigen::MatrixXd curvature = (normals.adjoint() * point.factor.solve(normals)).real();
+  const Eigen::MatrixXcd lower =
+    point.factor.GetLower().triangularView<Eigen::Lower>().solve(point.normals);
+  const Eigen::MatrixXd curvature = (lower.adjoint() * lower).real();
   return curvature.ldlt().solve(point.gradient);
 }
 
 /// Newton's method from given multipliers; counts its steps.
-DualPoint Maximise(const ModalProblem& problem, DualPoint point, const ReducedOptions& options,
+DualPoint Maximise(const DualProblem& problem, DualPoint point, const ReducedOptions& options,
   const Progress& progress, int& iterations)
 {
   bool stalled = !point.positiveDefinite;
   while (!stalled && point.residual > options.tolerance && iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
-    const Eigen::VectorXd step = NewtonStep(problem, point);
+    const Eigen::VectorXd step = NewtonStep(point);
     const double slope = point.gradient.dot(step);
     stalled = true;
     // 40 halvings span the range of a double's mantissa that a step can still be told apart in.
@@ -166,6 +201,7 @@ ReducedSolution SolveReduced(
     solution.converged = true;
     return solution;
   }
+  const SerialBlas serial; // once, not for every small factorisation
   const Eigen::VectorXd zero =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
 
@@ -173,12 +209,12 @@ ReducedSolution SolveReduced(
   constexpr int LowModes = 4;
   ReducedOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the missing modes change is larger
-  const ModalProblem low = ToModes(problem, LowModes);
+  const DualProblem low = InModes(problem, LowModes);
   const DualPoint start =
     Maximise(low, Evaluate(low, zero), rough, progress.Part(0.0, 0.5), solution.iterations);
 
-  // 2. In all modes from there, or from the harmonic field if the multipliers are out of reach.
-  const ModalProblem full = ToModes(problem, std::numeric_limits<int>::max());
+  // 2. In all values from there, or from the harmonic field if the multipliers are out of reach.
+  const DualProblem full = InValues(problem);
   DualPoint point = Evaluate(full, start.multipliers);
   if (!point.positiveDefinite)
   {
@@ -186,7 +222,7 @@ ReducedSolution SolveReduced(
   }
   point = Maximise(full, std::move(point), options, progress.Part(0.5, 1.0), solution.iterations);
 
-  solution.x = full.modes * point.a;
+  solution.x = point.x;
   solution.multipliers = point.multipliers;
   solution.residual = point.residual;
   solution.converged = point.positiveDefinite && point.residual <= options.tolerance;

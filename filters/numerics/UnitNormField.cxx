@@ -102,13 +102,11 @@ Eigen::VectorXd ChooseOffsets(const Eigen::VectorXd& defects, const Eigen::Matri
 UnitNormField SolveUnitNorm(const PerforatedProblem& problem)
 {
   const PotentialSolver& potential = *problem.potential;
-  const std::vector<int>& trailing = potential.TrailingRows();
   const Eigen::Index periods = potential.PeriodCount();
 
   // 1. The potential without hole sources: until they enter the dense problem below, the ground
   //    takes what is missing.
-  Eigen::VectorXd load = AlignedSources(problem);
-  Eigen::VectorXd holeSources = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(trailing.size()));
+  Eigen::VectorXd holeSources = Eigen::VectorXd::Zero(potential.TrailingFactor().rows());
   Eigen::Index row = 0;
   for (const BoundaryLoop& loop : problem.loops)
   {
@@ -118,12 +116,8 @@ UnitNormField SolveUnitNorm(const PerforatedProblem& problem)
       row += static_cast<Eigen::Index>(loop.edges.size());
     }
   }
-  const Eigen::VectorXd free = potential.SolveGrounded(load);
-  Eigen::VectorXd freeTrailing(holeSources.size());
-  for (std::size_t i = 0; i < trailing.size(); ++i)
-  {
-    freeTrailing[static_cast<Eigen::Index>(i)] = free[trailing[i]];
-  }
+  const PotentialSolver::Eliminated aligned = potential.Eliminate(AlignedSources(problem));
+  const Eigen::VectorXd freeTrailing = aligned.trailing;
 
   // 2. The dense problem on hole constants and periods.
   const Eigen::MatrixXd merge = MergeHoles(problem);
@@ -166,17 +160,13 @@ UnitNormField SolveUnitNorm(const PerforatedProblem& problem)
   // 4. The forces on the trailing unknowns that keep every hole constant, and the potential.
   const Eigen::VectorXd forces =
     lower * (lower.transpose() * (merge * values - freeTrailing));
-  for (std::size_t i = 0; i < trailing.size(); ++i)
-  {
-    load[trailing[i]] += forces[static_cast<Eigen::Index>(i)];
-  }
-  const Eigen::Matrix2Xd gradient = potential.Gradient(potential.Solve(load));
+  const Eigen::MatrixXd gradient = potential.Gradient(potential.Substitute(aligned, forces));
   result.energy = GradientEnergy(problem.mesh, gradient);
 
   // 5. The phase by rotation and summation along edges.
   const int first = problem.FirstOuterEdge();
-  const Eigen::VectorXd phase = IntegrateConjugate(problem.mesh, problem.edges, gradient,
-    problem.edges.ofBoundary[static_cast<std::size_t>(first)], std::arg(problem.aligned[first]));
+  const Eigen::RowVectorXd phase = IntegrateConjugate(problem.mesh, problem.edges, gradient,
+    problem.edges.ofBoundary[static_cast<std::size_t>(first)], Eigen::VectorXd::Constant(1, std::arg(problem.aligned[first])));
   result.u.resize(phase.size());
   for (Eigen::Index e = 0; e < phase.size(); ++e)
   {

@@ -13,6 +13,7 @@
 
 #include <benchmark/benchmark.h>
 #include <cholmod.h>
+#include <nlohmann/json.hpp>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -167,6 +168,7 @@ void WholeRun(benchmark::State& state)
   const std::string folder = "/tmp/crossfield-bench-" + std::to_string(getpid());
   const std::string csv = folder + ".csv";
   const std::string vtu = folder + ".vtu";
+  const std::string json = folder + ".json";
   std::ofstream stream(csv);
   stream.precision(17);
   stream << "x,y,quarter_index,radius\n";
@@ -177,7 +179,7 @@ void WholeRun(benchmark::State& state)
   }
   stream.close();
   const std::string command = std::string(CROSSFIELD_PROGRAM) + " solve builtin:disk -s " + csv +
-    " --size " + std::to_string(MeshSizeFor(state.range(0))) + " -o " + vtu + " > /dev/null";
+    " --size " + std::to_string(MeshSizeFor(state.range(0))) + " -o " + vtu + " --json " + json;
   for (auto _ : state)
   {
     if (std::system(command.c_str()) != 0)
@@ -185,12 +187,15 @@ void WholeRun(benchmark::State& state)
       state.SkipWithError("the program failed");
       break;
     }
+    std::ifstream report(json);
+    state.counters["write"] = nlohmann::json::parse(report)["seconds"]["write"].get<double>();
   }
   rusage usage = {};
   getrusage(RUSAGE_CHILDREN, &usage);
   state.counters["peak_GiB"] = static_cast<double>(usage.ru_maxrss) / (1024.0 * 1024.0);
   std::remove(csv.c_str());
   std::remove(vtu.c_str());
+  std::remove(json.c_str());
 }
 
 void Sizes(benchmark::internal::Benchmark* benchmark)

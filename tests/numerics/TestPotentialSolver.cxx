@@ -124,8 +124,9 @@ TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
     sources[prepared.solver.PeriodRow(k)] = random.Uniform(-1.0, 1.0);
   }
   const Eigen::Matrix2Xd gradient = prepared.solver.Gradient(prepared.solver.Solve(sources));
-  const Eigen::VectorXd phase =
-    IntegrateConjugate(prepared.mesh, prepared.edges, gradient, prepared.edges.ofBoundary[0], 0.7);
+  const Eigen::VectorXd phase = IntegrateConjugate(prepared.mesh, prepared.edges, gradient,
+    prepared.edges.ofBoundary[0], Eigen::VectorXd::Constant(1, 0.7))
+                                  .transpose();
   EXPECT_EQ(phase[prepared.edges.ofBoundary[0]], 0.7);
 
   std::vector<int> ending(prepared.mesh.points.size(), -1);
@@ -171,12 +172,7 @@ TEST(PotentialSolver, TrailingFactorBelongsToTheSchurComplement)
     {
       forces(trailing[i], i) = 1.0;
     }
-    const Eigen::MatrixXd answers = prepared.solver.SolveGrounded(forces);
-    Eigen::MatrixXd inverse(count, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      inverse.row(i) = answers.row(trailing[i]);
-    }
+    const Eigen::MatrixXd inverse = prepared.solver.Eliminate(forces).trailing;
     const Eigen::MatrixXd& lower = prepared.solver.TrailingFactor();
     const Eigen::MatrixXd identity = lower * (lower.transpose() * inverse);
     EXPECT_LE((identity - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-9);

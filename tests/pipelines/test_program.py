@@ -208,6 +208,14 @@ class Files(ProgramTest):
         self.solve("builtin:disk", "-o", "third.vtu", "--size", "0.1")
         self.assertNotEqual(self.digest("first.vtu"), self.digest("third.vtu"))
 
+    def test_the_number_of_threads_changes_no_byte(self):
+        for name, limits in (("many.vtu", {}), ("one.vtu", {
+                "OMP_THREAD_LIMIT": "1", "OPENBLAS_NUM_THREADS": "1"})):
+            result = self.run_program("solve", "builtin:disk", "-s", "four.csv", "--size", "0.03",
+                                      "-o", name, env={**os.environ, **limits})
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(self.digest("many.vtu"), self.digest("one.vtu"))
+
     def test_untidy_segments_write_the_same_bytes(self):
         curves = [[(radius * math.cos(i * math.pi / 32), radius * math.sin(i * math.pi / 32))
                    for i in range(64)] for radius in (1.0, 0.4)]

@@ -1,0 +1,50 @@
+#include "DenseCholesky.h"
+
+#include "SerialBlas.h"
+
+#include <utility>
+
+// The Fortran interface of LAPACK; its C headers are another package. The last argument is the
+// length of the string, as Fortran compilers pass it.
+extern "C"
+{
+  void dpotrf_(const char* half, const int* size, double* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
+    int* info, std::size_t halfLength);
+}
+
+namespace crossfield
+{
+namespace
+{
+void Factorise(const int* size, double* matrix, int* info)
+{
+  dpotrf_("L", size, matrix, size, info, 1);
+}
+
+void Factorise(const int* size, std::complex<double>* matrix, int* info)
+{
+  zpotrf_("L", size, matrix, size, info, 1);
+}
+}
+
+template <typename Scalar>
+DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
+  : Lower(std::move(matrix))
+{
+  if (this->Lower.size() == 0)
+  {
+    return; // LAPACK calls a leading dimension of 0 an error
+  }
+  const SerialBlas serial;
+  const auto size = static_cast<int>(this->Lower.rows());
+  int info = 0;
+  Factorise(&size, this->Lower.data(), &info);
+  this->PositiveDefinite = info == 0;
+  this->Lower.template triangularView<Eigen::StrictlyUpper>().setZero();
+}
+
+template class DenseCholesky<double>;
+template class DenseCholesky<std::complex<double>>;
+}

@@ -1,0 +1,264 @@
+#include "DissectedCholesky.h"
+
+#include "NestedDissection.h"
+#include "SerialBlas.h"
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+
+namespace crossfield
+{
+namespace
+{
+/// Calls do(0) and do(1) in two threads and throws what they throw. OpenMP's threads rather than
+/// others: CHOLMOD's own parallel loops, which do not pay here, run serially inside them.
+template <typename Function>
+void ForBothHalves(const Function& function)
+{
+  std::array<std::exception_ptr, 2> failures;
+#pragma omp parallel for num_threads(2) schedule(static, 1)
+  for (int half = 0; half < 2; ++half)
+  {
+    try
+    {
+      function(static_cast<std::size_t>(half));
+    }
+    catch (...)
+    {
+      failures[static_cast<std::size_t>(half)] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& failure : failures)
+  {
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+  }
+}
+
+Eigen::Index Count(const std::vector<int>& list)
+{
+  return static_cast<Eigen::Index>(list.size());
+}
+
+void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen::MatrixXd& whole)
+{
+  for (std::size_t j = 0; j < positions.size(); ++j)
+  {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      whole(positions[i], positions[j]) +=
+        part(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  }
+}
+}
+
+DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<Point>& places, const std::vector<int>& last, int leftOut)
+  : Size(matrix.rows())
+{
+  const SerialBlas serial;
+  Dissection dissection = Dissect(matrix, places, last, leftOut);
+  this->Halves[0].unknowns = std::move(dissection.left);
+  this->Halves[1].unknowns = std::move(dissection.right);
+  this->Border = std::move(dissection.border);
+
+  const auto borderSize = static_cast<Eigen::Index>(this->Border.size());
+  std::vector<int> borderPosition(static_cast<std::size_t>(this->Size), -1);
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  {
+    borderPosition[static_cast<std::size_t>(this->Border[i])] = static_cast<int>(i);
+  }
+  Eigen::MatrixXd schur = Eigen::MatrixXd::Zero(borderSize, borderSize);
+  for (Eigen::Index j = 0; j < borderSize; ++j)
+  {
+    const int column = this->Border[static_cast<std::size_t>(j)];
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+    {
+      const int i = borderPosition[static_cast<std::size_t>(entry.row())];
+      if (i >= 0)
+      {
+        schur(i, j) = entry.value();
+      }
+    }
+  }
+  std::array<Eigen::MatrixXd, 2> parts;
+  ForBothHalves([&](std::size_t half)
+    { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
+  for (std::size_t half = 0; half < 2; ++half)
+  {
+    AddTo(this->Halves[half].border, parts[half], schur);
+  }
+  if (!schur.allFinite())
+  {
+    throw Error("The matrix has entries that are not finite; the mesh has degenerate triangles, "
+                "remesh it.");
+  }
+  this->BorderFactor = DenseCholesky<double>(std::move(schur));
+  if (!this->BorderFactor.IsPositiveDefinite())
+  {
+    throw NotPositiveDefinite();
+  }
+  const auto lastSize = static_cast<Eigen::Index>(last.size());
+  this->LastFactor = this->BorderFactor.GetLower().bottomRightCorner(lastSize, lastSize);
+}
+
+Eigen::MatrixXd DissectedCholesky::FactorHalf(
+  const Eigen::SparseMatrix<double>& matrix, Half& half) const
+{
+  if (half.unknowns.empty())
+  {
+    return {}; // of a matrix so small that there is nothing beside the border
+  }
+
+  // 1. The part of the border next to the half, in the border's order.
+  std::vector<int> local(static_cast<std::size_t>(this->Size), -1); // positions in elimination order
+  for (std::size_t i = 0; i < half.unknowns.size(); ++i)
+  {
+    local[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, this->Border[i]); entry; ++entry)
+    {
+      if (local[static_cast<std::size_t>(entry.row())] >= 0)
+      {
+        half.border.push_back(static_cast<int>(i));
+        break;
+      }
+    }
+  }
+
+  // 2. The lower half of the matrix on both, in elimination order.
+  const auto innerSize = static_cast<int>(half.unknowns.size());
+  const auto borderSize = static_cast<int>(half.border.size());
+  for (int i = 0; i < borderSize; ++i)
+  {
+    local[static_cast<std::size_t>(this->Border[static_cast<std::size_t>(
+      half.border[static_cast<std::size_t>(i)])])] = innerSize + i;
+  }
+  Eigen::SparseMatrix<double> part(innerSize + borderSize, innerSize + borderSize);
+  part.reserve(matrix.nonZeros() / 3);
+  Eigen::MatrixXd before = Eigen::MatrixXd::Zero(borderSize, borderSize);
+  std::vector<std::pair<int, double>> column;
+  for (int j = 0; j < innerSize + borderSize; ++j)
+  {
+    const int unknown = j < innerSize
+      ? half.unknowns[static_cast<std::size_t>(j)]
+      : this->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(j - innerSize)])];
+    column.clear();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
+    {
+      const int i = local[static_cast<std::size_t>(entry.row())];
+      if (i >= j)
+      {
+        column.emplace_back(i, entry.value());
+      }
+      if (i >= innerSize && j >= innerSize)
+      {
+        before(i - innerSize, j - innerSize) = entry.value();
+      }
+    }
+    std::sort(column.begin(), column.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+    part.startVec(j);
+    for (const auto& [row, value] : column)
+    {
+      part.insertBack(row, j) = value;
+    }
+  }
+  part.finalize();
+
+  // 3. Its factor; what is left on the border beyond the border's own entries.
+  std::vector<int> order(static_cast<std::size_t>(innerSize + borderSize));
+  std::iota(order.begin(), order.end(), 0);
+  half.factor = std::make_unique<SparseCholesky>(part, order);
+  half.borderFactor = half.factor->TrailingFactor(borderSize);
+  Eigen::MatrixXd schur(borderSize, borderSize);
+  schur.noalias() =
+    half.borderFactor * half.borderFactor.transpose().triangularView<Eigen::Upper>();
+  return schur - before;
+}
+
+DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
+  const Eigen::MatrixXd& rightHandSides) const
+{
+  Eliminated eliminated;
+  std::array<Eigen::MatrixXd, 2> ofBorder;
+  ForBothHalves([&](std::size_t h)
+    {
+      const Half& half = this->Halves[h];
+      if (half.unknowns.empty())
+      {
+        eliminated.halves[h].resize(0, rightHandSides.cols());
+        return;
+      }
+      Eigen::MatrixXd load = Eigen::MatrixXd::Zero(
+        Count(half.unknowns) + Count(half.border), rightHandSides.cols());
+      for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
+      {
+        load.row(i) = rightHandSides.row(half.unknowns[static_cast<std::size_t>(i)]);
+      }
+      const Eigen::MatrixXd solved = half.factor->SolveLower(load);
+      eliminated.halves[h] = solved.topRows(Count(half.unknowns));
+      ofBorder[h] = half.borderFactor * solved.bottomRows(Count(half.border));
+    });
+  eliminated.border.resize(Count(this->Border), rightHandSides.cols());
+  for (Eigen::Index i = 0; i < Count(this->Border); ++i)
+  {
+    eliminated.border.row(i) = rightHandSides.row(this->Border[static_cast<std::size_t>(i)]);
+  }
+  for (std::size_t h = 0; h < 2; ++h)
+  {
+    for (Eigen::Index i = 0; i < Count(this->Halves[h].border); ++i)
+    {
+      eliminated.border.row(this->Halves[h].border[static_cast<std::size_t>(i)]) +=
+        ofBorder[h].row(i);
+    }
+  }
+  this->BorderFactor.GetLower().triangularView<Eigen::Lower>().solveInPlace(eliminated.border);
+  return eliminated;
+}
+
+Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) const
+{
+  const Eigen::Index columns = eliminated.border.cols();
+  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(this->Size, columns);
+  const Eigen::MatrixXd border =
+    this->BorderFactor.GetLower().transpose().triangularView<Eigen::Upper>().solve(
+      eliminated.border);
+  for (Eigen::Index i = 0; i < Count(this->Border); ++i)
+  {
+    solution.row(this->Border[static_cast<std::size_t>(i)]) = border.row(i);
+  }
+  ForBothHalves([&](std::size_t h)
+    {
+      const Half& half = this->Halves[h];
+      if (half.unknowns.empty())
+      {
+        return;
+      }
+      Eigen::MatrixXd next(Count(half.border), columns);
+      for (Eigen::Index i = 0; i < Count(half.border); ++i)
+      {
+        next.row(i) = border.row(half.border[static_cast<std::size_t>(i)]);
+      }
+      Eigen::MatrixXd load(Count(half.unknowns) + Count(half.border), columns);
+      load << eliminated.halves[h], half.borderFactor.transpose() * next;
+      const Eigen::MatrixXd solved = half.factor->SolveUpper(load);
+      for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
+      {
+        solution.row(half.unknowns[static_cast<std::size_t>(i)]) = solved.row(i);
+      }
+    });
+  if (!solution.allFinite())
+  {
+    throw Error("The solution of the linear system is not finite; the mesh has degenerate "
+                "triangles, remesh the domain.");
+  }
+  return solution;
+}
+}

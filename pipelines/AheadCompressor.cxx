@@ -1,0 +1,93 @@
+#include "AheadCompressor.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <thread>
+
+vtkStandardNewMacro(AheadCompressor);
+
+//------------------------------------------------------------------------------
+void AheadCompressor::Compress(vtkDataSet* data, size_t blockSize)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  {
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      arrays.push_back(attributes->GetArray(i));
+    }
+  }
+  if (vtkPointSet* points = vtkPointSet::SafeDownCast(data))
+  {
+    arrays.push_back(points->GetPoints() != nullptr ? points->GetPoints()->GetData() : nullptr);
+  }
+  this->Blocks.clear();
+  for (vtkDataArray* array : arrays)
+  {
+    if (array == nullptr || !array->HasStandardMemoryLayout())
+    {
+      continue;
+    }
+    const auto* begin = static_cast<unsigned char const*>(array->GetVoidPointer(0));
+    const size_t size = static_cast<size_t>(array->GetNumberOfValues()) *
+      static_cast<size_t>(array->GetDataTypeSize());
+    for (size_t at = 0; at < size; at += blockSize)
+    {
+      this->Blocks[begin + at] = { std::min(blockSize, size - at), {} };
+    }
+  }
+
+  std::vector<std::pair<unsigned char const* const, Block>*> blocks;
+  for (auto& block : this->Blocks)
+  {
+    blocks.push_back(&block);
+  }
+  std::atomic<size_t> next{ 0 };
+  const auto work = [&]
+  {
+    std::vector<unsigned char> buffer(this->GetMaximumCompressionSpace(blockSize));
+    for (size_t i = next++; i < blocks.size(); i = next++)
+    {
+      Block& block = blocks[i]->second;
+      const size_t size = vtkZLibDataCompressor::CompressBuffer(
+        blocks[i]->first, block.size, buffer.data(), buffer.size());
+      block.compressed.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned int i = 1; i < std::thread::hardware_concurrency(); ++i)
+  {
+    threads.emplace_back(work);
+  }
+  work();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+//------------------------------------------------------------------------------
+size_t AheadCompressor::CompressBuffer(unsigned char const* uncompressedData,
+  size_t uncompressedSize, unsigned char* compressedData, size_t compressionSpace)
+{
+  const auto found = this->Blocks.find(uncompressedData);
+  if (found == this->Blocks.end() || found->second.size != uncompressedSize ||
+    found->second.compressed.empty() || found->second.compressed.size() > compressionSpace)
+  {
+    return this->vtkZLibDataCompressor::CompressBuffer(
+      uncompressedData, uncompressedSize, compressedData, compressionSpace);
+  }
+  const std::vector<unsigned char>& compressed = found->second.compressed;
+  std::memcpy(compressedData, compressed.data(), compressed.size());
+  return compressed.size();
+}
