@@ -11,6 +11,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <unistd.h>
@@ -84,7 +85,9 @@ void WriteBlocks(const Blocks& blocks, const std::string& file)
   const std::string name = SystemTools::GetFilenameWithoutLastExtension(file);
   const std::string folder =
     SystemTools::GetParentDirectory(SystemTools::CollapseFullPath(file)) + "/" + name;
-  if (!SystemTools::MakeDirectory(folder).IsSuccess())
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
   {
     throw Error("The folder '" + folder + "' cannot be made; choose another name.");
   }

@@ -1,8 +1,29 @@
 #include "vtkCrossFieldSolver.h"
 
 #include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FilterRun.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkUnstructuredGrid.h"
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldSolver::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (input->GetNumberOfCells() > 0)
+      {
+        this->Compute(DomainConversion::ReadDrilledMesh(input), inputVector, progress, output);
+      }
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
 
 //------------------------------------------------------------------------------
 void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,

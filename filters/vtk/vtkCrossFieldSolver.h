@@ -17,6 +17,7 @@
 namespace crossfield
 {
 struct CrossField;
+class Progress;
 }
 namespace DomainConversion
 {
@@ -60,7 +61,15 @@ protected:
   }
   ~vtkCrossFieldSolver() override = default;
 
+  /** Reads the mesh and has the field computed, unless the mesh is empty. */
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 #ifndef __VTK_WRAP__
+  /** Computes the field and ends with Publish. Errors may be thrown. */
+  virtual void Compute(const DomainConversion::DrilledMesh& cells,
+    vtkInformationVector** inputVector, const crossfield::Progress& progress,
+    vtkUnstructuredGrid* output) = 0;
+
   /**
    * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
    * converge.

@@ -2,7 +2,6 @@
 
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
-#include "FilterRun.h"
 #include "GinzburgLandau.h"
 
 #include "vtkDataObject.h"
@@ -31,40 +30,30 @@ int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-int vtkGinzburgLandauCrossField::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+  vtkInformationVector** inputVector, const crossfield::Progress& progress,
+  vtkUnstructuredGrid* output)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
-    [&](const crossfield::Progress& progress)
-    {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      crossfield::GinzburgLandauOptions options;
-      options.epsilon = this->Epsilon;
-      options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
-      if (this->Start == StartGiven)
-      {
-        options.given =
-          CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
-      }
-      options.pinning.norm =
-        CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
-      options.pinning.gradientWeight =
-        CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
-      options.maximumIterations = this->GetMaximumIterations();
-      options.tolerance = this->GetTolerance();
-      const crossfield::GinzburgLandauField field =
-        crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
-      this->Publish(cells, field,
-        "the field is not a minimum. Allow more iterations, or use a larger epsilon.", input, output);
-      CrossFieldArrays::AddConvexifiedSteps(field.convexifiedSteps, output);
-    });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+  crossfield::GinzburgLandauOptions options;
+  options.epsilon = this->Epsilon;
+  options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
+  if (this->Start == StartGiven)
+  {
+    options.given =
+      CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
+  }
+  options.pinning.norm =
+    CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
+  options.pinning.gradientWeight =
+    CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
+  options.maximumIterations = this->GetMaximumIterations();
+  options.tolerance = this->GetTolerance();
+  const crossfield::GinzburgLandauField field =
+    crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
+  this->Publish(cells, field,
+    "the field is not a minimum. Allow more iterations, or use a larger epsilon.", input, output);
+  CrossFieldArrays::AddConvexifiedSteps(field.convexifiedSteps, output);
 }
 
 //------------------------------------------------------------------------------

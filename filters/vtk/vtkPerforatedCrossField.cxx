@@ -63,33 +63,23 @@ int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
-int vtkPerforatedCrossField::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+  vtkInformationVector** inputVector, const crossfield::Progress& progress,
+  vtkUnstructuredGrid* output)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
-    [&](const crossfield::Progress& progress)
-    {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      crossfield::PerforatedOptions options;
-      options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
-      options.start = static_cast<crossfield::PerforatedStart>(this->Start);
-      options.unitHoles = this->UnitHoles;
-      options.unitHoleRows = this->UnitHoleRows;
-      options.globalConstraint = this->GlobalConstraint;
-      options.epsilon = this->Epsilon;
-      options.reduced.maximumIterations = this->GetMaximumIterations();
-      options.reduced.tolerance = this->GetTolerance();
-      options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
-      this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
-        "the field does not solve the problem. Make the holes larger or move them.", input, output);
-    });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+  crossfield::PerforatedOptions options;
+  options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
+  options.start = static_cast<crossfield::PerforatedStart>(this->Start);
+  options.unitHoles = this->UnitHoles;
+  options.unitHoleRows = this->UnitHoleRows;
+  options.globalConstraint = this->GlobalConstraint;
+  options.epsilon = this->Epsilon;
+  options.reduced.maximumIterations = this->GetMaximumIterations();
+  options.reduced.tolerance = this->GetTolerance();
+  options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
+  this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
+    "the field does not solve the problem. Make the holes larger or move them.",
+    vtkUnstructuredGrid::GetData(inputVector[0]), output);
 }
 
 //------------------------------------------------------------------------------

@@ -170,7 +170,10 @@ protected:
   ~vtkPerforatedCrossField() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+#ifndef __VTK_WRAP__
+  void Compute(const DomainConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
+    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
+#endif
 
 private:
   vtkPerforatedCrossField(const vtkPerforatedCrossField&) = delete;

@@ -1,6 +1,5 @@
 // The variants of the constrained solve, METHOD §3: identities and invariances.
 #include "ConstrainedField.h"
-#include "DrillHoles.h"
 #include "EdgeReduction.h"
 #include "FieldSingularities.h"
 #include "PenalisedField.h"
@@ -14,18 +13,9 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Mesh(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
-  DrillMode mode = DrillMode::Perforate)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  options.mode = mode;
-  return DrillHoles(domain, configuration, options);
-}
-
 TriangleMesh FourHoles(double meshSize = 0.08, DrillMode mode = DrillMode::Perforate)
 {
-  return Mesh(Builtin("disk", meshSize), OnCircle(4, 0.6, Pi / 4.0, 1, 0.1), meshSize, mode);
+  return DrillMesh(Builtin("disk", meshSize), OnCircle(4, 0.6, Pi / 4.0, 1, 0.1), meshSize, mode);
 }
 
 PerforatedOptions Penalty(double epsilon)
@@ -303,7 +293,7 @@ TEST(VariantSolve, RefusesWhatCannotBeCombined)
   PerforatedOptions global;
   global.globalConstraint = true;
   const TriangleMesh five =
-    Mesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
+    DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
   EXPECT_TRUE(Refuses([&] { SolvePerforated(five, global); }, { "add up to 5", "asks for 4" },
     Error::Kind::Inconsistent));
 }

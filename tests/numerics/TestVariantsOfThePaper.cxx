@@ -1,5 +1,4 @@
 // What the paper shows with each variant, "Analysis of the numerical results".
-#include "DrillHoles.h"
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
 #include "Support.h"
@@ -13,15 +12,6 @@ namespace crossfield::test
 {
 namespace
 {
-TriangleMesh Mesh(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
-  DrillMode mode = DrillMode::Perforate)
-{
-  DrillOptions options;
-  options.meshSize = meshSize;
-  options.mode = mode;
-  return DrillHoles(domain, configuration, options);
-}
-
 std::vector<FieldSingularity> Find(
   const TriangleMesh& mesh, const CrossField& field, bool corners = false)
 {
@@ -45,7 +35,7 @@ TEST(VariantsOfThePaper, AMinusOneForcedOnTheQuarterDiskBringsTwoPlusOnes)
     SCOPED_TRACE(radius);
     const Point place(0.42, 0.42);
     const TriangleMesh mesh =
-      Mesh(Builtin("quarter-disk", 0.04), { { place, -1, radius } }, 0.04, DrillMode::Imprint);
+      DrillMesh(Builtin("quarter-disk", 0.04), { { place, -1, radius } }, 0.04, DrillMode::Imprint);
     PerforatedOptions options;
     options.unitHoles = true;
     const CrossField field = SolvePerforated(mesh, options);
@@ -92,7 +82,7 @@ TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
   for (const double distance : { 0.85, 0.7, 0.3 })
   {
     SCOPED_TRACE(distance);
-    const TriangleMesh mesh = Mesh(Builtin("disk", Size),
+    const TriangleMesh mesh = DrillMesh(Builtin("disk", Size),
       OnCircle(4, distance, Pi / 4.0, 1, 0.0), Size, DrillMode::Triangle);
     const CrossField field = SolvePerforated(mesh, options);
     EXPECT_TRUE(field.converged);
@@ -119,7 +109,7 @@ TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
   {
     SCOPED_TRACE(innerRadius);
     const PlanarDomain ring = Ring(innerRadius, Size);
-    const TriangleMesh plain = Mesh(ring, {}, Size);
+    const TriangleMesh plain = DrillMesh(ring, {}, Size);
     GinzburgLandauOptions reference;
     reference.epsilon = Epsilon;
     const GinzburgLandauField radial = SolveGinzburgLandau(plain, reference);
@@ -139,7 +129,7 @@ TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
     }
     ASSERT_EQ(eight.size(), 8u);
     EXPECT_EQ(TotalQuarters(eight), 0);
-    const TriangleMesh drilled = Mesh(ring, eight, Size);
+    const TriangleMesh drilled = DrillMesh(ring, eight, Size);
     PerforatedOptions options;
     options.unitHoles = true;
     const CrossField imposed = SolvePerforated(drilled, options);
@@ -168,7 +158,7 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
     ellipse.emplace_back(3.0 * point.x(), 0.6 * point.y());
   }
   const PlanarDomain domain = MakePlanarDomain({ ellipse });
-  const TriangleMesh plain = Mesh(domain, {}, Size);
+  const TriangleMesh plain = DrillMesh(domain, {}, Size);
   GinzburgLandauOptions reference;
   reference.epsilon = Size;
   const GinzburgLandauField line = SolveGinzburgLandau(plain, reference);
@@ -188,7 +178,7 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
       rectangle.push_back({ Point(x, y), 1, 0.08 });
     }
   }
-  const TriangleMesh drilled = Mesh(domain, rectangle, Size);
+  const TriangleMesh drilled = DrillMesh(domain, rectangle, Size);
   PerforatedOptions options;
   const CrossField relaxed = SolvePerforated(drilled, options);
   EXPECT_TRUE(relaxed.converged);
@@ -207,7 +197,7 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
 {
   constexpr double Size = 0.07;
   const PlanarDomain disk = Builtin("disk", Size);
-  const TriangleMesh five = Mesh(disk, OnCircle(5, 0.6, 0.3, 1, 0.1), Size);
+  const TriangleMesh five = DrillMesh(disk, OnCircle(5, 0.6, 0.3, 1, 0.1), Size);
   EXPECT_TRUE(Refuses([&] { SolvePerforated(five); }, { "add up to 5", "asks for 4" },
     Error::Kind::Inconsistent));
   PerforatedOptions options;
@@ -224,7 +214,7 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
   Configuration wrong = { { Point(-0.6, 0.6), 1, 0.1 }, { Point(-0.6, -0.6), 1, 0.1 },
     { Point(0.6, -0.35), 1, 0.1 }, { Point(-0.2, 0.2), -1, 0.1 }, { Point(-0.2, -0.2), -1, 0.1 },
     { Point(0.5, -0.62), -1, 0.05 }, { Point(0.6, 0.6), -1, 0.1 } };
-  const TriangleMesh mesh = Mesh(disk, wrong, Size);
+  const TriangleMesh mesh = DrillMesh(disk, wrong, Size);
   options.reduced.maximumIterations = 300;
   const CrossField made = SolvePerforated(mesh, options);
   EXPECT_TRUE(made.converged);
