@@ -53,6 +53,12 @@ bool Contains(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
+/** Whether a method places singularities by itself. */
+bool IsReference(const std::string& method)
+{
+  return Contains(method, "ginzburg-landau");
+}
+
 /** One method: its mesh, its field, and the singularities in it. */
 struct Run
 {
@@ -66,7 +72,7 @@ struct Run
   CompareRow Solve(const std::string& method, const CompareOptions& options, double epsilon,
     vtkAlgorithm* domain, vtkSingularitySource* singularities)
   {
-    const bool isReference = Contains(method, "ginzburg-landau");
+    const bool isReference = IsReference(method);
     vtkNew<vtkTimerLog> timer;
     timer->StartTimer();
     this->none->RemoveAllSingularities();
@@ -166,6 +172,7 @@ int Compare(const CompareOptions& options)
   OutputFile::Blocks blocks;
   std::optional<PipelineRun::Error> refused;
   bool allConverged = true;
+  bool configurationServed = false; // by a method that makes use of it
   for (const std::string& method : options.methods)
   {
     Run run;
@@ -175,6 +182,7 @@ int Compare(const CompareOptions& options)
       const double offset = options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
       blocks.emplace_back(method, Moved(run.field, offset));
       allConverged = allConverged && rows.back().converged;
+      configurationServed = configurationServed || !IsReference(method);
     }
     catch (const PipelineRun::Error& error)
     {
@@ -184,7 +192,9 @@ int Compare(const CompareOptions& options)
       rows.back().note = error.what();
     }
   }
-  if (blocks.empty())
+  const bool badConfiguration =
+    refused.has_value() && refused->GetStatus() == BadInput && !configurationServed;
+  if (blocks.empty() || badConfiguration)
   {
     throw PipelineRun::Error(*refused);
   }

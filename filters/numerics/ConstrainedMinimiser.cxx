@@ -195,7 +195,9 @@ private:
   bool Step()
   {
     const LocalPoint& here = this->Here;
-    const Eigen::MatrixXd fromNormals = this->Functional.Solve(here.normals);
+    // There may be no constraints, and not every solver takes no right-hand sides.
+    const Eigen::MatrixXd fromNormals =
+      here.normals.cols() == 0 ? here.normals : this->Functional.Solve(here.normals);
     const Eigen::VectorXd fromGradient = this->Functional.Solve(here.gradient);
     const Eigen::VectorXd plain = SolveSmall(here.normals.transpose() * fromNormals,
       here.violations - here.normals.transpose() * fromGradient);

@@ -2,6 +2,7 @@
 #include "ConstrainedField.h"
 #include "EdgeReduction.h"
 #include "FieldSingularities.h"
+#include "GinzburgLandau.h"
 #include "PenalisedField.h"
 #include "Support.h"
 #include "VariantSolve.h"
@@ -271,6 +272,22 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
     const CrossField other = SolvePerforated(shuffled, options);
     EXPECT_NEAR(other.energy, field.energy, 1e-9 * field.energy);
   }
+}
+
+TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
+{
+  // Both minimise the same functional from the harmonic field, by engines of their own.
+  const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.1), {}, 0.1);
+  const CrossField field = SolvePerforated(mesh, Penalty(0.1));
+  GinzburgLandauOptions options;
+  options.epsilon = 0.1;
+  const GinzburgLandauField reference = SolveGinzburgLandau(mesh, options);
+  EXPECT_TRUE(field.converged && reference.converged);
+  EXPECT_NEAR(field.energy, reference.energy, 1e-9 * reference.energy);
+  EXPECT_LT((field.u - reference.u).lpNorm<Eigen::Infinity>(), 1e-6);
+  const CrossField disk = SolvePerforated(DrillMesh(Builtin("disk", 0.1), {}, 0.1), Penalty(0.1));
+  EXPECT_TRUE(disk.converged);
+  EXPECT_EQ(disk.unwantedSingularities, 4);
 }
 
 TEST(VariantSolve, RefusesWhatCannotBeCombined)

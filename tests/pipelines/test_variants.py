@@ -165,4 +165,12 @@ class Compare(ProgramTest):
                     says=["nowhere"])
         write_configuration(self.folder / "outside.csv", [(3, 0, 1, 0.1)])
         self.refuse("compare", "builtin:disk", "-s", "outside.csv", "-o", "x.vtm",
-                    "--methods", "constrained,penalty", says=["outside the domain"])
+                    "--methods", "constrained,ginzburg-landau", says=["outside the domain"])
+        # What only one method cannot do is a row.
+        write_configuration(self.folder / "half.csv", [(0.3, 0, 2, 0.1), (-0.3, 0, 2, 0.1)])
+        result = self.run_program("compare", "builtin:disk", "-s", "half.csv", "--methods",
+                                  "triangle,unit-norm", "--json", "-")
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        triangle, unit_norm = json.loads(result.stdout)["methods"]
+        self.assertIn("1 or -1 only", triangle["note"])
+        self.assertEqual((unit_norm["reached"], unit_norm["unwanted"]), (4, 0))
