@@ -102,7 +102,8 @@ std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
 }
 
 /// Short segments of the boundary and of the holes ask for small triangles around them.
-SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, double gradation)
+SizeField MakeSizeField(
+  const PlanarDomain& domain, double meshSize, const DrillOptions& options)
 {
   std::vector<SizeSource> sources;
   Eigen::AlignedBox2d box;
@@ -116,7 +117,7 @@ SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, double grad
       box.extend(loop[i]);
     }
   }
-  return SizeField(sources, meshSize, gradation, box);
+  return SizeField(sources, meshSize, options.gradation, box);
 }
 }
 
@@ -140,7 +141,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   if (options.mode == DrillMode::Triangle)
   {
     TriangleMesh mesh = TriangulateDomain(domain, LoopMarks(domain),
-      MakeSizeField(domain, meshSize, options.gradation), progress);
+      MakeSizeField(domain, meshSize, options), progress);
     MarkTriangles(domain, configuration, mesh);
     return mesh;
   }
@@ -164,6 +165,6 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   }
 
   return TriangulateDomain(
-    drilled, marks, MakeSizeField(drilled, meshSize, options.gradation), progress);
+    drilled, marks, MakeSizeField(drilled, meshSize, options), progress);
 }
 }

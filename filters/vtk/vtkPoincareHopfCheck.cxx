@@ -24,6 +24,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkPoincareHopfCheck);
 
@@ -151,13 +153,32 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   reason->InsertNextValue(findings.reason);
   data->AddArray(reason);
 }
+
+/** The verdict as a text of short lines, for a view. */
+void WriteVerdict(const Findings& findings, vtkTable* table)
+{
+  std::istringstream words(findings.reason);
+  std::string text = findings.consistent ? "Consistent" : "Inconsistent";
+  std::size_t lineLength = std::string::npos; // the reason begins on a line of its own
+  constexpr std::size_t LongestLine = 60;
+  for (std::string word; words >> word;)
+  {
+    const bool fits = lineLength != std::string::npos && lineLength + word.size() < LongestLine;
+    text += (fits ? " " : "\n") + word;
+    lineLength = fits ? lineLength + word.size() + 1 : word.size();
+  }
+  vtkNew<vtkStringArray> column;
+  column->SetName("Verdict");
+  column->InsertNextValue(text);
+  table->AddColumn(column);
+}
 }
 
 //------------------------------------------------------------------------------
 vtkPoincareHopfCheck::vtkPoincareHopfCheck()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -179,7 +200,7 @@ int vtkPoincareHopfCheck::FillInputPortInformation(int port, vtkInformation* inf
 //------------------------------------------------------------------------------
 int vtkPoincareHopfCheck::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[3] = { "vtkDataSet", "vtkTable", "vtkPolyData" };
+  const char* types[4] = { "vtkDataSet", "vtkTable", "vtkPolyData", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
@@ -205,6 +226,7 @@ int vtkPoincareHopfCheck::RequestDataObject(
   provide(0, input->GetClassName(),
     [input] { return vtkSmartPointer<vtkDataObject>::Take(input->NewInstance()); });
   provide(1, "vtkTable", [] { return vtkSmartPointer<vtkTable>::New(); });
+  provide(3, "vtkTable", [] { return vtkSmartPointer<vtkTable>::New(); });
   provide(2, "vtkPolyData", [] { return vtkSmartPointer<vtkPolyData>::New(); });
   return 1;
 }
@@ -236,6 +258,7 @@ int vtkPoincareHopfCheck::RequestData(
         findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
       CornerConversion::WriteCountedCorners(
         findings.count.corners, findings.z, vtkPolyData::GetData(outputVector, 2));
+      WriteVerdict(findings, vtkTable::GetData(outputVector, 3));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

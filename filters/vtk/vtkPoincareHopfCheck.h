@@ -39,6 +39,9 @@
  * `QuarterIndex` (int, as counted or, of a field, as taken) and `Cancellable` (int, 1 in [3π/4, π):
  * interior singularities can make them regular points of the boundary).
  *
+ * Output 3 (vtkTable): the column `Verdict` with one entry, a text for the 3D view: whether it is
+ * consistent, and the reason.
+ *
  * An inconsistent configuration is not a failure. An empty domain gives empty outputs. Failure,
  * with empty outputs: a domain that vtkDrillHoles refuses; a singularity outside of it; arrays that
  * are missing or not integer; a corner that is no vertex of the boundary; with inner loops, holes

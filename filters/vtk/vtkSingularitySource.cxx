@@ -93,6 +93,21 @@ RowTable ReadRows(const std::string& fileName)
   return table;
 }
 
+/** The rows at the places of the handles. */
+void MoveToHandles(const std::vector<std::array<double, 2>>& handles, RowTable& table)
+{
+  std::array<double, 4> next = { 0.0, 0.0, 1.0, 0.1 };
+  if (!table.rows.empty())
+  {
+    next[3] = table.rows.back()[3];
+  }
+  table.rows.resize(handles.size(), next);
+  for (std::size_t i = 0; i < handles.size(); ++i)
+  {
+    std::copy(handles[i].begin(), handles[i].end(), table.rows[i].begin());
+  }
+}
+
 void WritePoints(const RowTable& table, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
@@ -138,6 +153,7 @@ vtkSingularitySource::vtkSingularitySource()
   for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
   {
     this->Rows.push_back({ x * diagonal, y * diagonal, 1.0, 0.1 });
+    this->Handles.push_back({ x * diagonal, y * diagonal });
   }
 }
 
@@ -185,14 +201,45 @@ void vtkSingularitySource::RemoveAllSingularities()
 }
 
 //------------------------------------------------------------------------------
+void vtkSingularitySource::SetHandle(int handle, double x, double y, double)
+{
+  if (handle < 0)
+  {
+    vtkErrorMacro("The number of a handle must not be negative.");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(handle);
+  this->Handles.resize(std::max(index + 1, this->Handles.size()), { 0.0, 0.0 });
+  this->Handles[index] = { x, y };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularitySource::SetNumberOfHandles(int count)
+{
+  this->Handles.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0 });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::GetNumberOfHandles() const
+{
+  return static_cast<int>(this->Handles.size());
+}
+
+//------------------------------------------------------------------------------
 int vtkSingularitySource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->ErrorCode = FilterRun::Run(this,
     [&](const crossfield::Progress&)
     {
-      const RowTable table =
+      RowTable table =
         this->FileName.empty() ? RowTable{ this->Rows, true } : ReadRows(this->FileName);
+      if (this->UseHandles)
+      {
+        MoveToHandles(this->Handles, table);
+      }
       WritePoints(table, vtkPolyData::GetData(outputVector));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
@@ -207,5 +254,11 @@ void vtkSingularitySource::PrintSelf(ostream& os, vtkIndent indent)
   for (const auto& [x, y, quarterIndex, radius] : this->Rows)
   {
     os << indent.GetNextIndent() << x << " " << y << " " << quarterIndex << " " << radius << "\n";
+  }
+  os << indent << "UseHandles: " << (this->UseHandles ? "on" : "off") << "\n";
+  os << indent << "Handles: " << this->Handles.size() << "\n";
+  for (const auto& [x, y] : this->Handles)
+  {
+    os << indent.GetNextIndent() << x << " " << y << "\n";
   }
 }

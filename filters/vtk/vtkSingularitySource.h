@@ -14,6 +14,10 @@
  * The rows are those set here, unless FileName is set. A file is comma-separated with the header
  * `x,y,quarter_index` and optionally `radius`, in any order.
  *
+ * With UseHandles on, handle i takes the place of row i: these are the points that ParaView lets one
+ * drag in the 3D view. A row without a handle is left out; a handle without a row is a singularity
+ * of quarter index 1 with the radius of the last row (0.1 without rows).
+ *
  * Failure: a file that is missing, lacks a column or has an entry that is not a finite number; a
  * quarter index that is not an integer. The output is then empty.
  *
@@ -62,6 +66,20 @@ public:
   /** As above; what ParaView calls. */
   void SetFileName(const char* fileName) { this->SetFileName(std::string(fileName ? fileName : "")); }
 
+  ///@{
+  /** Whether the handles say where the rows are. Default: off. */
+  vtkSetMacro(UseHandles, bool);
+  vtkGetMacro(UseHandles, bool);
+  vtkBooleanMacro(UseHandles, bool);
+  ///@}
+
+  ///@{
+  /** The handles; z is ignored. Default: the places of the default rows. */
+  void SetHandle(int handle, double x, double y, double z);
+  void SetNumberOfHandles(int count);
+  int GetNumberOfHandles() const;
+  ///@}
+
 protected:
   vtkSingularitySource();
   ~vtkSingularitySource() override = default;
@@ -74,6 +92,8 @@ private:
 
   std::vector<std::array<double, 4>> Rows;
   std::string FileName;
+  bool UseHandles = false;
+  std::vector<std::array<double, 2>> Handles;
 };
 
 #endif

@@ -19,7 +19,7 @@ PROXIES = {
     "ConfigurationProposal": (
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
-    "SingularitySource": ("sources", "Singularities FileName"),
+    "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
@@ -175,6 +175,33 @@ def test_topology():
     check_equal(value(fetch(classifier), "Energy"), first, "the energy without overrides")
 
 
+def test_handles():
+    """Dragging a handle moves its singularity; a bad place is a sentence, and dragging back mends."""
+    singularities = SingularitySource()
+    field = field_of(singularities)
+    first = value(fetch(field), "Energy")
+    singularities.UseHandles = 1
+    check_equal(value(fetch(field), "Energy"), first, "the energy with the handles as they are")
+    handles = list(singularities.Handles)
+    singularities.Handles = [0.5, 0.0, 0.0] + handles[3:]
+    check(abs(value(fetch(field), "Energy") - first) > 0.1, "the handle moves nothing")
+    singularities.Handles = [5.0, 0.0, 0.0] + handles[3:]
+    check_equal(fetch(field).GetNumberOfCells(), 0, "a handle outside: the number of cells")
+    singularities.Handles = handles
+    check_equal(value(fetch(field), "Energy"), first, "the energy after dragging back")
+
+
+def test_verdict():
+    singularities = SingularitySource()
+    verdict = PoincareHopfCheck(Input=PlanarDomainSource(), Singularities=singularities)
+    for rows, beginning in ((list(singularities.Singularities), "Consistent\n"),
+                            ([0, 0, 1, 0.1], "Inconsistent\n")):
+        singularities.Singularities = rows
+        verdict.UpdatePipeline()
+        text = servermanager.Fetch(verdict, idx=3).GetValueByName(0, "Verdict").ToString()
+        check(text.startswith(beginning), "the verdict is '%s'" % text)
+
+
 def server_data(proxy):
     """The object of the server itself: a fetched one might be a copy."""
     return proxy.GetClientSideObject().GetOutputDataObject(0)
@@ -201,6 +228,6 @@ def test_input_untouched():
 
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_default_chain, test_other_domains, test_unit_norm, test_bad_input,
-             test_topology, test_changed_input, test_input_untouched):
+             test_topology, test_handles, test_verdict, test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

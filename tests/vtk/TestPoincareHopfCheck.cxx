@@ -23,6 +23,8 @@
 
 #include <cmath>
 
+#include <sstream>
+
 namespace
 {
 class PoincareHopfCheck : public testing::Test
@@ -42,6 +44,11 @@ public:
     return reason == nullptr ? "" : std::string(reason->GetValue(0));
   }
   vtkTable* Loops() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
+  std::string Verdict()
+  {
+    auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(3));
+    return table->GetNumberOfRows() == 1 ? table->GetValueByName(0, "Verdict").ToString() : "";
+  }
   vtkPolyData* Corners() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2)); }
 
   vtkNew<vtkPlanarDomainSource> Source;
@@ -74,6 +81,7 @@ TEST_F(PoincareHopfCheck, ConsistentOnTheDisk)
   EXPECT_EQ(this->Value("Consistent"), 1.0);
   EXPECT_EQ(this->Field()->GetArray("HolonomyDefect"), nullptr);
   EXPECT_NE(this->Reason().find("as the Poincaré-Hopf theorem asks"), std::string::npos);
+  EXPECT_EQ(this->Verdict().rfind("Consistent\n", 0), 0u);
   // The domain passes through.
   vtkPolyData* domain = this->Source->GetOutput();
   EXPECT_EQ(FilterChecks::Output(this->Filter)->GetNumberOfPoints(), domain->GetNumberOfPoints());
@@ -88,6 +96,18 @@ TEST_F(PoincareHopfCheck, InconsistentIsNoError)
   EXPECT_NE(this->Reason().find("add up to 1 "), std::string::npos);
   EXPECT_NE(this->Reason().find("add singularities of total 3 or remove some of total -3."),
     std::string::npos);
+  // The verdict says the same in short lines.
+  std::istringstream lines(this->Verdict());
+  std::string joined;
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "Inconsistent");
+  while (std::getline(lines, line))
+  {
+    EXPECT_LE(line.size(), 60u);
+    joined += (joined.empty() ? "" : " ") + line;
+  }
+  EXPECT_EQ(joined, this->Reason());
 }
 
 TEST_F(PoincareHopfCheck, SingularitiesAreOptional)

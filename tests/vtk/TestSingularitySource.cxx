@@ -133,6 +133,39 @@ TEST_F(SingularitySource, RowsAreSetAppendedAndRemoved)
   EXPECT_EQ(rows, std::vector<Row>({ { 9.0, 9.0, 9.0, 9.0 } }));
 }
 
+TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
+{
+  this->Source->RemoveAllSingularities();
+  this->Source->AddSingularity(1.0, 2.0, 3.0, 0.4);
+  this->Source->AddSingularity(5.0, 6.0, -7.0, 0.8);
+  this->Source->SetNumberOfHandles(1);
+  this->Source->SetHandle(0, 0.5, 0.25, 9.0);
+  EXPECT_EQ(this->Rows()[0], Row({ 1.0, 2.0, 3.0, 0.4 })) << "handles are off by default";
+  this->Source->UseHandlesOn();
+  EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.5, 0.25, 3.0, 0.4 } }));
+  this->Source->SetHandle(2, -1.0, -2.0, 0.0);
+  EXPECT_EQ(this->Source->GetNumberOfHandles(), 3);
+  EXPECT_EQ(this->Rows(),
+    std::vector<Row>({ { 0.5, 0.25, 3.0, 0.4 }, { 0.0, 0.0, -7.0, 0.8 }, { -1.0, -2.0, 1.0, 0.8 } }));
+  // The rows themselves stay.
+  this->Source->UseHandlesOff();
+  EXPECT_EQ(this->Rows().size(), 2u);
+  // Those of a file move, too, and without rows there is a default.
+  this->Source->UseHandlesOn();
+  this->Source->SetNumberOfHandles(1);
+  this->SetText("x,y,quarter_index,radius\n0.5,-0.25,2,0.3\n");
+  EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.5, 0.25, 2.0, 0.3 } }));
+  this->SetText("x,y,quarter_index,radius\n");
+  EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.5, 0.25, 1.0, 0.1 } }));
+}
+
+TEST_F(SingularitySource, DefaultHandlesAreTheDefaultRows)
+{
+  const std::vector<Row> rows = this->Rows();
+  this->Source->UseHandlesOn();
+  EXPECT_EQ(this->Rows(), rows);
+}
+
 TEST_F(SingularitySource, ReadsAFile)
 {
   this->SetText("x,y,quarter_index,radius\n0.5,-0.25,1,0.1\n1e-3,2,-2,0.05\n");
