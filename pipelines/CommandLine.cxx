@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 void MeshOptions::AddTo(CLI::App& command)
 {
   command.add_option("DOMAIN", this->domain, DomainReader::Help)->required();
@@ -17,6 +19,28 @@ void MeshOptions::AddTo(CLI::App& command)
   command.add_option("-o,--output", this->output, "the .vtu file to write");
   command.add_option(
     "--size", this->size, "target edge length; default: 1/40 of the domain's diagonal");
+}
+
+const std::vector<std::string>& DrillModes()
+{
+  static const std::vector<std::string> modes = { "perforate", "imprint", "triangle" };
+  return modes;
+}
+
+void AddModeTo(CLI::App& command, std::string& mode)
+{
+  command
+    .add_option("--mode", mode,
+      "what a singularity becomes: perforate, a hole; imprint, a circle of edges whose inside is "
+      "kept; triangle, the edges of the one triangle at its place")
+    ->capture_default_str()
+    ->check(CLI::IsMember(DrillModes()));
+}
+
+int DrillModeCode(const std::string& mode)
+{
+  return static_cast<int>(
+    std::find(DrillModes().begin(), DrillModes().end(), mode) - DrillModes().begin());
 }
 
 long long CountTriangles(vtkUnstructuredGrid* mesh)

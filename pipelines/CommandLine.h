@@ -2,6 +2,7 @@
 #define CommandLine_h
 
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -20,6 +21,7 @@ enum ExitStatus
 /** The subcommands; each sets `status` when it has run. */
 ///@{
 void AddCheckCommand(CLI::App& app, int& status);
+void AddCompareCommand(CLI::App& app, int& status);
 void AddCornersCommand(CLI::App& app, int& status);
 void AddDomainCommand(CLI::App& app, int& status);
 void AddDrillCommand(CLI::App& app, int& status);
@@ -36,6 +38,15 @@ struct MeshOptions
 
   void AddTo(CLI::App& command);
 };
+
+/** Names of the modes of vtkDrillHoles, in the order of its codes. */
+const std::vector<std::string>& DrillModes();
+
+/** Adds the option --mode. */
+void AddModeTo(CLI::App& command, std::string& mode);
+
+/** The code of a mode. */
+int DrillModeCode(const std::string& mode);
 
 /** Number of triangles among the cells of a drilled mesh. */
 long long CountTriangles(vtkUnstructuredGrid* mesh);

@@ -19,14 +19,23 @@
 #include <iostream>
 #include <memory>
 
+namespace
+{
+struct DrillCommandOptions : MeshOptions
+{
+  std::string mode = "perforate";
+};
+}
+
 void AddDrillCommand(CLI::App& app, int& status)
 {
-  auto options = std::make_shared<MeshOptions>();
+  auto options = std::make_shared<DrillCommandOptions>();
   CLI::App* command =
     app.add_subcommand("drill", "triangulate a domain with a hole at every singularity");
   command->footer("Example: crossfield drill builtin:disk -s four.csv -o drilled.vtu --size 0.05");
   options->AddTo(*command);
   command->get_option("--output")->required();
+  AddModeTo(*command, options->mode);
   command->callback(
     [options, &status]
     {
@@ -43,6 +52,7 @@ void AddDrillCommand(CLI::App& app, int& status)
       drill->SetInputConnection(domain->GetOutputPort());
       drill->SetSingularitiesConnection(singularities->GetOutputPort());
       drill->SetMeshSize(options->size);
+      drill->SetMode(DrillModeCode(options->mode));
       PipelineRun::Update(drill, "drilling");
 
       // 4. Write the mesh.

@@ -48,6 +48,12 @@ void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
             << " after " << Value(field, names::Iterations) << " iterations (residual "
             << Value(field, names::Residual) << "), unwanted singularities "
             << Value(field, names::UnwantedSingularities) << "\n";
+  PrintSingularities(singularities);
+}
+}
+
+void PrintSingularities(vtkPolyData* singularities)
+{
   for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
   {
     const double* place = singularities->GetPoint(i);
@@ -55,7 +61,6 @@ void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
               << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
               << " at " << place[0] << " " << place[1] << "\n";
   }
-}
 }
 
 const std::vector<std::string> GinzburgLandauSolve::Starts = { "harmonic", "constant", "zero" };

@@ -6,6 +6,11 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
+/** Prints one line for each singularity that was found in a field. */
+void PrintSingularities(vtkPolyData* singularities);
+
 /** What `crossfield solve --method ginzburg-landau` was asked to do. */
 struct GinzburgLandauSolve : MeshOptions
 {

@@ -11,6 +11,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <unistd.h>
@@ -76,6 +77,31 @@ void Write(vtkDataObject* data, const std::string& file)
   writer->WriteToOutputStringOn(); // VTK 9.1 and 9.2 crash when a stream to a file fails
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
   WriteText(writer->GetOutputString(), file);
+}
+
+void WriteBlocks(const Blocks& blocks, const std::string& file)
+{
+  using vtksys::SystemTools;
+  const std::string name = SystemTools::GetFilenameWithoutLastExtension(file);
+  const std::string folder =
+    SystemTools::GetParentDirectory(SystemTools::CollapseFullPath(file)) + "/" + name;
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+  {
+    throw Error("The folder '" + folder + "' cannot be made; choose another name.");
+  }
+  std::string index = "<?xml version=\"1.0\"?>\n"
+                      "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
+                      "  <vtkMultiBlockDataSet>\n";
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    const auto& [block, data] = blocks[i];
+    Write(data, folder + "/" + block + ".vtu");
+    index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + block + "\" file=\"" +
+      name + "/" + block + ".vtu\"/>\n";
+  }
+  WriteText(index + "  </vtkMultiBlockDataSet>\n</VTKFile>\n", file);
 }
 
 void WriteText(const std::string& text, const std::string& file)

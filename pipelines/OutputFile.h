@@ -1,9 +1,12 @@
 #ifndef OutputFile_h
 #define OutputFile_h
 
-#include <string>
+#include "vtkDataObject.h"
+#include "vtkSmartPointer.h"
 
-class vtkDataObject;
+#include <string>
+#include <utility>
+#include <vector>
 
 /** Writes results so that a file either is complete or was not touched. */
 namespace OutputFile
@@ -16,6 +19,15 @@ void RequireWritable(const std::string& file, const std::string& ending);
  * Debian 12 cannot read appended data back. The file is written beside its place and renamed.
  */
 void Write(vtkDataObject* data, const std::string& file);
+
+/** Data sets and their names. */
+using Blocks = std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>>;
+
+/**
+ * Writes a multiblock F.vtm and its unstructured grids, as Write does, to F/NAME.vtu. The index is
+ * written last and here: VTK's own writer leaves a broken file behind when it fails.
+ */
+void WriteBlocks(const Blocks& blocks, const std::string& file);
 
 /** Writes text in the same way; "-" is standard output. */
 void WriteText(const std::string& text, const std::string& file);

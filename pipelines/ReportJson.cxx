@@ -58,7 +58,7 @@ Json Value(vtkDataArray* array)
 {
   namespace names = vtkCrossFieldArrayNames;
   static const std::set<std::string> flags = { names::Converged, names::Consistent,
-    names::StartedFromUnitNorm, names::UnitHoles };
+    names::DegreesReached, names::StartedFromUnitNorm, names::UnitHoles };
   static const std::set<std::string> lists = { names::HoleDegree, names::HoleNormRange,
     names::HolonomyDefect };
   if (flags.count(array->GetName()) != 0)

@@ -10,6 +10,7 @@
 #include "PipelineRun.h"
 #include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
 #include "vtkPerforatedCrossField.h"
 #include "vtkSingularitySource.h"
@@ -18,6 +19,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -33,7 +35,10 @@ struct SolveOptions : MeshOptions
 {
   std::string method = "constrained";
   std::string start = "best";
+  std::string mode = "perforate";
   bool unitHoles = false;
+  std::vector<int> unitHoleRows;
+  bool globalConstraint = false;
   double epsilon = 0.0;
   std::string corners;
   std::string json;
@@ -63,7 +68,7 @@ void PrintSummary(vtkUnstructuredGrid* field)
   {
     std::cout << " " << degrees->GetComponent(i, 0);
   }
-  std::cout << "\n";
+  std::cout << (Value(field, names::DegreesReached) != 0.0 ? "" : ", NOT those asked for") << "\n";
 }
 
 /** The names of all starts, of the constrained and the Ginzburg-Landau method. */
@@ -88,9 +93,17 @@ void CheckUsage(const SolveOptions& options)
   {
     throw CLI::RequiredError("--singularities");
   }
-  if (!reference && options.epsilon != 0.0)
+  if (reference &&
+    (options.mode != SolveOptions().mode || options.globalConstraint || options.unitHoles ||
+      !options.unitHoleRows.empty()))
   {
-    throw CLI::ValidationError("--epsilon belongs to --method ginzburg-landau");
+    throw CLI::ValidationError(
+      "--mode, --unit-holes, --unit-hole and --global-constraint do not belong to --method "
+      "ginzburg-landau, which has no holes");
+  }
+  if (options.method == "unit-norm" && options.epsilon != 0.0)
+  {
+    throw CLI::ValidationError("--epsilon belongs to the methods constrained and ginzburg-landau");
   }
   const std::vector<std::string>& starts = reference ? GinzburgLandauSolve::Starts : Starts;
   const bool isDefault = options.start == SolveOptions().start;
@@ -150,6 +163,7 @@ int Solve(const SolveOptions& options)
   drill->SetInputConnection(domain->GetOutputPort());
   drill->SetSingularitiesConnection(singularities->GetOutputPort());
   drill->SetMeshSize(options.size);
+  drill->SetMode(DrillModeCode(options.mode));
   PipelineRun::Update(drill, "drilling");
   timer->StopTimer();
   std::map<std::string, double> seconds;
@@ -163,6 +177,12 @@ int Solve(const SolveOptions& options)
   solver->SetStart(static_cast<int>(
     std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
   solver->SetUnitHoles(options.unitHoles);
+  for (const int row : options.unitHoleRows)
+  {
+    solver->AddUnitHole(row);
+  }
+  solver->SetGlobalConstraint(options.globalConstraint);
+  solver->SetEpsilon(options.epsilon);
   if (!options.corners.empty())
   {
     solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
@@ -173,7 +193,16 @@ int Solve(const SolveOptions& options)
   seconds["factor"] = solver->GetStageSeconds()[1];
   seconds["solve"] = solver->GetStageSeconds()[2];
 
-  // 5. Write the field and the report.
+  // 5. Where singularities may appear by themselves, find them.
+  const bool mayAppear = options.mode != SolveOptions().mode || options.epsilon != 0.0;
+  vtkNew<vtkCrossFieldSingularities> found;
+  found->SetInputConnection(solver->GetOutputPort());
+  if (mayAppear)
+  {
+    PipelineRun::Update(found, "reading singularities");
+  }
+
+  // 6. Write the field and the report.
   timer->StartTimer();
   if (!options.output.empty())
   {
@@ -184,16 +213,22 @@ int Solve(const SolveOptions& options)
   if (options.json.empty())
   {
     PrintSummary(field);
+    if (mayAppear)
+    {
+      PrintSingularities(found->GetOutput());
+    }
   }
   else
   {
+    const std::string report =
+      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
     OutputFile::WriteText(
-      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds),
-      options.json);
+      mayAppear ? ReportJson::AddSingularities(report, found->GetOutput()) : report, options.json);
   }
 
-  // 6. The answer.
-  const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0;
+  // 7. The answer.
+  const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0 ||
+    Value(field, names::DegreesReached) == 0.0;
   return Value(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo : Done;
 }
 }
@@ -219,13 +254,23 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->check(CLI::IsMember(AllStarts()));
   command
     ->add_option("--epsilon", options->epsilon,
-      "of ginzburg-landau: radius of the cores, a length; default: the mean edge length")
+      "length of the penalty on the norm, about the size of a triangle: of ginzburg-landau (default: "
+      "the mean edge length), or added to the constrained method, which then takes any sum of quarter "
+      "indices")
     ->check(CLI::PositiveNumber);
+  AddModeTo(*command, options->mode);
   command->add_flag("--unit-holes", options->unitHoles, "force unit crosses on the holes");
+  command->add_option("--unit-hole", options->unitHoleRows,
+           "force unit crosses on the hole of this row of the configuration, counted from 0; may be "
+           "given several times")
+    ->expected(1)
+    ->take_all();
+  command->add_flag("--global-constraint", options->globalConstraint,
+    "prescribe the sum of the degrees only, not that of every hole");
   command->add_option("--corners", options->corners,
     "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
   command->add_option("--json", options->json, "write the numbers to this file, or - for output");
-  command->add_flag(
-    "--strict", options->strict, "exit with status 1 when there are unwanted singularities");
+  command->add_flag("--strict", options->strict,
+    "exit with status 1 when there are unwanted singularities or a degree was not reached");
   command->callback([options, &status] { status = Solve(*options); });
 }

@@ -57,6 +57,12 @@ DegreeConstraint MakeDegreeConstraint(
   {
     centre += midpoint / static_cast<double>(midpoints.size());
   }
+  return MakeDegreeConstraint(std::move(unknowns), midpoints, centre, degree);
+}
+
+DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
+  const std::vector<Point>& midpoints, const Point& centre, int degree)
+{
   DegreeConstraint constraint{ std::move(unknowns), degree,
     DegreeTarget(midpoints, centre, degree), {} };
   for (const Point& midpoint : midpoints)

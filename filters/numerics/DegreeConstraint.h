@@ -32,6 +32,10 @@ struct DegreeConstraint
 DegreeConstraint MakeDegreeConstraint(
   std::vector<int> unknowns, const std::vector<Point>& midpoints, int degree);
 
+/// The same around a given centre.
+DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
+  const std::vector<Point>& midpoints, const Point& centre, int degree);
+
 /// Σ_j sin(d Δα_j), with Δα_j the angle between the midpoints of edges j and j + 1 seen from the
 /// centre; m sin(2πd/m) on a regular polygon. Throws Error unless |d| < m/2.
 double DegreeTarget(const std::vector<Point>& midpoints, const Point& centre, int degree);

@@ -3,6 +3,7 @@
 #include "DomainQueries.h"
 #include "Error.h"
 #include "PlanarMesher.h"
+#include "TriangleChoice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,37 @@ Loop HolePolygon(const Singularity& singularity, int edges)
   }
   return polygon;
 }
+
+/// What the loops of a domain are part of.
+std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
+{
+  std::vector<BoundaryEdge> marks;
+  for (std::size_t i = 0; i < domain.loops.size(); ++i)
+  {
+    marks.push_back(
+      { { 0, 0 }, i == 0 ? BoundaryKind::Outer : BoundaryKind::Inner, static_cast<int>(i), 0 });
+  }
+  return marks;
+}
+
+/// Short segments of the boundary and of the holes ask for small triangles around them.
+SizeField MakeSizeField(
+  const PlanarDomain& domain, double meshSize, const DrillOptions& options)
+{
+  std::vector<SizeSource> sources;
+  Eigen::AlignedBox2d box;
+  for (const Loop& loop : domain.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const double before = (loop[i] - loop[(i + loop.size() - 1) % loop.size()]).norm();
+      const double after = (loop[(i + 1) % loop.size()] - loop[i]).norm();
+      sources.push_back({ loop[i], std::min(before, after) });
+      box.extend(loop[i]);
+    }
+  }
+  return SizeField(sources, meshSize, options.gradation, box);
+}
 }
 
 double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain)
@@ -106,6 +138,13 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   {
     throw Error("A hole needs at least 3 edges; raise the smallest number of edges of a hole.");
   }
+  if (options.mode == DrillMode::Triangle)
+  {
+    TriangleMesh mesh = TriangulateDomain(domain, LoopMarks(domain),
+      MakeSizeField(domain, meshSize, options), progress);
+    MarkTriangles(domain, configuration, mesh);
+    return mesh;
+  }
   Configuration holes = configuration;
   for (Singularity& hole : holes)
   {
@@ -114,35 +153,18 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   CheckPlacement(domain, holes);
 
   PlanarDomain drilled = domain;
-  std::vector<BoundaryEdge> marks;
-  for (std::size_t i = 0; i < domain.loops.size(); ++i)
-  {
-    marks.push_back(
-      { { 0, 0 }, i == 0 ? BoundaryKind::Outer : BoundaryKind::Inner, static_cast<int>(i), 0 });
-  }
+  std::vector<BoundaryEdge> marks = LoopMarks(domain);
+  const BoundaryKind kind = options.mode == DrillMode::Imprint ? BoundaryKind::ImprintedCircle
+                                                               : BoundaryKind::Hole;
   for (std::size_t i = 0; i < holes.size(); ++i)
   {
     const int edges = std::max({ options.minimumHoleEdges, 8 * std::abs(holes[i].quarterIndex),
       static_cast<int>(std::ceil(2.0 * Pi * holes[i].radius / meshSize)) });
     drilled.loops.push_back(HolePolygon(holes[i], edges));
-    marks.push_back(
-      { { 0, 0 }, BoundaryKind::Hole, static_cast<int>(i), holes[i].quarterIndex });
+    marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  // Short segments of the boundary and of the holes ask for small triangles around them.
-  std::vector<SizeSource> sources;
-  Eigen::AlignedBox2d box;
-  for (const Loop& loop : drilled.loops)
-  {
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
-      const double before = (loop[i] - loop[(i + loop.size() - 1) % loop.size()]).norm();
-      const double after = (loop[(i + 1) % loop.size()] - loop[i]).norm();
-      sources.push_back({ loop[i], std::min(before, after) });
-      box.extend(loop[i]);
-    }
-  }
-  const SizeField size(sources, meshSize, options.gradation, box);
-  return TriangulateDomain(drilled, marks, size, progress);
+  return TriangulateDomain(
+    drilled, marks, MakeSizeField(drilled, meshSize, options), progress);
 }
 }

@@ -7,6 +7,14 @@
 
 namespace crossfield
 {
+/// What a singularity becomes in the mesh (METHOD §3, variants 1, 4 and 5).
+enum class DrillMode
+{
+  Perforate, ///< A hole.
+  Imprint,   ///< A circle of edges whose inside is kept.
+  Triangle   ///< The three edges of one triangle of the plain mesh, kept as well.
+};
+
 /// How a configuration is drilled into a domain (METHOD §3; paper, "Singularity placements via
 /// perforation strategy").
 struct DrillOptions
@@ -18,6 +26,7 @@ struct DrillOptions
   int minimumHoleEdges = 32;
   /// Largest growth of the edge length per unit of distance.
   double gradation = 0.25;
+  DrillMode mode = DrillMode::Perforate;
 };
 
 /// The mesh size that options ask for on a domain.
@@ -26,8 +35,13 @@ double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain);
 /// Triangulates the domain without the disks |x − b_i| < ρ_i; each hole is a regular polygon with
 /// its vertices on the circle. A singularity without a radius gets the mesh size as radius.
 ///
+/// Imprint: the same polygons are edges of the mesh, and the disks are kept. Triangle: the mesh is
+/// that of the domain alone, and the edges of the triangle that contains b_i are marked; radii mean
+/// nothing. Either way the marked edges are in TriangleMesh::imprinted.
+///
 /// Throws Error when a radius is not positive, a coordinate is not finite, a hole is not wholly
-/// inside the domain, or two holes overlap.
+/// inside the domain, or two holes overlap. Triangle: when a quarter index is not ±1, or a triangle
+/// touches the boundary or shares an edge with that of another singularity.
 TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configuration,
   const DrillOptions& options = {}, const Progress& progress = {});
 }

@@ -43,6 +43,53 @@ private:
   std::vector<int> First; ///< Last edge made for each smaller vertex,
   std::vector<int> Next;  ///< and the one made before it.
 };
+
+/// Chains directed edges of any kinds into loops.
+std::vector<BoundaryLoop> FindLoops(
+  const std::vector<BoundaryEdge>& edges, std::size_t vertexCount)
+{
+  std::map<std::tuple<int, int>, std::vector<int>> groups;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    groups[{ static_cast<int>(edges[i].kind), edges[i].id }].push_back(static_cast<int>(i));
+  }
+  std::vector<int> outgoing(vertexCount, -1);
+  std::vector<BoundaryLoop> loops;
+  for (const auto& [key, group] : groups)
+  {
+    // Group by group: imprinted triangles may share a vertex.
+    for (const int i : group)
+    {
+      outgoing[static_cast<std::size_t>(edges[static_cast<std::size_t>(i)].vertices[0])] = i;
+    }
+    const BoundaryEdge& first = edges[static_cast<std::size_t>(group.front())];
+    BoundaryLoop loop{ first.kind, first.id, first.quarterIndex, {} };
+    int here = group.front();
+    do
+    {
+      const BoundaryEdge& edge = edges[static_cast<std::size_t>(here)];
+      if (edge.kind != loop.kind || edge.id != loop.id || edge.quarterIndex != loop.quarterIndex ||
+        loop.edges.size() == group.size())
+      {
+        break;
+      }
+      loop.edges.push_back(here);
+      here = outgoing[static_cast<std::size_t>(edge.vertices[1])];
+    } while (here != group.front() && here >= 0);
+    if (here != group.front() || loop.edges.size() != group.size())
+    {
+      throw Error("The lines with BoundaryKind " + std::to_string(static_cast<int>(first.kind)) +
+        " and BoundaryId " + std::to_string(first.id) +
+        " do not form one closed loop; give a mesh made by the drill filter.");
+    }
+    if (loop.kind != BoundaryKind::Outer)
+    {
+      std::reverse(loop.edges.begin(), loop.edges.end());
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
 }
 
 int EdgeNumbering::EulerCharacteristic(const TriangleMesh& mesh) const
@@ -102,48 +149,58 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
                   "a mesh made by the drill filter.");
     }
   }
+  for (const BoundaryEdge& edge : mesh.imprinted)
+  {
+    const auto number = static_cast<std::size_t>(
+      table.Number(edge.vertices[0], edge.vertices[1], edges.vertices));
+    if (number >= marked.size() || edges.triangles[number][1] == None || marked[number])
+    {
+      throw Error("A line of an imprinted circle is not an edge between two triangles, or is there "
+                  "twice; drill the mesh again.");
+    }
+    marked[number] = true;
+    edges.ofImprinted.push_back(static_cast<int>(number));
+  }
   return edges;
+}
+
+std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges)
+{
+  const std::vector<int>& numbers =
+    loop.kind == BoundaryKind::ImprintedCircle ? edges.ofImprinted : edges.ofBoundary;
+  std::vector<int> result;
+  result.reserve(loop.edges.size());
+  for (const int edge : loop.edges)
+  {
+    result.push_back(numbers[static_cast<std::size_t>(edge)]);
+  }
+  return result;
+}
+
+Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh)
+{
+  const auto& marked =
+    loop.kind == BoundaryKind::ImprintedCircle ? mesh.imprinted : mesh.boundary;
+  Point sum = Point::Zero();
+  double length = 0.0;
+  for (const int edge : loop.edges)
+  {
+    const auto& ends = marked[static_cast<std::size_t>(edge)].vertices;
+    const Point& from = mesh.points[static_cast<std::size_t>(ends[0])];
+    const Point& to = mesh.points[static_cast<std::size_t>(ends[1])];
+    sum += 0.5 * (to - from).norm() * (from + to);
+    length += (to - from).norm();
+  }
+  return sum / length;
 }
 
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh)
 {
-  std::map<std::tuple<int, int>, std::vector<int>> groups;
-  std::vector<int> outgoing(mesh.points.size(), -1);
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-  {
-    const BoundaryEdge& edge = mesh.boundary[i];
-    groups[{ static_cast<int>(edge.kind), edge.id }].push_back(static_cast<int>(i));
-    outgoing[static_cast<std::size_t>(edge.vertices[0])] = static_cast<int>(i);
-  }
-  std::vector<BoundaryLoop> loops;
-  for (const auto& [key, group] : groups)
-  {
-    const BoundaryEdge& first = mesh.boundary[static_cast<std::size_t>(group.front())];
-    BoundaryLoop loop{ first.kind, first.id, first.quarterIndex, {} };
-    int here = group.front();
-    do
-    {
-      const BoundaryEdge& edge = mesh.boundary[static_cast<std::size_t>(here)];
-      if (edge.kind != loop.kind || edge.id != loop.id || edge.quarterIndex != loop.quarterIndex ||
-        loop.edges.size() == group.size())
-      {
-        break;
-      }
-      loop.edges.push_back(here);
-      here = outgoing[static_cast<std::size_t>(edge.vertices[1])];
-    } while (here != group.front() && here >= 0);
-    if (here != group.front() || loop.edges.size() != group.size())
-    {
-      throw Error("The lines with BoundaryKind " + std::to_string(static_cast<int>(first.kind)) +
-        " and BoundaryId " + std::to_string(first.id) +
-        " do not form one closed loop; give a mesh made by the drill filter.");
-    }
-    if (loop.kind != BoundaryKind::Outer)
-    {
-      std::reverse(loop.edges.begin(), loop.edges.end());
-    }
-    loops.push_back(std::move(loop));
-  }
-  return loops;
+  return FindLoops(mesh.boundary, mesh.points.size());
+}
+
+std::vector<BoundaryLoop> FindImprintedLoops(const TriangleMesh& mesh)
+{
+  return FindLoops(mesh.imprinted, mesh.points.size());
 }
 }

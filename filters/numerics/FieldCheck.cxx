@@ -125,6 +125,13 @@ FieldCheck CheckField(
       given += degree;
     }
   }
+  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
+  {
+    // What is inside is counted there.
+    const int degree = check.holes[check.prescribedDegrees.size()].degree;
+    check.prescribedDegrees.push_back(circle.quarterIndex);
+    degrees = degrees && degree == circle.quarterIndex;
+  }
   FieldIndices indices = ReadIndices(mesh, field.edges, u);
   std::vector<bool> aligned(mesh.points.size(), false);
   std::vector<bool> corner(mesh.points.size(), false);
@@ -152,6 +159,10 @@ FieldCheck CheckField(
   if (check.holes.empty() && check.interiorQuarters != 0)
   {
     check.unwantedSingularities = 0; // the boundary asks for them, and nothing says where
+  }
+  if (!mesh.imprinted.empty())
+  {
+    check.unwantedSingularities = field.unwantedSingularities; // circles have theirs inside
   }
   const int otherCorners = CountOtherCorners(field.count.corners, check.count.corners);
   check.asPrescribed = degrees && check.unwantedSingularities == 0 && otherCorners == 0;

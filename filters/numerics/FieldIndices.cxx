@@ -94,8 +94,8 @@ bool HoleReading::Reliable() const
 HoleReading ReadHole(const BoundaryLoop& loop, const EdgeNumbering& edges, const ComplexVector& u)
 {
   HoleReading reading;
-  const auto value = [&](std::size_t i)
-  { return u[edges.ofBoundary[static_cast<std::size_t>(loop.edges[i % loop.edges.size()])]]; };
+  const std::vector<int> numbers = EdgesOf(loop, edges);
+  const auto value = [&](std::size_t i) { return u[numbers[i % numbers.size()]]; };
   reading.minimumNorm = reading.maximumNorm = std::abs(value(0));
   double sum = 0.0;
   for (std::size_t i = 0; i < loop.edges.size(); ++i)

@@ -27,7 +27,7 @@ FieldIndices ReadIndices(
 void MergeAtVertices(
   const TriangleMesh& mesh, const std::vector<bool>& marked, FieldIndices& indices);
 
-/// How a field behaves on one hole.
+/// How a field behaves on one hole or imprinted circle.
 struct HoleReading
 {
   int degree = 0;
@@ -38,5 +38,6 @@ struct HoleReading
   bool Reliable() const;
 };
 
+/// `loop`: a hole, or an imprinted circle.
 HoleReading ReadHole(const BoundaryLoop& loop, const EdgeNumbering& edges, const ComplexVector& u);
 }

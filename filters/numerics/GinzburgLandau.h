@@ -42,9 +42,6 @@ double ResolveEpsilon(
 ///   least that the Poincaré-Hopf theorem asks for.
 struct GinzburgLandauField : CrossField
 {
-  double epsilon = 0.0;
-  double gradientEnergy = 0.0; ///< ½ ∫ w |∇u|².
-  double penaltyEnergy = 0.0;  ///< 1/(4ε²) ∫ (|u|² − f²)².
   /// Of the start and after every iteration; never rises by more than rounding.
   std::vector<double> energies;
   int convexifiedSteps = 0; ///< Iterations in which the Hessian was not positive definite.

@@ -1,8 +1,6 @@
 #include "GinzburgLandauEnergy.h"
 
 #include "Error.h"
-#include "NestedDissection.h"
-#include "SparseCholesky.h"
 
 #include <cmath>
 #include <string>
@@ -20,9 +18,11 @@ double TriangleArea(const TriangleMesh& mesh, std::size_t t)
       mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
 }
 
-void CheckPinning(
-  const GinzburgLandauPinning& pinning, Eigen::Index triangles, Eigen::Index edges)
+const GinzburgLandauPinning& CheckPinning(
+  const GinzburgLandauPinning& pinning, const TriangleMesh& mesh, const EdgeNumbering& numbering)
 {
+  const auto triangles = static_cast<Eigen::Index>(mesh.triangles.size());
+  const Eigen::Index edges = numbering.Count();
   const Eigen::Index norms = pinning.norm.size();
   if (norms != 0 && norms != triangles && norms != edges)
   {
@@ -48,33 +48,7 @@ void CheckPinning(
     throw Error("The weight of the gradient term is not positive or not finite somewhere; give "
                 "positive values, 1 where nothing is pinned.");
   }
-}
-
-/// The entries of a matrix over all edges in the rows and columns of the free ones.
-SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
-{
-  std::vector<int> unknown(static_cast<std::size_t>(matrix.rows()), -1);
-  for (std::size_t i = 0; i < free.size(); ++i)
-  {
-    unknown[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
-  for (std::size_t i = 0; i < free.size(); ++i)
-  {
-    for (SparseMatrix::InnerIterator entry(matrix, free[i]); entry; ++entry)
-    {
-      const int row = unknown[static_cast<std::size_t>(entry.row())];
-      if (row >= 0)
-      {
-        entries.emplace_back(row, static_cast<int>(i), entry.value());
-      }
-    }
-  }
-  const auto size = static_cast<Eigen::Index>(free.size());
-  SparseMatrix restricted(size, size);
-  restricted.setFromTriplets(entries.begin(), entries.end());
-  return restricted;
+  return pinning;
 }
 
 /// The matrix that acts on real and imaginary parts alike, with all entries of the diagonal blocks.
@@ -108,6 +82,7 @@ std::ptrdiff_t PositionOf(SparseMatrix& matrix, Eigen::Index row, Eigen::Index c
 GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges,
   double epsilon, const GinzburgLandauPinning& pinning)
   : InverseSquare(1.0 / (epsilon * epsilon))
+  , Aligned(mesh, edges, CheckPinning(pinning, mesh, edges).gradientWeight)
 {
   if (!(epsilon > 0.0) || !std::isfinite(epsilon))
   {
@@ -115,9 +90,6 @@ GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeN
                 "of about the size of a triangle.");
   }
   const auto triangleCount = static_cast<Eigen::Index>(mesh.triangles.size());
-  CheckPinning(pinning, triangleCount, edges.Count());
-  this->Stiffness = CrouzeixRaviartStiffness(mesh, edges, pinning.gradientWeight);
-
   this->Mass = this->Pull = this->Offset = Eigen::VectorXd::Zero(edges.Count());
   const bool perTriangle = pinning.norm.size() == triangleCount;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -134,37 +106,8 @@ GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeN
     }
   }
 
-  std::vector<bool> fixed(static_cast<std::size_t>(edges.Count()), false);
-  std::vector<Complex> prescribed;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-  {
-    const BoundaryEdge& edge = mesh.boundary[i];
-    if (edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner)
-    {
-      fixed[static_cast<std::size_t>(edges.ofBoundary[i])] = true;
-      this->Fixed.push_back(edges.ofBoundary[i]);
-      prescribed.push_back(
-        AlignedRepresentation(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
-          mesh.points[static_cast<std::size_t>(edge.vertices[0])]));
-    }
-  }
-  this->Prescribed = Eigen::Map<const ComplexVector>(
-    prescribed.data(), static_cast<Eigen::Index>(prescribed.size()));
-  std::vector<Point> places;
-  for (int edge = 0; edge < edges.Count(); ++edge)
-  {
-    if (!fixed[static_cast<std::size_t>(edge)])
-    {
-      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
-      this->Free.push_back(edge);
-      places.push_back(0.5 *
-        (mesh.points[static_cast<std::size_t>(from)] + mesh.points[static_cast<std::size_t>(to)]));
-    }
-  }
-  this->FreeStiffness = Restrict(this->Stiffness, this->Free);
-  this->Order = NestedDissection(this->FreeStiffness, places);
-  this->Pattern = OnBothParts(this->FreeStiffness);
-  for (Eigen::Index i = 0; i < this->FreeStiffness.rows(); ++i)
+  this->Pattern = OnBothParts(this->Aligned.freeStiffness);
+  for (Eigen::Index i = 0; i < this->Aligned.freeStiffness.rows(); ++i)
   {
     this->Blocks.push_back({ PositionOf(this->Pattern, 2 * i, 2 * i),
       PositionOf(this->Pattern, 2 * i + 1, 2 * i), PositionOf(this->Pattern, 2 * i, 2 * i + 1),
@@ -172,17 +115,9 @@ GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeN
   }
 }
 
-void GinzburgLandauEnergy::Align(ComplexVector& u) const
-{
-  for (std::size_t i = 0; i < this->Fixed.size(); ++i)
-  {
-    u[this->Fixed[i]] = this->Prescribed[static_cast<Eigen::Index>(i)];
-  }
-}
-
 double GinzburgLandauEnergy::GradientPart(const ComplexVector& u) const
 {
-  return 0.5 * u.dot(ComplexVector(this->Stiffness * u)).real();
+  return 0.5 * u.dot(ComplexVector(this->Aligned.stiffness * u)).real();
 }
 
 double GinzburgLandauEnergy::PenaltyPart(const ComplexVector& u) const
@@ -197,11 +132,11 @@ double GinzburgLandauEnergy::PenaltyPart(const ComplexVector& u) const
 
 Eigen::VectorXd GinzburgLandauEnergy::Gradient(const ComplexVector& u) const
 {
-  const ComplexVector elastic = this->Stiffness * u;
-  Eigen::VectorXd gradient(2 * static_cast<Eigen::Index>(this->Free.size()));
-  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  const ComplexVector elastic = this->Aligned.stiffness * u;
+  Eigen::VectorXd gradient(2 * static_cast<Eigen::Index>(this->Aligned.free.size()));
+  for (std::size_t i = 0; i < this->Aligned.free.size(); ++i)
   {
-    const int edge = this->Free[i];
+    const int edge = this->Aligned.free[i];
     const double push =
       this->InverseSquare * (this->Mass[edge] * std::norm(u[edge]) - this->Pull[edge]);
     const Complex value = elastic[edge] + push * u[edge];
@@ -211,26 +146,31 @@ Eigen::VectorXd GinzburgLandauEnergy::Gradient(const ComplexVector& u) const
   return gradient;
 }
 
-double GinzburgLandauEnergy::RelativeResidual(const ComplexVector& u) const
+double GinzburgLandauEnergy::ResidualScale(const ComplexVector& u) const
 {
   ComplexVector inside = ComplexVector::Zero(u.size());
   double penalty = 0.0;
-  for (const int edge : this->Free)
+  for (const int edge : this->Aligned.free)
   {
     inside[edge] = u[edge];
     penalty += std::norm(
       this->InverseSquare * (this->Mass[edge] * std::norm(u[edge]) - this->Pull[edge]) * u[edge]);
   }
-  const ComplexVector elastic = this->Stiffness * inside;
-  const ComplexVector load = this->Stiffness * ComplexVector(u - inside);
+  const ComplexVector elastic = this->Aligned.stiffness * inside;
+  const ComplexVector load = this->Aligned.stiffness * ComplexVector(u - inside);
   double elasticSum = 0.0;
   double loadSum = 0.0;
-  for (const int edge : this->Free)
+  for (const int edge : this->Aligned.free)
   {
     elasticSum += std::norm(elastic[edge]);
     loadSum += std::norm(load[edge]);
   }
-  const double scale = std::sqrt(elasticSum) + std::sqrt(loadSum) + std::sqrt(penalty);
+  return std::sqrt(elasticSum) + std::sqrt(loadSum) + std::sqrt(penalty);
+}
+
+double GinzburgLandauEnergy::RelativeResidual(const ComplexVector& u) const
+{
+  const double scale = this->ResidualScale(u);
   return scale > 0.0 ? this->Gradient(u).norm() / scale : 0.0;
 }
 
@@ -239,9 +179,9 @@ Eigen::SparseMatrix<double> GinzburgLandauEnergy::Hessian(
 {
   SparseMatrix hessian = this->Pattern;
   double* values = hessian.valuePtr();
-  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  for (std::size_t i = 0; i < this->Aligned.free.size(); ++i)
   {
-    const int edge = this->Free[i];
+    const int edge = this->Aligned.free[i];
     const double mass = this->InverseSquare * this->Mass[edge];
     const double push =
       mass * std::norm(u[edge]) + (shift - 1.0) * this->InverseSquare * this->Pull[edge];
@@ -258,48 +198,24 @@ Eigen::SparseMatrix<double> GinzburgLandauEnergy::Hessian(
 
 Eigen::VectorXd GinzburgLandauEnergy::Metric() const
 {
-  Eigen::VectorXd metric(2 * static_cast<Eigen::Index>(this->Free.size()));
-  for (std::size_t i = 0; i < this->Free.size(); ++i)
+  Eigen::VectorXd metric(2 * static_cast<Eigen::Index>(this->Aligned.free.size()));
+  for (std::size_t i = 0; i < this->Aligned.free.size(); ++i)
   {
     metric.segment<2>(2 * static_cast<Eigen::Index>(i))
-      .setConstant(this->InverseSquare * this->Pull[this->Free[i]]);
+      .setConstant(this->InverseSquare * this->Pull[this->Aligned.free[i]]);
   }
   return metric;
 }
 
-std::vector<int> GinzburgLandauEnergy::UnknownOrder() const
+std::vector<int> GinzburgLandauEnergy::UnknownOrder(const std::vector<int>& last) const
 {
   std::vector<int> order;
-  order.reserve(2 * this->Order.size());
-  for (const int i : this->Order)
+  order.reserve(2 * this->Aligned.free.size());
+  for (const int i : this->Aligned.EliminationOrder(last))
   {
     order.push_back(2 * i);
     order.push_back(2 * i + 1);
   }
   return order;
-}
-
-ComplexVector GinzburgLandauEnergy::HarmonicField() const
-{
-  ComplexVector u = ComplexVector::Zero(this->Stiffness.rows());
-  this->Align(u);
-  if (this->Free.empty())
-  {
-    return u;
-  }
-  const ComplexVector load = this->Stiffness * u;
-  Eigen::MatrixXd parts(static_cast<Eigen::Index>(this->Free.size()), 2);
-  for (std::size_t i = 0; i < this->Free.size(); ++i)
-  {
-    parts(static_cast<Eigen::Index>(i), 0) = -load[this->Free[i]].real();
-    parts(static_cast<Eigen::Index>(i), 1) = -load[this->Free[i]].imag();
-  }
-  parts = SparseCholesky(this->FreeStiffness, this->Order).Solve(parts);
-  for (std::size_t i = 0; i < this->Free.size(); ++i)
-  {
-    const auto row = static_cast<Eigen::Index>(i);
-    u[this->Free[i]] = Complex(parts(row, 0), parts(row, 1));
-  }
-  return u;
 }
 }

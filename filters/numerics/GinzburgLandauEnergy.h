@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CrouzeixRaviart.h"
+#include "AlignedProblem.h"
 
 namespace crossfield
 {
@@ -30,9 +30,9 @@ public:
     const GinzburgLandauPinning& pinning = {});
 
   /// Edges whose value is not prescribed, in increasing order: the unknowns.
-  const std::vector<int>& FreeEdges() const { return this->Free; }
+  const std::vector<int>& FreeEdges() const { return this->Aligned.free; }
   /// Sets the values on the aligned edges.
-  void Align(ComplexVector& u) const;
+  void Align(ComplexVector& u) const { this->Aligned.Align(u); }
 
   /// ½ ∫ w |∇u|².
   double GradientPart(const ComplexVector& u) const;
@@ -48,6 +48,8 @@ public:
 
   /// ‖Gradient(u)‖ relative to the sum of the norms of the terms that cancel in it.
   double RelativeResidual(const ComplexVector& u) const;
+  /// That sum.
+  double ResidualScale(const ComplexVector& u) const;
 
   /// Second derivatives, in the numbering of Gradient, plus `shift` × D with the diagonal matrix
   /// D = 1/ε² ∫ f² of Metric(). Symmetric, both halves stored, compressed. Positive definite for
@@ -57,25 +59,20 @@ public:
   /// The diagonal of D, in the numbering of Gradient.
   Eigen::VectorXd Metric() const;
 
-  /// Fill-reducing elimination orders: of the free edges, and of the unknowns of the Hessian.
-  const std::vector<int>& EdgeOrder() const { return this->Order; }
-  std::vector<int> UnknownOrder() const;
+  /// Fill-reducing elimination order of the unknowns of the Hessian, with those of the free edges at
+  /// the positions `last` at the end.
+  std::vector<int> UnknownOrder(const std::vector<int>& last = {}) const;
 
   /// The field without penalty: least ½ ∫ w |∇u|².
-  ComplexVector HarmonicField() const;
+  ComplexVector HarmonicField() const { return this->Aligned.HarmonicField(); }
 
 private:
   double InverseSquare;   ///< 1/ε².
-  SparseMatrix Stiffness; ///< Over all edges.
+  AlignedProblem Aligned;
   // Per edge: the penalty is InverseSquare / 4 × (Mass |u|⁴ − 2 Pull |u|² + Offset).
   Eigen::VectorXd Mass;
   Eigen::VectorXd Pull;
   Eigen::VectorXd Offset;
-  std::vector<int> Free;
-  std::vector<int> Fixed;
-  ComplexVector Prescribed; ///< Along Fixed.
-  SparseMatrix FreeStiffness;
-  std::vector<int> Order;
   SparseMatrix Pattern; ///< The Hessian of the gradient term, with room for that of the penalty.
   std::vector<std::array<std::ptrdiff_t, 4>> Blocks; ///< Where in it each edge's own block is.
 };

@@ -5,9 +5,9 @@
 #include "ReducedUnit.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
+#include "VariantSolve.h"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace crossfield
@@ -42,13 +42,6 @@ void UseSolution(const PerforatedProblem& problem, const ConstrainedSolver& solv
   ReadReport(problem.mesh, problem.loops, field);
 }
 
-/// Fewer of these are better, the first that differs decides.
-auto Shortcomings(const CrossField& field)
-{
-  return std::make_tuple(
-    !field.converged, field.wrongDegrees, field.unwantedSingularities, field.energy);
-}
-
 void UseConstrained(const PerforatedProblem& problem, const PerforatedOptions& options,
   const Progress& progress, CrossField& field)
 {
@@ -78,7 +71,7 @@ void UseConstrained(const PerforatedProblem& problem, const PerforatedOptions& o
     SolveReducedFrom(solver.GetReducedProblem(), solver.HoleValues(unitNorm), patience,
       progress.Part(0.5, 0.8)),
     other);
-  if (options.start == PerforatedStart::UnitNorm || Shortcomings(other) < Shortcomings(field))
+  if (options.start == PerforatedStart::UnitNorm || IsBetter(other, field))
   {
     field = std::move(other);
   }
@@ -103,6 +96,10 @@ void UseUnitHoles(const PerforatedProblem& islandsOnly, const ReducedOptions& op
 CrossField SolvePerforated(
   const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
 {
+  if (IsVariant(mesh, options))
+  {
+    return SolveVariant(mesh, options, progress);
+  }
   CrossField field;
   const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
   field.count = problem.count;

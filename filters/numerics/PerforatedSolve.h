@@ -27,6 +27,12 @@ struct PerforatedOptions
   PerforatedMethod method = PerforatedMethod::Constrained;
   PerforatedStart start = PerforatedStart::Best;
   bool unitHoles = false; ///< Constrained method: force |u| = 1 on the holes (ReducedUnit.h).
+  /// The same on some holes only, by their rows in the configuration.
+  std::vector<int> unitHoleRows;
+  /// Constrained method: one constraint, Σ_i C_i = Σ_i t_i, in place of one per hole.
+  bool globalConstraint = false;
+  /// Constrained method: ε of the penalty 1/(4ε²) ∫ (|u|² − 1)², a length; 0 for none.
+  double epsilon = 0.0;
   ReducedOptions reduced; ///< Of the constrained method.
   /// Quarter indices chosen for vertices of outer and inner loops instead of the smallest rotations.
   /// The unit-norm field takes them; the constrained one is only held to the sum that they leave to
@@ -36,6 +42,8 @@ struct PerforatedOptions
 
 /// The smoothest cross field on a drilled mesh with the degrees prescribed on its holes, and a
 /// report on what came out.
+///
+/// Meshes with imprinted circles and the options for the variants go to VariantSolve.h.
 ///
 /// Throws Error when the quarter indices violate Poincaré-Hopf or a hole has too few edges for its
 /// degree. An iteration that does not converge is not an error: see CrossField::converged.

@@ -2,16 +2,12 @@
 #include "PlanarMesher.h"
 
 #include "Error.h"
+#include "MesherCriteria.h"
+#include "MesherPoints.h"
+#include "MesherTriangulation.h"
 #include "PointLattice.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Delaunay_mesh_criteria_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/Delaunay_mesh_vertex_base_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,38 +18,7 @@ namespace crossfield
 {
 namespace
 {
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-constexpr int None = -1;
-
-/// Of a vertex: its boundary loop, and its number in the mesh that is read out.
-struct VertexInfo
-{
-  int loop = None;
-  int number = None;
-};
-/// Of a face: how many loops enclose it.
-struct FaceInfo
-{
-  int depth = None;
-};
-
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel,
-  CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
-  CGAL::Delaunay_mesh_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
-using CgalPoint = Triangulation::Point;
-
-CgalPoint ToCgal(const Point& point)
-{
-  return { point.x(), point.y() };
-}
-
-Point FromCgal(const CgalPoint& point)
-{
-  return { point.x(), point.y() };
-}
+using namespace mesher;
 
 [[noreturn]] void ThrowTouching(const Point& point)
 {
@@ -112,9 +77,20 @@ Triangulation TriangulateLoops(const std::vector<Loop>& loops)
   return triangulation;
 }
 
-/// Numbers every face by the count of loops that enclose it, and marks those of depth 1, the
-/// domain, for the mesher.
-void ComputeDepths(Triangulation& triangulation)
+/// Whether each loop is an imprinted circle, which separates nothing.
+std::vector<bool> FindImprinted(const std::vector<BoundaryEdge>& loopMarks)
+{
+  std::vector<bool> imprinted;
+  for (const BoundaryEdge& mark : loopMarks)
+  {
+    imprinted.push_back(mark.kind == BoundaryKind::ImprintedCircle);
+  }
+  return imprinted;
+}
+
+/// Numbers every face by the count of loops that enclose it, those that are imprinted not counted,
+/// and marks those of depth 1, the domain, for the mesher.
+void ComputeDepths(Triangulation& triangulation, const std::vector<bool>& imprinted)
 {
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
   {
@@ -139,7 +115,10 @@ void ComputeDepths(Triangulation& triangulation)
         const Triangulation::Face_handle neighbour = face->neighbor(i);
         if (neighbour->info().depth == None)
         {
-          const bool crosses = triangulation.is_constrained({ face, i });
+          // Loops do not touch: the ends of a segment are of the same one.
+          const bool crosses = triangulation.is_constrained({ face, i }) &&
+            !imprinted[static_cast<std::size_t>(
+              face->vertex(Triangulation::cw(i))->info().loop)];
           neighbour->info().depth = depth + (crosses ? 1 : 0);
           (crosses ? next : current).push_back(neighbour);
         }
@@ -190,83 +169,6 @@ std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& siz
   return result;
 }
 
-/// Criteria of Delaunay_mesher_2: a triangle is bad when it has an angle below 27° (20.7° if it is
-/// much smaller than wanted), or a longest edge well above the size wanted at its centre.
-class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation>
-{
-public:
-  using Base = CGAL::Delaunay_mesh_criteria_2<Triangulation>;
-
-  /// Ordered by how urgent the refinement is: oversized triangles first, then by their angle.
-  struct Quality
-  {
-    double sineSquared = 1.0; ///< Of the smallest angle.
-    double bound = 0.0;       ///< What it should be at least.
-    double oversize = 0.0;    ///< (longest edge / longest allowed edge)².
-    bool TooLarge() const { return this->oversize > 1.0; }
-    bool operator<(const Quality& other) const
-    {
-      if (this->TooLarge() || other.TooLarge())
-      {
-        return this->oversize > other.oversize;
-      }
-      return this->sineSquared < other.sineSquared;
-    }
-  };
-
-  class Is_bad
-  {
-  public:
-    explicit Is_bad(const SizeField& size)
-      : Size(size)
-    {
-    }
-    CGAL::Mesh_2::Face_badness operator()(const Quality& quality) const
-    {
-      if (quality.TooLarge())
-      {
-        return CGAL::Mesh_2::IMPERATIVELY_BAD;
-      }
-      return quality.sineSquared < quality.bound ? CGAL::Mesh_2::BAD : CGAL::Mesh_2::NOT_BAD;
-    }
-    CGAL::Mesh_2::Face_badness operator()(
-      const Triangulation::Face_handle& face, Quality& quality) const
-    {
-      const Point p[3] = { FromCgal(face->vertex(0)->point()), FromCgal(face->vertex(1)->point()),
-        FromCgal(face->vertex(2)->point()) };
-      double lengths[3];
-      for (int i = 0; i < 3; ++i)
-      {
-        lengths[i] = (p[(i + 1) % 3] - p[i]).squaredNorm();
-      }
-      std::sort(lengths, lengths + 3);
-      const double twiceArea = Cross(p[1] - p[0], p[2] - p[0]);
-      const double wanted = this->Size((p[0] + p[1] + p[2]) / 3.0);
-      // Between the lattice and the boundary triangles are up to half as long again as wanted.
-      constexpr double Slack = 1.5;
-      quality.oversize = lengths[2] / (Slack * Slack * wanted * wanted);
-      // sin² 20.7° = 1/8: up to here the refinement provably ends (CGAL manual, Mesh_2). 27° is
-      // asked of triangles above a fifth of the wanted size: their number is limited, so this ends too.
-      const double sine = std::sin(27.0 / 180.0 * Pi);
-      quality.bound = lengths[2] > 0.04 * wanted * wanted ? sine * sine : 0.125;
-      quality.sineSquared = twiceArea * twiceArea / (lengths[1] * lengths[2]);
-      return (*this)(quality);
-    }
-
-  private:
-    const SizeField& Size;
-  };
-
-  explicit GradedCriteria(const SizeField& size)
-    : Size(size)
-  {
-  }
-  Is_bad is_bad_object() const { return Is_bad(this->Size); }
-
-private:
-  const SizeField& Size;
-};
-
 /// One point inside every inner loop: the centroid of the largest triangle there.
 std::vector<CgalPoint> HoleSeeds(const Triangulation& triangulation, std::size_t loopCount)
 {
@@ -296,91 +198,6 @@ std::vector<CgalPoint> HoleSeeds(const Triangulation& triangulation, std::size_t
     }
   }
   return result;
-}
-
-/// Whether a point keeps its distance, relative to the wanted size, from the vertices and segments
-/// of the face that it lies in; points of a boundary-only triangulation near a segment or vertex
-/// lie in a face that has it.
-bool IsClear(const Triangulation::Face_handle& face, const Point& point, double size)
-{
-  // Half an edge from a segment and two thirds from a vertex leave triangles with angles above 27°
-  // in most places; the mesher mends the others.
-  constexpr double FromSegment = 0.5;
-  constexpr double FromVertex = 0.65;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Point here = FromCgal(face->vertex(i)->point());
-    if ((point - here).squaredNorm() < FromVertex * FromVertex * size * size)
-    {
-      return false;
-    }
-    if (face->is_constrained(i))
-    {
-      const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
-      const Point along = FromCgal(face->vertex(Triangulation::cw(i))->point()) - from;
-      if (Cross(along, point - from) < FromSegment * size * along.norm())
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// The points among the candidates that lie in the domain and keep their distance.
-std::vector<CgalPoint> KeepClear(
-  const Triangulation& triangulation, const std::vector<Point>& candidates, const SizeField& size)
-{
-  std::vector<CgalPoint> kept;
-  Triangulation::Face_handle hint;
-  for (const Point& point : candidates)
-  {
-    hint = triangulation.locate(ToCgal(point), hint);
-    if (!triangulation.is_infinite(hint) && hint->is_in_domain() &&
-      IsClear(hint, point, size(point)))
-    {
-      kept.push_back(ToCgal(point));
-    }
-  }
-  return kept;
-}
-
-/// Two rings of points around every hole, staggered against its vertices: the field is steepest
-/// there, and the same triangles on all sides of a hole keep its numerical error even.
-std::vector<Point> HoleRings(
-  const PlanarDomain& domain, const std::vector<BoundaryEdge>& loopMarks, const SizeField& size)
-{
-  std::vector<Point> rings;
-  for (std::size_t l = 0; l < domain.loops.size(); ++l)
-  {
-    if (loopMarks[l].kind != BoundaryKind::Hole)
-    {
-      continue;
-    }
-    const Loop& hole = domain.loops[l];
-    const auto count = static_cast<double>(hole.size());
-    Point centre = Point::Zero();
-    for (const Point& point : hole)
-    {
-      centre += point / count;
-    }
-    double radius = (hole[0] - centre).norm();
-    for (int ring = 1; ring <= 2; ++ring)
-    {
-      radius += 0.5 * std::sqrt(3.0) * 2.0 * Pi * radius / count;
-      if (2.0 * Pi * radius / count > 1.25 * size(centre + Point(radius, 0.0)))
-      {
-        break; // as many points as the hole has would be too few
-      }
-      const double start = std::atan2(hole[0].y() - centre.y(), hole[0].x() - centre.x());
-      for (double i = 0.5 * ring; i < count + 0.5 * ring - 0.25; i += 1.0)
-      {
-        const double angle = start + 2.0 * Pi * i / count;
-        rings.push_back(centre + radius * Point(std::cos(angle), std::sin(angle)));
-      }
-    }
-  }
-  return rings;
 }
 
 /// Gives the points that the mesher put on a segment the number of that segment's loop.
@@ -419,7 +236,15 @@ void SpreadLoopNumbers(Triangulation& triangulation)
   }
 }
 
-TriangleMesh ReadOut(Triangulation& triangulation, const std::vector<BoundaryEdge>& loopMarks)
+/// Whether a piece of a segment of a convex loop has its direction.
+bool RunsAlong(const Loop& loop, const Point& from, const Point& to)
+{
+  const Point middle = 0.5 * (loop[0] + loop[loop.size() / 2]); // inside, as it is on a chord
+  return (Cross(from - middle, to - middle) > 0.0) == (SignedArea(loop) > 0.0);
+}
+
+TriangleMesh ReadOut(Triangulation& triangulation, const PlanarDomain& domain,
+  const std::vector<BoundaryEdge>& loopMarks)
 {
   TriangleMesh mesh;
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
@@ -447,9 +272,17 @@ TriangleMesh ReadOut(Triangulation& triangulation, const std::vector<BoundaryEdg
       {
         const auto from = face->vertex(Triangulation::ccw(i));
         const auto to = face->vertex(Triangulation::cw(i));
-        BoundaryEdge edge = loopMarks[static_cast<std::size_t>(from->info().loop)];
+        const auto loop = static_cast<std::size_t>(from->info().loop);
+        BoundaryEdge edge = loopMarks[loop];
         edge.vertices = { from->info().number, to->info().number };
-        mesh.boundary.push_back(edge);
+        if (edge.kind != BoundaryKind::ImprintedCircle)
+        {
+          mesh.boundary.push_back(edge);
+        }
+        else if (RunsAlong(domain.loops[loop], FromCgal(from->point()), FromCgal(to->point())))
+        {
+          mesh.imprinted.push_back(edge); // seen from the outside; the inside sees it as well
+        }
       }
     }
   }
@@ -460,7 +293,7 @@ TriangleMesh ReadOut(Triangulation& triangulation, const std::vector<BoundaryEdg
 std::vector<int> NestingDepths(const std::vector<Loop>& loops)
 {
   Triangulation triangulation = TriangulateLoops(loops);
-  ComputeDepths(triangulation);
+  ComputeDepths(triangulation, std::vector<bool>(loops.size(), false));
   std::vector<int> depths(loops.size(), std::numeric_limits<int>::max());
   for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end();
        ++edge)
@@ -481,13 +314,14 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress)
 {
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
-  ComputeDepths(triangulation);
+  const std::vector<bool> imprinted = FindImprinted(loopMarks);
+  ComputeDepths(triangulation, imprinted);
   const std::vector<CgalPoint> seeds = HoleSeeds(triangulation, domain.loops.size());
 
   const std::vector<CgalPoint> rings =
     KeepClear(triangulation, HoleRings(domain, loopMarks, size), size);
   triangulation.insert(rings.begin(), rings.end());
-  ComputeDepths(triangulation);
+  ComputeDepths(triangulation, imprinted);
   const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
   progress.Report(0.3);
   triangulation.insert(bulk.begin(), bulk.end());
@@ -507,7 +341,7 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
     }
   }
   SpreadLoopNumbers(triangulation);
-  TriangleMesh mesh = ReadOut(triangulation, loopMarks);
+  TriangleMesh mesh = ReadOut(triangulation, domain, loopMarks);
   progress.Report(1.0);
   return mesh;
 }

@@ -16,7 +16,8 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops);
 /// The bulk of the points is a graded lattice, inserted at once; Delaunay refinement mends what is
 /// left near the boundary (METHOD §10).
 ///
-/// `loopMarks[l]` says what loop l is part of; its kind, id and quarter index are copied to the
+/// Loops marked as imprinted circles, convex ones, become edges inside the domain, which are given
+/// once, in the direction of their loop. `loopMarks[l]` says what loop l is part of; its kind, id and quarter index are copied to the
 /// edges that loop becomes. Two runs on the same input give the same mesh.
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {});

@@ -96,6 +96,10 @@ PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
 {
   std::vector<Loop> aligned;
   int given = 0;
+  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
+  {
+    given += circle.quarterIndex;
+  }
   for (const BoundaryLoop& loop : loops)
   {
     if (loop.kind == BoundaryKind::Hole)

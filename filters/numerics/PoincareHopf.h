@@ -57,7 +57,8 @@ int SmallestRotationIndex(double turning);
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
-/// Counts over the outer and inner loops of a drilled mesh, and the quarter indices of its holes.
+/// Counts over the outer and inner loops of a drilled mesh, and the quarter indices of its holes and
+/// imprinted circles.
 PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
   const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices = {});
 

@@ -1,205 +1,102 @@
 #include "ReducedLocal.h"
 
-#include <Eigen/Cholesky>
+#include "DenseCholesky.h"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// A complex vector as a real one, real parts first.
-Eigen::VectorXd Real(const ComplexVector& x)
+/// Adds a complex entry to the real matrix that acts on the parts.
+void AddEntry(Eigen::MatrixXd& real, Eigen::Index row, Eigen::Index column, const Complex& value)
 {
-  Eigen::VectorXd real(2 * x.size());
-  real << x.real(), x.imag();
-  return real;
+  real(2 * row, 2 * column) += value.real();
+  real(2 * row, 2 * column + 1) -= value.imag();
+  real(2 * row + 1, 2 * column) += value.imag();
+  real(2 * row + 1, 2 * column + 1) += value.real();
 }
 
-ComplexVector Complexified(const Eigen::VectorXd& real)
+/// ½ xᴴ S x − Re(bᴴ x).
+class QuadraticFunctional : public ConstrainedFunctional
 {
-  const Eigen::Index size = real.size() / 2;
-  ComplexVector x(size);
-  x.real() = real.head(size);
-  x.imag() = real.tail(size);
-  return x;
-}
-
-Eigen::MatrixXd Real(const Eigen::MatrixXcd& hermitian)
-{
-  const Eigen::Index size = hermitian.rows();
-  Eigen::MatrixXd real(2 * size, 2 * size);
-  real << hermitian.real(), -hermitian.imag(), hermitian.imag(), hermitian.real();
-  return real;
-}
-
-/// Values and derivatives of objective and constraints at a point.
-struct LocalPoint
-{
-  ComplexVector x;
-  Eigen::VectorXd elastic;    ///< S x − b.
-  Eigen::MatrixXd normals;    ///< Column i is A_i x.
-  Eigen::VectorXd violations; ///< c_i.
-  double objective = 0.0;     ///< ½ xᴴ S x − Re(bᴴ x).
-
-  LocalPoint(const ReducedProblem& problem, ComplexVector at)
-    : x(std::move(at))
+public:
+  explicit QuadraticFunctional(const QuadraticProblem& problem)
+    : Problem(problem)
+    , RealMatrix(Eigen::MatrixXd::Zero(2 * problem.matrix.rows(), 2 * problem.matrix.rows()))
   {
-    const ComplexVector product = problem.matrix * this->x;
-    this->elastic = Real(ComplexVector(product - problem.load));
-    this->objective = 0.5 * this->x.dot(product).real() - problem.load.dot(this->x).real();
-    const auto count = static_cast<Eigen::Index>(problem.constraints.size());
-    this->normals.resize(2 * this->x.size(), count);
-    this->violations.resize(count);
-    for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index column = 0; column < problem.matrix.cols(); ++column)
     {
-      const DegreeConstraint& constraint = problem.constraints[static_cast<std::size_t>(i)];
-      this->normals.col(i) = Real(constraint.Gradient(this->x));
-      this->violations[i] = constraint.Value(this->x) - constraint.target;
+      for (Eigen::Index row = 0; row < problem.matrix.rows(); ++row)
+      {
+        AddEntry(this->RealMatrix, row, column, problem.matrix(row, column));
+      }
     }
   }
 
-  /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
-  double Merit(double weight) const
+  double Value(const ComplexVector& x) const override
   {
-    return this->objective + weight * this->violations.lpNorm<1>();
+    return 0.5 * x.dot(this->Product(x)).real() - this->Problem.load.dot(x).real();
   }
-};
-
-Eigen::MatrixXd LagrangianHessian(const ReducedProblem& problem, const Eigen::VectorXd& multipliers)
-{
-  Eigen::MatrixXcd hessian = problem.matrix.cast<Complex>();
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  Eigen::VectorXd Gradient(const ComplexVector& x) const override
   {
-    hessian += multipliers[static_cast<Eigen::Index>(i)] *
-      problem.constraints[i].Hessian(problem.matrix.rows());
+    const ComplexVector gradient = this->Product(x) - this->Problem.load;
+    return Eigen::Map<const Eigen::VectorXd>(
+      reinterpret_cast<const double*>(gradient.data()), 2 * gradient.size());
   }
-  return Real(hessian);
-}
-
-/// Weighting the normals this heavily, relative to S, leaves the sign of a quadratic form on their
-/// complement to decide whether it is positive definite.
-constexpr double NormalWeight = 1e4;
-
-/// A step of the convexified quadratic problem, and the multipliers that come with it.
-struct QuadraticStep
-{
-  Eigen::VectorXd x;
-  Eigen::VectorXd multipliers;
-  bool convexified = false;
-};
-
-QuadraticStep SolveQuadratic(
-  const ReducedProblem& problem, const LocalPoint& point, const Eigen::VectorXd& multipliers)
-{
-  const Eigen::MatrixXd hessian = LagrangianHessian(problem, multipliers);
-  const double scale = NormalWeight * problem.matrix.trace() / static_cast<double>(problem.matrix.rows());
-  const Eigen::MatrixXd weighted = hessian + scale * point.normals * point.normals.transpose();
-  const Eigen::MatrixXd elastic = Real(Eigen::MatrixXcd(problem.matrix.cast<Complex>()));
-  QuadraticStep step;
-  // S + τ S + Σ λ_i A_i is positive definite for some τ, so this ends.
-  for (double shift = 0.0;; shift = shift == 0.0 ? 0.125 : 2.0 * shift)
+  double GradientScale(const ComplexVector& x) const override
   {
-    const Eigen::LLT<Eigen::MatrixXd> factor(weighted + shift * elastic);
-    if (factor.info() != Eigen::Success)
+    return this->Product(x).norm() + this->Problem.load.norm();
+  }
+  double Stiffness() const override
+  {
+    return this->Problem.matrix.trace().real() / static_cast<double>(this->Problem.matrix.rows());
+  }
+  bool Factor(const ComplexVector&, const Additions& additions) override
+  {
+    Eigen::MatrixXd hessian = (1.0 + additions.shift) * this->RealMatrix;
+    for (const QuadraticConstraint::Entry& entry : additions.constraints)
     {
-      step.convexified = true;
-      continue;
+      AddEntry(hessian, entry.row, entry.column, entry.value);
     }
-    const Eigen::MatrixXd fromNormals = factor.solve(point.normals);
-    const Eigen::VectorXd fromGradient = factor.solve(point.elastic);
-    const Eigen::VectorXd plain = (point.normals.transpose() * fromNormals)
-                                    .ldlt()
-                                    .solve(point.violations - point.normals.transpose() * fromGradient);
-    step.x = -fromGradient - fromNormals * plain;
-    // The weight on the normals shifts the multipliers by weight × Nᵀ δx = −weight × c.
-    step.multipliers = plain - scale * point.violations;
-    return step;
+    hessian += additions.weight * additions.normals * additions.normals.transpose();
+    this->LastFactor = DenseCholesky<double>(std::move(hessian));
+    return this->LastFactor.IsPositiveDefinite();
   }
-}
-
-/// λ that makes S x − b + Σ λ_i A_i x smallest.
-Eigen::VectorXd LeastSquaresMultipliers(const LocalPoint& point)
-{
-  return -(point.normals.transpose() * point.normals)
-            .ldlt()
-            .solve(point.normals.transpose() * point.elastic);
-}
-
-/// Relative residual of the optimality conditions, as in SolveReduced.
-double Residual(
-  const ReducedProblem& problem, const LocalPoint& point, const Eigen::VectorXd& multipliers)
-{
-  double residual = 0.0;
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const override
   {
-    residual = std::max(residual,
-      std::abs(point.violations[static_cast<Eigen::Index>(i)]) /
-        static_cast<double>(problem.constraints[i].unknowns.size()));
+    return this->LastFactor.Solve(rightHandSides);
   }
-  const double scale = (problem.matrix * point.x).norm() + problem.load.norm();
-  const Eigen::VectorXd gradient = point.elastic + point.normals * multipliers;
-  return std::max(residual, scale > 0.0 ? gradient.norm() / scale : 0.0);
+
+private:
+  ComplexVector Product(const ComplexVector& x) const { return this->Problem.matrix * x; }
+
+  const QuadraticProblem& Problem;
+  Eigen::MatrixXd RealMatrix;
+  DenseCholesky<double> LastFactor;
+};
 }
 
-/// The shortest step that the linearised constraints ask for.
-ComplexVector Restoration(const LocalPoint& point)
+MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
+  const ReducedOptions& options, const Progress& progress)
 {
-  return Complexified(Eigen::VectorXd(-point.normals *
-    (point.normals.transpose() * point.normals).ldlt().solve(point.violations)));
-}
+  QuadraticFunctional functional(problem);
+  MinimiserOptions minimiser;
+  minimiser.maximumIterations = options.maximumIterations;
+  minimiser.tolerance = options.tolerance;
+  return MinimiseConstrained(functional, problem.constraints, start, minimiser, progress);
 }
 
 ReducedSolution SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
   const ReducedOptions& options, const Progress& progress)
 {
-  LocalPoint point(problem, start);
-  Eigen::VectorXd multipliers = LeastSquaresMultipliers(point);
-  ReducedSolution solution;
-  double residual = Residual(problem, point, multipliers);
-  bool stalled = false;
-  bool saddle = true;
-  while (!stalled && (saddle || residual > options.tolerance) &&
-    solution.iterations < options.maximumIterations)
+  QuadraticProblem quadratic{ problem.matrix.cast<Complex>(), problem.load, {} };
+  for (const DegreeConstraint& constraint : problem.constraints)
   {
-    progress.Report(static_cast<double>(solution.iterations) / options.maximumIterations);
-    const QuadraticStep step = SolveQuadratic(problem, point, multipliers);
-    saddle = step.convexified;
-    if (residual <= options.tolerance)
-    {
-      break; // only asked whether the point is a minimum
-    }
-    ++solution.iterations;
-    const ComplexVector direction = Complexified(step.x);
-    const double weight = std::max(1.0, 2.0 * step.multipliers.lpNorm<Eigen::Infinity>());
-    const double slope = point.elastic.dot(step.x) - weight * point.violations.lpNorm<1>();
-    stalled = true;
-    for (double length = 1.0; stalled && length > 1e-10; length *= 0.5)
-    {
-      LocalPoint trial(problem, point.x + length * direction);
-      const double wanted = point.Merit(weight) + 1e-4 * length * slope;
-      if (trial.Merit(weight) > wanted)
-      {
-        // The constraints curve away from their tangents: one step back to them.
-        trial = LocalPoint(problem, trial.x + Restoration(trial));
-      }
-      const Eigen::VectorXd moved = multipliers + length * (step.multipliers - multipliers);
-      const double trialResidual = Residual(problem, trial, moved);
-      // Near the solution the merit no longer resolves the progress that the residual shows.
-      if (trial.Merit(weight) <= wanted || trialResidual <= 0.5 * residual)
-      {
-        point = std::move(trial);
-        multipliers = moved;
-        residual = trialResidual;
-        stalled = false;
-      }
-    }
+    quadratic.constraints.push_back(SumOfDegrees({ constraint }));
   }
-  solution.converged = residual <= options.tolerance && !saddle;
-  solution.x = std::move(point.x);
-  solution.multipliers = std::move(multipliers);
-  solution.residual = residual;
-  return solution;
+  MinimiserResult result = SolveQuadratic(quadratic, start, options, progress);
+  return { std::move(result.x), std::move(result.multipliers), result.iterations, result.residual,
+    result.converged };
 }
 }

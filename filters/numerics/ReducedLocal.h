@@ -1,17 +1,24 @@
 #pragma once
 
+#include "ConstrainedMinimiser.h"
 #include "ReducedProblem.h"
 
 namespace crossfield
 {
+/// minimise ½ xᴴ S x − Re(bᴴ x) under any quadratic constraints: ReducedProblem with a Hermitian S.
+struct QuadraticProblem
+{
+  Eigen::MatrixXcd matrix;
+  ComplexVector load;
+  std::vector<QuadraticConstraint> constraints;
+};
+
+/// A local minimiser near a given point, by ConstrainedMinimiser.h; M = S.
+MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
+  const ReducedOptions& options = {}, const Progress& progress = {});
+
 /// A local minimiser of the reduced problem near a given point, for example near the values of the
 /// unit-norm field; its degrees can be right where those of the global minimiser are not.
-///
-/// Sequential quadratic programming with a line search on the merit ½ xᴴ S x − Re(bᴴ x) + ν Σ |c_i|,
-/// c_i = C_i(x) − t_i. Where the Lagrangian's Hessian is not positive definite on the constraints'
-/// tangent space it is convexified by a multiple of S. The solution is converged only if no such
-/// help is needed there, that is, if the optimality system has as many negative eigenvalues as
-/// constraints; otherwise it is a saddle.
 ReducedSolution SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
   const ReducedOptions& options = {}, const Progress& progress = {});
 }

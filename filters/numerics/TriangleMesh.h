@@ -30,5 +30,9 @@ struct TriangleMesh
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<BoundaryEdge> boundary;
+  /// Edges of circles that are imprinted and not drilled (METHOD §3, variants 4 and 5). They are
+  /// interior edges, kept apart so that nothing takes them for boundary; the outside of the circle is
+  /// on their left, as the domain is at a hole.
+  std::vector<BoundaryEdge> imprinted;
 };
 }

@@ -108,6 +108,12 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
     setExact(cells.lineCells[i], u, u, u);
     shown.Set(cells.lineCells[i], u);
   }
+  for (std::size_t i = 0; i < cells.imprintedCells.size(); ++i)
+  {
+    const Complex u = field.u[field.edges.ofImprinted[i]];
+    setExact(cells.imprintedCells[i], u, u, u);
+    shown.Set(cells.imprintedCells[i], u);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +158,7 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
     degrees->SetValue(i, hole.degree);
     norms->SetTuple2(i, hole.minimumNorm, hole.maximumNorm);
   }
+  AddInteger(data, names::DegreesReached, field.degreesReached ? 1 : 0);
   AddInteger(data, names::UnwantedSingularities, field.unwantedSingularities);
   AddInteger(data, names::EulerCharacteristic, field.count.eulerCharacteristic);
   AddValue(data, names::Valence, field.count.valence);
@@ -159,7 +166,17 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
   AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
   AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
   AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
-  data->RemoveArray(names::HolonomyDefect); // of a field that the mesh carried before
+  for (const char* name : { names::HolonomyDefect, names::Epsilon, names::GradientEnergy,
+         names::PenaltyEnergy, names::ConvexifiedSteps })
+  {
+    data->RemoveArray(name); // of a field that the mesh carried before
+  }
+  if (field.epsilon > 0.0)
+  {
+    AddValue(data, names::Epsilon, field.epsilon);
+    AddValue(data, names::GradientEnergy, field.gradientEnergy);
+    AddValue(data, names::PenaltyEnergy, field.penaltyEnergy);
+  }
   if (!field.holonomyDefect.empty())
   {
     const auto islands = static_cast<vtkIdType>(field.holonomyDefect.size());
@@ -172,16 +189,9 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 }
 
 //------------------------------------------------------------------------------
-void AddGinzburgLandauReport(
-  const crossfield::GinzburgLandauField& field, vtkUnstructuredGrid* output)
+void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 {
-  namespace names = vtkCrossFieldArrayNames;
-  AddReport(field, output);
-  vtkFieldData* data = output->GetFieldData();
-  AddValue(data, names::Epsilon, field.epsilon);
-  AddValue(data, names::GradientEnergy, field.gradientEnergy);
-  AddValue(data, names::PenaltyEnergy, field.penaltyEnergy);
-  AddInteger(data, names::ConvexifiedSteps, field.convexifiedSteps);
+  AddInteger(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, steps);
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,6 @@
 
 #include "CrossFieldReport.h"
 #include "DomainConversion.h"
-#include "GinzburgLandau.h"
 
 #include <string>
 
@@ -26,9 +25,8 @@ crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
 /** The report as field data; see vtkPerforatedCrossField. */
 void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output);
 
-/** The report and what vtkGinzburgLandauCrossField adds to it. */
-void AddGinzburgLandauReport(
-  const crossfield::GinzburgLandauField& field, vtkUnstructuredGrid* output);
+/** What vtkGinzburgLandauCrossField adds to the report. */
+void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when

@@ -298,10 +298,12 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
     }
     else if (input->GetCellType(cell) == VTK_LINE && kind >= 1 && kind <= 4)
     {
-      result.lineCells.push_back(cell);
-      result.mesh.boundary.push_back({ { vertex(0), vertex(1) },
+      const crossfield::BoundaryEdge edge{ { vertex(0), vertex(1) },
         static_cast<crossfield::BoundaryKind>(kind), static_cast<int>(ids->GetTuple1(cell)),
-        static_cast<int>(quarters->GetTuple1(cell)) });
+        static_cast<int>(quarters->GetTuple1(cell)) };
+      const bool imprinted = edge.kind == crossfield::BoundaryKind::ImprintedCircle;
+      (imprinted ? result.imprintedCells : result.lineCells).push_back(cell);
+      (imprinted ? result.mesh.imprinted : result.mesh.boundary).push_back(edge);
     }
     else
     {
@@ -316,6 +318,8 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 //------------------------------------------------------------------------------
 void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstructuredGrid* output)
 {
+  std::vector<crossfield::BoundaryEdge> lines = mesh.boundary;
+  lines.insert(lines.end(), mesh.imprinted.begin(), mesh.imprinted.end());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
@@ -326,14 +330,14 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstruc
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
   cells->AllocateExact(
-    static_cast<vtkIdType>(mesh.triangles.size() + mesh.boundary.size()),
-    static_cast<vtkIdType>(3 * mesh.triangles.size() + 2 * mesh.boundary.size()));
+    static_cast<vtkIdType>(mesh.triangles.size() + lines.size()),
+    static_cast<vtkIdType>(3 * mesh.triangles.size() + 2 * lines.size()));
   for (const auto& triangle : mesh.triangles)
   {
     cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
     types->InsertNextValue(VTK_TRIANGLE);
   }
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : lines)
   {
     cells->InsertNextCell({ edge.vertices[0], edge.vertices[1] });
     types->InsertNextValue(VTK_LINE);
@@ -348,7 +352,7 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstruc
   ids->FillValue(-1);
   quarters->FillValue(0);
   auto cell = static_cast<vtkIdType>(mesh.triangles.size());
-  for (const auto& edge : mesh.boundary)
+  for (const auto& edge : lines)
   {
     kinds->SetValue(cell, static_cast<int>(edge.kind));
     ids->SetValue(cell, edge.id);

@@ -41,6 +41,7 @@ struct DrilledMesh
   crossfield::TriangleMesh mesh;
   std::vector<vtkIdType> triangleCells;
   std::vector<vtkIdType> lineCells;
+  std::vector<vtkIdType> imprintedCells; ///< Of the edges of imprinted circles.
 };
 
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);

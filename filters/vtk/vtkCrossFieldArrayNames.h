@@ -28,6 +28,7 @@ constexpr const char* StartedFromUnitNorm = "StartedFromUnitNorm";
 constexpr const char* UnitHoles = "UnitHoles";
 constexpr const char* HoleDegree = "HoleDegree";
 constexpr const char* HoleNormRange = "HoleNormRange";
+constexpr const char* DegreesReached = "DegreesReached";
 constexpr const char* UnwantedSingularities = "UnwantedSingularities";
 constexpr const char* EulerCharacteristic = "EulerCharacteristic";
 constexpr const char* Valence = "Valence";

@@ -13,6 +13,9 @@
 
 vtkStandardNewMacro(vtkDrillHoles);
 
+static_assert(static_cast<int>(crossfield::DrillMode::Triangle) == vtkDrillHoles::ModeTriangle,
+  "modes are numbered as in the numerics");
+
 //------------------------------------------------------------------------------
 vtkDrillHoles::vtkDrillHoles()
 {
@@ -52,6 +55,7 @@ int vtkDrillHoles::RequestData(
       const crossfield::Configuration configuration =
         DomainConversion::ReadConfiguration(singularities);
       crossfield::DrillOptions options;
+      options.mode = static_cast<crossfield::DrillMode>(this->Mode);
       options.meshSize = this->MeshSize;
       options.minimumHoleEdges = this->MinimumHoleEdges;
       options.gradation = this->Gradation;
@@ -66,6 +70,8 @@ int vtkDrillHoles::RequestData(
 void vtkDrillHoles::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const char* const modes[] = { "Perforate", "Imprint", "Triangle" };
+  os << indent << "Mode: " << modes[this->Mode] << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "MinimumHoleEdges: " << this->MinimumHoleEdges << "\n";
   os << indent << "Gradation: " << this->Gradation << "\n";

@@ -17,10 +17,11 @@
  *
  * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise, then a VTK_LINE cell for
  * every boundary edge, directed so that the domain is on its left. Cell arrays (int, 1 component):
- * - `BoundaryKind`: 0 triangle, 1 outer loop, 2 inner loop, 3 hole;
- * - `BoundaryId`: −1 on triangles; loop number on kinds 1 (always 0) and 2 (1, 2, …); on holes the
- *   row of the singularity;
- * - `QuarterIndex`: prescribed index on holes, else 0.
+ * - `BoundaryKind`: 0 triangle, 1 outer loop, 2 inner loop, 3 hole, 4 imprinted circle or triangle;
+ * - `BoundaryId`: −1 on triangles; loop number on kinds 1 (always 0) and 2 (1, 2, …); on kinds 3 and
+ *   4 the row of the singularity;
+ * - `QuarterIndex`: prescribed index on kinds 3 and 4, else 0.
+ * Lines of kind 4 lie inside the domain, and the outside of the circle is on their left.
  *
  * The edge length is MeshSize, graded down to the boundary's own spacing and to the edges of the
  * holes. No angle is below 20.7° except where the boundary has sharper corners.
@@ -32,7 +33,8 @@
  * An empty domain gives an empty output. Failure, with an empty output: a curve that is open,
  * branches, crosses or touches itself; several outer loops; a boundary that is not in one plane; a
  * hole outside the domain, cutting its boundary or overlapping another; a radius or mesh size that
- * is not positive; numbers that are not finite; a quarter index that is not an integer.
+ * is not positive; numbers that are not finite; a quarter index that is not an integer. ModeTriangle:
+ * a quarter index other than ±1, a triangle at the boundary, two triangles that share an edge.
  *
  * Paper: "Singularity placements via perforation strategy". Difference from it: the mesh is made
  * here, not by Gmsh.
@@ -57,6 +59,27 @@ public:
   void SetSingularitiesConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   /** Sets port 1 to a data object. */
   void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
+
+  /** What becomes of the singularities. */
+  enum
+  {
+    ModePerforate = 0,
+    ModeImprint = 1,
+    ModeTriangle = 2
+  };
+
+  ///@{
+  /**
+   * Holes; circles imprinted in the mesh, with their inside kept; or the three edges of the one
+   * triangle that contains the point, which is kept as well and carries quarter indices 1 and −1
+   * only. Default: ModePerforate.
+   */
+  vtkSetClampMacro(Mode, int, ModePerforate, ModeTriangle);
+  vtkGetMacro(Mode, int);
+  void SetModeToPerforate() { this->SetMode(ModePerforate); }
+  void SetModeToImprint() { this->SetMode(ModeImprint); }
+  void SetModeToTriangle() { this->SetMode(ModeTriangle); }
+  ///@}
 
   ///@{
   /**
@@ -96,6 +119,7 @@ private:
   vtkDrillHoles(const vtkDrillHoles&) = delete;
   void operator=(const vtkDrillHoles&) = delete;
 
+  int Mode = ModePerforate;
   double MeshSize = 0.0;
   int MinimumHoleEdges = 32;
   double Gradation = 0.25;

@@ -2,7 +2,6 @@
 
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
-#include "FilterRun.h"
 #include "GinzburgLandau.h"
 
 #include "vtkDataObject.h"
@@ -18,7 +17,10 @@ static_assert(static_cast<int>(crossfield::GinzburgLandauStart::Given) ==
   "starts are numbered as in the numerics");
 
 //------------------------------------------------------------------------------
-vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField() = default;
+vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField()
+  : vtkCrossFieldSolver(500)
+{
+}
 
 //------------------------------------------------------------------------------
 int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
@@ -28,49 +30,30 @@ int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-int vtkGinzburgLandauCrossField::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+  vtkInformationVector** inputVector, const crossfield::Progress& progress,
+  vtkUnstructuredGrid* output)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
-    [&](const crossfield::Progress& progress)
-    {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      crossfield::GinzburgLandauOptions options;
-      options.epsilon = this->Epsilon;
-      options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
-      if (this->Start == StartGiven)
-      {
-        options.given =
-          CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
-      }
-      options.pinning.norm =
-        CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
-      options.pinning.gradientWeight =
-        CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
-      options.maximumIterations = this->MaximumIterations;
-      options.tolerance = this->Tolerance;
-      const crossfield::GinzburgLandauField field =
-        crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
-      if (!field.converged)
-      {
-        vtkWarningMacro("The iteration stopped after "
-          << field.iterations << " steps with a relative residual of " << field.residual
-          << "; the field is not a minimum. Allow more iterations, or use a larger epsilon.");
-      }
-      output->ShallowCopy(input);
-      CrossFieldArrays::AddField(cells, field, output);
-      CrossFieldArrays::AddGinzburgLandauReport(field, output);
-      this->StageSeconds[0] = field.seconds.assemble;
-      this->StageSeconds[1] = field.seconds.factor;
-      this->StageSeconds[2] = field.seconds.solve;
-    });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+  crossfield::GinzburgLandauOptions options;
+  options.epsilon = this->Epsilon;
+  options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
+  if (this->Start == StartGiven)
+  {
+    options.given =
+      CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
+  }
+  options.pinning.norm =
+    CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
+  options.pinning.gradientWeight =
+    CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
+  options.maximumIterations = this->GetMaximumIterations();
+  options.tolerance = this->GetTolerance();
+  const crossfield::GinzburgLandauField field =
+    crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
+  this->Publish(cells, field,
+    "the field is not a minimum. Allow more iterations, or use a larger epsilon.", input, output);
+  CrossFieldArrays::AddConvexifiedSteps(field.convexifiedSteps, output);
 }
 
 //------------------------------------------------------------------------------
@@ -82,8 +65,4 @@ void vtkGinzburgLandauCrossField::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Start: " << starts[this->Start] << "\n";
   os << indent << "NormArrayName: " << this->NormArrayName << "\n";
   os << indent << "GradientWeightArrayName: " << this->GradientWeightArrayName << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
-     << this->StageSeconds[2] << "\n";
 }

@@ -55,15 +55,15 @@
 #define vtkGinzburgLandauCrossField_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkCrossFieldSolver.h"
 
 #include <string> // for the names of arrays
 
-class VTKCROSSFIELDFILTERS_EXPORT vtkGinzburgLandauCrossField : public vtkUnstructuredGridAlgorithm
+class VTKCROSSFIELDFILTERS_EXPORT vtkGinzburgLandauCrossField : public vtkCrossFieldSolver
 {
 public:
   static vtkGinzburgLandauCrossField* New();
-  vtkTypeMacro(vtkGinzburgLandauCrossField, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkGinzburgLandauCrossField, vtkCrossFieldSolver);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** The field that the iteration starts from. */
@@ -109,33 +109,15 @@ public:
   vtkGetMacro(GradientWeightArrayName, std::string);
   ///@}
 
-  ///@{
-  /** Most iterations. Default: 500. Range: at least 1. */
-  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * The iteration stops when the relative residual is below this. Default: 1e-10. Range: 1e-15 to
-   * 1e-2.
-   */
-  vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-
-  /**
-   * Seconds that the last run spent in assembling, computing the start and iterating. Not in the
-   * output, so that the same input gives the same output.
-   */
-  vtkGetVector3Macro(StageSeconds, double);
-
 protected:
   vtkGinzburgLandauCrossField();
   ~vtkGinzburgLandauCrossField() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+#ifndef __VTK_WRAP__
+  void Compute(const DomainConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
+    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
+#endif
 
 private:
   vtkGinzburgLandauCrossField(const vtkGinzburgLandauCrossField&) = delete;
@@ -145,9 +127,6 @@ private:
   int Start = StartHarmonic;
   std::string NormArrayName;
   std::string GradientWeightArrayName;
-  int MaximumIterations = 500;
-  double Tolerance = 1e-10;
-  double StageSeconds[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

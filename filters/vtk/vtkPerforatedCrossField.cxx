@@ -1,7 +1,6 @@
 #include "vtkPerforatedCrossField.h"
 
 #include "CornerConversion.h"
-#include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "FilterRun.h"
 #include "PerforatedSolve.h"
@@ -26,8 +25,26 @@ static_assert(FilterRun::Inconsistent == vtkPerforatedCrossField::InconsistentEr
 
 //------------------------------------------------------------------------------
 vtkPerforatedCrossField::vtkPerforatedCrossField()
+  : vtkCrossFieldSolver(100)
 {
   this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkPerforatedCrossField::AddUnitHole(int row)
+{
+  this->UnitHoleRows.push_back(row);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPerforatedCrossField::RemoveAllUnitHoles()
+{
+  if (!this->UnitHoleRows.empty())
+  {
+    this->UnitHoleRows.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,42 +63,23 @@ int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
-int vtkPerforatedCrossField::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+  vtkInformationVector** inputVector, const crossfield::Progress& progress,
+  vtkUnstructuredGrid* output)
 {
-  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
-    [&](const crossfield::Progress& progress)
-    {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      crossfield::PerforatedOptions options;
-      options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
-      options.start = static_cast<crossfield::PerforatedStart>(this->Start);
-      options.unitHoles = this->UnitHoles;
-      options.reduced.maximumIterations = this->MaximumIterations;
-      options.reduced.tolerance = this->Tolerance;
-      options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
-      const crossfield::CrossField field =
-        crossfield::SolvePerforated(cells.mesh, options, progress);
-      if (!field.converged)
-      {
-        vtkWarningMacro("The iteration stopped after "
-          << field.iterations << " steps with a relative residual of " << field.residual
-          << "; the field does not solve the problem. Make the holes larger or move them.");
-      }
-      output->ShallowCopy(input);
-      CrossFieldArrays::AddField(cells, field, output);
-      CrossFieldArrays::AddReport(field, output);
-      this->StageSeconds[0] = field.seconds.assemble;
-      this->StageSeconds[1] = field.seconds.factor;
-      this->StageSeconds[2] = field.seconds.solve;
-    });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+  crossfield::PerforatedOptions options;
+  options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
+  options.start = static_cast<crossfield::PerforatedStart>(this->Start);
+  options.unitHoles = this->UnitHoles;
+  options.unitHoleRows = this->UnitHoleRows;
+  options.globalConstraint = this->GlobalConstraint;
+  options.epsilon = this->Epsilon;
+  options.reduced.maximumIterations = this->GetMaximumIterations();
+  options.reduced.tolerance = this->GetTolerance();
+  options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
+  this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
+    "the field does not solve the problem. Make the holes larger or move them.",
+    vtkUnstructuredGrid::GetData(inputVector[0]), output);
 }
 
 //------------------------------------------------------------------------------
@@ -92,8 +90,12 @@ void vtkPerforatedCrossField::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Start: " << this->Start << "\n";
   os << indent << "UnitHoles: " << (this->UnitHoles ? "on" : "off") << "\n";
-  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
-     << this->StageSeconds[2] << "\n";
+  os << indent << "UnitHoleRows: ";
+  for (const int row : this->UnitHoleRows)
+  {
+    os << row << " ";
+  }
+  os << "\n";
+  os << indent << "GlobalConstraint: " << (this->GlobalConstraint ? "on" : "off") << "\n";
+  os << indent << "Epsilon: " << this->Epsilon << "\n";
 }

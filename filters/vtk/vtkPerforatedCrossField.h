@@ -12,7 +12,10 @@
  * - UnitNorm minimises ½ ∫ |∇φ|² over u = e^{iφ} whose phase turns k times around every hole: a
  *   linear problem without iterations, |u| = 1 everywhere.
  *
- * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays).
+ * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays). Where it
+ * has imprinted circles or triangles instead of holes, they carry the constraints and the field goes
+ * on inside: there it must vanish somewhere, and any other singularities may appear as well, so the
+ * quarter indices need not add up to what the domain asks for.
  * Port 1, optional, corners: points with the point array `QuarterIndex` (integers), each at a vertex
  * of an outer or inner loop, for example from vtkBoundaryCornerClassifier. They replace the smallest
  * rotations of the cross: UnitNorm takes these indices; Constrained is held only to the sum that
@@ -32,7 +35,10 @@
  * phase from the prescribed crosses), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
  * reached), `StartedFromUnitNorm` and `UnitHoles` (0 or 1: what led to the field that was kept; see
  * Start), `HoleNormRange` (2 components per hole: least and largest |u| on it),
- * `UnwantedSingularities` (int), `EulerCharacteristic`, `Valence`, `TangentTurning`,
+ * `DegreesReached` (0 or 1: every degree is the one asked for; with GlobalConstraint, their sum is),
+ * `UnwantedSingularities` (int; with a penalty or imprinted circles, Σ |k| over what is found beyond
+ * the circles' own), with a penalty `Epsilon`, `GradientEnergy` and `PenaltyEnergy` (the two terms
+ * of `Energy`), `EulerCharacteristic`, `Valence`, `TangentTurning`,
  * `RequiredInteriorQuarters`, `GivenInteriorQuarters`, `Consistent` (of the generalised
  * Poincaré-Hopf theorem), `HolonomyDefect` (UnitNorm, per inner loop, radians in (−π, π]: the phase
  * that a single-valued potential carries to it minus that of its alignment; absorbed by adding a
@@ -40,11 +46,15 @@
  *
  * An empty mesh gives an empty output. Failure, with an empty output: a mesh without the arrays of
  * vtkDrillHoles; a hole with too few edges for its quarter index; quarter indices that violate the
- * Poincaré-Hopf theorem (GetErrorCode() is then InconsistentError, not vtkErrorCode::UserError). An
+ * Poincaré-Hopf theorem on a perforated domain without a penalty (GetErrorCode() is then
+ * InconsistentError, not vtkErrorCode::UserError); a unit hole that the mesh does not have; options of
+ * the constrained method or imprinted circles with UnitNorm; unit holes together with a penalty. An
  * iteration that does not converge is a warning and `Converged` 0.
  *
  * Cost: one sparse Cholesky factorisation with one unknown per vertex; the iterations work on a
- * dense matrix over the edges of the holes only.
+ * dense matrix over the edges of the holes only. With imprinted circles, GlobalConstraint or chosen
+ * unit holes one unknown per edge takes the place of one per vertex; with a penalty every iteration is
+ * a factorisation with two unknowns per edge.
  *
  * Paper: "Singularity placements via perforation strategy". Differences from it: the constraint
  * sums over all edges of a hole and its target is that of unit vectors on the polygon, not 2πk; the
@@ -58,13 +68,15 @@
 #define vtkPerforatedCrossField_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkCrossFieldSolver.h"
 
-class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkUnstructuredGridAlgorithm
+#include <vector> // for the rows of holes
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkCrossFieldSolver
 {
 public:
   static vtkPerforatedCrossField* New();
-  vtkTypeMacro(vtkPerforatedCrossField, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkPerforatedCrossField, vtkCrossFieldSolver);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** GetErrorCode() when no field with the given singularities exists on the domain. */
@@ -106,7 +118,9 @@ public:
    * Constrained method: the start. Harmonic leads to the global minimum of the energy, UnitNorm to a
    * local one near the unit-norm field. Best tries both if the first has a wrong degree or an
    * unwanted singularity, keeps the better one, and forces |u| = 1 on the holes if a degree is still
-   * wrong. Default: StartBest.
+   * wrong. With imprinted circles, a global constraint, chosen unit holes or a penalty, UnitNorm starts
+   * from unit crosses on the holes where no unit-norm field exists, and Best forces nothing.
+   * Default: StartBest.
    */
   vtkSetClampMacro(Start, int, StartBest, StartUnitNorm);
   vtkGetMacro(Start, int);
@@ -123,32 +137,43 @@ public:
   ///@}
 
   ///@{
-  /** Constrained method: most iterations. Default: 100. Range: at least 1. */
-  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumIterations, int);
+  /**
+   * Constrained method: the same on chosen holes or imprinted circles, by their rows in the
+   * configuration. Default: none.
+   */
+  void AddUnitHole(int row);
+  void RemoveAllUnitHoles();
   ///@}
 
   ///@{
   /**
-   * Constrained method: the iteration stops when the relative residual of the optimality conditions is below this.
-   * Default: 1e-10. Range: 1e-15 to 1e-2.
+   * Constrained method: one constraint on the sum over all holes in place of one per hole; how it is
+   * shared is up to the field. Default: off.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
-  vtkGetMacro(Tolerance, double);
+  vtkSetMacro(GlobalConstraint, bool);
+  vtkGetMacro(GlobalConstraint, bool);
+  vtkBooleanMacro(GlobalConstraint, bool);
   ///@}
 
+  ///@{
   /**
-   * Seconds that the last run spent in assembling, factoring and solving. Not in the output, so
-   * that the same input gives the same output.
+   * Constrained method: ε of the penalty 1/(4ε²) ∫ (|u|² − 1)² that is added to the energy, a length
+   * in the units of the domain. It keeps |u| near 1, and admits any quarter indices: singularities
+   * that make up for a wrong sum appear and are reported. Default: 0, no penalty.
    */
-  vtkGetVector3Macro(StageSeconds, double);
+  vtkSetClampMacro(Epsilon, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Epsilon, double);
+  ///@}
 
 protected:
   vtkPerforatedCrossField();
   ~vtkPerforatedCrossField() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+#ifndef __VTK_WRAP__
+  void Compute(const DomainConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
+    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
+#endif
 
 private:
   vtkPerforatedCrossField(const vtkPerforatedCrossField&) = delete;
@@ -157,9 +182,9 @@ private:
   int Method = MethodConstrained;
   int Start = StartBest;
   bool UnitHoles = false;
-  int MaximumIterations = 100;
-  double Tolerance = 1e-10;
-  double StageSeconds[3] = { 0.0, 0.0, 0.0 };
+  std::vector<int> UnitHoleRows;
+  bool GlobalConstraint = false;
+  double Epsilon = 0.0;
 };
 
 #endif

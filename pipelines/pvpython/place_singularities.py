@@ -25,6 +25,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+from drawing import draw_boundaries, draw_lines, draw_norm, look_from_above, white_view
+
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -45,45 +47,6 @@ def check(field):
     if not converged.GetValue(0):
         sys.exit("The iteration did not converge; make the holes larger or move them.")
     print("energy %.4f" % report.GetArray("Energy").GetValue(0))
-
-
-def draw_norm(field, view):
-    """Colours the domain by the norm of the representation, in bands, white where it is 1."""
-    surface = Show(field, view)
-    ColorBy(surface, ("POINTS", "CrossNorm"))
-    SetProperties(surface, Ambient=1, Diffuse=0)
-    least, largest = field.PointData["CrossNorm"].GetRange()
-    colours = GetColorTransferFunction("CrossNorm")
-    SetProperties(colours, ColorSpace="RGB", NumberOfTableValues=20,
-                  RGBPoints=[min(least, 0.9), 0.42, 0.68, 0.86,
-                             1, 1, 1, 1,
-                             max(largest, 1.1), 0.96, 0.65, 0.35])
-    bar = GetScalarBar(colours, view)
-    SetProperties(bar, Title="Norm of the cross field", ComponentTitle="", Visibility=1,
-                  Orientation="Horizontal", WindowLocation="Any Location", Position=[0.25, 0.02],
-                  ScalarBarLength=0.5, AutomaticLabelFormat=0, LabelFormat="%.1f",
-                  RangeLabelFormat="%.1f", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
-
-
-def boundary(field, first_kind, last_kind):
-    return Threshold(Input=field, Scalars=["CELLS", "BoundaryKind"],
-                     LowerThreshold=first_kind, UpperThreshold=last_kind)
-
-
-def draw_lines(source, view, colour, width):
-    lines = Show(source, view)
-    ColorBy(lines, None)
-    SetProperties(lines, AmbientColor=colour, DiffuseColor=colour, LineWidth=width)
-
-
-def look_from_above(view, bounds):
-    width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
-    middle = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2 - 0.05 * height]
-    view.CameraParallelProjection = 1
-    view.CameraFocalPoint = middle + [0]
-    view.CameraPosition = middle + [max(width, height)]
-    view.CameraViewUp = [0, 1, 0]
-    view.CameraParallelScale = 0.58 * max(width, height)
 
 
 arguments = parse_arguments()
@@ -108,11 +71,9 @@ bounds = field.GetDataInformation().GetBounds()
 spacing = max(bounds[1] - bounds[0], bounds[3] - bounds[2]) / 40
 crosses = CrossGlyphs(Input=field, Spacing=spacing, Scale=0.7)
 
-view = CreateRenderView(ViewSize=[1200, 1200], OrientationAxesVisibility=0,
-                        UseColorPaletteForBackground=0, Background=[1, 1, 1])
+view = white_view(1200, 1200)
 draw_norm(field, view)
 draw_lines(crosses, view, [0, 0, 0], 1.5)
-draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
-draw_lines(boundary(field, 3, 3), view, [0.85, 0.1, 0.1], 4)
+draw_boundaries(field, view)
 look_from_above(view, bounds)
 SaveScreenshot(arguments.picture, view, ImageResolution=[1200, 1200], CompressionLevel="9")

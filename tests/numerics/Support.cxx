@@ -162,6 +162,15 @@ PlanarDomain Builtin(const std::string& name, double edgeLength)
   return MakePlanarDomain(MakeBuiltinDomain(domain));
 }
 
+TriangleMesh DrillMesh(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize, DrillMode mode)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  options.mode = mode;
+  return DrillHoles(domain, configuration, options);
+}
+
 double DistanceToLoop(const Point& point, const Loop& loop)
 {
   double distance = std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 // a mesh, and the check that a refusal says why.
 
 #include "CrouzeixRaviart.h"
+#include "DrillHoles.h"
 #include "Error.h"
 #include "PlanarDomain.h"
 #include "Singularity.h"
@@ -72,6 +73,10 @@ Configuration RandomHoles(Random& random, const PlanarDomain& domain, int count)
 
 /// The domain bounded by polygons of a built-in domain.
 PlanarDomain Builtin(const std::string& name, double edgeLength = 0.0);
+
+/// What DrillHoles makes of them with all other options as they are.
+TriangleMesh DrillMesh(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize, DrillMode mode = DrillMode::Perforate);
 
 double DistanceToLoop(const Point& point, const Loop& loop);
 

@@ -20,8 +20,10 @@ PROXIES = {
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
-    "DrillHoles": ("filters", "Input Singularities MeshSize MinimumHoleEdges Gradation"),
-    "PerforatedCrossField": ("filters", "Input Corners Method MaximumIterations Tolerance"),
+    "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
+    "PerforatedCrossField": (
+        "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
+        "MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 

@@ -1,36 +1,17 @@
 #ifndef PerforatedCrossFieldTest_h
 #define PerforatedCrossFieldTest_h
 
-#include "FilterChecks.h"
+#include "SolverTest.h"
 #include "vtkPerforatedCrossField.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 /** What the files of tests of vtkPerforatedCrossField share. */
-class PerforatedCrossField : public testing::Test
+class PerforatedCrossField : public SolverTest<vtkPerforatedCrossField>
 {
-public:
-  vtkUnstructuredGrid* Solve(vtkUnstructuredGrid* mesh)
-  {
-    this->Filter->SetInputData(mesh);
-    FilterChecks::UpdateWithoutError(this->Filter);
-    return this->Filter->GetOutput();
-  }
-
-  double Value(const char* name)
-  {
-    vtkDataArray* array =
-      FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name);
-    EXPECT_EQ(array->GetNumberOfValues(), 1) << name;
-    return array->GetComponent(0, 0);
-  }
-
-  vtkNew<vtkPerforatedCrossField> Filter;
 };
 
 inline void ExpectArray(

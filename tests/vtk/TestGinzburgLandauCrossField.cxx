@@ -1,5 +1,6 @@
 #include "FilterChecks.h"
 #include "MeshReading.h"
+#include "SolverTest.h"
 #include "TestInputs.h"
 #include "vtkGinzburgLandauCrossField.h"
 
@@ -62,26 +63,7 @@ void AddCellArray(vtkUnstructuredGrid* mesh, const char* name, double outside, d
   mesh->GetCellData()->AddArray(array);
 }
 
-class GinzburgLandauCrossField : public testing::Test
-{
-public:
-  vtkUnstructuredGrid* Solve(vtkUnstructuredGrid* mesh)
-  {
-    this->Filter->SetInputData(mesh);
-    FilterChecks::UpdateWithoutError(this->Filter);
-    return this->Filter->GetOutput();
-  }
-
-  double Value(const char* name)
-  {
-    vtkDataArray* array =
-      FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name);
-    EXPECT_EQ(array->GetNumberOfValues(), 1) << name;
-    return array->GetComponent(0, 0);
-  }
-
-  vtkNew<vtkGinzburgLandauCrossField> Filter;
-};
+using GinzburgLandauCrossField = SolverTest<vtkGinzburgLandauCrossField>;
 
 TEST_F(GinzburgLandauCrossField, Defaults)
 {

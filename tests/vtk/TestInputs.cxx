@@ -214,9 +214,10 @@ vtkSmartPointer<vtkUnstructuredGrid> AsUnstructuredGrid(vtkPolyData* input)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> Drill(
-  vtkPolyData* domain, const std::vector<Row>& rows, double meshSize)
+  vtkPolyData* domain, const std::vector<Row>& rows, double meshSize, int mode)
 {
   vtkNew<vtkDrillHoles> drill;
+  drill->SetMode(mode);
   drill->SetInputData(domain);
   drill->SetSingularitiesData(Singularities(rows));
   drill->SetMeshSize(meshSize);

@@ -51,9 +51,9 @@ vtkSmartPointer<vtkUnstructuredGrid> DrilledDisk(double meshSize = 0.15);
 /** A rectangle with an island, drilled at singularities of unlike indices that add up to −4. */
 vtkSmartPointer<vtkUnstructuredGrid> DrilledIsland();
 
-/** What vtkDrillHoles makes of a domain. */
+/** What vtkDrillHoles makes of a domain; `mode` as in vtkDrillHoles::SetMode. */
 vtkSmartPointer<vtkUnstructuredGrid> Drill(
-  vtkPolyData* domain, const std::vector<Row>& rows, double meshSize);
+  vtkPolyData* domain, const std::vector<Row>& rows, double meshSize, int mode = 0);
 
 /** Four +1 on the diagonals at distance 0.6 with radius 0.1. */
 std::vector<Row> FourOnDisk();

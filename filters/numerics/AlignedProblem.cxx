@@ -1,0 +1,119 @@
+#include "AlignedProblem.h"
+
+#include "NestedDissection.h"
+#include "SparseCholesky.h"
+
+namespace crossfield
+{
+namespace
+{
+/// The entries of a matrix over all edges in the rows and columns of the free ones.
+SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
+{
+  std::vector<int> unknown(static_cast<std::size_t>(matrix.rows()), -1);
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    unknown[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
+  for (std::size_t i = 0; i < free.size(); ++i)
+  {
+    for (SparseMatrix::InnerIterator entry(matrix, free[i]); entry; ++entry)
+    {
+      const int row = unknown[static_cast<std::size_t>(entry.row())];
+      if (row >= 0)
+      {
+        entries.emplace_back(row, static_cast<int>(i), entry.value());
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(free.size());
+  SparseMatrix restricted(size, size);
+  restricted.setFromTriplets(entries.begin(), entries.end());
+  return restricted;
+}
+}
+
+AlignedProblem::AlignedProblem(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const Eigen::VectorXd& weights)
+  : stiffness(CrouzeixRaviartStiffness(mesh, edges, weights))
+{
+  std::vector<bool> aligned(static_cast<std::size_t>(edges.Count()), false);
+  std::vector<Complex> values;
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const BoundaryEdge& edge = mesh.boundary[i];
+    if (edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner)
+    {
+      aligned[static_cast<std::size_t>(edges.ofBoundary[i])] = true;
+      this->fixed.push_back(edges.ofBoundary[i]);
+      values.push_back(
+        AlignedRepresentation(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
+          mesh.points[static_cast<std::size_t>(edge.vertices[0])]));
+    }
+  }
+  this->prescribed =
+    Eigen::Map<const ComplexVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+  for (int edge = 0; edge < edges.Count(); ++edge)
+  {
+    if (!aligned[static_cast<std::size_t>(edge)])
+    {
+      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
+      this->free.push_back(edge);
+      this->places.push_back(0.5 *
+        (mesh.points[static_cast<std::size_t>(from)] + mesh.points[static_cast<std::size_t>(to)]));
+    }
+  }
+  this->freeStiffness = Restrict(this->stiffness, this->free);
+}
+
+void AlignedProblem::Align(ComplexVector& u) const
+{
+  for (std::size_t i = 0; i < this->fixed.size(); ++i)
+  {
+    u[this->fixed[i]] = this->prescribed[static_cast<Eigen::Index>(i)];
+  }
+}
+
+std::vector<int> AlignedProblem::EliminationOrder(const std::vector<int>& last) const
+{
+  return NestedDissection(this->freeStiffness, this->places, last);
+}
+
+Eigen::MatrixXd AlignedProblem::Load() const
+{
+  ComplexVector u = ComplexVector::Zero(this->stiffness.rows());
+  this->Align(u);
+  const ComplexVector product = this->stiffness * u;
+  Eigen::MatrixXd load(static_cast<Eigen::Index>(this->free.size()), 2);
+  for (std::size_t i = 0; i < this->free.size(); ++i)
+  {
+    load.row(static_cast<Eigen::Index>(i)) << -product[this->free[i]].real(),
+      -product[this->free[i]].imag();
+  }
+  return load;
+}
+
+ComplexVector AlignedProblem::Extend(const Eigen::MatrixXd& values) const
+{
+  ComplexVector u(this->stiffness.rows());
+  this->Align(u);
+  for (std::size_t i = 0; i < this->free.size(); ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    u[this->free[i]] = Complex(values(row, 0), values(row, 1));
+  }
+  return u;
+}
+
+ComplexVector AlignedProblem::HarmonicField() const
+{
+  if (this->free.empty())
+  {
+    return this->Extend(Eigen::MatrixXd(0, 2));
+  }
+  return this->Extend(
+    SparseCholesky(this->freeStiffness, this->EliminationOrder()).Solve(this->Load()));
+}
+}

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "Progress.h"
+#include "QuadraticConstraint.h"
+
+namespace crossfield
+{
+/// A function of complex unknowns x to be minimised under quadratic constraints, and the linear
+/// solver for its Newton steps. Real vectors have the parts of x_i in entries 2i and 2i + 1.
+class ConstrainedFunctional
+{
+public:
+  virtual ~ConstrainedFunctional() = default;
+  virtual double Value(const ComplexVector& x) const = 0;
+  virtual Eigen::VectorXd Gradient(const ComplexVector& x) const = 0;
+  /// Sum of the norms of the terms that cancel in the gradient, to measure residuals by.
+  virtual double GradientScale(const ComplexVector& x) const = 0;
+  /// Mean of the diagonal of the quadratic part, the size of a second derivative.
+  virtual double Stiffness() const = 0;
+
+  /// What is added to the second derivatives at x: Σ λ_i A_i, weight × N Nᵀ, and shift × M with a
+  /// positive definite M that makes them positive definite for some shift.
+  struct Additions
+  {
+    std::vector<QuadraticConstraint::Entry> constraints; ///< Of Σ λ_i A_i, repeated ones add up.
+    Eigen::MatrixXd normals;                             ///< Column i is A_i x.
+    double weight = 0.0;
+    double shift = 0.0;
+  };
+  /// Factors that sum; false when it is not positive definite.
+  virtual bool Factor(const ComplexVector& x, const Additions& additions) = 0;
+  virtual Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const = 0;
+};
+
+struct MinimiserOptions
+{
+  int maximumIterations = 100;
+  double tolerance = 1e-10; ///< Of the relative residual of the optimality conditions.
+  /// For functionals that are not convex by themselves and costly to factor: each step begins with
+  /// the shift that the last one needed, and saddles are left by their negative curvature.
+  bool leavesSaddles = false;
+};
+
+struct MinimiserResult
+{
+  ComplexVector x;
+  Eigen::VectorXd multipliers;
+  int iterations = 0;
+  double residual = 0.0;
+  bool converged = false;
+};
+
+/// A local minimiser near a start.
+///
+/// Sequential quadratic programming with a line search on the merit f(x) + ν Σ |c_i(x)|, c_i the
+/// violations. Where the Lagrangian's Hessian is not positive definite on the constraints' tangent
+/// space it is convexified by a multiple of M. The solution is converged only if no such help is
+/// needed there, that is, if the optimality system has as many negative eigenvalues as
+/// constraints; otherwise it is a saddle.
+MinimiserResult MinimiseConstrained(ConstrainedFunctional& functional,
+  const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
+  const MinimiserOptions& options = {}, const Progress& progress = {});
+}

@@ -1,0 +1,47 @@
+#pragma once
+
+// Part of PlanarMesher.cxx, the one file that includes CGAL.
+#include "Plane.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+namespace crossfield::mesher
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+constexpr int None = -1;
+
+/// Of a vertex: its boundary loop, and its number in the mesh that is read out.
+struct VertexInfo
+{
+  int loop = None;
+  int number = None;
+};
+/// Of a face: how many loops enclose it.
+struct FaceInfo
+{
+  int depth = None;
+};
+
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<VertexInfo, Kernel,
+  CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel,
+  CGAL::Delaunay_mesh_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
+using CgalPoint = Triangulation::Point;
+
+inline CgalPoint ToCgal(const Point& point)
+{
+  return { point.x(), point.y() };
+}
+
+inline Point FromCgal(const CgalPoint& point)
+{
+  return { point.x(), point.y() };
+}
+}

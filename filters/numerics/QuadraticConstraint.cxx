@@ -1,0 +1,54 @@
+#include "QuadraticConstraint.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+double QuadraticConstraint::Value(const ComplexVector& x) const
+{
+  double sum = 0.0;
+  for (const Entry& entry : this->entries)
+  {
+    sum += 0.5 * (std::conj(x[entry.row]) * entry.value * x[entry.column]).real();
+  }
+  return sum;
+}
+
+Eigen::VectorXd QuadraticConstraint::Gradient(const ComplexVector& x) const
+{
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * x.size());
+  for (const Entry& entry : this->entries)
+  {
+    const Complex product = entry.value * x[entry.column];
+    gradient[2 * entry.row] += product.real();
+    gradient[2 * entry.row + 1] += product.imag();
+  }
+  return gradient;
+}
+
+QuadraticConstraint SumOfDegrees(const std::vector<DegreeConstraint>& constraints)
+{
+  QuadraticConstraint sum;
+  sum.size = 0.0;
+  for (const DegreeConstraint& constraint : constraints)
+  {
+    const int last = *std::max_element(constraint.unknowns.begin(), constraint.unknowns.end());
+    const Eigen::SparseMatrix<Complex> hessian = constraint.Hessian(last + 1);
+    for (const int column : constraint.unknowns)
+    {
+      for (Eigen::SparseMatrix<Complex>::InnerIterator entry(hessian, column); entry; ++entry)
+      {
+        sum.entries.push_back({ static_cast<int>(entry.row()), column, entry.value() });
+      }
+    }
+    sum.target += constraint.target;
+    sum.size += static_cast<double>(constraint.unknowns.size());
+  }
+  return sum;
+}
+
+QuadraticConstraint UnitNorm(int unknown)
+{
+  return { { { unknown, unknown, 2.0 } }, 1.0, 1.0 };
+}
+}

@@ -1,0 +1,55 @@
+#include "vtkCrossFieldSolver.h"
+
+#include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FilterRun.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkUnstructuredGrid.h"
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldSolver::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (input->GetNumberOfCells() > 0)
+      {
+        this->Compute(DomainConversion::ReadDrilledMesh(input), inputVector, progress, output);
+      }
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,
+  const crossfield::CrossField& field, const char* advice, vtkUnstructuredGrid* input,
+  vtkUnstructuredGrid* output)
+{
+  if (!field.converged)
+  {
+    vtkWarningMacro("The iteration stopped after "
+      << field.iterations << " steps with a relative residual of " << field.residual << "; "
+      << advice);
+  }
+  output->ShallowCopy(input);
+  CrossFieldArrays::AddField(cells, field, output);
+  CrossFieldArrays::AddReport(field, output);
+  this->StageSeconds[0] = field.seconds.assemble;
+  this->StageSeconds[1] = field.seconds.factor;
+  this->StageSeconds[2] = field.seconds.solve;
+}
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
+     << this->StageSeconds[2] << "\n";
+}

@@ -1,0 +1,90 @@
+/**
+ * @class   vtkCrossFieldSolver
+ * @brief   what the filters that compute a cross field by an iteration have in common
+ *
+ * Abstract: the parameters of the iteration, the time that it took, and the one way in which a field
+ * and its report get into the output. See vtkPerforatedCrossField for the arrays.
+ *
+ * @sa vtkPerforatedCrossField, vtkGinzburgLandauCrossField
+ */
+
+#ifndef vtkCrossFieldSolver_h
+#define vtkCrossFieldSolver_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+namespace crossfield
+{
+struct CrossField;
+class Progress;
+}
+namespace DomainConversion
+{
+struct DrilledMesh;
+}
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkCrossFieldSolver : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkCrossFieldSolver, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Most iterations. Default: 100 for vtkPerforatedCrossField, 500 for vtkGinzburgLandauCrossField.
+   * Range: at least 1.
+   */
+  vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * The iteration stops when the relative residual of the optimality conditions is below this.
+   * Default: 1e-10. Range: 1e-15 to 1e-2.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  /**
+   * Seconds that the last run spent in assembling, factoring (or computing the start) and solving.
+   * Not in the output, so that the same input gives the same output.
+   */
+  vtkGetVector3Macro(StageSeconds, double);
+
+protected:
+  explicit vtkCrossFieldSolver(int maximumIterations)
+    : MaximumIterations(maximumIterations)
+  {
+  }
+  ~vtkCrossFieldSolver() override = default;
+
+  /** Reads the mesh and has the field computed, unless the mesh is empty. */
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+#ifndef __VTK_WRAP__
+  /** Computes the field and ends with Publish. Errors may be thrown. */
+  virtual void Compute(const DomainConversion::DrilledMesh& cells,
+    vtkInformationVector** inputVector, const crossfield::Progress& progress,
+    vtkUnstructuredGrid* output) = 0;
+
+  /**
+   * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
+   * converge.
+   */
+  void Publish(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
+    const char* advice, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+#endif
+
+private:
+  vtkCrossFieldSolver(const vtkCrossFieldSolver&) = delete;
+  void operator=(const vtkCrossFieldSolver&) = delete;
+
+  int MaximumIterations;
+  double Tolerance = 1e-10;
+  double StageSeconds[3] = { 0.0, 0.0, 0.0 };
+};
+
+#endif

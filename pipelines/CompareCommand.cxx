@@ -1,0 +1,252 @@
+/**
+ * crossfield compare DOMAIN -s S.csv -o F.vtm: several methods on one domain and configuration, in
+ * one table and one multiblock file to look at side by side.
+ *
+ *   crossfield compare builtin:disk -s four.csv -o compared.vtm --epsilon 0.05
+ */
+#include "CommandLine.h"
+#include "CompareTable.h"
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "vtkCrossFieldSingularities.h"
+#include "vtkDrillHoles.h"
+#include "vtkGinzburgLandauCrossField.h"
+#include "vtkPerforatedCrossField.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace
+{
+struct CompareOptions : MeshOptions
+{
+  std::vector<std::string> methods = { "constrained", "unit-norm", "unit-holes",
+    "global-constraint", "imprint", "penalty", "ginzburg-landau" };
+  double epsilon = 0.0;
+  bool inPlace = false;
+  std::string csv;
+  std::string json;
+};
+
+const std::vector<std::string> AllMethods = { "constrained", "unit-norm", "unit-holes",
+  "global-constraint", "imprint", "imprint-unit", "triangle", "triangle-penalty", "penalty",
+  "ginzburg-landau", "ginzburg-landau-constant" };
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/** Whether a method places singularities by itself. */
+bool IsReference(const std::string& method)
+{
+  return Contains(method, "ginzburg-landau");
+}
+
+/** One method: its mesh, its field, and the singularities in it. */
+struct Run
+{
+  vtkNew<vtkSingularitySource> none;
+  vtkNew<vtkDrillHoles> drill;
+  vtkNew<vtkPerforatedCrossField> constrained;
+  vtkNew<vtkGinzburgLandauCrossField> reference;
+  vtkNew<vtkCrossFieldSingularities> found;
+
+  /** Solves; `epsilon` is that of the penalty. */
+  CompareRow Solve(const std::string& method, const CompareOptions& options, double epsilon,
+    vtkAlgorithm* domain, vtkSingularitySource* singularities)
+  {
+    const bool isReference = IsReference(method);
+    vtkNew<vtkTimerLog> timer;
+    timer->StartTimer();
+    this->none->RemoveAllSingularities();
+    this->drill->SetInputConnection(domain->GetOutputPort());
+    this->drill->SetSingularitiesConnection(
+      isReference ? this->none->GetOutputPort() : singularities->GetOutputPort());
+    this->drill->SetMeshSize(options.size);
+    this->drill->SetMode(Contains(method, "imprint") ? vtkDrillHoles::ModeImprint
+        : Contains(method, "triangle")               ? vtkDrillHoles::ModeTriangle
+                                                     : vtkDrillHoles::ModePerforate);
+    vtkCrossFieldSolver* solver = this->constrained;
+    if (isReference)
+    {
+      this->reference->SetStart(Contains(method, "constant")
+          ? vtkGinzburgLandauCrossField::StartConstant
+          : vtkGinzburgLandauCrossField::StartHarmonic);
+      this->reference->SetEpsilon(epsilon);
+      solver = this->reference;
+    }
+    else
+    {
+      this->constrained->SetMethod(method == "unit-norm"
+          ? vtkPerforatedCrossField::MethodUnitNorm
+          : vtkPerforatedCrossField::MethodConstrained);
+      this->constrained->SetUnitHoles(method == "unit-holes" || method == "imprint-unit");
+      this->constrained->SetGlobalConstraint(method == "global-constraint");
+      this->constrained->SetEpsilon(Contains(method, "penalty") ? epsilon : 0.0);
+    }
+    solver->SetInputConnection(this->drill->GetOutputPort());
+    this->found->SetInputConnection(solver->GetOutputPort());
+    PipelineRun::Update(solver, method.c_str());
+    timer->StopTimer();
+    PipelineRun::Update(this->found, method.c_str());
+    CompareRow row = CompareTable::Read(method, solver->GetOutput(), this->found->GetOutput());
+    row.seconds = timer->GetElapsedTime();
+    this->field = solver->GetOutput();
+    return row;
+  }
+
+  vtkUnstructuredGrid* field = nullptr; ///< None where the method refused.
+};
+
+/** A copy of a field that is moved along x. */
+vtkSmartPointer<vtkUnstructuredGrid> Moved(vtkUnstructuredGrid* field, double offset)
+{
+  auto moved = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  moved->ShallowCopy(field);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(field->GetPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    points->GetPoint(i, place);
+    points->SetPoint(i, place[0] + offset, place[1], place[2]);
+  }
+  moved->SetPoints(points);
+  return moved;
+}
+
+int Compare(const CompareOptions& options)
+{
+  // 1. Check the outputs before any work.
+  if (!options.output.empty())
+  {
+    OutputFile::RequireWritable(options.output, ".vtm");
+  }
+  for (const std::string& file : { options.csv, options.json })
+  {
+    if (!file.empty() && file != "-")
+    {
+      OutputFile::RequireWritable(file, "");
+    }
+  }
+
+  if (!options.csv.empty() && options.csv == options.json)
+  {
+    throw PipelineRun::Error(
+      "The two tables cannot both go to '" + options.csv + "'; give two names.");
+  }
+
+  // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
+  const auto domain = DomainReader::Open(options.domain, options.size);
+  PipelineRun::Update(domain, "reading");
+  vtkNew<vtkSingularitySource> singularities;
+  singularities->SetFileName(options.singularities);
+  PipelineRun::Update(singularities, "reading");
+  double bounds[6];
+  vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0))->GetBounds(bounds);
+  const double width = bounds[1] - bounds[0];
+  const double diagonal = std::hypot(width, bounds[3] - bounds[2]);
+  const double epsilon = options.epsilon != 0.0 ? options.epsilon
+    : options.size != 0.0                       ? options.size
+                                                : diagonal / 40.0;
+
+  // 3. Solve by every method. What one of them refuses is a row of the table.
+  std::vector<CompareRow> rows;
+  OutputFile::Blocks blocks;
+  std::optional<PipelineRun::Error> refused;
+  bool allConverged = true;
+  bool configurationServed = false; // by a method that makes use of it
+  for (const std::string& method : options.methods)
+  {
+    Run run;
+    try
+    {
+      rows.push_back(run.Solve(method, options, epsilon, domain, singularities));
+      const double offset = options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
+      blocks.emplace_back(method, Moved(run.field, offset));
+      allConverged = allConverged && rows.back().converged;
+      configurationServed = configurationServed || !IsReference(method);
+    }
+    catch (const PipelineRun::Error& error)
+    {
+      refused = refused.has_value() ? refused : error;
+      rows.emplace_back();
+      rows.back().method = method;
+      rows.back().note = error.what();
+    }
+  }
+  const bool badConfiguration =
+    refused.has_value() && refused->GetStatus() == BadInput && !configurationServed;
+  if (blocks.empty() || badConfiguration)
+  {
+    throw PipelineRun::Error(*refused);
+  }
+
+  // 4. Write the fields and the table.
+  if (!options.output.empty())
+  {
+    OutputFile::WriteBlocks(blocks, options.output);
+  }
+  if (!options.csv.empty())
+  {
+    OutputFile::WriteText(CompareTable::Csv(rows), options.csv);
+  }
+  if (!options.json.empty())
+  {
+    OutputFile::WriteText(CompareTable::Json(rows), options.json);
+  }
+  if (options.csv != "-" && options.json != "-")
+  {
+    std::cout << CompareTable::Text(rows);
+  }
+
+  // 5. The answer.
+  return refused.has_value() || !allConverged ? AnswerIsNo : Done;
+}
+}
+
+void AddCompareCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command =
+    app.add_subcommand("compare", "compute the cross field by several methods and compare them");
+  command->footer("Example: crossfield compare builtin:disk -s four.csv -o compared.vtm\n"
+                  "Exit status 1 when a method refused the configuration or did not converge.");
+  options->AddTo(*command);
+  command->get_option("--output")->description(
+    "the .vtm file to write; the fields go to a folder of the same name beside it");
+  command
+    ->add_option("--methods", options->methods,
+      "separated by commas: constrained, unit-norm, unit-holes, global-constraint, imprint, "
+      "imprint-unit, triangle, triangle-penalty, penalty (holes with the Ginzburg-Landau penalty), "
+      "ginzburg-landau, ginzburg-landau-constant (its constant start)")
+    ->delimiter(',')
+    ->capture_default_str()
+    ->check(CLI::IsMember(AllMethods));
+  command
+    ->add_option("--epsilon", options->epsilon,
+      "length of the penalty, of all methods that have one; default: the mesh size")
+    ->check(CLI::PositiveNumber);
+  command->add_flag(
+    "--in-place", options->inPlace, "leave the fields where they are instead of side by side");
+  command->add_option("--csv", options->csv, "write the table to this file, or - for output");
+  command->add_option("--json", options->json, "write the table to this file, or - for output");
+  command->callback([options, &status] { status = Compare(*options); });
+}

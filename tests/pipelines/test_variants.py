@@ -1,0 +1,176 @@
+"""Imprinted circles, single triangles and the other variants: `crossfield drill` and `solve`."""
+
+import json
+import math
+import re
+
+from program import FOUR, ProgramTest, write_configuration
+
+ON_CIRCLE = [math.pi / 4 + i * math.pi / 2 for i in range(4)]
+
+
+class Variants(ProgramTest):
+    def test_quarter_disk_with_an_imprinted_minus_one(self):
+        write_configuration(self.folder / "minus.csv", [(0.42, 0.42, -1, 0.15)])
+        report = self.solve("builtin:quarter-disk", "--mode", "imprint", "--unit-holes",
+                            "-o", "field.vtu", singularities="minus.csv")
+        self.assertEqual(report["hole_degree"], [-1])
+        for norm in report["hole_norm_range"][0]:
+            self.assertAlmostEqual(norm, 1, places=9)
+        self.assertIs(report["degrees_reached"], True)
+        self.assertIs(report["converged"], True)
+        self.assertIs(report["consistent"], False)
+        self.assertEqual(report["unwanted_singularities"], 2)
+        self.assertEqual(sorted(one["quarter_index"] for one in report["singularities"]),
+                         [-1, 1, 1])
+        self.assertEqual(sum(one["quarter_index"] for one in report["singularities"]),
+                         report["required_interior_quarters"])
+        # The field can be checked, and nothing is wrong with its sum.
+        check = self.run_program("check", "field.vtu", "--json", "-")
+        checked = json.loads(check.stdout)
+        self.assertEqual(checked["given_interior_quarters"],
+                         checked["required_interior_quarters"])
+        # Perforated, the same configuration is refused; strictly, two are too many.
+        self.refuse_solve("builtin:quarter-disk", singularities="minus.csv", status=1,
+                          says=["add up to -1", "asks for 1"])
+        strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--mode",
+                                  "imprint", "--unit-hole", 0, "--strict")
+        self.assertEqual((strict.returncode, strict.stderr), (1, ""))
+
+    def test_drill_modes(self):
+        for mode in ("perforate", "imprint", "triangle"):
+            text = self.succeed("drill", "builtin:disk", "-s", "four.csv", "--mode", mode,
+                                "-o", mode + ".vtu")
+            self.assertRegex(text, r"\d+ triangles")
+        self.refuse("drill", "builtin:disk", "-s", "four.csv", "--mode", "cut", "-o", "x.vtu",
+                    says=["--mode"])
+        write_configuration(self.folder / "two.csv", [(0, 0, 2, 0.1)])
+        self.refuse("drill", "builtin:disk", "-s", "two.csv", "--mode", "triangle", "-o", "x.vtu",
+                    says=["quarter index 2", "1 or -1"])
+
+    def test_single_triangles_near_and_far(self):
+        for distance, reached in ((0.85, True), (0.3, False)):
+            write_configuration(
+                self.folder / "t.csv",
+                [(distance * math.cos(a), distance * math.sin(a), 1, 0.1) for a in ON_CIRCLE])
+            report = self.solve("builtin:disk", "--mode", "triangle", "--epsilon", 0.05,
+                                "--size", 0.05, singularities="t.csv")
+            self.assertIs(report["degrees_reached"], reached)
+            self.assertEqual(report["hole_degree"] == [1] * 4, reached)
+            self.assertEqual(report["unwanted_singularities"] == 0, reached)
+        text = self.succeed("solve", "builtin:disk", "-s", "t.csv", "--mode", "triangle",
+                            "--epsilon", 0.05, "--size", 0.05)
+        self.assertIn("NOT those asked for", text)
+
+    def test_five_with_the_penalty(self):
+        rows = [(0.6 * math.cos(0.3 + i * 0.4 * math.pi), 0.6 * math.sin(0.3 + i * 0.4 * math.pi),
+                 1, 0.1) for i in range(5)]
+        write_configuration(self.folder / "five.csv", rows)
+        self.refuse_solve("builtin:disk", singularities="five.csv", status=1,
+                          says=["add up to 5", "asks for 4"])
+        report = self.solve("builtin:disk", "--epsilon", 0.07, "-o", "five.vtu",
+                            singularities="five.csv")
+        self.assertEqual(report["hole_degree"], [1] * 5)
+        self.assertEqual(report["unwanted_singularities"], 1)
+        self.assertEqual([one["quarter_index"] for one in report["singularities"]], [-1])
+        self.assertAlmostEqual(report["gradient_energy"] + report["penalty_energy"],
+                               report["energy"], places=9)
+        self.assertEqual(report["epsilon"], 0.07)
+        text = self.succeed("solve", "builtin:disk", "-s", "five.csv", "--epsilon", 0.07)
+        self.assertEqual(len(re.findall("quarter index -1 at ", text)), 1)
+
+    def test_global_constraint_and_chosen_unit_holes(self):
+        each = self.solve("builtin:disk")
+        together = self.solve("builtin:disk", "--global-constraint")
+        self.assertLessEqual(together["energy"], each["energy"] * (1 + 1e-9))
+        self.assertEqual(together["hole_degree"], [1] * 4)
+        chosen = self.solve("builtin:disk", "--unit-hole", 1, "--unit-hole", 3)
+        self.assertIs(chosen["unit_holes"], True)
+        unit = [abs(low - 1) < 1e-9 and abs(high - 1) < 1e-9
+                for low, high in chosen["hole_norm_range"]]
+        self.assertEqual(unit, [False, True, False, True])
+        self.assertGreater(chosen["energy"], each["energy"])
+
+    def test_options_that_do_not_belong_together(self):
+        self.refuse_solve("builtin:disk", "--unit-hole", 7, says=["hole 7", "does not have"])
+        self.refuse_solve("builtin:disk", "--unit-holes", "--epsilon", 0.1,
+                          says=["cannot be combined"])
+        self.refuse_solve("builtin:disk", "--method", "unit-norm", "--epsilon", 0.1,
+                          says=["--epsilon", "constrained"])
+        self.refuse_solve("builtin:disk", "--method", "unit-norm", "--mode", "imprint",
+                          says=["needs holes"])
+        self.refuse_solve("builtin:disk", "--method", "ginzburg-landau", "--mode", "imprint",
+                          says=["do not belong to"])
+
+
+class Compare(ProgramTest):
+    METHODS = ["constrained", "unit-norm", "unit-holes", "global-constraint", "imprint", "penalty",
+               "ginzburg-landau"]
+
+    def test_every_default_method_has_a_row_and_a_block(self):
+        text = self.succeed("compare", "builtin:disk", "-s", "four.csv", "--size", 0.1,
+                            "-o", "all.vtm", "--csv", "all.csv", "--json", "all.json")
+        table = json.loads((self.folder / "all.json").read_text())["methods"]
+        self.assertEqual([row["method"] for row in table], self.METHODS)
+        self.assertEqual(len(text.splitlines()), 1 + len(table))
+        lines = (self.folder / "all.csv").read_text().splitlines()
+        self.assertEqual(lines[0].split(","), list(table[0]))
+        self.assertEqual(len(lines), 1 + len(table))
+        for row in table:
+            self.assertIs(row["converged"], True)
+            self.assertEqual((row["wanted"], row["reached"], row["unwanted"]), (4, 4, 0),
+                             row["method"])
+            self.assertLessEqual(row["gradient_energy"], row["energy"])
+            self.assertLessEqual(0, row["norm_minimum"])
+            self.assertLess(row["norm_minimum"], row["norm_maximum"] + 1e-9)
+            self.assertGreater(row["seconds"], 0)
+            self.assertEqual(row["note"], "")
+        by_name = {row["method"]: row for row in table}
+        self.assertLess(by_name["constrained"]["energy"], by_name["unit-holes"]["energy"])
+        self.assertLess(by_name["unit-holes"]["energy"], by_name["unit-norm"]["energy"])
+        index = (self.folder / "all.vtm").read_text()
+        for name in self.METHODS:
+            self.assertIn(f'name="{name}" file="all/{name}.vtu"', index)
+            data = (self.folder / "all" / f"{name}.vtu").read_bytes()
+            self.assertNotIn(b"appended", data)
+            self.assertIn(b"vtkZLibDataCompressor", data)
+
+    def test_it_agrees_with_solve(self):
+        solved = self.solve("builtin:disk")
+        report = json.loads(self.succeed("compare", "builtin:disk", "-s", "four.csv", "--methods",
+                                         "constrained", "--json", "-"))
+        self.assertEqual(report["methods"][0]["energy"], solved["energy"])
+        self.assertEqual(report["methods"][0]["iterations"], solved["iterations"])
+
+    def test_a_refusal_is_a_row(self):
+        write_configuration(self.folder / "three.csv", FOUR[:3])
+        result = self.run_program("compare", "builtin:disk", "-s", "three.csv", "--size", 0.1,
+                                  "--methods", "constrained,penalty", "--json", "-")
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        refused, penalty = json.loads(result.stdout)["methods"]
+        self.assertIn("add up to 3", refused["note"])
+        self.assertIs(refused["converged"], False)
+        self.assertEqual((penalty["reached"], penalty["unwanted"]), (3, 1))
+        self.refuse("compare", "builtin:disk", "-s", "three.csv", "--methods", "constrained",
+                    "-o", "none.vtm", status=1, says=["add up to 3"])
+
+    def test_bad_usage(self):
+        self.refuse("compare", "builtin:disk", "-s", "four.csv", "-o", "x.vtu", says=[".vtm"])
+        self.refuse("compare", "builtin:disk", "-s", "four.csv", "--methods", "guess",
+                    says=["--methods"])
+        self.refuse("compare", "builtin:disk", "-s", "none.csv", "-o", "x.vtm", says=["'none.csv'"])
+        self.refuse("compare", "builtin:disk", "-s", "four.csv", "--csv", "t", "--json", "t",
+                    says=["two names"])
+        self.refuse("compare", "builtin:nowhere", "-s", "four.csv", "-o", "x.vtm",
+                    says=["nowhere"])
+        write_configuration(self.folder / "outside.csv", [(3, 0, 1, 0.1)])
+        self.refuse("compare", "builtin:disk", "-s", "outside.csv", "-o", "x.vtm",
+                    "--methods", "constrained,ginzburg-landau", says=["outside the domain"])
+        # What only one method cannot do is a row.
+        write_configuration(self.folder / "half.csv", [(0.3, 0, 2, 0.1), (-0.3, 0, 2, 0.1)])
+        result = self.run_program("compare", "builtin:disk", "-s", "half.csv", "--methods",
+                                  "triangle,unit-norm", "--json", "-")
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        triangle, unit_norm = json.loads(result.stdout)["methods"]
+        self.assertIn("1 or -1 only", triangle["note"])
+        self.assertEqual((unit_norm["reached"], unit_norm["unwanted"]), (4, 0))
