@@ -3,7 +3,8 @@
 namespace crossfield
 {
 Eigen::VectorXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::Matrix2Xd& gradients, int firstEdge, double firstValue)
+  const Eigen::Matrix2Xd& gradients, int firstEdge, double firstValue,
+  const std::vector<LogSource>& logs)
 {
   const auto midpoint = [&](int edge)
   {
@@ -35,6 +36,10 @@ Eigen::VectorXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
           known[static_cast<std::size_t>(to)] = true;
           // rot g · Δ = g × Δ
           values[to] = values[from] + Cross(gradient, midpoint(to) - midpoint(from));
+          for (const LogSource& log : logs)
+          {
+            values[to] += log.strength * log.Turn(midpoint(from), midpoint(to));
+          }
           queue.push_back(to);
         }
       }

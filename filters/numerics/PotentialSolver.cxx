@@ -33,9 +33,34 @@ std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<Bounda
   return vertices;
 }
 
-/// The P1 matrix bordered by the periods, without the row and column of the ground.
+/// Rows and columns of a matrix that are kept; `reduced` has their numbers, −1 for the others.
+Eigen::SparseMatrix<double> Submatrix(const Eigen::SparseMatrix<double>& matrix,
+  const std::vector<int>& kept, const std::vector<int>& reduced)
+{
+  const auto size = static_cast<Eigen::Index>(kept.size());
+  Eigen::SparseMatrix<double> part(size, size);
+  part.reserve(matrix.nonZeros());
+  for (Eigen::Index column = 0; column < size; ++column)
+  {
+    part.startVec(column);
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(
+           matrix, kept[static_cast<std::size_t>(column)]);
+         entry; ++entry)
+    {
+      const int row = reduced[static_cast<std::size_t>(entry.row())];
+      if (row >= 0)
+      {
+        part.insertBack(row, column) = entry.value();
+      }
+    }
+  }
+  part.finalize();
+  return part;
+}
+
+/// The P1 matrix bordered by the periods.
 Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<LoopStrip>& strips, int ground)
+  const std::vector<LoopStrip>& strips)
 {
   Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, edges);
   const Eigen::Index vertexCount = matrix.rows();
@@ -81,32 +106,12 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
     addition.setFromTriplets(border.begin(), border.end());
     matrix += addition;
   }
-  // Without the ground.
-  Eigen::SparseMatrix<double> grounded(size - 1, size - 1);
-  grounded.reserve(matrix.nonZeros());
-  for (Eigen::Index column = 0; column < size; ++column)
-  {
-    if (column == ground)
-    {
-      continue;
-    }
-    grounded.startVec(column - (column > ground ? 1 : 0));
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (entry.row() != ground)
-      {
-        grounded.insertBack(entry.row() - (entry.row() > ground ? 1 : 0),
-          column - (column > ground ? 1 : 0)) = entry.value();
-      }
-    }
-  }
-  grounded.finalize();
-  return grounded;
+  return matrix;
 }
 }
 
 PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<BoundaryLoop>& loops, Periods periods)
+  const std::vector<BoundaryLoop>& loops, Periods periods, Boundary boundary)
   : Mesh(mesh)
   , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
   , Strips(FindLoopStrips(mesh, edges, loops, periods == Periods::IslandsAndHoles))
@@ -118,20 +123,46 @@ PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& 
   {
     throw Error("The mesh has no outer boundary loop; give a mesh made by the drill filter.");
   }
-  this->Ground = mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0];
+  std::vector<bool> left(static_cast<std::size_t>(this->Rows()), false); // out of the matrix
+  left[static_cast<std::size_t>(
+    mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0])] = true;
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    this->Trailing.push_back(static_cast<int>(this->PeriodRow(k)));
+    if (boundary == Boundary::Natural)
+    {
+      this->Trailing.push_back(static_cast<int>(this->PeriodRow(k)));
+    }
+    left[static_cast<std::size_t>(this->PeriodRow(k))] = boundary == Boundary::Given;
+  }
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    if (boundary == Boundary::Given && edge.kind != BoundaryKind::Hole)
+    {
+      left[static_cast<std::size_t>(edge.vertices[0])] = true;
+    }
+  }
+  std::vector<int> reduced(left.size(), -1);
+  for (std::size_t row = 0; row < left.size(); ++row)
+  {
+    if (!left[row])
+    {
+      reduced[row] = static_cast<int>(this->Kept.size());
+      this->Kept.push_back(static_cast<int>(row));
+    }
   }
 
   const Eigen::SparseMatrix<double> matrix =
-    BorderedMatrix(mesh, edges, this->Strips, this->Ground);
-  const auto reduced = [this](int row) { return row - (row > this->Ground ? 1 : 0); };
+    Submatrix(BorderedMatrix(mesh, edges, this->Strips), this->Kept, reduced);
   std::vector<int> last;
-  std::transform(this->Trailing.begin(), this->Trailing.end(), std::back_inserter(last), reduced);
-  std::vector<Point> places(mesh.points);
-  places.erase(places.begin() + this->Ground);
-  places.resize(static_cast<std::size_t>(matrix.rows()), Point::Zero()); // periods have no place
+  std::transform(this->Trailing.begin(), this->Trailing.end(), std::back_inserter(last),
+    [&reduced](int row) { return reduced[static_cast<std::size_t>(row)]; });
+  std::vector<Point> places;
+  for (int row : this->Kept)
+  {
+    const Point none = Point::Zero(); // periods have no place
+    places.push_back(
+      row < this->VertexCount ? mesh.points[static_cast<std::size_t>(row)] : none);
+  }
   this->Factor = std::make_unique<SparseCholesky>(matrix, NestedDissection(matrix, places, last));
   this->TrailingLower = this->Factor->TrailingFactor(static_cast<int>(last.size()));
 }
@@ -157,14 +188,24 @@ Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) co
 
 Eigen::MatrixXd PotentialSolver::SolveGrounded(const Eigen::MatrixXd& rightHandSides) const
 {
-  const Eigen::Index above = this->Ground;
-  const Eigen::Index below = this->Rows() - this->Ground - 1;
-  Eigen::MatrixXd reduced(this->Rows() - 1, rightHandSides.cols());
-  reduced << rightHandSides.topRows(above), rightHandSides.bottomRows(below);
+  const auto size = static_cast<Eigen::Index>(this->Kept.size());
+  Eigen::MatrixXd reduced(size, rightHandSides.cols());
+  for (Eigen::Index column = 0; column < reduced.cols(); ++column)
+  {
+    for (Eigen::Index row = 0; row < size; ++row)
+    {
+      reduced(row, column) = rightHandSides(this->Kept[static_cast<std::size_t>(row)], column);
+    }
+  }
   const Eigen::MatrixXd solved = this->Factor->Solve(reduced);
-  Eigen::MatrixXd solution(this->Rows(), rightHandSides.cols());
-  solution << solved.topRows(above), Eigen::MatrixXd::Zero(1, rightHandSides.cols()),
-    solved.bottomRows(below);
+  Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(this->Rows(), rightHandSides.cols());
+  for (Eigen::Index column = 0; column < reduced.cols(); ++column)
+  {
+    for (Eigen::Index row = 0; row < size; ++row)
+    {
+      solution(this->Kept[static_cast<std::size_t>(row)], column) = solved(row, column);
+    }
+  }
   return solution;
 }
 
@@ -196,5 +237,37 @@ Eigen::Matrix2Xd PotentialSolver::Gradient(const Eigen::VectorXd& solution) cons
     }
   }
   return gradient;
+}
+
+Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
+{
+  const Eigen::Matrix2Xd gradient = this->Gradient(solution);
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(this->Rows());
+  // ∫ ∇Φ · ∇λ_i over a triangle: the gradient turned by −90° times half the opposite edge.
+  const auto load = [&](std::size_t t, std::size_t i)
+  {
+    const auto& v = this->Mesh.triangles[t];
+    const Point opposite = this->Mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
+      this->Mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+    return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
+  };
+  for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      sources[this->Mesh.triangles[t][i]] += load(t, i);
+    }
+  }
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        sources[this->PeriodRow(k)] += step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
+      }
+    }
+  }
+  return sources;
 }
 }

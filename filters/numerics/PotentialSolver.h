@@ -30,6 +30,10 @@ class SparseCholesky;
 ///
 /// The trailing unknowns, hole vertices then periods, come last in the factorisation, so their
 /// Schur complement T is at hand: any treatment of holes and islands is a small dense problem.
+///
+/// Where the boundary is given (Boundary::Given), the values at the vertices of outer and inner loops
+/// and the periods are no unknowns but zero in every solution; with inhomogeneous values x, solve for
+/// the sources minus Apply(x) and add x. The trailing unknowns are then the hole vertices alone.
 class PotentialSolver
 {
 public:
@@ -41,9 +45,17 @@ public:
     IslandsAndHoles
   };
 
+  /// What holds on outer and inner loops.
+  enum class Boundary
+  {
+    Natural, ///< ∂Ψ/∂ν is a source.
+    Given    ///< Ψ and the periods are given.
+  };
+
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands);
+    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands,
+    Boundary boundary = Boundary::Natural);
   ~PotentialSolver();
 
   /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
@@ -64,17 +76,21 @@ public:
   /// vertices must add up to zero, or there is no solution: throws Error with their sum.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
-  /// Like Solve, but without the requirement: the ground takes the sources that are missing.
+  /// Like Solve, but without the requirement: the ground, or the given boundary, takes the sources
+  /// that are missing.
   Eigen::MatrixXd SolveGrounded(const Eigen::MatrixXd& rightHandSides) const;
 
   /// Gradient ∇Ψ + Σ q_k ∇η_k of one solution on every triangle.
   Eigen::Matrix2Xd Gradient(const Eigen::VectorXd& solution) const;
 
+  /// The whole matrix, ground and given boundary included, times (Ψ, q): the sources of a potential.
+  Eigen::VectorXd Apply(const Eigen::VectorXd& solution) const;
+
 private:
   const TriangleMesh& Mesh;
   Eigen::Index VertexCount;
   std::vector<LoopStrip> Strips;
-  int Ground;
+  std::vector<int> Kept; ///< Rows of the matrix that was factored, in increasing order.
   std::vector<int> Trailing;
   std::unique_ptr<SparseCholesky> Factor;
   Eigen::MatrixXd TrailingLower;

@@ -1,0 +1,386 @@
+#include "HField.h"
+
+#include "ConjugateField.h"
+#include "CornerClassification.h"
+#include "Error.h"
+#include "FieldSingularities.h"
+#include "RenormalizedEnergy.h"
+#include "Stopwatch.h"
+#include "UnitNormField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+/// ∫ of a P1 function, and the area.
+std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd& values)
+{
+  std::array<double, 2> result = { 0.0, 0.0 };
+  for (const auto& triangle : mesh.triangles)
+  {
+    const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
+    const double area = 0.5 *
+      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - p0,
+        mesh.points[static_cast<std::size_t>(triangle[2])] - p0);
+    result[0] += area * (values[triangle[0]] + values[triangle[1]] + values[triangle[2]]) / 3.0;
+    result[1] += area;
+  }
+  return result;
+}
+
+/// Length of the shortest edge at every vertex that is the position of a log; elsewhere 0.
+std::vector<double> CoreSizes(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<LogSource>& logs)
+{
+  std::vector<double> sizes(mesh.points.size(), 0.0);
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    for (const LogSource& log : logs)
+    {
+      if (mesh.points[v] == log.position)
+      {
+        sizes[v] = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  for (const auto& [a, b] : edges.vertices)
+  {
+    for (int v : { a, b })
+    {
+      double& size = sizes[static_cast<std::size_t>(v)];
+      if (size > 0.0)
+      {
+        size = std::min(size,
+          (mesh.points[static_cast<std::size_t>(a)] - mesh.points[static_cast<std::size_t>(b)])
+            .norm());
+      }
+    }
+  }
+  return sizes;
+}
+
+/// Φ = R + logs at the vertices, area mean 0.
+Eigen::VectorXd AssembleValues(const PointPotential& potential, const PointPotential::Solution& solution)
+{
+  const TriangleMesh& mesh = potential.GetProblem().mesh;
+  const auto count = static_cast<Eigen::Index>(mesh.points.size());
+  Eigen::VectorXd values = solution.aligned.head(count);
+  auto [integral, area] = Integrate(mesh, values);
+  std::vector<std::array<Point, 2>> boundary;
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    boundary.push_back({ mesh.points[static_cast<std::size_t>(edge.vertices[0])],
+      mesh.points[static_cast<std::size_t>(edge.vertices[1])] });
+  }
+  for (const LogSource& log : solution.logs)
+  {
+    integral += log.strength * LogIntegral(boundary, log.position);
+  }
+  const std::vector<double> cores = CoreSizes(mesh, potential.GetProblem().edges, solution.logs);
+  for (Eigen::Index v = 0; v < count; ++v)
+  {
+    const Point& point = mesh.points[static_cast<std::size_t>(v)];
+    for (const LogSource& log : solution.logs)
+    {
+      // The mean of log r over a disk of radius a is log a − ½.
+      values[v] += point == log.position
+        ? log.strength * (std::log(0.5 * cores[static_cast<std::size_t>(v)]) - 0.5)
+        : log.Value(point);
+    }
+  }
+  return values.array() - integral / area;
+}
+
+/// u from the conjugate of R, the turns of the corners' logarithms along the way, and the arguments
+/// of the singularities as powers of unit complex numbers, which needs no branches.
+ComplexVector AssembleField(const PointPotential& potential, const PointPotential::Solution& solution)
+{
+  const PerforatedProblem& problem = potential.GetProblem();
+  const TriangleMesh& mesh = problem.mesh;
+  const int first = problem.FirstOuterEdge();
+  const Eigen::VectorXd phase = IntegrateConjugate(mesh, problem.edges,
+    problem.potential->Gradient(solution.aligned),
+    problem.edges.ofBoundary[static_cast<std::size_t>(first)], 0.0, potential.GetCorners());
+  const std::size_t singularities = solution.logs.size() - potential.GetCorners().size();
+  ComplexVector u(phase.size());
+  for (Eigen::Index e = 0; e < phase.size(); ++e)
+  {
+    const auto& ends = problem.edges.vertices[static_cast<std::size_t>(e)];
+    const Point middle = 0.5 *
+      (mesh.points[static_cast<std::size_t>(ends[0])] +
+        mesh.points[static_cast<std::size_t>(ends[1])]);
+    u[e] = std::polar(1.0, phase[e]);
+    for (std::size_t m = 0; m < singularities; ++m)
+    {
+      const Point away = middle - solution.logs[m].position;
+      const double norm = away.norm();
+      if (norm == 0.0)
+      {
+        continue; // no direction is better than another
+      }
+      Complex unit(away.x() / norm, away.y() / norm);
+      unit = solution.logs[m].strength < 0.0 ? std::conj(unit) : unit;
+      for (int k = static_cast<int>(std::abs(solution.logs[m].strength)); k > 0; --k)
+      {
+        u[e] *= unit;
+      }
+    }
+  }
+  const Complex start = u[problem.edges.ofBoundary[static_cast<std::size_t>(first)]];
+  u *= problem.aligned[first] / start;
+  return u;
+}
+
+/// Singularities of the field that are none of the configuration, and those that the field lacks.
+int CountUnwanted(const TriangleMesh& mesh, const CrossField& field, const Configuration& wanted)
+{
+  std::vector<FieldSingularity> found = FindFieldSingularities(mesh, field.edges, field.u);
+  const auto longest = [&mesh, &field]
+  {
+    double length = 0.0;
+    for (const auto& [a, b] : field.edges.vertices)
+    {
+      length = std::max(length,
+        (mesh.points[static_cast<std::size_t>(a)] - mesh.points[static_cast<std::size_t>(b)])
+          .norm());
+    }
+    return length;
+  }();
+  int missing = 0;
+  for (const Singularity& singularity : wanted)
+  {
+    if (singularity.quarterIndex == 0)
+    {
+      continue;
+    }
+    const auto distance = [&singularity](const FieldSingularity& other)
+    {
+      return other.quarterIndex == singularity.quarterIndex
+        ? (other.position - singularity.position).norm()
+        : std::numeric_limits<double>::infinity();
+    };
+    const auto nearest = std::min_element(found.begin(), found.end(),
+      [&](const FieldSingularity& a, const FieldSingularity& b)
+      { return distance(a) < distance(b); });
+    // The index of one singularity shows in a triangle next to it at the farthest.
+    if (nearest != found.end() && distance(*nearest) <= 2.0 * longest)
+    {
+      found.erase(nearest);
+    }
+    else
+    {
+      ++missing;
+    }
+  }
+  return missing + static_cast<int>(found.size());
+}
+
+/// H on a mesh whose singularities are holes: Φ of the unit-norm field.
+HField SolveOnHoles(
+  const TriangleMesh& mesh, const PlacedConfiguration& placed, const Progress& progress)
+{
+  HField result;
+  CrossField& field = result.field;
+  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, placed.corners);
+  field.count = problem.count;
+  field.edges = problem.edges;
+  field.seconds.assemble = problem.assembleSeconds;
+  field.seconds.factor = problem.factorSeconds;
+  progress.Report(0.7);
+  Stopwatch stopwatch;
+  UnitNormField unit = SolveUnitNorm(problem);
+  field.u = std::move(unit.u);
+  field.energy = unit.energy;
+  field.residual = unit.residual;
+  field.holonomyDefect = unit.holonomyDefect;
+  const auto count = static_cast<Eigen::Index>(mesh.points.size());
+  result.h = 0.25 * unit.potential.head(count);
+  const auto [integral, area] = Integrate(mesh, result.h);
+  result.h.array() -= integral / area;
+  for (Eigen::Index k = count; k < unit.potential.size(); ++k)
+  {
+    result.periods.push_back(0.25 * unit.potential[k]);
+  }
+  result.renormalizedEnergy = std::numeric_limits<double>::quiet_NaN();
+  field.seconds.solve = stopwatch.Lap();
+  progress.Report(0.9);
+  ReadReport(mesh, problem.loops, field);
+  return result;
+}
+
+HField SolveAtPoints(
+  const TriangleMesh& mesh, const PlacedConfiguration& placed, const Progress& progress)
+{
+  HField result;
+  CrossField& field = result.field;
+  const PointPotential potential(mesh, placed.corners, TotalQuarters(placed.interior));
+  const PerforatedProblem& problem = potential.GetProblem();
+  field.count = problem.count;
+  field.seconds.assemble = problem.assembleSeconds;
+  field.seconds.factor = problem.factorSeconds;
+  progress.Report(0.7);
+  Stopwatch stopwatch;
+  const PointPotential::Solution solution = potential.Solve(placed.interior);
+  const RenormalizedEnergyValue energy = EvaluateRenormalizedEnergy(potential, solution);
+  result.h = 0.25 * AssembleValues(potential, solution);
+  field.u = AssembleField(potential, solution);
+  field.residual = problem.Align(field.u);
+  field.seconds.solve = stopwatch.Lap();
+  progress.Report(0.9);
+
+  field.edges = problem.edges;
+  field.holonomyDefect = solution.holonomyDefect;
+  for (Eigen::Index k = 0; k < solution.periods.size(); ++k)
+  {
+    result.periods.push_back(0.25 * solution.periods[k]);
+  }
+  result.renormalizedEnergy = energy.energy;
+  field.energy = energy.energy;
+  const double radius = potential.GetDomain().Diagonal() / 40.0;
+  for (std::size_t m = 0; m < solution.logs.size(); ++m)
+  {
+    const LogSource& log = solution.logs[m];
+    const bool given = m < placed.interior.size() && placed.interior[m].radius > 0.0;
+    field.energy += 0.5 * log.angle * log.strength * log.strength *
+      std::log(1.0 / (given ? placed.interior[m].radius : radius));
+  }
+  ReadReport(mesh, problem.loops, field);
+  field.unwantedSingularities = CountUnwanted(mesh, field, placed.interior);
+  return result;
+}
+
+bool HasHoles(const std::vector<BoundaryLoop>& loops)
+{
+  return std::any_of(loops.begin(), loops.end(),
+    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Hole; });
+}
+
+/// Throws unless the singularity lies in a hole of its quarter index.
+void RequireHole(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops,
+  const Singularity& singularity)
+{
+  for (const BoundaryLoop& loop : loops)
+  {
+    double winding = 0.0;
+    for (int edge : loop.edges)
+    {
+      const auto& ends = mesh.boundary[static_cast<std::size_t>(edge)].vertices;
+      winding += AngleBetween(mesh.points[static_cast<std::size_t>(ends[0])] - singularity.position,
+        mesh.points[static_cast<std::size_t>(ends[1])] - singularity.position);
+    }
+    if (loop.kind == BoundaryKind::Hole && std::abs(winding) > Pi &&
+      loop.quarterIndex == singularity.quarterIndex)
+    {
+      return;
+    }
+  }
+  throw Error("The mesh has holes, but none of quarter index " +
+    std::to_string(singularity.quarterIndex) + " at " + Describe(singularity.position) +
+    "; give all singularities as holes, or the domain without holes.");
+}
+}
+
+PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
+  const std::vector<BoundaryLoop>& loops, const Configuration& configuration,
+  const std::vector<CornerChoice>& corners)
+{
+  PlacedConfiguration placed;
+  placed.corners = corners;
+  const PlanarDomain domain{ AlignedLoops(mesh, loops) };
+  const double reach = 1e-6 * domain.Diagonal(); // as in MatchChoices
+  for (const Singularity& singularity : configuration)
+  {
+    const bool atVertex = std::any_of(domain.loops.begin(), domain.loops.end(),
+      [&](const Loop& loop)
+      {
+        return std::any_of(loop.begin(), loop.end(),
+          [&](const Point& point) { return (point - singularity.position).norm() <= reach; });
+      });
+    if (atVertex)
+    {
+      placed.corners.push_back({ singularity.position, singularity.quarterIndex });
+    }
+    else
+    {
+      placed.interior.push_back(singularity);
+    }
+  }
+  PoincareHopfCount count = CountMeshQuarters(mesh, loops, placed.corners);
+  const bool holes = HasHoles(loops);
+  const int interior = holes ? count.givenInteriorQuarters : TotalQuarters(placed.interior);
+  count.givenInteriorQuarters = interior;
+  if (count.Consistent())
+  {
+    return placed;
+  }
+  // The smallest rotations do not fit: the cheapest assignment around what was given.
+  ClassificationOptions options;
+  const std::vector<Corner> all = FindCorners(domain.loops);
+  const auto isAt = [reach](const Point& position)
+  { return [&position, reach](const auto& other) { return (other.position - position).norm() <= reach; }; };
+  for (const CornerChoice& choice : placed.corners)
+  {
+    if (std::any_of(all.begin(), all.end(), isAt(choice.position)))
+    {
+      options.overrides.push_back(choice);
+    }
+  }
+  if (!all.empty())
+  {
+    std::vector<CornerChoice> completed = placed.corners;
+    for (const ClassifiedCorner& corner : ClassifyCorners(domain, options).corners)
+    {
+      if (!corner.overridden)
+      {
+        completed.push_back({ corner.position, corner.quarterIndex });
+      }
+    }
+    PoincareHopfCount other = CountMeshQuarters(mesh, loops, completed);
+    other.givenInteriorQuarters = interior;
+    if (other.Consistent())
+    {
+      placed.corners = completed;
+      return placed;
+    }
+  }
+  RequireConsistent(count);
+  return placed;
+}
+
+HField SolveHField(const TriangleMesh& mesh, const Configuration& configuration,
+  const std::vector<CornerChoice>& corners, const Progress& progress)
+{
+  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    if (!configuration[i].position.allFinite())
+    {
+      throw Error("Row " + std::to_string(i) +
+        " of the singularities has a coordinate that is not a finite number; correct it.");
+    }
+  }
+  const PlacedConfiguration placed = PlaceConfiguration(mesh, loops, configuration, corners);
+  progress.Report(0.1);
+  HField result;
+  if (HasHoles(loops))
+  {
+    for (const Singularity& singularity : placed.interior)
+    {
+      RequireHole(mesh, loops, singularity);
+    }
+    result = SolveOnHoles(mesh, placed, progress);
+  }
+  else
+  {
+    result = SolveAtPoints(mesh, placed, progress);
+  }
+  // The cross is off the boundary's direction by a fraction of this; rounding only.
+  result.field.converged = result.field.residual <= 1e-6;
+  progress.Report(1.0);
+  return result;
+}
+}
