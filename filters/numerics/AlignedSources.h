@@ -19,10 +19,28 @@ struct AlignedSources
 /// exact: the phase of the Crouzeix-Raviart field.
 AlignedSources PiecewiseConstantPhase(const PerforatedProblem& problem);
 
-/// φ continuous and linear along every edge, at a vertex halfway between the two values of the
-/// former: boundary values of finite energy, so that conforming functions bound it from both sides.
-/// The flux (jump_p + jump_q) / 2 through edge pq goes to its ends in equal parts.
+/// The phase of the curves that a polygon stands for. Where the boundary turns by less than the corner
+/// angle the jump is spread evenly over half of the polygon's sides before and after; a side is not
+/// the mesh edges that it was divided into, on which the former would see corners. φ varies along a
+/// side, and for smooth curves the sources are the curvature up to second order. Of sides more than
+/// twice as long as their neighbour, straight parts beside a curve, no more than that length takes
+/// part. The same as the former where no side was divided and all have one length. Corners and chosen
+/// vertices keep their jump.
+AlignedSources CurvePhase(const PerforatedProblem& problem);
+
+/// φ continuous and linear along every edge of the mesh, with the values of CurvePhase at vertices,
+/// at corners halfway between the two values: boundary values of finite energy, so that conforming
+/// functions bound it from both sides (METHOD §5). The flux through an edge goes to its ends in equal
+/// parts.
 AlignedSources LinearPhase(const PerforatedProblem& problem);
+
+/// φ − 4τ at the start and end of every boundary edge for LinearPhase, in the order of mesh.boundary.
+struct EdgePhases
+{
+  Eigen::VectorXd start;
+  Eigen::VectorXd end;
+};
+EdgePhases LinearEdgePhases(const PerforatedProblem& problem);
 
 /// The angle modulo 2π in (−π, π].
 double WrapAngle(double angle);

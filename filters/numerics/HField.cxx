@@ -131,8 +131,22 @@ ComplexVector AssembleField(const PointPotential& potential, const PointPotentia
     }
   }
   const Complex start = u[problem.edges.ofBoundary[static_cast<std::size_t>(first)]];
-  u *= problem.aligned[first] / start;
+  u *= problem.aligned[first] * std::polar(1.0, potential.GetMidpointShift()[first]) / start;
   return u;
+}
+
+/// Largest deviation on aligned edges from the phase that was prescribed there.
+double Misalignment(const PointPotential& potential, const ComplexVector& u)
+{
+  const PerforatedProblem& problem = potential.GetProblem();
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < problem.aligned.size(); ++i)
+  {
+    const Complex wanted = problem.aligned[i] * std::polar(1.0, potential.GetMidpointShift()[i]);
+    largest = std::max(largest,
+      std::abs(u[problem.edges.ofBoundary[static_cast<std::size_t>(i)]] - wanted));
+  }
+  return largest;
 }
 
 /// Singularities of the field that are none of the configuration, and those that the field lacks.
@@ -228,7 +242,8 @@ HField SolveAtPoints(
   const RenormalizedEnergyValue energy = EvaluateRenormalizedEnergy(potential, solution);
   result.h = 0.25 * AssembleValues(potential, solution);
   field.u = AssembleField(potential, solution);
-  field.residual = problem.Align(field.u);
+  field.residual = Misalignment(potential, field.u);
+  problem.Align(field.u); // from the tangents of curves to the directions of edges
   field.seconds.solve = stopwatch.Lap();
   progress.Report(0.9);
 

@@ -35,9 +35,10 @@ PointPotential::PointPotential(
   const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters)
   : Problem((RequireNoHoles(mesh), mesh), PotentialSolver::Periods::Islands, corners, pointQuarters)
   , Domain{ AlignedLoops(mesh, Problem.loops) }
-  , Sources(PiecewiseConstantPhase(Problem))
+  , Sources(CurvePhase(Problem))
   , Smooth(Sources.atRows)
 {
+  const Eigen::VectorXd jump = PiecewiseConstantPhase(this->Problem).atRows;
   const std::vector<int> previous = this->Problem.PreviousBoundaryEdges();
   const auto point = [&mesh](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
@@ -51,13 +52,13 @@ PointPotential::PointPotential(
     const Point before =
       point(vertex) - point(mesh.boundary[static_cast<std::size_t>(previous[i])].vertices[0]);
     const double turning = AngleBetween(before, point(ends[1]) - point(vertex));
-    const double source = this->Sources.atRows[vertex];
+    const double source = jump[vertex];
     const bool corner = IsCorner(turning) || this->Problem.chosenQuarters.count(vertex) != 0;
     if (corner && std::abs(source) > 4.0 * AngleRounding)
     {
       this->Corners.push_back({ point(vertex), -source / (Pi - turning), Pi - turning });
       this->CornerVertices.push_back(vertex);
-      this->Smooth[vertex] = 0.0;
+      this->Smooth[vertex] -= source;
     }
   }
 

@@ -20,8 +20,8 @@ struct BoundaryHalf
 /// b_j the singularities, p_c the corners of angle α_c at which the phase has to turn by s_c ≠ 0.
 /// The regular part R is a P1 function with periods. Its sources at a boundary vertex v are those of
 /// alignment minus the angles at which all b_j, p_c see the two halves of edges at v, times the
-/// strengths: there are no deltas on the mesh, and the phase of R plus the exact arguments is aligned
-/// on every edge. The mesh is factored once; a further configuration costs one back-substitution, or
+/// strengths: there are no deltas on the mesh, and the phase of R plus the exact arguments is that of
+/// CurvePhase on every boundary edge. The mesh is factored once; a further configuration costs one back-substitution, or
 /// none but small sums when only the boundary values are asked for.
 class PointPotential
 {
@@ -53,6 +53,8 @@ public:
   const std::vector<LogSource>& GetCorners() const { return this->Corners; }
   /// Mesh vertex of each corner with a logarithm.
   const std::vector<int>& GetCornerVertices() const { return this->CornerVertices; }
+  /// φ at the midpoints of boundary edges minus 4τ; see CurvePhase.
+  const Eigen::VectorXd& GetMidpointShift() const { return this->Sources.midpointShift; }
   /// Sources of alignment without the corners that have a logarithm.
   const Eigen::VectorXd& GetSmoothSources() const { return this->Smooth; }
   /// Per inner loop the solution for a unit source at its period.
