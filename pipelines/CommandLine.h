@@ -23,6 +23,9 @@ void AddCheckCommand(CLI::App& app, int& status);
 void AddCornersCommand(CLI::App& app, int& status);
 void AddDomainCommand(CLI::App& app, int& status);
 void AddDrillCommand(CLI::App& app, int& status);
+void AddEnergyCommand(CLI::App& app, int& status);
+void AddHFieldCommand(CLI::App& app, int& status);
+void AddOptimizeCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);
 ///@}
 

@@ -42,6 +42,7 @@ int main(int argc, char** argv)
   AddCornersCommand(app, status);
   AddDrillCommand(app, status);
   AddSolveCommand(app, status);
+  AddHFieldCommand(app, status);
   try
   {
     app.parse(argc, argv);

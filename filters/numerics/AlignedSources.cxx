@@ -46,6 +46,8 @@ struct SpreadPhases
 /// A turn below this is one of coordinates that went through single precision, in the middle of a
 /// side of the polygon.
 constexpr double SmallestTurn = 1e-5;
+/// Sums of lengths are the length of the whole up to rounding.
+constexpr double WalkedAll = 1.0 - 1e-9;
 /// How much longer than its neighbour a side of one curve may be.
 constexpr double LargestRatio = 2.0;
 
@@ -81,32 +83,38 @@ public:
       {
         continue;
       }
-      const double before = this->SideLength((t + turns - 1) % turns);
+      const std::size_t last = (t + turns - 1) % turns;
+      const std::size_t next = (t + 1) % turns;
+      const double before = this->SideLength(last);
       const double after = this->SideLength(t);
       const double back = 0.5 * std::min(before, LargestRatio * after);
       const double forth = 0.5 * std::min(after, LargestRatio * before);
       const double density = this->Jump[this->Start(at)] / (back + forth);
+      // The side of a curve that ends at a corner: the tangent is that of the side in its middle and
+      // goes on turning up to the corner, whose jump is less by that.
+      const double forthReach = this->Turns[next].corner && 2.0 * forth == after ? after : forth;
+      const double backReach = this->Turns[last].corner && 2.0 * back == before ? before : back;
       double way = 0.0;
-      for (std::size_t i = at; way < forth; i = (i + 1) % this->Edges.size())
+      for (std::size_t i = at; way < forthReach * WalkedAll; i = (i + 1) % this->Edges.size())
       {
         const double length = this->Length(i);
-        const auto lack = [&](double distance)
-        { return -density * std::max(0.0, forth - distance); };
-        phases.start[this->Edges[i]] += lack(way);
-        phases.middle[this->Edges[i]] += lack(way + 0.5 * length);
+        const auto shift = [&](double distance)
+        { return density * (std::min(distance, forthReach) - forth); };
+        phases.start[this->Edges[i]] += shift(way);
+        phases.middle[this->Edges[i]] += shift(way + 0.5 * length);
         way += length;
-        phases.end[this->Edges[i]] += lack(way);
+        phases.end[this->Edges[i]] += shift(way);
       }
       way = 0.0;
-      for (std::size_t i = this->Before(at); way < back; i = this->Before(i))
+      for (std::size_t i = this->Before(at); way < backReach * WalkedAll; i = this->Before(i))
       {
         const double length = this->Length(i);
-        const auto lead = [&](double distance)
-        { return density * std::max(0.0, back - distance); };
-        phases.end[this->Edges[i]] += lead(way);
-        phases.middle[this->Edges[i]] += lead(way + 0.5 * length);
+        const auto shift = [&](double distance)
+        { return density * (back - std::min(distance, backReach)); };
+        phases.end[this->Edges[i]] += shift(way);
+        phases.middle[this->Edges[i]] += shift(way + 0.5 * length);
         way += length;
-        phases.start[this->Edges[i]] += lead(way);
+        phases.start[this->Edges[i]] += shift(way);
       }
     }
   }
@@ -224,6 +232,22 @@ EdgePhases LinearEdgePhases(const PerforatedProblem& problem)
     }
   }
   return result;
+}
+
+Eigen::VectorXd CornerJumps(const PerforatedProblem& problem)
+{
+  Eigen::VectorXd jump = PiecewiseConstantPhase(problem).atRows;
+  const SpreadPhases phases = SpreadJumps(problem, jump);
+  const std::vector<int> previous = problem.PreviousBoundaryEdges();
+  for (std::size_t i = 0; i < previous.size(); ++i)
+  {
+    if (problem.mesh.boundary[i].kind != BoundaryKind::Hole)
+    {
+      jump[problem.mesh.boundary[i].vertices[0]] +=
+        phases.start[static_cast<Eigen::Index>(i)] - phases.end[previous[i]];
+    }
+  }
+  return jump;
 }
 
 AlignedSources LinearPhase(const PerforatedProblem& problem)

@@ -25,8 +25,12 @@ AlignedSources PiecewiseConstantPhase(const PerforatedProblem& problem);
 /// side, and for smooth curves the sources are the curvature up to second order. Of sides more than
 /// twice as long as their neighbour, straight parts beside a curve, no more than that length takes
 /// part. The same as the former where no side was divided and all have one length. Corners and chosen
-/// vertices keep their jump.
+/// vertices keep their jump, less what the tangent of a curve turns along half of a side next to them.
 AlignedSources CurvePhase(const PerforatedProblem& problem);
+
+/// The jump of CurvePhase at each vertex, rows of PotentialSolver: zero but for rounding except at
+/// corners.
+Eigen::VectorXd CornerJumps(const PerforatedProblem& problem);
 
 /// φ continuous and linear along every edge of the mesh, with the values of CurvePhase at vertices,
 /// at corners halfway between the two values: boundary values of finite energy, so that conforming

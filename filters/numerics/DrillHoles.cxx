@@ -130,7 +130,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   }
 
   // Short segments of the boundary and of the holes ask for small triangles around them.
-  std::vector<SizeSource> sources;
+  std::vector<SizeSource> sources = options.refinements;
   Eigen::AlignedBox2d box;
   for (const Loop& loop : drilled.loops)
   {

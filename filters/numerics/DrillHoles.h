@@ -3,6 +3,7 @@
 #include "PlanarDomain.h"
 #include "Progress.h"
 #include "Singularity.h"
+#include "SizeField.h"
 #include "TriangleMesh.h"
 
 namespace crossfield
@@ -18,6 +19,8 @@ struct DrillOptions
   int minimumHoleEdges = 32;
   /// Largest growth of the edge length per unit of distance.
   double gradation = 0.25;
+  /// Further places that ask for small edges around them.
+  std::vector<SizeSource> refinements;
 };
 
 /// The mesh size that options ask for on a domain.

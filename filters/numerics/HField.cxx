@@ -2,8 +2,10 @@
 
 #include "ConjugateField.h"
 #include "CornerClassification.h"
+#include "DomainQueries.h"
+#include "DrillHoles.h"
 #include "Error.h"
-#include "FieldSingularities.h"
+#include "FieldIndices.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
@@ -16,6 +18,9 @@ namespace crossfield
 {
 namespace
 {
+/// Nearer to the boundary than this part of the diagonal is on it, as in MatchChoices.
+constexpr double BoundaryReach = 1e-6;
+
 /// ∫ of a P1 function, and the area.
 std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd& values)
 {
@@ -149,48 +154,85 @@ double Misalignment(const PointPotential& potential, const ComplexVector& u)
   return largest;
 }
 
-/// Singularities of the field that are none of the configuration, and those that the field lacks.
-int CountUnwanted(const TriangleMesh& mesh, const CrossField& field, const Configuration& wanted)
+/// Longest edge at each vertex.
+std::vector<double> LongestEdges(const TriangleMesh& mesh, const EdgeNumbering& edges)
 {
-  std::vector<FieldSingularity> found = FindFieldSingularities(mesh, field.edges, field.u);
-  const auto longest = [&mesh, &field]
+  std::vector<double> longest(mesh.points.size(), 0.0);
+  for (const auto& ends : edges.vertices)
   {
-    double length = 0.0;
-    for (const auto& [a, b] : field.edges.vertices)
+    const double length = (mesh.points[static_cast<std::size_t>(ends[0])] -
+                            mesh.points[static_cast<std::size_t>(ends[1])])
+                            .norm();
+    for (int vertex : ends)
     {
-      length = std::max(length,
-        (mesh.points[static_cast<std::size_t>(a)] - mesh.points[static_cast<std::size_t>(b)])
-          .norm());
-    }
-    return length;
-  }();
-  int missing = 0;
-  for (const Singularity& singularity : wanted)
-  {
-    if (singularity.quarterIndex == 0)
-    {
-      continue;
-    }
-    const auto distance = [&singularity](const FieldSingularity& other)
-    {
-      return other.quarterIndex == singularity.quarterIndex
-        ? (other.position - singularity.position).norm()
-        : std::numeric_limits<double>::infinity();
-    };
-    const auto nearest = std::min_element(found.begin(), found.end(),
-      [&](const FieldSingularity& a, const FieldSingularity& b)
-      { return distance(a) < distance(b); });
-    // The index of one singularity shows in a triangle next to it at the farthest.
-    if (nearest != found.end() && distance(*nearest) <= 2.0 * longest)
-    {
-      found.erase(nearest);
-    }
-    else
-    {
-      ++missing;
+      double& here = longest[static_cast<std::size_t>(vertex)];
+      here = std::max(here, length);
     }
   }
-  return missing + static_cast<int>(found.size());
+  return longest;
+}
+
+/// Triangles and vertices with an index that belong to none of the singularities, and singularities
+/// around which the indices do not add up to theirs. Corners and chosen vertices of the boundary may
+/// take what they like.
+int CountUnwanted(const TriangleMesh& mesh, const CrossField& field, const Configuration& wanted)
+{
+  std::vector<bool> marked(mesh.points.size(), false);
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
+    marked[vertex] = std::any_of(field.count.corners.begin(), field.count.corners.end(),
+      [&](const CountedCorner& corner) { return corner.position == mesh.points[vertex]; });
+  }
+  FieldIndices indices = ReadIndices(mesh, field.edges, field.u);
+  MergeAtVertices(mesh, marked, indices);
+  const std::vector<double> longest = LongestEdges(mesh, field.edges);
+  std::vector<int> sums(wanted.size(), 0);
+  int unwanted = 0;
+  const auto assign = [&](const Point& place, double edge, int index)
+  {
+    // The index of one singularity shows in triangles and vertices next to it at the farthest.
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      if ((wanted[i].position - place).norm() <= 2.0 * edge)
+      {
+        sums[i] += index;
+        return;
+      }
+    }
+    // A turn that is steep for the triangles of a chosen vertex shows next to it.
+    unwanted += std::any_of(field.count.corners.begin(), field.count.corners.end(),
+                  [&](const CountedCorner& corner)
+                  { return corner.chosen && (corner.position - place).norm() <= 2.0 * edge; })
+      ? 0
+      : 1;
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (indices.ofTriangle[t] != 0)
+    {
+      Point centre = Point::Zero();
+      double edge = 0.0;
+      for (int vertex : mesh.triangles[t])
+      {
+        centre += mesh.points[static_cast<std::size_t>(vertex)] / 3.0;
+        edge = std::max(edge, longest[static_cast<std::size_t>(vertex)]);
+      }
+      assign(centre, edge, indices.ofTriangle[t]);
+    }
+  }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    if (indices.ofVertex[v] != 0 && !marked[v])
+    {
+      assign(mesh.points[v], longest[v], indices.ofVertex[v]);
+    }
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    unwanted += sums[i] != wanted[i].quarterIndex ? 1 : 0;
+  }
+  return unwanted;
 }
 
 /// H on a mesh whose singularities are holes: Φ of the unit-norm field.
@@ -306,7 +348,7 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
   PlacedConfiguration placed;
   placed.corners = corners;
   const PlanarDomain domain{ AlignedLoops(mesh, loops) };
-  const double reach = 1e-6 * domain.Diagonal(); // as in MatchChoices
+  const double reach = BoundaryReach * domain.Diagonal();
   for (const Singularity& singularity : configuration)
   {
     const bool atVertex = std::any_of(domain.loops.begin(), domain.loops.end(),
@@ -364,6 +406,58 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
   }
   RequireConsistent(count);
   return placed;
+}
+
+PlanarDomain InsertBoundarySingularities(
+  const PlanarDomain& domain, const Configuration& configuration)
+{
+  PlanarDomain result = domain;
+  const double reach = BoundaryReach * domain.Diagonal();
+  for (const Singularity& singularity : configuration)
+  {
+    const Point& place = singularity.position;
+    for (Loop& loop : result.loops)
+    {
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        const Point& from = loop[i];
+        const Point along = loop[(i + 1) % loop.size()] - from;
+        const double t = (place - from).dot(along) / along.squaredNorm();
+        const double end = reach / along.norm();
+        if (t > end && t < 1.0 - end && (from + t * along - place).norm() <= reach)
+        {
+          loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, from + t * along);
+          break;
+        }
+      }
+    }
+  }
+  return result;
+}
+
+TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize, const Progress& progress)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  const double size = ResolveMeshSize(options, domain);
+  for (const Singularity& singularity : configuration)
+  {
+    if (!singularity.position.allFinite())
+    {
+      continue; // SolveHField refuses it
+    }
+    double room = std::abs(SignedDistance(singularity.position, domain));
+    room = room <= BoundaryReach * domain.Diagonal() ? size : std::min(room, size);
+    for (const Singularity& other : configuration)
+    {
+      const double apart = (other.position - singularity.position).norm();
+      room = apart > 0.0 ? std::min(room, apart) : room;
+    }
+    // A thousandth is fine enough for any picture, and bounds the number of triangles.
+    options.refinements.push_back({ singularity.position, std::max(0.25 * room, 1e-3 * size) });
+  }
+  return DrillHoles(InsertBoundarySingularities(domain, configuration), {}, options, progress);
 }
 
 HField SolveHField(const TriangleMesh& mesh, const Configuration& configuration,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CrossFieldReport.h"
+#include "PlanarDomain.h"
 #include "Progress.h"
 #include "Singularity.h"
 
@@ -37,6 +38,15 @@ struct HField
 /// Error, as is a singularity outside.
 HField SolveHField(const TriangleMesh& mesh, const Configuration& configuration,
   const std::vector<CornerChoice>& corners = {}, const Progress& progress = {});
+
+/// The domain with a vertex wherever a singularity lies on its boundary, within 1e-6 of the diagonal.
+PlanarDomain InsertBoundarySingularities(
+  const PlanarDomain& domain, const Configuration& configuration);
+
+/// Triangulates a domain without holes for SolveHField: four times finer at the singularities, and
+/// fine enough to tell them from each other and from the boundary. `meshSize` 0: 1/40 of the diagonal.
+TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize = 0.0, const Progress& progress = {});
 
 /// What SolveHField makes of a configuration.
 struct PlacedConfiguration

@@ -38,7 +38,7 @@ PointPotential::PointPotential(
   , Sources(CurvePhase(Problem))
   , Smooth(Sources.atRows)
 {
-  const Eigen::VectorXd jump = PiecewiseConstantPhase(this->Problem).atRows;
+  const Eigen::VectorXd jump = CornerJumps(this->Problem);
   const std::vector<int> previous = this->Problem.PreviousBoundaryEdges();
   const auto point = [&mesh](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)

@@ -4,6 +4,7 @@
 #include "CrossFieldReport.h"
 #include "DomainConversion.h"
 #include "GinzburgLandau.h"
+#include "HField.h"
 
 #include <string>
 
@@ -29,6 +30,9 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 /** The report and what vtkGinzburgLandauCrossField adds to it. */
 void AddGinzburgLandauReport(
   const crossfield::GinzburgLandauField& field, vtkUnstructuredGrid* output);
+
+/** Point arrays `H`, `SizeMap`, and the field data `RenormalizedEnergy`; see vtkHField. */
+void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when

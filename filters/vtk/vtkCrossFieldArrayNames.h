@@ -36,6 +36,10 @@ constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
 constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
 constexpr const char* Consistent = "Consistent";
 constexpr const char* HolonomyDefect = "HolonomyDefect";
+// Points and field data: vtkHField.
+constexpr const char* H = "H";
+constexpr const char* SizeMap = "SizeMap";
+constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
 // Field data: vtkGinzburgLandauCrossField.
 constexpr const char* Epsilon = "Epsilon";
 constexpr const char* GradientEnergy = "GradientEnergy";

@@ -185,8 +185,8 @@ TEST(HField, OnARingItIsTheLogarithm)
     EXPECT_NEAR(field.h[static_cast<Eigen::Index>(v)], std::log(mesh.points[v].norm()) - mean, 2e-3);
   }
   ASSERT_EQ(field.field.holonomyDefect.size(), 1u);
-  EXPECT_NEAR(field.field.holonomyDefect[0], 0.0, 1e-6);
-  EXPECT_NEAR(field.periods[0], 0.0, 1e-6);
+  EXPECT_NEAR(field.field.holonomyDefect[0], 0.0, 1e-4);
+  EXPECT_NEAR(field.periods[0], 0.0, 1e-4);
 }
 
 TEST(HField, CornersCarryIndicesLikePointsInside)
