@@ -349,8 +349,9 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
   placed.corners = corners;
   const PlanarDomain domain{ AlignedLoops(mesh, loops) };
   const double reach = BoundaryReach * domain.Diagonal();
-  for (const Singularity& singularity : configuration)
+  for (std::size_t row = 0; row < configuration.size(); ++row)
   {
+    const Singularity& singularity = configuration[row];
     const bool atVertex = std::any_of(domain.loops.begin(), domain.loops.end(),
       [&](const Loop& loop)
       {
@@ -364,6 +365,7 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
     else
     {
       placed.interior.push_back(singularity);
+      placed.rows.push_back(row);
     }
   }
   PoincareHopfCount count = CountMeshQuarters(mesh, loops, placed.corners);

@@ -52,6 +52,7 @@ TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& conf
 struct PlacedConfiguration
 {
   Configuration interior;
+  std::vector<std::size_t> rows; ///< Of the interior ones in the configuration.
   std::vector<CornerChoice> corners; ///< Given ones, then those of the cheapest assignment, if used.
 };
 
