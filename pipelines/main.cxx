@@ -43,6 +43,8 @@ int main(int argc, char** argv)
   AddDrillCommand(app, status);
   AddSolveCommand(app, status);
   AddHFieldCommand(app, status);
+  AddEnergyCommand(app, status);
+  AddOptimizeCommand(app, status);
   try
   {
     app.parse(argc, argv);
