@@ -1,5 +1,6 @@
 #include "SingularityOptimizer.h"
 
+#include "BuiltinDomains.h"
 #include "DrillHoles.h"
 #include "RenormalizedEnergy.h"
 #include "Support.h"
@@ -154,31 +155,32 @@ TEST(SingularityOptimizer, OnADomainWithTwoIslands)
 TEST(SingularityOptimizer, OnAnLShapeWithRoundedCorners)
 {
   // With sharp corners nothing is left to place inside; round ones leave four.
-  const auto round = [](const Point& centre, double from, double to)
+  const double radius = 0.2;
+  const auto round = [radius](const Point& centre, double from, double to)
   {
     Loop arc;
-    for (int i = 0; i <= 8; ++i)
+    for (int i = 0; i <= 16; ++i)
     {
-      const double angle = from + (to - from) * i / 8.0;
-      arc.push_back(centre + 0.15 * Point(std::cos(angle), std::sin(angle)));
+      const double angle = from + (to - from) * i / 16.0;
+      arc.push_back(centre + radius * Point(std::cos(angle), std::sin(angle)));
     }
     return arc;
   };
   Loop loop;
   const auto add = [&loop](const Loop& arc) { loop.insert(loop.end(), arc.begin(), arc.end()); };
-  add(round({ 0.15, 0.15 }, Pi, 1.5 * Pi));
-  add(round({ 0.85, 0.15 }, 1.5 * Pi, 2.0 * Pi));
-  add(round({ 0.85, 0.35 }, 0.0, 0.5 * Pi));
-  add(round({ 0.65, 0.65 }, 1.5 * Pi, Pi));
-  add(round({ 0.35, 0.85 }, 0.0, 0.5 * Pi));
-  add(round({ 0.15, 0.85 }, 0.5 * Pi, Pi));
+  add(round({ radius, radius }, Pi, 1.5 * Pi));
+  add(round({ 1.0 - radius, radius }, 1.5 * Pi, 2.0 * Pi));
+  add(round({ 1.0 - radius, 0.5 - radius }, 0.0, 0.5 * Pi));
+  add(round({ 0.5 + radius, 0.5 + radius }, 1.5 * Pi, Pi));
+  add(round({ 0.5 - radius, 1.0 - radius }, 0.0, 0.5 * Pi));
+  add(round({ radius, 1.0 - radius }, 0.5 * Pi, Pi));
   const PlanarDomain domain = MakePlanarDomain({ loop });
   const OptimizerResult result = Optimize(domain,
     { { { 0.2, 0.2 }, 1, 0.0 }, { { 0.7, 0.3 }, 1, 0.0 }, { { 0.35, 0.7 }, 1, 0.0 },
       { { 0.2, 0.6 }, 1, 0.0 } },
-    0.03);
+    0.02);
   ExpectStationary(result);
-  ExpectConsistentGradient(domain, result.configuration, 0.03);
+  ExpectConsistentGradient(domain, result.configuration, 0.02);
 }
 
 TEST(SingularityOptimizer, OppositeSignsThatMeetAreToBeAnnihilated)
