@@ -37,35 +37,36 @@ std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd&
   return result;
 }
 
-/// Length of the shortest edge at every vertex that is the position of a log; elsewhere 0.
-std::vector<double> CoreSizes(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<LogSource>& logs)
+/// The values at vertices that are the position of a log: there the mean over a disk of radius a, half
+/// of the shortest edge, where that of log r is log a − ½.
+void SetCores(const TriangleMesh& mesh, const EdgeNumbering& edges,
+  const PointPotential::Solution& solution, Eigen::VectorXd& values)
 {
-  std::vector<double> sizes(mesh.points.size(), 0.0);
-  for (std::size_t v = 0; v < sizes.size(); ++v)
+  for (Eigen::Index v = 0; v < values.size(); ++v)
   {
-    for (const LogSource& log : logs)
+    if (std::isfinite(values[v]))
     {
-      if (mesh.points[v] == log.position)
-      {
-        sizes[v] = std::numeric_limits<double>::infinity();
-      }
+      continue;
     }
-  }
-  for (const auto& [a, b] : edges.vertices)
-  {
-    for (int v : { a, b })
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : edges.vertices)
     {
-      double& size = sizes[static_cast<std::size_t>(v)];
-      if (size > 0.0)
+      if (a == v || b == v)
       {
-        size = std::min(size,
+        shortest = std::min(shortest,
           (mesh.points[static_cast<std::size_t>(a)] - mesh.points[static_cast<std::size_t>(b)])
             .norm());
       }
     }
+    values[v] = solution.aligned[v];
+    for (const LogSource& log : solution.logs)
+    {
+      const Point& point = mesh.points[static_cast<std::size_t>(v)];
+      values[v] += point == log.position
+        ? log.strength * (std::log(0.5 * shortest) - 0.5)
+        : log.Value(point);
+    }
   }
-  return sizes;
 }
 
 /// Φ = R + logs at the vertices, area mean 0.
@@ -85,18 +86,11 @@ Eigen::VectorXd AssembleValues(const PointPotential& potential, const PointPoten
   {
     integral += log.strength * LogIntegral(boundary, log.position);
   }
-  const std::vector<double> cores = CoreSizes(mesh, potential.GetProblem().edges, solution.logs);
   for (Eigen::Index v = 0; v < count; ++v)
   {
-    const Point& point = mesh.points[static_cast<std::size_t>(v)];
-    for (const LogSource& log : solution.logs)
-    {
-      // The mean of log r over a disk of radius a is log a − ½.
-      values[v] += point == log.position
-        ? log.strength * (std::log(0.5 * cores[static_cast<std::size_t>(v)]) - 0.5)
-        : log.Value(point);
-    }
+    values[v] += SumOfLogs(solution.logs, mesh.points[static_cast<std::size_t>(v)]);
   }
+  SetCores(mesh, potential.GetProblem().edges, solution, values);
   return values.array() - integral / area;
 }
 
@@ -118,22 +112,7 @@ ComplexVector AssembleField(const PointPotential& potential, const PointPotentia
     const Point middle = 0.5 *
       (mesh.points[static_cast<std::size_t>(ends[0])] +
         mesh.points[static_cast<std::size_t>(ends[1])]);
-    u[e] = std::polar(1.0, phase[e]);
-    for (std::size_t m = 0; m < singularities; ++m)
-    {
-      const Point away = middle - solution.logs[m].position;
-      const double norm = away.norm();
-      if (norm == 0.0)
-      {
-        continue; // no direction is better than another
-      }
-      Complex unit(away.x() / norm, away.y() / norm);
-      unit = solution.logs[m].strength < 0.0 ? std::conj(unit) : unit;
-      for (int k = static_cast<int>(std::abs(solution.logs[m].strength)); k > 0; --k)
-      {
-        u[e] *= unit;
-      }
-    }
+    u[e] = std::polar(1.0, phase[e]) * UnitOfTurns(solution.logs, singularities, middle);
   }
   const Complex start = u[problem.edges.ofBoundary[static_cast<std::size_t>(first)]];
   u *= problem.aligned[first] * std::polar(1.0, potential.GetMidpointShift()[first]) / start;

@@ -3,6 +3,7 @@
 #include "Plane.h"
 
 #include <array>
+#include <complex>
 
 namespace crossfield
 {
@@ -39,6 +40,15 @@ struct LogSource
     return -y / y.squaredNorm();
   }
 };
+
+/// Σ strength · log|x − position|. Whole strengths are taken as powers of the distances, so that there
+/// is one logarithm for several sources.
+double SumOfLogs(const std::vector<LogSource>& logs, const Point& x);
+
+/// e^{i Σ strength · arg(x − position)} of the first `count` sources, whose strengths are whole numbers;
+/// a source at x counts for nothing.
+std::complex<double> UnitOfTurns(
+  const std::vector<LogSource>& logs, std::size_t count, const Point& x);
 
 /// ∫ log|x − centre| over the triangulated polygon with this boundary, exactly:
 /// log r = div(½ (x − centre) (log r − ½)), which leaves integrals of log r along straight edges.
