@@ -77,7 +77,11 @@ int vtkSingularityOptimizer::RequestData(
       CornerConversion::WriteConfiguration(result.configuration, input.z, output);
       EnergyConversion::WriteOptimizerReport(result, output);
       EnergyConversion::WriteHistory(result, vtkTable::GetData(outputVector, 1));
-      if (!result.aborted)
+      if (result.aborted)
+      {
+        FilterRun::KeepAbortedOutput(this, 0);
+      }
+      else
       {
         progress.Report(1.0);
       }

@@ -23,6 +23,9 @@ PROXIES = {
     "DrillHoles": ("filters", "Input Singularities MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": ("filters", "Input Corners Method MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize"),
+    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize"),
+    "SingularityOptimizer": (
+        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 
@@ -78,6 +81,23 @@ def test_h_field():
     drilled = fetch(HField(Input=DrillHoles(
         Input=PlanarDomainSource(), Singularities=SingularitySource())))
     check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
+
+
+def test_energies():
+    better = SingularityOptimizer(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    moved = fetch(better)
+    check_equal(value(moved, "Converged"), 1, "Converged")
+    check(abs(value(moved, "RenormalizedEnergyAfter") + 7.2962) < 0.1, "the least energy")
+    for i in range(4):
+        x, y, _ = moved.GetPoint(i)
+        check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
+    history = servermanager.Fetch(OutputPort(better, 1))
+    check_equal(history.GetNumberOfRows(), value(moved, "Iterations") + 1, "the rows of history")
+    table = fetch(SingularityEnergy(
+        Input=PlanarDomainSource(), Configurations=[SingularitySource(), better]))
+    check_equal(table.GetNumberOfRows(), 2, "the number of configurations")
+    check_equal([table.GetValueByName(row, "Configuration").ToInt() for row in (0, 1)], [1, 0],
+                "the order of the configurations")
 
 
 def test_default_chain():
@@ -211,7 +231,7 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_default_chain, test_h_field, test_other_domains, test_unit_norm, test_bad_input,
+for test in (test_proxies, test_default_chain, test_h_field, test_energies, test_other_domains, test_unit_norm, test_bad_input,
              test_topology, test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")
