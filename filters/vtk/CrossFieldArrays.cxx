@@ -198,6 +198,10 @@ void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
     h->SetValue(i, field.h[i]);
     sizes->SetValue(i, std::exp(field.h[i]));
   }
+  if (field.periods.empty())
+  {
+    NewArray(output->GetFieldData(), names::HolonomyDefect, 1, 0);
+  }
   output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // of another field
   if (!std::isnan(field.renormalizedEnergy))
   {

@@ -91,7 +91,7 @@ def test_energies():
     for i in range(4):
         x, y, _ = moved.GetPoint(i)
         check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
-    history = servermanager.Fetch(OutputPort(better, 1))
+    history = servermanager.Fetch(better, idx=1)
     check_equal(history.GetNumberOfRows(), value(moved, "Iterations") + 1, "the rows of history")
     table = fetch(SingularityEnergy(
         Input=PlanarDomainSource(), Configurations=[SingularitySource(), better]))

@@ -85,7 +85,7 @@ TEST_F(HField, ArraysHaveTheirNamesTypesAndShapes)
   }
   EXPECT_EQ(this->Value("Converged"), 1.0);
   EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
-  EXPECT_EQ(output->GetFieldData()->GetArray("HolonomyDefect"), nullptr);
+  ExpectArray(output->GetFieldData(), "HolonomyDefect", VTK_DOUBLE, 1, 0);
 }
 
 TEST_F(HField, QuadsAreLargeWhereTheLinesSpread)
