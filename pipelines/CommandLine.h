@@ -25,6 +25,9 @@ void AddCompareCommand(CLI::App& app, int& status);
 void AddCornersCommand(CLI::App& app, int& status);
 void AddDomainCommand(CLI::App& app, int& status);
 void AddDrillCommand(CLI::App& app, int& status);
+void AddEnergyCommand(CLI::App& app, int& status);
+void AddHFieldCommand(CLI::App& app, int& status);
+void AddOptimizeCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);
 ///@}
 

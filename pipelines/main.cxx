@@ -43,6 +43,9 @@ int main(int argc, char** argv)
   AddDrillCommand(app, status);
   AddSolveCommand(app, status);
   AddCompareCommand(app, status);
+  AddHFieldCommand(app, status);
+  AddEnergyCommand(app, status);
+  AddOptimizeCommand(app, status);
   try
   {
     app.parse(argc, argv);

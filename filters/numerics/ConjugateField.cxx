@@ -5,7 +5,8 @@
 namespace crossfield
 {
 Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues)
+  const Eigen::MatrixXd& gradients, int firstEdge, const Eigen::VectorXd& firstValues,
+  const std::vector<LogSource>& logs)
 {
   const Eigen::Index functions = firstValues.size();
   Eigen::MatrixXd values(functions, edges.Count());
@@ -39,12 +40,18 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
         known[static_cast<std::size_t>(to)] = true;
         queue.push_back(to);
         // From the midpoint of edge i to that of edge `other`.
-        const Point step =
-          0.5 * (point(other) + point(other + 1) - point(i) - point(i + 1));
+        const Point start = 0.5 * (point(i) + point(i + 1));
+        const Point end = 0.5 * (point(other) + point(other + 1));
+        double turn = 0.0;
+        for (const LogSource& log : logs)
+        {
+          turn += log.strength * log.Turn(start, end);
+        }
         for (Eigen::Index c = 0; c < functions; ++c)
         {
           // rot g · Δ = g × Δ
-          values(c, to) = values(c, from) + Cross(gradients.block<2, 1>(2 * c, t), step);
+          values(c, to) =
+            values(c, from) + Cross(gradients.block<2, 1>(2 * c, t), end - start) + turn;
         }
       }
     }

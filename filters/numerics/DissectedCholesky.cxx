@@ -57,7 +57,7 @@ void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last, int leftOut)
+  const std::vector<Point>& places, const std::vector<int>& last, const std::vector<int>& leftOut)
   : Size(matrix.rows())
 {
   const SerialBlas serial;

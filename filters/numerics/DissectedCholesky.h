@@ -19,10 +19,10 @@ class DissectedCholesky
 {
 public:
   /// `matrix` has both halves stored; `places` has a point per unknown; the unknowns in `last` come
-  /// last, in that order; the row and column of `leftOut` are not part of the system. Throws Error
+  /// last, in that order; rows and columns in `leftOut` are not part of the system. Throws Error
   /// when an entry is not finite, and NotPositiveDefinite when the matrix is not.
   DissectedCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-    const std::vector<int>& last, int leftOut);
+    const std::vector<int>& last, const std::vector<int>& leftOut);
 
   /// L⁻¹ b, by parts.
   struct Eliminated
@@ -31,11 +31,11 @@ public:
     Eigen::MatrixXd border; ///< The last rows belong to the last unknowns.
   };
 
-  /// Forward substitution for any number of columns; rows as in the matrix, that of the unknown left
-  /// out is ignored.
+  /// Forward substitution for any number of columns; rows as in the matrix, those of unknowns left
+  /// out are ignored.
   Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides) const;
 
-  /// Back substitution: A⁻¹ b, 0 for the unknown left out. Throws Error when it is not finite.
+  /// Back substitution: A⁻¹ b, 0 for unknowns left out. Throws Error when it is not finite.
   Eigen::MatrixXd Substitute(const Eliminated& eliminated) const;
 
   /// Lower triangular L_tt of the last unknowns: L_tt L_ttᵀ is the Schur complement on them.

@@ -105,7 +105,8 @@ std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
 SizeField MakeSizeField(
   const PlanarDomain& domain, double meshSize, const DrillOptions& options)
 {
-  std::vector<SizeSource> sources;
+  // Short segments of the boundary and of the holes ask for small triangles around them.
+  std::vector<SizeSource> sources = options.refinements;
   Eigen::AlignedBox2d box;
   for (const Loop& loop : domain.loops)
   {

@@ -3,6 +3,7 @@
 #include "PlanarDomain.h"
 #include "Progress.h"
 #include "Singularity.h"
+#include "SizeField.h"
 #include "TriangleMesh.h"
 
 namespace crossfield
@@ -27,6 +28,8 @@ struct DrillOptions
   /// Largest growth of the edge length per unit of distance.
   double gradation = 0.25;
   DrillMode mode = DrillMode::Perforate;
+  /// Further places that ask for small edges around them.
+  std::vector<SizeSource> refinements;
 };
 
 /// The mesh size that options ask for on a domain.

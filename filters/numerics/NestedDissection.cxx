@@ -127,16 +127,16 @@ private:
 }
 
 Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& last, int leftOut)
+  const std::vector<int>& last, const std::vector<int>& leftOut)
 {
   Dissector dissector(matrix, places);
   for (int unknown : last)
   {
     dissector.Exclude(unknown);
   }
-  if (leftOut >= 0)
+  for (int unknown : leftOut)
   {
-    dissector.Exclude(leftOut);
+    dissector.Exclude(unknown);
   }
   std::vector<int> order;
   order.reserve(places.size());

@@ -16,7 +16,7 @@ std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& last = {});
 
 /// The same order by its first separator: `left` and `right` are in elimination order, and no entry
-/// of the matrix joins them; `border` is the separator followed by `last`. The unknown `leftOut` is in
+/// of the matrix joins them; `border` is the separator followed by `last`. Unknowns in `leftOut` are in
 /// none of them. The halves are ordered in two threads.
 struct Dissection
 {
@@ -25,5 +25,5 @@ struct Dissection
   std::vector<int> border;
 };
 Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& last, int leftOut = -1);
+  const std::vector<int>& last, const std::vector<int>& leftOut = {});
 }

@@ -40,13 +40,14 @@ std::map<int, int> ChosenByVertex(
 
 PerforatedProblem::PerforatedProblem(
   const TriangleMesh& drilled, PotentialSolver::Periods periods,
-  const std::vector<CornerChoice>& chosenCorners)
+  const std::vector<CornerChoice>& chosenCorners, int pointQuarters)
   : mesh(drilled)
   , corners(chosenCorners)
 {
   Stopwatch stopwatch;
   this->loops = FindBoundaryLoops(drilled);
   this->count = CountMeshQuarters(drilled, this->loops, corners);
+  this->count.givenInteriorQuarters += pointQuarters;
   this->chosenQuarters = ChosenByVertex(drilled, corners);
   RequireConsistent(this->count);
   this->edges = NumberEdges(drilled);
@@ -64,6 +65,12 @@ PerforatedProblem::PerforatedProblem(
   this->assembleSeconds = stopwatch.Lap();
   this->potential = std::make_unique<PotentialSolver>(drilled, this->edges, this->loops, periods);
   this->factorSeconds = stopwatch.Lap();
+}
+
+Eigen::Index PerforatedProblem::IslandCount() const
+{
+  return std::count_if(this->loops.begin(), this->loops.end(),
+    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Inner; });
 }
 
 std::vector<int> PerforatedProblem::PreviousBoundaryEdges() const

@@ -25,11 +25,14 @@ struct PerforatedProblem
   double factorSeconds = 0.0;
 
   /// `chosenCorners`: quarter indices chosen for vertices of outer and inner loops; at the others
-  /// the cross makes the smallest rotation. Throws Error when the quarter indices of the holes
-  /// violate Poincaré-Hopf.
+  /// the cross makes the smallest rotation. `pointQuarters`: sum of the quarter indices of
+  /// singularities without holes. Throws Error when the quarter indices violate Poincaré-Hopf.
   explicit PerforatedProblem(const TriangleMesh& drilled,
     PotentialSolver::Periods periods = PotentialSolver::Periods::Islands,
-    const std::vector<CornerChoice>& chosenCorners = {});
+    const std::vector<CornerChoice>& chosenCorners = {}, int pointQuarters = 0);
+
+  /// Number of inner loops.
+  Eigen::Index IslandCount() const;
 
   /// Boundary edge (position in mesh.boundary) that ends where each boundary edge starts.
   std::vector<int> PreviousBoundaryEdges() const;

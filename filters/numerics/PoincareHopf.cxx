@@ -91,20 +91,13 @@ int SmallestRotationIndex(double turning)
   return static_cast<int>(std::lround((turning - SmallestRotation(turning)) / (0.5 * Pi)));
 }
 
-PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices)
+std::vector<Loop> AlignedLoops(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
 {
   std::vector<Loop> aligned;
-  int given = 0;
-  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
-  {
-    given += circle.quarterIndex;
-  }
   for (const BoundaryLoop& loop : loops)
   {
-    if (loop.kind == BoundaryKind::Hole)
+    if (loop.kind != BoundaryKind::Outer && loop.kind != BoundaryKind::Inner)
     {
-      given += loop.quarterIndex;
       continue;
     }
     aligned.emplace_back();
@@ -119,7 +112,22 @@ PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
       std::reverse(aligned.back().begin(), aligned.back().end());
     }
   }
-  return CountQuarters(aligned, given, DefaultCornerAngle, choices);
+  return aligned;
+}
+
+PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
+  const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices)
+{
+  int given = 0;
+  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
+  {
+    given += circle.quarterIndex;
+  }
+  for (const BoundaryLoop& loop : loops)
+  {
+    given += loop.kind == BoundaryKind::Hole ? loop.quarterIndex : 0;
+  }
+  return CountQuarters(AlignedLoops(mesh, loops), given, DefaultCornerAngle, choices);
 }
 
 std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)

@@ -57,6 +57,9 @@ int SmallestRotationIndex(double turning);
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
+/// The outer and inner loops of a drilled mesh, with the domain on their left.
+std::vector<Loop> AlignedLoops(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops);
+
 /// Counts over the outer and inner loops of a drilled mesh, and the quarter indices of its holes and
 /// imprinted circles.
 PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,

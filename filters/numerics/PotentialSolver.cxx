@@ -84,10 +84,11 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
 }
 
 PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<BoundaryLoop>& loops, Periods periods)
+  const std::vector<BoundaryLoop>& loops, Periods periods, Boundary boundary)
   : Mesh(mesh)
   , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
   , Strips(FindLoopStrips(mesh, edges, loops, periods == Periods::IslandsAndHoles))
+  , OnLoops(boundary)
   , Trailing(HoleVertices(mesh, loops))
 {
   const auto outer = std::find_if(loops.begin(), loops.end(),
@@ -96,16 +97,31 @@ PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& 
   {
     throw Error("The mesh has no outer boundary loop; give a mesh made by the drill filter.");
   }
-  this->Ground = mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0];
+  std::vector<int> leftOut;
+  if (boundary == Boundary::Natural)
+  {
+    leftOut.push_back(mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0]);
+  }
+  else
+  {
+    for (const BoundaryEdge& edge : mesh.boundary)
+    {
+      if (edge.kind != BoundaryKind::Hole)
+      {
+        leftOut.push_back(edge.vertices[0]);
+      }
+    }
+  }
+  std::vector<int>& periodRows = boundary == Boundary::Natural ? this->Trailing : leftOut;
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
-    this->Trailing.push_back(static_cast<int>(this->PeriodRow(k)));
+    periodRows.push_back(static_cast<int>(this->PeriodRow(k)));
   }
 
   std::vector<Point> places(mesh.points);
   places.resize(static_cast<std::size_t>(this->Rows()), Point::Zero()); // periods have no place
   this->Factor = std::make_unique<DissectedCholesky>(
-    BorderedMatrix(mesh, edges, this->Strips), places, this->Trailing, this->Ground);
+    BorderedMatrix(mesh, edges, this->Strips), places, this->Trailing, leftOut);
 }
 
 Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) const
@@ -129,14 +145,16 @@ PotentialSolver::Eliminated PotentialSolver::Eliminate(const Eigen::MatrixXd& ri
 Eigen::MatrixXd PotentialSolver::Substitute(
   Eliminated eliminated, const Eigen::MatrixXd& addedSources) const
 {
-  const auto atVertices = addedSources.topRows(addedSources.rows() - this->PeriodCount());
-  for (Eigen::Index column = 0; column < addedSources.cols(); ++column)
+  // A given boundary takes whatever is missing.
+  const Eigen::Index columnsToCheck = this->OnLoops == Boundary::Natural ? addedSources.cols() : 0;
+  for (Eigen::Index column = 0; column < columnsToCheck; ++column)
   {
-    const double sum = eliminated.sums[column] + atVertices.col(column).sum();
+    const auto atVertices = addedSources.col(column).head(addedSources.rows() - this->PeriodCount());
+    const double sum = eliminated.sums[column] + atVertices.sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
       std::numeric_limits<double>::epsilon() *
-      (eliminated.sizes[column] + atVertices.col(column).lpNorm<1>());
+      (eliminated.sizes[column] + atVertices.lpNorm<1>());
     if (!(std::abs(sum) <= rounding))
     {
       throw Error("The sources of the potential add up to " + std::to_string(sum) +
@@ -184,5 +202,37 @@ Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) cons
     }
   }
   return gradient;
+}
+
+Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
+{
+  const Eigen::Matrix2Xd gradient = this->Gradient(solution);
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(this->Rows());
+  // ∫ ∇Φ · ∇λ_i over a triangle: the gradient turned by −90° times half the opposite edge.
+  const auto load = [&](std::size_t t, std::size_t i)
+  {
+    const auto& v = this->Mesh.triangles[t];
+    const Point opposite = this->Mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
+      this->Mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+    return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
+  };
+  for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      sources[this->Mesh.triangles[t][i]] += load(t, i);
+    }
+  }
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        sources[this->PeriodRow(k)] += step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
+      }
+    }
+  }
+  return sources;
 }
 }

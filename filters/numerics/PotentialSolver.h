@@ -30,6 +30,10 @@ namespace crossfield
 ///
 /// The trailing unknowns, hole vertices then periods, come last in the factorisation, so their
 /// Schur complement T is at hand: any treatment of holes and islands is a small dense problem.
+///
+/// Where the boundary is given (Boundary::Given), the values at the vertices of outer and inner loops
+/// and the periods are no unknowns but zero in every solution; with inhomogeneous values x, solve for
+/// the sources minus Apply(x) and add x. The trailing unknowns are then the hole vertices alone.
 class PotentialSolver
 {
 public:
@@ -41,9 +45,17 @@ public:
     IslandsAndHoles
   };
 
+  /// What holds on outer and inner loops.
+  enum class Boundary
+  {
+    Natural, ///< ∂Ψ/∂ν is a source.
+    Given    ///< Ψ and the periods are given.
+  };
+
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands);
+    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands,
+    Boundary boundary = Boundary::Natural);
 
   /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
   Eigen::Index Rows() const { return this->VertexCount + this->PeriodCount(); }
@@ -76,19 +88,23 @@ public:
   /// Solve, and the same requirement.
   Eigen::MatrixXd Substitute(Eliminated eliminated, const Eigen::MatrixXd& addedSources) const;
 
-  /// Solves for any number of columns; the ground is 0 in the result. The entries of a column at
-  /// vertices must add up to zero, or there is no solution: throws Error with their sum.
+  /// Solves for any number of columns; the ground, or what is given, is 0 in the result. With a
+  /// natural boundary the entries of a column at vertices must add up to zero, or there is no
+  /// solution: throws Error with their sum.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
   /// Gradient ∇Ψ + Σ q_k ∇η_k on every triangle: a column per triangle, two rows per column of the
   /// solution.
   Eigen::MatrixXd Gradient(const Eigen::MatrixXd& solutions) const;
 
+  /// The whole matrix, ground and given boundary included, times (Ψ, q): the sources of a potential.
+  Eigen::VectorXd Apply(const Eigen::VectorXd& solution) const;
+
 private:
   const TriangleMesh& Mesh;
   Eigen::Index VertexCount;
   std::vector<LoopStrip> Strips;
-  int Ground;
+  Boundary OnLoops;
   std::vector<int> Trailing;
   std::unique_ptr<DissectedCholesky> Factor;
 };

@@ -17,12 +17,10 @@ struct UnitNormField
   /// Per inner loop, in (−π, π]: the phase that the single-valued potential carries to it minus the
   /// phase of its alignment. Where it is not zero a harmonic field with a period was added.
   std::vector<double> holonomyDefect;
+  Eigen::VectorXd potential; ///< Φ at the vertices, then its periods around inner loops.
 };
 
-/// Computed from the conjugate potential Φ: sources 4 × the smallest rotation of the cross at every
-/// boundary vertex, −2πd_i on hole i, where Φ is one unknown constant, and one period per inner loop
-/// so that the phase fits its alignment. How often the phase turns on the way to an inner loop is an
-/// integer to choose: the nearest to the single-valued potential, then improved one loop at a time
-/// while that lowers the energy.
+/// Computed from the conjugate potential Φ of SolveAligned, with a phase that is constant along every
+/// edge of the boundary.
 UnitNormField SolveUnitNorm(const PerforatedProblem& problem);
 }

@@ -1,16 +1,14 @@
 #include "CornerConversion.h"
 
+#include "ColumnWriting.h"
 #include "Error.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -22,35 +20,8 @@ namespace
 {
 namespace names = vtkCrossFieldArrayNames;
 using crossfield::Point;
-
-/** An array with one value per item. */
-template <class Array, class Items, class Value>
-void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->Allocate(static_cast<vtkIdType>(items.size()));
-  for (const auto& item : items)
-  {
-    array->InsertNextValue(value(item));
-  }
-  data->AddArray(array);
-}
-
-/** Points with a vertex cell each. */
-template <class Items>
-void WritePlaces(const Items& items, double z, vtkPolyData* output)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  for (const auto& item : items)
-  {
-    vertices->InsertNextCell({ points->InsertNextPoint(item.position.x(), item.position.y(), z) });
-  }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
-}
+using ColumnWriting::AddColumn;
+using ColumnWriting::WritePlaces;
 }
 
 namespace CornerConversion

@@ -13,6 +13,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
+
 namespace
 {
 using crossfield::Complex;
@@ -192,6 +194,29 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 {
   AddInteger(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, steps);
+}
+
+//------------------------------------------------------------------------------
+void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
+{
+  namespace names = vtkCrossFieldArrayNames;
+  const vtkIdType count = output->GetNumberOfPoints();
+  auto h = NewArray(output->GetPointData(), names::H, 1, count);
+  auto sizes = NewArray(output->GetPointData(), names::SizeMap, 1, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    h->SetValue(i, field.h[i]);
+    sizes->SetValue(i, std::exp(field.h[i]));
+  }
+  if (field.periods.empty())
+  {
+    NewArray(output->GetFieldData(), names::HolonomyDefect, 1, 0);
+  }
+  output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // of another field
+  if (!std::isnan(field.renormalizedEnergy))
+  {
+    AddValue(output->GetFieldData(), names::RenormalizedEnergy, field.renormalizedEnergy);
+  }
 }
 
 //------------------------------------------------------------------------------

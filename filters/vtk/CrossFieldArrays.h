@@ -3,6 +3,7 @@
 
 #include "CrossFieldReport.h"
 #include "DomainConversion.h"
+#include "HField.h"
 
 #include <string>
 
@@ -27,6 +28,9 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 
 /** What vtkGinzburgLandauCrossField adds to the report. */
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
+
+/** Point arrays `H`, `SizeMap`, and the field data `RenormalizedEnergy`; see vtkHField. */
+void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when

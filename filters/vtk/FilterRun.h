@@ -27,6 +27,18 @@ bool WantsAbort(Algorithm* self, long)
   return self->GetAbortExecute() != 0;
 }
 
+// After an abort the executive empties the outputs, unless the filter has something to keep; VTK 9.1
+// does not empty them.
+template <class Algorithm>
+auto KeepAbortedOutput(Algorithm* self, int) -> decltype(self->SetAbortOutput(false))
+{
+  return self->SetAbortOutput(false);
+}
+template <class Algorithm>
+void KeepAbortedOutput(Algorithm*, long)
+{
+}
+
 /**
  * Runs work(progress), forwarding progress to the filter and its abort flag to the numerics, and
  * returns the error code for the filter to publish. An error is reported as one vtkErrorMacro

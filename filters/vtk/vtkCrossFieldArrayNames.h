@@ -37,6 +37,26 @@ constexpr const char* RequiredInteriorQuarters = "RequiredInteriorQuarters";
 constexpr const char* GivenInteriorQuarters = "GivenInteriorQuarters";
 constexpr const char* Consistent = "Consistent";
 constexpr const char* HolonomyDefect = "HolonomyDefect";
+// Points and field data: vtkHField.
+constexpr const char* H = "H";
+constexpr const char* SizeMap = "SizeMap";
+constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
+// Table and points: vtkSingularityEnergy.
+constexpr const char* Configuration = "Configuration";
+constexpr const char* EnergyLowerBound = "EnergyLowerBound";
+constexpr const char* EnergyUpperBound = "EnergyUpperBound";
+constexpr const char* EnergyDegreeOnly = "EnergyDegreeOnly";
+constexpr const char* EnergyDegreeOnlyLowerBound = "EnergyDegreeOnlyLowerBound";
+constexpr const char* EnergyDegreeOnlyUpperBound = "EnergyDegreeOnlyUpperBound";
+constexpr const char* LogarithmCoefficient = "LogarithmCoefficient";
+constexpr const char* Gradient = "Gradient";
+// Field data and history: vtkSingularityOptimizer.
+constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
+constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";
+constexpr const char* Annihilation = "Annihilation";
+constexpr const char* Iteration = "Iteration";
+constexpr const char* GradientNorm = "GradientNorm";
+constexpr const char* StepLength = "StepLength";
 // Field data: vtkGinzburgLandauCrossField.
 constexpr const char* Epsilon = "Epsilon";
 constexpr const char* GradientEnergy = "GradientEnergy";

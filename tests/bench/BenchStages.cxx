@@ -8,7 +8,9 @@
 #include "BuiltinDomains.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
+#include "HField.h"
 #include "PerforatedSolve.h"
+#include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
 
 #include <benchmark/benchmark.h>
@@ -24,6 +26,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -49,23 +52,26 @@ double MeshSizeFor(std::int64_t triangles)
   return std::sqrt(4.0 * Pi / (std::sqrt(3.0) * static_cast<double>(triangles)));
 }
 
-TriangleMesh MakeMesh(std::int64_t triangles)
+TriangleMesh MakeMesh(std::int64_t triangles, const Configuration& holes)
 {
   BuiltinDomain disk;
   disk.edgeLength = MeshSizeFor(triangles);
   DrillOptions options;
   options.meshSize = disk.edgeLength;
-  return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), options);
+  return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), holes, options);
 }
 
-/// The mesh of a size, made once for all benchmarks.
-const TriangleMesh& MeshOf(std::int64_t triangles)
+/// The mesh of a size with eight holes, or for eight points without any; made once for all benchmarks.
+const TriangleMesh& MeshOf(std::int64_t triangles, bool holes = true)
 {
-  static std::map<std::int64_t, TriangleMesh> meshes;
-  auto found = meshes.find(triangles);
+  static std::map<std::pair<std::int64_t, bool>, TriangleMesh> meshes;
+  auto found = meshes.find({ triangles, holes });
   if (found == meshes.end())
   {
-    found = meshes.emplace(triangles, MakeMesh(triangles)).first;
+    found = meshes
+              .emplace(std::pair(triangles, holes),
+                MakeMesh(triangles, holes ? EightHoles() : Configuration()))
+              .first;
   }
   return found->second;
 }
@@ -74,15 +80,14 @@ void Mesh(benchmark::State& state)
 {
   for (auto _ : state)
   {
-    const TriangleMesh mesh = MakeMesh(state.range(0));
+    const TriangleMesh mesh = MakeMesh(state.range(0), EightHoles());
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
   }
 }
 
 /// The matrix of the free unknowns, as an implementation of the paper would factor it.
-void BareCholmod(benchmark::State& state)
+void FactorBare(benchmark::State& state, const TriangleMesh& mesh)
 {
-  const TriangleMesh& mesh = MeshOf(state.range(0));
   const EdgeNumbering edges = NumberEdges(mesh);
   std::vector<int> number(static_cast<std::size_t>(edges.Count()), 0);
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
@@ -140,6 +145,45 @@ void BareCholmod(benchmark::State& state)
     cholmod_free_dense(&right, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
+  }
+}
+
+void BareCholmod(benchmark::State& state)
+{
+  FactorBare(state, MeshOf(state.range(0)));
+}
+
+/// The same on the mesh without holes, to compare HField and FurtherConfiguration with.
+void BareCholmodWithoutHoles(benchmark::State& state)
+{
+  FactorBare(state, MeshOf(state.range(0), false));
+}
+
+/// H, its cross field and W of eight points. The time of the row is factor + solve.
+void SolveH(benchmark::State& state)
+{
+  const TriangleMesh& mesh = MeshOf(state.range(0), false);
+  for (auto _ : state)
+  {
+    const HField result = SolveHField(mesh, EightHoles());
+    const StageSeconds& seconds = result.field.seconds;
+    state.SetIterationTime(seconds.factor + seconds.solve);
+    state.counters["assemble"] = seconds.assemble;
+    state.counters["factor"] = seconds.factor;
+    state.counters["solve"] = seconds.solve;
+    state.counters["wrong"] = result.field.unwantedSingularities;
+  }
+}
+
+/// W and its gradient of one more configuration on a mesh that is factored already.
+void FurtherConfiguration(benchmark::State& state)
+{
+  const PointPotential potential(MeshOf(state.range(0), false), {}, 4);
+  for (auto _ : state)
+  {
+    const auto value =
+      EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
+    benchmark::DoNotOptimize(value.energy);
   }
 }
 
@@ -207,5 +251,8 @@ BENCHMARK(Mesh)->Apply(Sizes)->UseRealTime();
 BENCHMARK(BareCholmod)->Apply(Sizes)->UseRealTime();
 BENCHMARK_CAPTURE(Solve, Constrained, PerforatedMethod::Constrained)->Apply(Sizes)->UseManualTime();
 BENCHMARK_CAPTURE(Solve, UnitNorm, PerforatedMethod::UnitNorm)->Apply(Sizes)->UseManualTime();
+BENCHMARK(BareCholmodWithoutHoles)->Apply(Sizes)->UseRealTime();
+BENCHMARK(SolveH)->Apply(Sizes)->UseManualTime();
+BENCHMARK(FurtherConfiguration)->Apply(Sizes)->UseRealTime();
 BENCHMARK(WholeRun)->Apply(Sizes)->UseRealTime();
 }

@@ -24,6 +24,10 @@ PROXIES = {
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
+    "HField": ("filters", "Input Singularities Corners MeshSize"),
+    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize"),
+    "SingularityOptimizer": (
+        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 
@@ -67,6 +71,35 @@ def field_of(singularities, **domain):
 def fetch(proxy):
     proxy.UpdatePipeline()
     return servermanager.Fetch(proxy)
+
+
+def test_h_field():
+    field = HField(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    data = fetch(field)
+    check(data.GetPointData().GetArray("SizeMap") is not None, "there is no size map")
+    # METHOD: W of four +1 at radius 0.6 is 2.05; this polygon of 0.07 is 0.5 off.
+    check(abs(value(data, "RenormalizedEnergy") - 2.05) < 0.5, "the renormalised energy")
+    check_equal(value(data, "UnwantedSingularities"), 0, "unwanted singularities")
+    drilled = fetch(HField(Input=DrillHoles(
+        Input=PlanarDomainSource(), Singularities=SingularitySource())))
+    check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
+
+
+def test_energies():
+    better = SingularityOptimizer(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    moved = fetch(better)
+    check_equal(value(moved, "Converged"), 1, "Converged")
+    check(abs(value(moved, "RenormalizedEnergyAfter") + 7.2962) < 0.1, "the least energy")
+    for i in range(4):
+        x, y, _ = moved.GetPoint(i)
+        check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
+    history = servermanager.Fetch(better, idx=1)
+    check_equal(history.GetNumberOfRows(), value(moved, "Iterations") + 1, "the rows of history")
+    table = fetch(SingularityEnergy(
+        Input=PlanarDomainSource(), Configurations=[SingularitySource(), better]))
+    check_equal(table.GetNumberOfRows(), 2, "the number of configurations")
+    check_equal([table.GetValueByName(row, "Configuration").ToInt() for row in (0, 1)], [1, 0],
+                "the order of the configurations")
 
 
 def test_default_chain():
@@ -227,7 +260,8 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_default_chain, test_other_domains, test_unit_norm, test_bad_input,
-             test_topology, test_handles, test_verdict, test_changed_input, test_input_untouched):
+for test in (test_proxies, test_default_chain, test_h_field, test_energies, test_other_domains,
+             test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
+             test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

@@ -18,6 +18,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
@@ -211,6 +212,10 @@ std::string Fingerprint(vtkDataObject* data)
     AppendArrays(bytes, set->GetPointData());
     AppendArrays(bytes, set->GetCellData());
   }
+  if (auto* table = vtkTable::SafeDownCast(data))
+  {
+    AppendArrays(bytes, table->GetRowData());
+  }
   AppendArrays(bytes, data->GetFieldData());
   return bytes;
 }
@@ -235,6 +240,10 @@ vtkDataArray* RequireArray(vtkFieldData* data, const char* name)
 //------------------------------------------------------------------------------
 bool IsEmpty(vtkDataObject* data)
 {
+  if (auto* table = vtkTable::SafeDownCast(data))
+  {
+    return table->GetNumberOfRows() == 0;
+  }
   auto* set = vtkDataSet::SafeDownCast(data);
   return set != nullptr && set->GetNumberOfPoints() == 0 && set->GetNumberOfCells() == 0 &&
     HasNoValues(set->GetPointData()) && HasNoValues(set->GetCellData());
@@ -248,7 +257,7 @@ void UpdateWithoutError(vtkAlgorithm* filter)
   EXPECT_TRUE(messages.errors.empty()) << messages.errors.front();
   EXPECT_TRUE(messages.warnings.empty()) << messages.warnings.front();
   EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_FALSE(IsEmpty(Output(filter)));
+  EXPECT_FALSE(IsEmpty(filter->GetOutputDataObject(0)));
 }
 
 //------------------------------------------------------------------------------
@@ -286,7 +295,7 @@ void CheckRunTwice(vtkAlgorithm* filter, const std::function<void()>& setA,
     set();
     filter->Modified();
     UpdateWithoutError(filter);
-    outputs.push_back(Fingerprint(Output(filter)));
+    outputs.push_back(Fingerprint(filter->GetOutputDataObject(0)));
   }
   EXPECT_FALSE(outputs[0] == outputs[1]) << "both inputs give the same output";
   EXPECT_TRUE(outputs[0] == outputs[2]) << filter->GetClassName() << " remembers an earlier run";
@@ -303,7 +312,7 @@ void CheckEmptyInput(vtkAlgorithm* filter)
   EXPECT_TRUE(messages.errors.empty()) << messages.errors.front();
   EXPECT_TRUE(messages.warnings.empty()) << messages.warnings.front();
   EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_TRUE(IsEmpty(Output(filter)));
+  EXPECT_TRUE(IsEmpty(filter->GetOutputDataObject(0)));
 }
 
 //------------------------------------------------------------------------------
@@ -316,7 +325,7 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
     filter->Modified();
     UpdateWithoutError(filter);
     fractions = watch.fractions;
-    full = Fingerprint(Output(filter));
+    full = Fingerprint(filter->GetOutputDataObject(0));
   }
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
@@ -334,14 +343,14 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
     filter->Update();
     EXPECT_TRUE(messages.errors.empty()) << messages.errors.front();
     EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
-    EXPECT_TRUE(IsEmpty(Output(filter)))
+    EXPECT_TRUE(IsEmpty(filter->GetOutputDataObject(0)))
       << filter->GetClassName() << " gives an output though it was aborted at progress event " << i
       << ", " << fractions[static_cast<std::size_t>(i)];
   }
   filter->SetAbortExecute(0);
   filter->Modified();
   UpdateWithoutError(filter);
-  EXPECT_TRUE(Fingerprint(Output(filter)) == full) << "an aborted run spoils the next one";
+  EXPECT_TRUE(Fingerprint(filter->GetOutputDataObject(0)) == full) << "an aborted run spoils the next one";
 }
 
 //------------------------------------------------------------------------------
@@ -360,7 +369,7 @@ unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>&
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   EXPECT_TRUE(!sentence.empty() && sentence.back() == '.') << sentence;
   EXPECT_NE(filter->GetErrorCode(), vtkErrorCode::NoError);
-  EXPECT_TRUE(IsEmpty(Output(filter)));
+  EXPECT_TRUE(IsEmpty(filter->GetOutputDataObject(0)));
   return filter->GetErrorCode();
 }
 

@@ -42,7 +42,7 @@ private:
   std::vector<Observation> Observations;
 };
 
-/** Points, cells and every array of a data set, bit for bit, with types and names. */
+/** Points, cells and every array of a data set or table, bit for bit, with types and names. */
 std::string Fingerprint(vtkDataObject* data);
 
 /** The data set that the algorithm gives on port 0. */
@@ -51,7 +51,7 @@ vtkDataSet* Output(vtkAlgorithm* filter);
 /** The array of that name; throws, which ends the test, if there is none. */
 vtkDataArray* RequireArray(vtkFieldData* data, const char* name);
 
-/** Whether a data set has no points, no cells and no values in point and cell arrays. */
+/** Whether a data set has no points, no cells and no values in point and cell arrays; or a table no rows. */
 bool IsEmpty(vtkDataObject* data);
 
 /** Updates the filter and expects no message, no error code and some output. */

@@ -1,0 +1,85 @@
+#include "LogSource.h"
+
+namespace crossfield
+{
+namespace
+{
+/// So many distances may be multiplied: of sizes from 1e-30 to 1e30 no product overflows.
+constexpr int MostFactors = 4;
+}
+
+double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
+{
+  double sum = 0.0;
+  double product = 1.0;
+  int factors = 0;
+  for (const LogSource& log : logs)
+  {
+    const double square = (x - log.position).squaredNorm();
+    const int power = static_cast<int>(std::abs(log.strength));
+    if (static_cast<double>(power) != std::abs(log.strength) || power > MostFactors)
+    {
+      sum += 0.5 * log.strength * std::log(square);
+      continue;
+    }
+    if (factors + power > MostFactors)
+    {
+      sum += 0.5 * std::log(product);
+      product = 1.0;
+      factors = 0;
+    }
+    for (int i = 0; i < power; ++i)
+    {
+      product = log.strength > 0.0 ? product * square : product / square;
+    }
+    factors += power;
+  }
+  return sum + 0.5 * std::log(product);
+}
+
+std::complex<double> UnitOfTurns(
+  const std::vector<LogSource>& logs, std::size_t count, const Point& x)
+{
+  std::complex<double> product = 1.0;
+  int factors = 0;
+  for (std::size_t m = 0; m < count; ++m)
+  {
+    const Point away = x - logs[m].position;
+    if (away.isZero(0.0))
+    {
+      continue;
+    }
+    const std::complex<double> turn(away.x(), logs[m].strength < 0.0 ? -away.y() : away.y());
+    for (int k = static_cast<int>(std::abs(logs[m].strength)); k > 0; --k)
+    {
+      product *= turn;
+      if (++factors == MostFactors)
+      {
+        product /= std::abs(product);
+        factors = 0;
+      }
+    }
+  }
+  return product / std::abs(product);
+}
+
+double LogIntegral(const std::vector<std::array<Point, 2>>& boundary, const Point& centre)
+{
+  double integral = 0.0;
+  for (const auto& [from, to] : boundary)
+  {
+    const double length = (to - from).norm();
+    const Point tangent = (to - from) / length;
+    const Point start = from - centre;
+    const Point end = to - centre;
+    // The outward normal is the tangent turned by −90°: (x − centre) · ν is the same on all the edge.
+    const double height = Cross(start, tangent);
+    const auto sLogR = [&tangent](const Point& x)
+    { return x.isZero(0.0) ? 0.0 : x.dot(tangent) * std::log(x.norm()); };
+    const double angle = start.isZero(0.0) || end.isZero(0.0) ? 0.0 : AngleBetween(start, end);
+    const double logAlong = sLogR(end) - sLogR(start) - length + height * angle;
+    integral += 0.5 * height * (logAlong - 0.5 * length);
+  }
+  return integral;
+}
+}

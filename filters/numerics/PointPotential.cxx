@@ -1,0 +1,169 @@
+#include "PointPotential.h"
+
+#include "AlignedPotential.h"
+#include "DomainQueries.h"
+#include "Error.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+Point Midpoint(const TriangleMesh& mesh, const std::array<int, 2>& ends)
+{
+  return 0.5 *
+    (mesh.points[static_cast<std::size_t>(ends[0])] + mesh.points[static_cast<std::size_t>(ends[1])]);
+}
+
+void RequireNoHoles(const TriangleMesh& mesh)
+{
+  for (const BoundaryEdge& edge : mesh.boundary)
+  {
+    if (edge.kind == BoundaryKind::Hole)
+    {
+      throw Error("The mesh has holes; singularities that are points need a mesh without any, drill "
+                  "the domain without singularities.");
+    }
+  }
+}
+}
+
+PointPotential::PointPotential(
+  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters)
+  : Problem((RequireNoHoles(mesh), mesh), PotentialSolver::Periods::Islands, corners, pointQuarters)
+  , Domain{ AlignedLoops(mesh, Problem.loops) }
+  , Sources(CurvePhase(Problem))
+  , Smooth(Sources.atRows)
+{
+  const Eigen::VectorXd jump = CornerJumps(this->Problem);
+  const std::vector<int> previous = this->Problem.PreviousBoundaryEdges();
+  const auto point = [&mesh](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
+  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  {
+    const auto& ends = mesh.boundary[i].vertices;
+    const Point middle = Midpoint(mesh, ends);
+    this->Halves.push_back({ ends[0], point(ends[0]), middle });
+    this->Halves.push_back({ ends[1], middle, point(ends[1]) });
+
+    const int vertex = ends[0];
+    const Point before =
+      point(vertex) - point(mesh.boundary[static_cast<std::size_t>(previous[i])].vertices[0]);
+    const double turning = AngleBetween(before, point(ends[1]) - point(vertex));
+    const double source = jump[vertex];
+    const bool corner = IsCorner(turning) || this->Problem.chosenQuarters.count(vertex) != 0;
+    if (corner && std::abs(source) > 4.0 * AngleRounding)
+    {
+      this->Corners.push_back({ point(vertex), -source / (Pi - turning), Pi - turning });
+      this->CornerVertices.push_back(vertex);
+      this->Smooth[vertex] -= source;
+    }
+  }
+
+  const PotentialSolver& potential = *this->Problem.potential;
+  const Eigen::Index periods = potential.PeriodCount();
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(potential.Rows(), periods);
+  unit.bottomRows(periods).setIdentity();
+  this->PeriodBasis = periods > 0 ? potential.Solve(unit) : unit;
+  this->PeriodInverse = this->PeriodBasis.bottomRows(periods);
+}
+
+std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
+{
+  const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
+  const TriangleMesh& mesh = this->Problem.mesh;
+  const auto middle = [&mesh](int edge)
+  { return Midpoint(mesh, mesh.boundary[static_cast<std::size_t>(edge)].vertices); };
+  return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };
+}
+
+double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
+{
+  const auto [first, last] = this->StripEnds(k);
+  const TriangleMesh& mesh = this->Problem.mesh;
+  double turn = 0.0;
+  Point here = first;
+  for (const LoopStrip::Step& step :
+    this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)].steps)
+  {
+    const auto& v = mesh.triangles[static_cast<std::size_t>(step.triangle)];
+    const Point centre = (mesh.points[static_cast<std::size_t>(v[0])] +
+                           mesh.points[static_cast<std::size_t>(v[1])] +
+                           mesh.points[static_cast<std::size_t>(v[2])]) /
+      3.0;
+    turn += log.Turn(here, centre);
+    here = centre;
+  }
+  return -(turn + log.Turn(here, last));
+}
+
+PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
+{
+  if (TotalQuarters(configuration) != this->Problem.count.givenInteriorQuarters)
+  {
+    PoincareHopfCount count = this->Problem.count;
+    count.givenInteriorQuarters = TotalQuarters(configuration);
+    RequireConsistent(count);
+  }
+  Solution result;
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const Singularity& singularity = configuration[i];
+    if (!(SignedDistance(singularity.position, this->Domain) > 1e-6 * this->Domain.Diagonal()))
+    {
+      throw Error("The singularity " + std::to_string(i) + " at " + Describe(singularity.position) +
+        " lies outside the domain or on its boundary; move it inside.");
+    }
+    result.logs.push_back(
+      { singularity.position, static_cast<double>(singularity.quarterIndex), 2.0 * Pi });
+  }
+  result.logs.insert(result.logs.end(), this->Corners.begin(), this->Corners.end());
+
+  // 1. Sources of R. Every log is seen from all of the boundary under the angle of the domain.
+  result.sources = this->Smooth;
+  for (std::size_t m = 0; m < result.logs.size(); ++m)
+  {
+    const LogSource& log = result.logs[m];
+    for (const BoundaryHalf& half : this->Halves)
+    {
+      const bool own = m >= configuration.size() &&
+        half.vertex == this->CornerVertices[m - configuration.size()];
+      const double angle = own ? 0.0 : log.Turn(half.from, half.to);
+      result.sources[half.vertex] -= log.strength * angle;
+    }
+  }
+  // Angles have rounding errors that a Neumann problem must not see as a source.
+  const Eigen::Index periods = this->Problem.potential->PeriodCount();
+  const Eigen::Index vertices = result.sources.size() - periods;
+  result.sources[this->Halves.front().vertex] -= result.sources.head(vertices).sum();
+
+  // 2. R without periods: the sources at the periods that keep them zero are what R carries.
+  result.regular = this->Problem.potential->Solve(result.sources);
+  result.aligned = result.regular;
+  result.offsets = result.periods = Eigen::VectorXd::Zero(periods);
+  if (periods > 0)
+  {
+    const Eigen::VectorXd carried = -this->PeriodInverse.inverse() * result.regular.tail(periods);
+    result.regular += this->PeriodBasis * carried;
+    result.regular.tail(periods).setZero();
+    Eigen::VectorXd defects(periods);
+    for (Eigen::Index k = 0; k < periods; ++k)
+    {
+      double difference = AlignedDifference(this->Problem, this->Sources, k) - carried[k];
+      for (const LogSource& log : result.logs)
+      {
+        difference -= log.strength * this->StripTurn(log, k);
+      }
+      defects[k] = WrapAngle(difference);
+      result.holonomyDefect.push_back(defects[k]);
+    }
+    // 3. And with those that the alignment of inner loops asks for.
+    result.offsets = NearestOffsets(defects, this->PeriodInverse);
+    result.periods = this->PeriodInverse * result.offsets;
+    result.aligned = result.regular + this->PeriodBasis * result.offsets;
+  }
+  return result;
+}
+}

@@ -1,0 +1,153 @@
+#include "EnergyConversion.h"
+
+#include "ColumnWriting.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+using ColumnWriting::AddColumn;
+using crossfield::ConfigurationEnergy;
+
+double Largest(const std::vector<double>& defects)
+{
+  double largest = 0.0;
+  for (double defect : defects)
+  {
+    largest = std::abs(defect) > std::abs(largest) ? defect : largest;
+  }
+  return largest;
+}
+
+/** A singularity and where its configuration should go. */
+struct GradientRow
+{
+  crossfield::Point position;
+  int configuration;
+  int quarterIndex;
+  crossfield::Point gradient;
+};
+}
+
+namespace EnergyConversion
+{
+//------------------------------------------------------------------------------
+void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* output)
+{
+  vtkFieldData* data = output->GetRowData();
+  AddColumn<vtkIntArray>(data, names::Configuration, energies,
+    [](const ConfigurationEnergy& energy) { return energy.configuration; });
+  AddColumn<vtkIntArray>(data, names::Consistent, energies,
+    [](const ConfigurationEnergy& energy) { return energy.consistent ? 1 : 0; });
+  const auto add = [&](const char* name, auto value)
+  {
+    AddColumn<vtkDoubleArray>(data, name, energies,
+      [&value](const ConfigurationEnergy& energy) {
+        return energy.consistent ? value(energy) : std::numeric_limits<double>::quiet_NaN();
+      });
+  };
+  using Energy = ConfigurationEnergy;
+  add(names::Energy, [](const Energy& e) { return e.perforated.aligned; });
+  add(names::EnergyLowerBound, [](const Energy& e) { return e.perforated.alignedLower; });
+  add(names::EnergyUpperBound, [](const Energy& e) { return e.perforated.alignedUpper; });
+  add(names::EnergyDegreeOnly, [](const Energy& e) { return e.DegreeOnly(); });
+  add(names::EnergyDegreeOnlyLowerBound,
+    [](const Energy& e) { return e.perforated.degreeOnlyLower; });
+  add(names::EnergyDegreeOnlyUpperBound,
+    [](const Energy& e) { return e.perforated.degreeOnlyUpper; });
+  add(names::LogarithmCoefficient,
+    [](const Energy& e) { return e.renormalized.logarithmCoefficient; });
+  add(names::RenormalizedEnergy, [](const Energy& e) { return e.renormalized.energy; });
+  add(names::HolonomyDefect, [](const Energy& e) { return Largest(e.renormalized.holonomyDefect); });
+}
+
+//------------------------------------------------------------------------------
+void WriteGradients(
+  const std::vector<ConfigurationEnergy>& energies, double z, vtkPolyData* output)
+{
+  std::vector<GradientRow> rows;
+  for (const ConfigurationEnergy& energy : energies)
+  {
+    for (std::size_t i = 0; energy.consistent && i < energy.interior.size(); ++i)
+    {
+      rows.push_back({ energy.interior[i].position, energy.configuration,
+        energy.interior[i].quarterIndex,
+        energy.renormalized.gradient.col(static_cast<Eigen::Index>(i)) });
+    }
+  }
+  ColumnWriting::WritePlaces(rows, z, output);
+  vtkFieldData* data = output->GetPointData();
+  AddColumn<vtkIntArray>(
+    data, names::Configuration, rows, [](const GradientRow& row) { return row.configuration; });
+  AddColumn<vtkIntArray>(
+    data, names::QuarterIndex, rows, [](const GradientRow& row) { return row.quarterIndex; });
+  vtkNew<vtkDoubleArray> gradients;
+  gradients->SetName(names::Gradient);
+  gradients->SetNumberOfComponents(3);
+  for (const GradientRow& row : rows)
+  {
+    gradients->InsertNextTuple3(row.gradient.x(), row.gradient.y(), 0.0);
+  }
+  data->AddArray(gradients);
+}
+
+//------------------------------------------------------------------------------
+void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output)
+{
+  vtkFieldData* data = output->GetFieldData();
+  const auto addNumber = [data](const char* name, double value)
+  {
+    AddColumn<vtkDoubleArray>(
+      data, name, std::array<double, 1>{ value }, [](double number) { return number; });
+  };
+  const auto addInteger = [data](const char* name, int value)
+  {
+    AddColumn<vtkIntArray>(
+      data, name, std::array<int, 1>{ value }, [](int number) { return number; });
+  };
+  addNumber(names::RenormalizedEnergyBefore, result.energyBefore);
+  addNumber(names::RenormalizedEnergyAfter, result.energyAfter);
+  addInteger(names::Iterations, result.iterations);
+  addInteger(names::Converged, result.converged ? 1 : 0);
+  AddColumn<vtkDoubleArray>(
+    data, names::HolonomyDefect, result.holonomyDefect, [](double defect) { return defect; });
+  vtkNew<vtkIntArray> pairs;
+  pairs->SetName(names::Annihilation);
+  pairs->SetNumberOfComponents(2);
+  for (const auto& pair : result.annihilations)
+  {
+    pairs->InsertNextTuple2(pair[0], pair[1]);
+  }
+  data->AddArray(pairs);
+  AddColumn<vtkStringArray>(data, names::Reason, std::array<std::string, 1>{ result.reason },
+    [](const std::string& text) { return text; });
+}
+
+//------------------------------------------------------------------------------
+void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output)
+{
+  using crossfield::OptimizerStep;
+  vtkFieldData* data = output->GetRowData();
+  int iteration = 0;
+  AddColumn<vtkIntArray>(data, names::Iteration, result.history,
+    [&iteration](const OptimizerStep&) { return iteration++; });
+  const auto add = [&](const char* name, auto value)
+  { AddColumn<vtkDoubleArray>(data, name, result.history, value); };
+  add(names::RenormalizedEnergy, [](const OptimizerStep& step) { return step.energy; });
+  add(names::GradientNorm, [](const OptimizerStep& step) { return step.gradientNorm; });
+  add(names::HolonomyDefect, [](const OptimizerStep& step) { return step.holonomyDefect; });
+  add(names::StepLength, [](const OptimizerStep& step) { return step.stepLength; });
+}
+}

@@ -1,0 +1,128 @@
+#include "vtkHField.h"
+
+#include "CornerConversion.h"
+#include "CrossFieldArrays.h"
+#include "DomainConversion.h"
+#include "FilterRun.h"
+#include "HField.h"
+#include "Stopwatch.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkHField);
+
+namespace
+{
+/** The input as a mesh of vtkDrillHoles, or null. */
+vtkUnstructuredGrid* AsMesh(vtkDataSet* domain)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(domain);
+  return grid != nullptr &&
+      grid->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr
+    ? grid
+    : nullptr;
+}
+
+crossfield::Configuration ReadSingularities(vtkDataSet* singularities)
+{
+  return singularities != nullptr ? DomainConversion::ReadConfiguration(singularities)
+                                  : crossfield::Configuration();
+}
+}
+
+//------------------------------------------------------------------------------
+vtkHField::vtkHField()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkHField::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHField::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
+  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (domain->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      crossfield::Stopwatch stopwatch;
+      const crossfield::Configuration configuration = ReadSingularities(singularities);
+      vtkNew<vtkUnstructuredGrid> mesh;
+      if (vtkUnstructuredGrid* given = AsMesh(domain))
+      {
+        mesh->ShallowCopy(given);
+      }
+      else
+      {
+        const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+        DomainConversion::WriteDrilledMesh(
+          crossfield::MeshForPoints(crossfield::MakePlanarDomain(input.loops), configuration,
+            this->MeshSize, progress.Part(0.0, 0.4)),
+          input.z, mesh);
+      }
+      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(mesh);
+      this->StageSeconds[0] = stopwatch.Lap();
+      const crossfield::HField field = crossfield::SolveHField(cells.mesh, configuration,
+        CornerConversion::ReadChoices(corners), progress.Part(0.4, 1.0));
+      for (std::size_t k = 0; k < field.periods.size(); ++k)
+      {
+        const double defect = field.field.holonomyDefect[k];
+        if (std::abs(defect) > 1e-2) // below it may come from the mesh, as in Verdict
+        {
+          vtkWarningMacro("H is not single-valued: at inner loop "
+            << k + 1 << " there is a holonomy defect of " << defect
+            << " radians, and H jumps by " << field.periods[k]
+            << " along a way to it. Move singularities until the defect vanishes.");
+        }
+      }
+      output->ShallowCopy(mesh);
+      CrossFieldArrays::AddField(cells, field.field, output);
+      CrossFieldArrays::AddReport(field.field, output);
+      CrossFieldArrays::AddH(field, output);
+      this->StageSeconds[1] = field.field.seconds.assemble;
+      this->StageSeconds[2] = field.field.seconds.factor;
+      this->StageSeconds[3] = field.field.seconds.solve;
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
+     << this->StageSeconds[2] << " " << this->StageSeconds[3] << "\n";
+}

@@ -1,0 +1,90 @@
+#include "vtkSingularityEnergy.h"
+
+#include "CornerConversion.h"
+#include "DomainConversion.h"
+#include "EnergyConversion.h"
+#include "FilterRun.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkSingularityEnergy);
+
+//------------------------------------------------------------------------------
+vtkSingularityEnergy::vtkSingularityEnergy()
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularityEnergy::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularityEnergy::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularityEnergy::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
+  this->ErrorCode = FilterRun::Run(this,
+    [&](const crossfield::Progress& progress)
+    {
+      if (domain->GetNumberOfCells() == 0)
+      {
+        return;
+      }
+      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      std::vector<crossfield::Configuration> configurations;
+      for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+      {
+        configurations.push_back(
+          DomainConversion::ReadConfiguration(vtkDataSet::GetData(inputVector[1], i)));
+      }
+      crossfield::ConfigurationEnergyOptions options;
+      options.meshSize = this->MeshSize;
+      options.corners = CornerConversion::ReadChoices(corners);
+      const std::vector<crossfield::ConfigurationEnergy> energies =
+        crossfield::CompareConfigurations(
+          crossfield::MakePlanarDomain(input.loops), configurations, options, progress);
+      EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
+      EnergyConversion::WriteGradients(energies, input.z, vtkPolyData::GetData(outputVector, 1));
+    });
+  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkSingularityEnergy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+}

@@ -1,0 +1,104 @@
+/**
+ * @class   vtkSingularityOptimizer
+ * @brief   move singularities to where the renormalised energy of their cross field is least
+ *
+ * Moves the interior singularities downhill on W, see vtkSingularityEnergy, until its derivatives
+ * vanish. With inner loops the holonomy defects are equality constraints: the result has an aligned
+ * field of norm one with a single-valued H. Sequential quadratic programming with exact derivatives;
+ * one mesh without holes, factored once.
+ *
+ * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
+ * Port 1, the singularities to start from (points): point arrays `QuarterIndex` (integers) and
+ * optionally `Radius`, inside or on the boundary as for vtkHField. Those on the boundary do not move.
+ * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkHField.
+ *
+ * Output port 0 (vtkPolyData): the singularities in their order, point arrays `QuarterIndex` (int) and
+ * `Radius` (double, as given, 0 if not). Field data: `RenormalizedEnergyBefore`,
+ * `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1), `HolonomyDefect` (per inner loop),
+ * `Annihilation` (2 components, int: rows of two singularities of opposite sign that met; none if
+ * none), `Reason` (string, one sentence).
+ * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
+ * `RenormalizedEnergy`, `GradientNorm` (largest derivative of the Lagrangian, times the diagonal of the
+ * domain), `HolonomyDefect` (the largest), `StepLength` (the longest way of a singularity).
+ *
+ * Singularities of like sign repel each other, and the boundary repels them; opposite signs attract.
+ * When two of them meet, or one is pressed against the boundary, as at a corner that would rather
+ * carry it, the run stops with `Converged` 0, a warning, and a reason that says what to do. The output
+ * is then the last configuration. An abort gives the best configuration so far.
+ *
+ * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles
+ * refuses; a singularity outside; quarter indices that violate the Poincaré-Hopf theorem
+ * (GetErrorCode() is then vtkPerforatedCrossField::InconsistentError); missing arrays.
+ *
+ * Paper: "The unifying renormalized Ginzburg-Landau energy", whose minimisation it leaves open.
+ *
+ * @sa vtkSingularityEnergy, vtkHField, crossfield::OptimizeSingularities
+ */
+
+#ifndef vtkSingularityOptimizer_h
+#define vtkSingularityOptimizer_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityOptimizer : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSingularityOptimizer* New();
+  vtkTypeMacro(vtkSingularityOptimizer, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Connects port 1, the singularities. */
+  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(1, output);
+  }
+  /** Sets port 1 to a data object. */
+  void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
+  /** Connects port 2, the corners. */
+  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
+  /** Sets port 2 to a data object. */
+  void SetCornersData(vtkDataObject* data) { this->SetInputData(2, data); }
+
+  ///@{
+  /**
+   * Target edge length of the mesh; 0: 1/40 of the diagonal of the bounding box. Default: 0.
+   * Range: 0 or more.
+   */
+  vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshSize, double);
+  ///@}
+
+  ///@{
+  /** Most iterations. Default: 200. Range: 0 or more. */
+  vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * The iteration stops when the derivatives of the Lagrangian, times the diagonal of the domain, and
+   * the holonomy defects are below this. Default: 1e-6. Range: 1e-10 to 1.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-10, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+protected:
+  vtkSingularityOptimizer();
+  ~vtkSingularityOptimizer() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSingularityOptimizer(const vtkSingularityOptimizer&) = delete;
+  void operator=(const vtkSingularityOptimizer&) = delete;
+
+  double MeshSize = 0.0;
+  int MaximumIterations = 200;
+  double Tolerance = 1e-6;
+};
+
+#endif

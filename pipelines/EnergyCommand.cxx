@@ -1,0 +1,123 @@
+/**
+ * crossfield energy DOMAIN -s A.csv [-s B.csv …]: energies of configurations, the best first.
+ *
+ *   crossfield energy builtin:disk -s four.csv --json -
+ */
+#include "CommandLine.h"
+#include "DomainReader.h"
+#include "EnergyJson.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "vtkCrossFieldArrayNames.h"
+#include "vtkSingularityEnergy.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+struct EnergyOptions
+{
+  std::string domain;
+  std::vector<std::string> configurations;
+  std::string corners;
+  std::string json;
+  double size = 0.0;
+};
+
+void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
+{
+  std::cout << "configuration energy lower_bound upper_bound degree_only logarithm_coefficient "
+               "renormalized_energy\n";
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto value = [&](const char* name) { return table->GetValueByName(row, name).ToDouble(); };
+    std::cout << files[static_cast<std::size_t>(value(names::Configuration))];
+    if (value(names::Consistent) == 0.0)
+    {
+      std::cout << " is not consistent; see `crossfield check`\n";
+      continue;
+    }
+    for (const char* name : { names::Energy, names::EnergyLowerBound, names::EnergyUpperBound,
+           names::EnergyDegreeOnly, names::LogarithmCoefficient, names::RenormalizedEnergy })
+    {
+      std::cout << " " << value(name);
+    }
+    std::cout << "\n";
+  }
+}
+
+int Energy(const EnergyOptions& options)
+{
+  // 1. Check the output before any work.
+  if (!options.json.empty() && options.json != "-")
+  {
+    OutputFile::RequireWritable(options.json, "");
+  }
+
+  // 2. Read the domain and the configurations.
+  const auto domain = DomainReader::Open(options.domain, options.size);
+  vtkNew<vtkSingularityEnergy> energy;
+  energy->SetInputConnection(domain->GetOutputPort());
+  energy->SetMeshSize(options.size);
+  for (const std::string& file : options.configurations)
+  {
+    energy->AddConfigurationConnection(DomainReader::OpenPoints(file)->GetOutputPort());
+  }
+  if (!options.corners.empty())
+  {
+    energy->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
+  }
+
+  // 3. Compute and write.
+  PipelineRun::Update(energy, "energies");
+  vtkTable* table = energy->GetOutput();
+  if (options.json.empty())
+  {
+    PrintSummary(table, options.configurations);
+  }
+  else
+  {
+    OutputFile::WriteText(EnergyJson::Write(energy, options.configurations), options.json);
+  }
+
+  // 4. The answer.
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    if (table->GetValueByName(row, names::Consistent).ToInt() == 0)
+    {
+      return AnswerIsNo;
+    }
+  }
+  return Done;
+}
+}
+
+void AddEnergyCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<EnergyOptions>();
+  CLI::App* command = app.add_subcommand("energy", "compare configurations by their energies");
+  command->footer("Example: crossfield energy builtin:disk -s four.csv --json -");
+  command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
+  command
+    ->add_option("-s,--singularities", options->configurations,
+      "configuration: .csv with the header x,y,quarter_index[,radius]; may be repeated")
+    ->required()
+    ->expected(1)
+    ->take_all();
+  command->add_option("--corners", options->corners,
+    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+  command->add_option(
+    "--size", options->size, "target edge length; default: 1/40 of the domain's diagonal");
+  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  command->callback([options, &status] { status = Energy(*options); });
+}

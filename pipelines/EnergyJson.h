@@ -1,0 +1,26 @@
+#ifndef EnergyJson_h
+#define EnergyJson_h
+
+#include <string>
+#include <vector>
+
+class vtkSingularityEnergy;
+class vtkSingularityOptimizer;
+
+/** The results of the energy filters as JSON and .csv; see DESIGN for the shapes. */
+namespace EnergyJson
+{
+/**
+ * The list `configurations`, one object per row of the table with the file that it came from, and
+ * the list `gradient` of its interior singularities. Of inconsistent ones only file and flag.
+ */
+std::string Write(vtkSingularityEnergy* energy, const std::vector<std::string>& files);
+
+/** The report of the optimiser with its singularities, annihilations and reason. */
+std::string Write(vtkSingularityOptimizer* optimizer);
+
+/** The singularities as a .csv file that vtkSingularitySource reads. */
+std::string WriteConfiguration(vtkSingularityOptimizer* optimizer);
+}
+
+#endif

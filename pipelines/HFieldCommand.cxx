@@ -1,0 +1,151 @@
+/**
+ * crossfield hfield DOMAIN -s S.csv -o F.vtu: the scalar H, its size map and its cross field.
+ *
+ *   crossfield hfield builtin:disk -s four.csv -o h.vtu --json -
+ */
+#include "CommandLine.h"
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "ReportJson.h"
+#include "vtkCrossFieldArrayNames.h"
+#include "vtkHField.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+struct HFieldOptions : MeshOptions
+{
+  std::string corners;
+  std::string json;
+  bool strict = false;
+};
+
+void PrintSummary(vtkUnstructuredGrid* field)
+{
+  const auto value = [field](const char* name)
+  { return field->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
+  const double* range = field->GetPointData()->GetArray(names::H)->GetRange();
+  std::cout << "energy " << value(names::Energy);
+  if (field->GetFieldData()->HasArray(names::RenormalizedEnergy) != 0)
+  {
+    std::cout << ", renormalized energy " << value(names::RenormalizedEnergy);
+  }
+  std::cout << ", H from " << range[0] << " to " << range[1] << ", unwanted singularities "
+            << value(names::UnwantedSingularities);
+  if (vtkDataArray* defects = field->GetFieldData()->GetArray(names::HolonomyDefect))
+  {
+    std::cout << ", holonomy defects";
+    for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)
+    {
+      std::cout << " " << defects->GetComponent(i, 0);
+    }
+  }
+  std::cout << "\n";
+}
+
+int SolveH(const HFieldOptions& options)
+{
+  // 1. Check the outputs before any work.
+  if (!options.output.empty())
+  {
+    OutputFile::RequireWritable(options.output, ".vtu");
+  }
+  if (!options.json.empty() && options.json != "-")
+  {
+    OutputFile::RequireWritable(options.json, "");
+    if (options.json == options.output)
+    {
+      throw PipelineRun::Error(
+        "The field and the report cannot both go to '" + options.json + "'; give two names.");
+    }
+  }
+
+  // 2. Read the domain and the configuration.
+  const auto domain = DomainReader::Open(options.domain, options.size);
+  vtkNew<vtkHField> solver;
+  solver->SetInputConnection(domain->GetOutputPort());
+  solver->SetMeshSize(options.size);
+  vtkNew<vtkSingularitySource> singularities;
+  if (!options.singularities.empty())
+  {
+    singularities->SetFileName(options.singularities);
+    solver->SetSingularitiesConnection(singularities->GetOutputPort());
+  }
+  if (!options.corners.empty())
+  {
+    solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
+  }
+
+  // 3. Solve.
+  PipelineRun::Update(solver, "solving");
+  vtkUnstructuredGrid* field = solver->GetOutput();
+  std::map<std::string, double> seconds;
+  const char* const stages[] = { "mesh", "assemble", "factor", "solve" };
+  for (int i = 0; i < 4; ++i)
+  {
+    seconds[stages[i]] = solver->GetStageSeconds()[i];
+  }
+
+  // 4. Write the field and the report.
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  if (!options.output.empty())
+  {
+    OutputFile::Write(field, options.output);
+  }
+  timer->StopTimer();
+  seconds["write"] = timer->GetElapsedTime();
+  if (options.json.empty())
+  {
+    PrintSummary(field);
+  }
+  else
+  {
+    OutputFile::WriteText(
+      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds),
+      options.json);
+  }
+
+  // 5. The answer.
+  const auto flag = [field](const char* name)
+  { return field->GetFieldData()->GetArray(name)->GetComponent(0, 0) != 0.0; };
+  return !flag(names::Converged) || (options.strict && flag(names::UnwantedSingularities))
+    ? AnswerIsNo
+    : Done;
+}
+}
+
+void AddHFieldCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<HFieldOptions>();
+  CLI::App* command =
+    app.add_subcommand("hfield", "compute H, the size map and the cross field without iteration");
+  command->footer("Example: crossfield hfield builtin:disk -s four.csv -o h.vtu --json -");
+  options->AddTo(*command);
+  command->get_option("--singularities")
+    ->required(false)
+    ->description("singularities inside and on the boundary: .csv with the header "
+                  "x,y,quarter_index[,radius]; not needed on a drilled mesh");
+  command->add_option("--corners", options->corners,
+    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  command->add_flag(
+    "--strict", options->strict, "exit with status 1 when there are unwanted singularities");
+  command->callback([options, &status] { status = SolveH(*options); });
+}

@@ -1,0 +1,126 @@
+"""Draw the scalar H of chosen singularities, its isolines, and the crosses that follow from it.
+
+The picture is that of the paper's "Further thoughts": red points have quarter index 1 (or more), green
+ones −1. Left: H with its isolines, which meet the boundary at right angles; right: the size map and
+the crosses, with quads that are small where the map is dark.
+
+    domain, singularities -> H -> isolines, crosses
+
+Usage:
+
+    xvfb-run -a -s -noreset pvpython draw_h.py --plugin CrossFieldPlugin.so --picture h.png
+        [--domain ellipse] [--singularities eight.csv] [--size 0.02]
+
+Sample run:
+
+    plugin=$(build/bin/crossfield --paths | sed -n 's/^plugin: //p')
+    xvfb-run -a -s -noreset pvpython pipelines/pvpython/draw_h.py --plugin "$plugin" --picture h.png
+"""
+import argparse
+import math
+import sys
+
+from paraview import servermanager
+from paraview.simple import *
+
+RED, GREEN, BLACK = [0.85, 0.1, 0.1], [0.1, 0.6, 0.15], [0, 0, 0]
+
+# Six red points around two green ones.
+EIGHT = [value for i in range(6)
+         for value in (0.7 * math.cos(math.pi * i / 3), 0.7 * math.sin(math.pi * i / 3), 1, 0.02)]
+EIGHT += [0.25, 0.05, -1, 0.02, -0.25, -0.05, -1, 0.02]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
+    parser.add_argument("--picture", required=True, help="the .png file to write")
+    parser.add_argument("--domain", default="disk", help="name of a built-in domain")
+    parser.add_argument("--singularities", default="", help="a .csv file; default: six and two")
+    parser.add_argument("--size", type=float, default=0.02, help="edge length of the mesh")
+    return parser.parse_args()
+
+
+def draw(source, view, colour, width=1):
+    shown = Show(source, view)
+    shown.ColorArrayName = [None, ""]
+    SetProperties(shown, AmbientColor=colour, DiffuseColor=colour, LineWidth=width)
+    return shown
+
+
+def draw_coloured(field, view, name, preset, title):
+    surface = Show(field, view)
+    ColorBy(surface, ("POINTS", name))
+    SetProperties(surface, Ambient=1, Diffuse=0)
+    colours = GetColorTransferFunction(name)
+    colours.ApplyPreset(preset, True)
+    values = sorted(servermanager.Fetch(field).GetPointData().GetArray(name).GetValue(i)
+                    for i in range(field.GetDataInformation().GetNumberOfPoints()))
+    # H is infinite at singularities: without the outermost values the rest keeps its colours.
+    colours.RescaleTransferFunction(values[len(values) // 200], values[-len(values) // 200])
+    bar = GetScalarBar(colours, view)
+    SetProperties(bar, Title=title, ComponentTitle="", Visibility=1, Orientation="Horizontal",
+                  WindowLocation="Any Location", Position=[0.25, 0.02], ScalarBarLength=0.5,
+                  AutomaticLabelFormat=0, LabelFormat="%.1f", RangeLabelFormat="%.1f",
+                  TitleColor=BLACK, LabelColor=BLACK)
+    return values
+
+
+def draw_points(singularities, view):
+    for sign, colour in ((1, RED), (-1, GREEN)):
+        rows = Threshold(Input=singularities, Scalars=["POINTS", "QuarterIndex"],
+                         LowerThreshold=1 if sign > 0 else -99,
+                         UpperThreshold=99 if sign > 0 else -1)
+        SetProperties(draw(rows, view, colour), PointSize=14, RenderPointsAsSpheres=1)
+
+
+def new_view(bounds):
+    view = CreateView("RenderView")
+    width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
+    centre = [0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) - 0.06 * height]
+    SetProperties(view, ViewSize=[800, 860], Background=[1, 1, 1], UseColorPaletteForBackground=0,
+                  OrientationAxesVisibility=0, CameraParallelProjection=1,
+                  CameraPosition=[*centre, 10], CameraFocalPoint=[*centre, 0],
+                  CameraViewUp=[0, 1, 0], CameraParallelScale=0.6 * max(width, height))
+    return view
+
+
+def main():
+    arguments = parse_arguments()
+    LoadPlugin(arguments.plugin, ns=globals())
+    domain = PlanarDomainSource(DomainName=arguments.domain, EdgeLength=arguments.size)
+    singularities = SingularitySource(Singularities=EIGHT)
+    if arguments.singularities:
+        singularities.FileName = arguments.singularities
+    field = HField(Input=domain, Singularities=singularities, MeshSize=arguments.size)
+    field.UpdatePipeline()
+    report = servermanager.Fetch(field).GetFieldData()
+    if report.GetArray("RenormalizedEnergy") is None:
+        sys.exit("There is no H; the error above says why.")
+    print("renormalised energy %.4f" % report.GetArray("RenormalizedEnergy").GetValue(0))
+
+    bounds = field.GetDataInformation().GetBounds()
+    boundary = Threshold(Input=field, Scalars=["CELLS", "BoundaryKind"],
+                         LowerThreshold=1, UpperThreshold=2)
+    left = new_view(bounds)
+    values = draw_coloured(field, left, "H", "Cool to Warm", "H")
+    low, high = values[len(values) // 100], values[-len(values) // 100]
+    isolines = Contour(Input=field, ContourBy=["POINTS", "H"],
+                       Isosurfaces=[low + (high - low) * i / 24 for i in range(25)])
+    draw(isolines, left, [0.15, 0.15, 0.15], 1)
+    right = new_view(bounds)
+    draw_coloured(field, right, "SizeMap", "Grayscale", "size of quads")
+    crosses = CrossGlyphs(Input=field, Spacing=2.5 * arguments.size)
+    draw(crosses, right, [0.1, 0.3, 0.8], 1.5)
+    for view in (left, right):
+        draw(boundary, view, BLACK, 2)
+        draw_points(singularities, view)
+    layout = CreateLayout("H")
+    layout.SplitHorizontal(0, 0.5)
+    layout.AssignView(1, left)
+    layout.AssignView(2, right)
+    layout.SetSize(1600, 860)
+    SaveScreenshot(arguments.picture, layout, ImageResolution=[1600, 860])
+
+
+main()
