@@ -56,7 +56,7 @@ def draw_coloured(field, view, name, preset, title):
     values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
     # H is infinite at singularities: without the outer values the rest keeps its colours.
     colours.AutomaticRescaleRangeMode = "Never"
-    colours.RescaleTransferFunction(values[len(values) // 8], values[-len(values) // 8])
+    colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
     bar = GetScalarBar(colours, view)
     SetProperties(bar, Title=title, ComponentTitle="", Visibility=1, Orientation="Horizontal",
                   WindowLocation="Any Location", Position=[0.25, 0.02], ScalarBarLength=0.5,
