@@ -48,7 +48,8 @@ void PrintSummary(vtkUnstructuredGrid* field)
   }
   std::cout << ", H from " << range[0] << " to " << range[1] << ", unwanted singularities "
             << value(names::UnwantedSingularities);
-  if (vtkDataArray* defects = field->GetFieldData()->GetArray(names::HolonomyDefect))
+  vtkDataArray* defects = field->GetFieldData()->GetArray(names::HolonomyDefect);
+  if (defects->GetNumberOfTuples() > 0)
   {
     std::cout << ", holonomy defects";
     for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)

@@ -1,8 +1,8 @@
 #include "ConfigurationEnergy.h"
 
+#include "ConfigurationPlacement.h"
 #include "DrillHoles.h"
 #include "Error.h"
-#include "HField.h"
 
 #include <algorithm>
 #include <cmath>

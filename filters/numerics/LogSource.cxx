@@ -55,12 +55,12 @@ std::complex<double> UnitOfTurns(
       product *= turn;
       if (++factors == MostFactors)
       {
-        product /= std::abs(product);
+        product /= std::sqrt(std::norm(product)); // four factors cannot overflow
         factors = 0;
       }
     }
   }
-  return product / std::abs(product);
+  return product / std::sqrt(std::norm(product));
 }
 
 double LogIntegral(const std::vector<std::array<Point, 2>>& boundary, const Point& centre)

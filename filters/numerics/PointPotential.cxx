@@ -116,6 +116,17 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
       throw Error("The singularity " + std::to_string(i) + " at " + Describe(singularity.position) +
         " lies outside the domain or on its boundary; move it inside.");
     }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      // Nearer than this they are one point in single precision.
+      if ((configuration[j].position - singularity.position).norm() <=
+        1e-6 * this->Domain.Diagonal())
+      {
+        throw Error("Singularities " + std::to_string(j) + " and " + std::to_string(i) +
+          " are at the same place " + Describe(singularity.position) +
+          "; replace them by one with the sum of their quarter indices.");
+      }
+    }
     result.logs.push_back(
       { singularity.position, static_cast<double>(singularity.quarterIndex), 2.0 * Pi });
   }

@@ -43,7 +43,7 @@ public:
   PointPotential(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
 
   /// Throws Error when a singularity is not inside the domain, or nearer to its boundary than 1e-6 of
-  /// the diagonal, or the sum of the quarter indices is another one.
+  /// the diagonal or to another one, or the sum of the quarter indices is another one.
   Solution Solve(const Configuration& configuration) const;
 
   const PlanarDomain& GetDomain() const { return this->Domain; }

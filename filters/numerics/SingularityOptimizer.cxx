@@ -1,8 +1,8 @@
 #include "SingularityOptimizer.h"
 
+#include "ConfigurationPlacement.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
-#include "HField.h"
 #include "RenormalizedEnergy.h"
 
 #include <Eigen/LU>

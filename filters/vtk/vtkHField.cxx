@@ -1,5 +1,6 @@
 #include "vtkHField.h"
 
+#include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"

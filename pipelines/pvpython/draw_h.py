@@ -1,7 +1,7 @@
 """Draw the scalar H of chosen singularities, its isolines, and the crosses that follow from it.
 
 The picture is that of the paper's "Further thoughts": red points have quarter index 1 (or more), green
-ones −1. Left: H with its isolines, which meet the boundary at right angles; right: the size map and
+ones −1. Left: H with its isolines, which meet straight sides at right angles; right: the size map and
 the crosses, with quads that are small where the map is dark.
 
     domain, singularities -> H -> isolines, crosses
@@ -9,7 +9,7 @@ the crosses, with quads that are small where the map is dark.
 Usage:
 
     xvfb-run -a -s -noreset pvpython draw_h.py --plugin CrossFieldPlugin.so --picture h.png
-        [--domain ellipse] [--singularities eight.csv] [--size 0.02]
+        [--domain disk] [--singularities four.csv] [--size 0.02]
 
 Sample run:
 
@@ -17,7 +17,6 @@ Sample run:
     xvfb-run -a -s -noreset pvpython pipelines/pvpython/draw_h.py --plugin "$plugin" --picture h.png
 """
 import argparse
-import math
 import sys
 
 from paraview import servermanager
@@ -25,19 +24,18 @@ from paraview.simple import *
 
 RED, GREEN, BLACK = [0.85, 0.1, 0.1], [0.1, 0.6, 0.15], [0, 0, 0]
 
-# Six red points around two green ones.
-EIGHT = [value for i in range(6)
-         for value in (0.7 * math.cos(math.pi * i / 3), 0.7 * math.sin(math.pi * i / 3), 1, 0.02)]
-EIGHT += [0.25, 0.05, -1, 0.02, -0.25, -0.05, -1, 0.02]
+# In an L-shape: red and green points inside, and a green one on the boundary.
+ROWS = [(0.15, 0.2, 1), (0.9, 0.15, 1), (0.7, 0.38, 1), (0.2, 0.8, 1),
+        (0.55, 0.15, -1), (0.2, 0.55, -1), (0.4, 0.36, -1), (0.85, 0.5, -1)]
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
     parser.add_argument("--picture", required=True, help="the .png file to write")
-    parser.add_argument("--domain", default="disk", help="name of a built-in domain")
-    parser.add_argument("--singularities", default="", help="a .csv file; default: six and two")
-    parser.add_argument("--size", type=float, default=0.02, help="edge length of the mesh")
+    parser.add_argument("--domain", default="l-shape", help="name of a built-in domain")
+    parser.add_argument("--singularities", default="", help="a .csv file; default: four and four")
+    parser.add_argument("--size", type=float, default=0.01, help="edge length of the mesh")
     return parser.parse_args()
 
 
@@ -54,10 +52,11 @@ def draw_coloured(field, view, name, preset, title):
     SetProperties(surface, Ambient=1, Diffuse=0)
     colours = GetColorTransferFunction(name)
     colours.ApplyPreset(preset, True)
-    values = sorted(servermanager.Fetch(field).GetPointData().GetArray(name).GetValue(i)
-                    for i in range(field.GetDataInformation().GetNumberOfPoints()))
-    # H is infinite at singularities: without the outermost values the rest keeps its colours.
-    colours.RescaleTransferFunction(values[len(values) // 200], values[-len(values) // 200])
+    array = servermanager.Fetch(field).GetPointData().GetArray(name)
+    values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
+    # H is infinite at singularities: without the outer values the rest keeps its colours.
+    colours.AutomaticRescaleRangeMode = "Never"
+    colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
     bar = GetScalarBar(colours, view)
     SetProperties(bar, Title=title, ComponentTitle="", Visibility=1, Orientation="Horizontal",
                   WindowLocation="Any Location", Position=[0.25, 0.02], ScalarBarLength=0.5,
@@ -89,7 +88,10 @@ def main():
     arguments = parse_arguments()
     LoadPlugin(arguments.plugin, ns=globals())
     domain = PlanarDomainSource(DomainName=arguments.domain, EdgeLength=arguments.size)
-    singularities = SingularitySource(Singularities=EIGHT)
+    if arguments.domain == "l-shape":
+        domain.Width = 1
+    singularities = SingularitySource(
+        Singularities=[value for x, y, quarters in ROWS for value in (x, y, quarters, 0.02)])
     if arguments.singularities:
         singularities.FileName = arguments.singularities
     field = HField(Input=domain, Singularities=singularities, MeshSize=arguments.size)

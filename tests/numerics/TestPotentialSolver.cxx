@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+
 namespace crossfield::test
 {
 namespace
@@ -19,11 +21,12 @@ struct Prepared
   PotentialSolver solver;
 
   explicit Prepared(const PlanarDomain& domain,
-    PotentialSolver::Periods periods = PotentialSolver::Periods::Islands)
+    PotentialSolver::Periods periods = PotentialSolver::Periods::Islands,
+    PotentialSolver::Boundary boundary = PotentialSolver::Boundary::Natural)
     : mesh(MakeMesh(domain))
     , edges(NumberEdges(mesh))
     , loops(FindBoundaryLoops(mesh))
-    , solver(mesh, edges, loops, periods)
+    , solver(mesh, edges, loops, periods, boundary)
   {
   }
   static TriangleMesh MakeMesh(const PlanarDomain& domain)
@@ -84,6 +87,51 @@ TEST(PotentialSolver, EnergyOfTheSolutionIsHalfItsWork)
     const double energy = GradientEnergy(prepared.mesh, prepared.solver.Gradient(solution));
     EXPECT_NEAR(energy, 0.5 * sources.dot(solution), 1e-10 * energy);
   }
+}
+
+TEST(PotentialSolver, ApplyGivesBackTheSources)
+{
+  Random random(113);
+  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles);
+  const Eigen::VectorXd sources = RandomSources(random, prepared);
+  const Eigen::VectorXd applied = prepared.solver.Apply(prepared.solver.Solve(sources));
+  EXPECT_LE((applied - sources).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
+TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
+{
+  Random random(114);
+  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles,
+    PotentialSolver::Boundary::Given);
+  const PotentialSolver& solver = prepared.solver;
+  const auto isGiven = [&](Eigen::Index row)
+  {
+    return row >= solver.PeriodRow(0) ||
+      std::any_of(prepared.mesh.boundary.begin(), prepared.mesh.boundary.end(),
+        [row](const BoundaryEdge& edge)
+        { return edge.kind != BoundaryKind::Hole && edge.vertices[0] == row; });
+  };
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(solver.Rows());
+  for (Eigen::Index row = 0; row < given.size(); ++row)
+  {
+    given[row] = isGiven(row) ? random.Uniform(-1.0, 1.0) : 0.0;
+  }
+  const Eigen::VectorXd solution = given + solver.SolveGrounded(-solver.Apply(given));
+  const Eigen::VectorXd sources = solver.Apply(solution);
+  for (Eigen::Index row = 0; row < given.size(); ++row)
+  {
+    if (isGiven(row))
+    {
+      EXPECT_EQ(solution[row], given[row]);
+    }
+    else
+    {
+      EXPECT_NEAR(sources[row], 0.0, 1e-11);
+    }
+  }
+  // The hole vertices alone are last.
+  EXPECT_EQ(solver.TrailingRows().size(), 24u);
+  EXPECT_EQ(solver.TrailingFactor().rows(), 24);
 }
 
 TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)

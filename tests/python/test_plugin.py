@@ -95,11 +95,14 @@ def test_energies():
         check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
     history = servermanager.Fetch(better, idx=1)
     check_equal(history.GetNumberOfRows(), value(moved, "Iterations") + 1, "the rows of history")
-    table = fetch(SingularityEnergy(
-        Input=PlanarDomainSource(), Configurations=[SingularitySource(), better]))
+    energies = SingularityEnergy(
+        Input=PlanarDomainSource(), Configurations=[SingularitySource(), better])
+    table = fetch(energies)
     check_equal(table.GetNumberOfRows(), 2, "the number of configurations")
     check_equal([table.GetValueByName(row, "Configuration").ToInt() for row in (0, 1)], [1, 0],
                 "the order of the configurations")
+    energies.Configurations = [better]
+    check_equal(fetch(energies).GetNumberOfRows(), 1, "the number of configurations that are left")
 
 
 def test_default_chain():
