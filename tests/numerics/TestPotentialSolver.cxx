@@ -116,7 +116,7 @@ TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
   {
     given[row] = isGiven(row) ? random.Uniform(-1.0, 1.0) : 0.0;
   }
-  const Eigen::VectorXd solution = given + solver.SolveGrounded(-solver.Apply(given));
+  const Eigen::VectorXd solution = given + solver.Solve(-solver.Apply(given));
   const Eigen::VectorXd sources = solver.Apply(solution);
   for (Eigen::Index row = 0; row < given.size(); ++row)
   {
