@@ -28,6 +28,7 @@ void AddDrillCommand(CLI::App& app, int& status);
 void AddEnergyCommand(CLI::App& app, int& status);
 void AddHFieldCommand(CLI::App& app, int& status);
 void AddOptimizeCommand(CLI::App& app, int& status);
+void AddFiguresCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);
 ///@}
 

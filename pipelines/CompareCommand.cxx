@@ -7,12 +7,9 @@
 #include "CommandLine.h"
 #include "CompareTable.h"
 #include "DomainReader.h"
+#include "MethodRun.h"
 #include "OutputFile.h"
 #include "PipelineRun.h"
-#include "vtkCrossFieldSingularities.h"
-#include "vtkDrillHoles.h"
-#include "vtkGinzburgLandauCrossField.h"
-#include "vtkPerforatedCrossField.h"
 #include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
@@ -21,7 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
@@ -42,77 +38,6 @@ struct CompareOptions : MeshOptions
   bool inPlace = false;
   std::string csv;
   std::string json;
-};
-
-const std::vector<std::string> AllMethods = { "constrained", "unit-norm", "unit-holes",
-  "global-constraint", "imprint", "imprint-unit", "triangle", "triangle-penalty", "penalty",
-  "ginzburg-landau", "ginzburg-landau-constant" };
-
-bool Contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-/** Whether a method places singularities by itself. */
-bool IsReference(const std::string& method)
-{
-  return Contains(method, "ginzburg-landau");
-}
-
-/** One method: its mesh, its field, and the singularities in it. */
-struct Run
-{
-  vtkNew<vtkSingularitySource> none;
-  vtkNew<vtkDrillHoles> drill;
-  vtkNew<vtkPerforatedCrossField> constrained;
-  vtkNew<vtkGinzburgLandauCrossField> reference;
-  vtkNew<vtkCrossFieldSingularities> found;
-
-  /** Solves; `epsilon` is that of the penalty. */
-  CompareRow Solve(const std::string& method, const CompareOptions& options, double epsilon,
-    vtkAlgorithm* domain, vtkSingularitySource* singularities)
-  {
-    const bool isReference = IsReference(method);
-    vtkNew<vtkTimerLog> timer;
-    timer->StartTimer();
-    this->none->RemoveAllSingularities();
-    this->drill->SetInputConnection(domain->GetOutputPort());
-    this->drill->SetSingularitiesConnection(
-      isReference ? this->none->GetOutputPort() : singularities->GetOutputPort());
-    this->drill->SetMeshSize(options.size);
-    this->drill->SetMode(Contains(method, "imprint") ? vtkDrillHoles::ModeImprint
-        : Contains(method, "triangle")               ? vtkDrillHoles::ModeTriangle
-                                                     : vtkDrillHoles::ModePerforate);
-    vtkCrossFieldSolver* solver = this->constrained;
-    if (isReference)
-    {
-      this->reference->SetStart(Contains(method, "constant")
-          ? vtkGinzburgLandauCrossField::StartConstant
-          : vtkGinzburgLandauCrossField::StartHarmonic);
-      this->reference->SetEpsilon(epsilon);
-      solver = this->reference;
-    }
-    else
-    {
-      this->constrained->SetMethod(method == "unit-norm"
-          ? vtkPerforatedCrossField::MethodUnitNorm
-          : vtkPerforatedCrossField::MethodConstrained);
-      this->constrained->SetUnitHoles(method == "unit-holes" || method == "imprint-unit");
-      this->constrained->SetGlobalConstraint(method == "global-constraint");
-      this->constrained->SetEpsilon(Contains(method, "penalty") ? epsilon : 0.0);
-    }
-    solver->SetInputConnection(this->drill->GetOutputPort());
-    this->found->SetInputConnection(solver->GetOutputPort());
-    PipelineRun::Update(solver, method.c_str());
-    timer->StopTimer();
-    PipelineRun::Update(this->found, method.c_str());
-    CompareRow row = CompareTable::Read(method, solver->GetOutput(), this->found->GetOutput());
-    row.seconds = timer->GetElapsedTime();
-    this->field = solver->GetOutput();
-    return row;
-  }
-
-  vtkUnstructuredGrid* field = nullptr; ///< None where the method refused.
 };
 
 /** A copy of a field that is moved along x. */
@@ -175,14 +100,14 @@ int Compare(const CompareOptions& options)
   bool configurationServed = false; // by a method that makes use of it
   for (const std::string& method : options.methods)
   {
-    Run run;
+    MethodRun run;
     try
     {
-      rows.push_back(run.Solve(method, options, epsilon, domain, singularities));
+      rows.push_back(run.Solve(method, options.size, epsilon, domain, singularities));
       const double offset = options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
-      blocks.emplace_back(method, Moved(run.field, offset));
+      blocks.emplace_back(method, Moved(run.GetField(), offset));
       allConverged = allConverged && rows.back().converged;
-      configurationServed = configurationServed || !IsReference(method);
+      configurationServed = configurationServed || !MethodRun::IsReference(method);
     }
     catch (const PipelineRun::Error& error)
     {
@@ -239,7 +164,7 @@ void AddCompareCommand(CLI::App& app, int& status)
       "ginzburg-landau, ginzburg-landau-constant (its constant start)")
     ->delimiter(',')
     ->capture_default_str()
-    ->check(CLI::IsMember(AllMethods));
+    ->check(CLI::IsMember(MethodRun::AllMethods()));
   command
     ->add_option("--epsilon", options->epsilon,
       "length of the penalty, of all methods that have one; default: the mesh size")

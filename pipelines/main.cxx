@@ -46,6 +46,7 @@ int main(int argc, char** argv)
   AddHFieldCommand(app, status);
   AddEnergyCommand(app, status);
   AddOptimizeCommand(app, status);
+  AddFiguresCommand(app, status);
   try
   {
     app.parse(argc, argv);

@@ -1,0 +1,50 @@
+#ifndef MethodRun_h
+#define MethodRun_h
+
+#include "CompareTable.h"
+
+#include "vtkNew.h"
+
+class vtkAlgorithm;
+class vtkCrossFieldSingularities;
+class vtkDrillHoles;
+class vtkGinzburgLandauCrossField;
+class vtkPerforatedCrossField;
+class vtkSingularitySource;
+
+/**
+ * The pipeline of one method of `crossfield compare`: domain and singularities -> mesh -> field ->
+ * the singularities in it.
+ */
+class MethodRun
+{
+public:
+  /** The names of the methods. */
+  static const std::vector<std::string>& AllMethods();
+
+  /** Whether a method places singularities by itself. */
+  static bool IsReference(const std::string& method);
+
+  MethodRun();
+  ~MethodRun();
+
+  /**
+   * Solves; `size` is the edge length, `epsilon` the length of the penalty. Throws
+   * PipelineRun::Error.
+   */
+  CompareRow Solve(const std::string& method, double size, double epsilon, vtkAlgorithm* domain,
+    vtkAlgorithm* singularities);
+
+  /** None before Solve. */
+  vtkUnstructuredGrid* GetField() const { return this->Field; }
+
+private:
+  vtkNew<vtkSingularitySource> None;
+  vtkNew<vtkDrillHoles> Drill;
+  vtkNew<vtkPerforatedCrossField> Constrained;
+  vtkNew<vtkGinzburgLandauCrossField> Reference;
+  vtkNew<vtkCrossFieldSingularities> Found;
+  vtkUnstructuredGrid* Field = nullptr;
+};
+
+#endif

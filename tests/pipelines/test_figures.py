@@ -1,0 +1,44 @@
+"""`crossfield figures`: every figure of the paper is computed and is what the table says."""
+
+import csv
+
+from program import ProgramTest
+
+# What has to be found, holes and circles included.
+FOUND = {
+    "ring_040": "4 x +1, 4 x -1", "ring_046": "none", "disk_holes": "4 x +1",
+    # |u| vanishes twice besides: the paper does not say so.
+    "disk_moved": "5 x +1, 1 x -1",
+    "ellipse_reference": "4 x +1", "ellipse_holes": "4 x +1", "disk_triangles": "4 x +1",
+    "quarter_disk": "2 x +1, 1 x -1", "disk_reference": "4 x +1",
+    "disk_wrong_sum": "8 x +1, 4 x -1", "angular_balanced": "none", "angular_negative": "2 x -1",
+    "angular_positive": "2 x +1", "angular_hole": "2 x +1, 4 x -1", "h_field": "4 x +1, 4 x -1"}
+
+
+class Figures(ProgramTest):
+    def table(self, folder):
+        with open(self.folder / folder / "summary.csv", encoding="utf-8") as file:
+            return {row["figure"]: row for row in csv.DictReader(file)}
+
+    def test_all_of_them(self):
+        output = self.succeed("figures", "-o", "all")
+        rows = self.table("all")
+        self.assertEqual({name: row["singularities"] for name, row in rows.items()}, FOUND)
+        for name, row in rows.items():
+            self.assertEqual(row["converged"], "1", name)
+            self.assertTrue((self.folder / "all" / (name + ".vtu")).stat().st_size > 10000, name)
+            self.assertIn(row["paper_says"], output)
+        # METHOD §9, and at most 30 iterations as the paper says.
+        self.assertAlmostEqual(float(rows["disk_holes"]["energy"]), 20.71, delta=0.1)
+        for name in ("disk_holes", "disk_moved"):
+            self.assertLessEqual(int(rows[name]["iterations"]), 30)
+
+    def test_some_of_them(self):
+        self.succeed("figures", "--only", "disk_holes,angular_negative", "-o", "some/deeper")
+        self.assertEqual(list(self.table("some/deeper")), ["disk_holes", "angular_negative"])
+
+    def test_bad_usage(self):
+        for arguments in (["figures"], ["figures", "--only", "no_such", "-o", "x"]):
+            self.assertEqual(self.run_program(*arguments).returncode, 2)
+        self.refuse("figures", "-o", "four.csv")
+        self.assertFalse((self.folder / "x").exists())
