@@ -21,7 +21,6 @@
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
-using crossfield::Point;
 
 /** An array with one value per item. */
 template <class Array, class Items, class Value>
@@ -39,14 +38,14 @@ void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value v
 
 /** Points with a vertex cell each. */
 template <class Items>
-void WritePlaces(const Items& items, double z, vtkPolyData* output)
+void WritePlaces(const Items& items, const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   for (const auto& item : items)
   {
-    vertices->InsertNextCell({ points->InsertNextPoint(item.position.x(), item.position.y(), z) });
+    vertices->InsertNextCell({ points->InsertNextPoint(plane.ToSpace(item.position).data()) });
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
@@ -56,12 +55,12 @@ void WritePlaces(const Items& items, double z, vtkPolyData* output)
 namespace CornerConversion
 {
 //------------------------------------------------------------------------------
-void WriteCorners(
-  const crossfield::CornerClassification& classification, double z, vtkPolyData* output)
+void WriteCorners(const crossfield::CornerClassification& classification,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using Corner = crossfield::ClassifiedCorner;
   const auto& corners = classification.corners;
-  WritePlaces(corners, z, output);
+  WritePlaces(corners, plane, output);
   vtkFieldData* data = output->GetPointData();
   const auto addInteger = [&](const char* name, auto value)
   { AddColumn<vtkIntArray>(data, name, corners, value); };
@@ -107,11 +106,11 @@ void WriteScenarios(const crossfield::CornerClassification& classification, vtkT
 }
 
 //------------------------------------------------------------------------------
-void WriteCountedCorners(
-  const std::vector<crossfield::CountedCorner>& corners, double z, vtkPolyData* output)
+void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using Corner = crossfield::CountedCorner;
-  WritePlaces(corners, z, output);
+  WritePlaces(corners, plane, output);
   vtkFieldData* data = output->GetPointData();
   AddColumn<vtkDoubleArray>(
     data, names::Angle, corners, [](const Corner& corner) { return corner.angle; });
@@ -151,11 +150,11 @@ void WriteLoopTable(const crossfield::PoincareHopfCount& count,
 }
 
 //------------------------------------------------------------------------------
-void WriteConfiguration(
-  const crossfield::Configuration& configuration, double z, vtkPolyData* output)
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using crossfield::Singularity;
-  WritePlaces(configuration, z, output);
+  WritePlaces(configuration, plane, output);
   vtkFieldData* data = output->GetPointData();
   AddColumn<vtkIntArray>(data, names::QuarterIndex, configuration,
     [](const Singularity& singularity) { return singularity.quarterIndex; });
@@ -164,7 +163,8 @@ void WriteConfiguration(
 }
 
 //------------------------------------------------------------------------------
-std::vector<crossfield::CornerChoice> ReadChoices(vtkDataSet* input)
+std::vector<crossfield::CornerChoice> ReadChoices(
+  vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   std::vector<crossfield::CornerChoice> choices;
   if (input == nullptr || input->GetNumberOfPoints() == 0)
@@ -185,8 +185,9 @@ std::vector<crossfield::CornerChoice> ReadChoices(vtkDataSet* input)
       throw crossfield::Error("The quarter index of corner " + std::to_string(i) +
         " is not an integer; give 4 times its index, for example 1 or 0.");
     }
-    const double* point = input->GetPoint(i);
-    choices.push_back({ Point(point[0], point[1]), static_cast<int>(quarter) });
+    choices.push_back({ plane.RequireInPlane(Eigen::Vector3d(input->GetPoint(i)),
+                          "The corner " + std::to_string(i)),
+      static_cast<int>(quarter) });
   }
   return choices;
 }

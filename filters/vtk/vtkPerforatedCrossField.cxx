@@ -65,7 +65,8 @@ int vtkPerforatedCrossField::RequestData(
       options.unitHoles = this->UnitHoles;
       options.reduced.maximumIterations = this->MaximumIterations;
       options.reduced.tolerance = this->Tolerance;
-      options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
+      options.corners =
+        CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]), cells.plane);
       const crossfield::CrossField field =
         crossfield::SolvePerforated(cells.mesh, options, progress);
       if (!field.converged)
