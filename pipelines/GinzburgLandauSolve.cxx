@@ -53,7 +53,12 @@ void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
     const double* place = singularities->GetPoint(i);
     std::cout << "quarter index "
               << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
-              << " at " << place[0] << " " << place[1] << "\n";
+              << " at " << place[0] << " " << place[1];
+    if (DomainReader::HasHeight(field))
+    {
+      std::cout << " " << place[2];
+    }
+    std::cout << "\n";
   }
 }
 }
@@ -117,7 +122,9 @@ int GinzburgLandauSolve::Run() const
   {
     const std::string report =
       ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
-    OutputFile::WriteText(ReportJson::AddSingularities(report, found->GetOutput()), this->json);
+    OutputFile::WriteText(
+      ReportJson::AddSingularities(report, found->GetOutput(), DomainReader::HasHeight(field)),
+      this->json);
   }
 
   // 5. The answer.

@@ -30,11 +30,12 @@ namespace
 {
 using crossfield::Error;
 
-/** Rows of x, y, quarter index and radius, and whether the radius was given. */
+/** Rows of x, y, quarter index and radius, whether the radius was given, and z if it was. */
 struct RowTable
 {
   std::vector<std::array<double, 4>> rows;
   bool hasRadius = true;
+  std::vector<double> z;
 };
 
 vtkAbstractArray* FindColumn(vtkTable* table, const char* name)
@@ -62,33 +63,35 @@ RowTable ReadRows(const std::string& fileName)
   reader->SetFieldDelimiterCharacters(",");
   reader->Update();
 
-  const char* names[4] = { "x", "y", "quarter_index", "radius" };
-  vtkAbstractArray* columns[4];
-  for (int i = 0; i < 4; ++i)
+  constexpr int Count = 5;
+  const char* names[Count] = { "x", "y", "quarter_index", "radius", "z" };
+  vtkAbstractArray* columns[Count];
+  for (int i = 0; i < Count; ++i)
   {
     columns[i] = FindColumn(reader->GetOutput(), names[i]);
     if (columns[i] == nullptr && i < 3)
     {
       throw Error("The file '" + fileName + "' has no column '" + names[i] +
-        "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius.");
+        "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius, and may have z.");
     }
   }
   RowTable table;
   table.hasRadius = columns[3] != nullptr;
   for (vtkIdType row = 0; row < reader->GetOutput()->GetNumberOfRows(); ++row)
   {
-    table.rows.emplace_back();
-    for (int i = 0; i < 4; ++i)
+    double numbers[Count];
+    for (int i = 0; i < Count; ++i)
     {
       bool valid = true;
-      table.rows.back()[i] =
-        columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
+      numbers[i] = columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
       if (!valid)
       {
         throw Error("Row " + std::to_string(row) + " of '" + fileName + "' has no number in column '" +
           names[i] + "'; correct it.");
       }
     }
+    table.rows.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
+    table.z.push_back(numbers[4]);
   }
   return table;
 }
@@ -105,7 +108,8 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
   for (std::size_t i = 0; i < table.rows.size(); ++i)
   {
     const auto& [x, y, quarterIndex, radius] = table.rows[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius))
+    const double z = table.z.empty() ? 0.0 : table.z[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || !std::isfinite(radius))
     {
       throw Error("Row " + std::to_string(i) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
@@ -115,7 +119,7 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
       throw Error("The quarter index of singularity " + std::to_string(i) +
         " is not an integer; give 4 times its index, for example 1 or -1.");
     }
-    const vtkIdType id = points->InsertNextPoint(x, y, 0.0);
+    const vtkIdType id = points->InsertNextPoint(x, y, z);
     vertices->InsertNextCell({ id });
     quarters->InsertNextValue(static_cast<int>(quarterIndex));
     radii->InsertNextValue(radius);
@@ -192,7 +196,7 @@ int vtkSingularitySource::RequestData(
     [&](const crossfield::Progress&)
     {
       const RowTable table =
-        this->FileName.empty() ? RowTable{ this->Rows, true } : ReadRows(this->FileName);
+        this->FileName.empty() ? RowTable{ this->Rows, true, {} } : ReadRows(this->FileName);
       WritePoints(table, vtkPolyData::GetData(outputVector));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;

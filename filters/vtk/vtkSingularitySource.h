@@ -6,13 +6,14 @@
  * turns k times around it and its index is k/4. k = +1 becomes a node of valence 3 of the quad
  * mesh, k = −1 one of valence 5.
  *
- * Output (vtkPolyData): one vertex per row, z = 0, with the point arrays
+ * Output (vtkPolyData): one vertex per row, z = 0 unless a file has it, with the point arrays
  * - `QuarterIndex` (int, 1 component): k;
  * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file
  *   has no such column.
  *
  * The rows are those set here, unless FileName is set. A file is comma-separated with the header
- * `x,y,quarter_index` and optionally `radius`, in any order.
+ * `x,y,quarter_index` and optionally `radius` and `z`, in any order. Domains in a plane z = const
+ * make no use of z; for those in another plane the points have to lie in it.
  *
  * Failure: a file that is missing, lacks a column or has an entry that is not a finite number; a
  * quarter index that is not an integer. The output is then empty.
