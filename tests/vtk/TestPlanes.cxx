@@ -247,11 +247,15 @@ TEST_P(Planes, SingularitiesOfAField)
   for (int i = 0; i < 2; ++i)
   {
     Chain& chain = i == 0 ? this->Flat : this->Turned;
+    chain.Drill->SetInputData(Moved(
+      TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
+      i == 0 ? Identity : GetParam()));
     chain.Drill->SetSingularitiesData(TestInputs::Singularities({}));
     references[i]->SetInputConnection(chain.Drill->GetOutputPort());
     references[i]->SetEpsilon(4.0); // a weak penalty has one minimum; for others rounding chooses
     FilterChecks::UpdateWithoutError(references[i]);
   }
+  EXPECT_GT(Value(references[0]->GetOutput(), "Energy"), 1.0);
   EXPECT_NEAR(Value(references[1]->GetOutput(), "Energy") /
       Value(references[0]->GetOutput(), "Energy"), 1.0, 1e-10);
 }
