@@ -183,9 +183,10 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   if (ending == ".msh")
   {
     const std::string converted = argument.substr(0, argument.size() - ending.size()) + ".vtu";
+    // Debian's package has the module, but not the command `meshio convert`.
     throw Error("The domain '" + argument + "' is a mesh of Gmsh, which is not read here; convert it "
-      "with `meshio convert " + argument + " " + converted + "` (Debian package python3-meshio) and "
-      "give '" + converted + "'.");
+      "with `python3 -c \"import meshio; meshio.write('" + converted + "', meshio.read('" + argument +
+      "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
   }
   throw Error("The domain '" + argument +
     "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply or .csv file.");

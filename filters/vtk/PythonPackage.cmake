@@ -26,9 +26,10 @@ if (NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   if (NOT Python3_EXECUTABLE)
     find_package(Python3 REQUIRED COMPONENTS Interpreter)
   endif ()
+  set(python_path "${CMAKE_BINARY_DIR}/${python_destination}:$ENV{PYTHONPATH}")
   set(stub "${package_directory}/vtkCrossFieldFilters.pyi")
   add_custom_command(OUTPUT "${stub}"
-    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_BINARY_DIR}/${python_destination}"
+    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_path}"
       "${Python3_EXECUTABLE}" -m vtkmodules.generate_pyi -p crossfield
       -o "${package_directory}" vtkCrossFieldFilters
     DEPENDS vtkCrossFieldFiltersPython ${package_files}

@@ -107,8 +107,9 @@ def _read_gmsh(path: str) -> vtkPolyData:
     except ImportError:
         raise Error(
             "The file '%s' is a mesh of Gmsh, which is read with the Python package meshio; install "
-            "it (Debian package python3-meshio), or convert the file with `meshio convert %s %s`."
-            % (path, path, os.path.splitext(path)[0] + ".vtu")) from None
+            "it (Debian package python3-meshio), or convert the file where it is installed with "
+            "`python3 -c \"import meshio; meshio.write('%s', meshio.read('%s'))\"`."
+            % (path, os.path.splitext(path)[0] + ".vtu", path)) from None
     try:
         mesh = meshio.read(path)
     except (Exception, SystemExit) as error:  # meshio has many ways to say no
