@@ -241,6 +241,32 @@ class Planes(ProgramTest):
             report = self.solve("disk.csv", singularities="start.csv")
             self.assertEqual(report["hole_degree"], [1, 1, 1, 1])
 
+    def test_every_format_in_a_tilted_plane(self):
+        normal = (0.36, 0.48, 0.8)
+
+        def tilt(x, y, z):  # the shortest rotation that takes z to the normal
+            a, b, c = normal
+            across = (a * x + b * y) / (1 + c)
+            return (x - a * across + a * z, y - b * across + b * z, c * z - a * x - b * y)
+
+        self.write()
+        flat = self.solve("square.csv", singularities="pair.csv")["energy"]
+        self.write(tilt)
+        corners = [tilt(*place) for place in self.SQUARE]
+        points = corners + [tilt(0.75, 1.25, 0.0)]
+        triangles = [(i, (i + 1) % 4, 4) for i in range(4)]
+        domain_files.write_loop(self.folder / "square.vtp", corners)
+        # Single precision decides ties in the mesh of a square, and so which mesh of many is made.
+        tolerance = {"csv": 1e-12, "vtp": 1e-12, "vtu": 1e-12, "vtk": 1e-12, "stl": 1e-3,
+                     "obj": 1e-3, "ply": 1e-3}
+        for ending, allowed in tolerance.items():
+            with self.subTest(ending):
+                if ending not in ("csv", "vtp"):
+                    getattr(domain_files, f"write_{ending}")(
+                        self.folder / f"square.{ending}", points, triangles)
+                energy = self.solve(f"square.{ending}", singularities="pair.csv")["energy"]
+                self.assertLess(abs(energy / flat - 1.0), allowed)
+
     def test_singularities_off_the_plane(self):
         self.write(self.TURNS["xz"])
         write_configuration(self.folder / "flat.csv", [(1.5, 1.0, 1, 0.1), (0.5, 1.0, -1, 0.1)])
@@ -308,6 +334,15 @@ class Files(ProgramTest):
     def test_every_format_of_a_trapezium_gives_the_same_field(self):
         # Corners that single precision, in which some formats are read, holds exactly.
         self.check_formats([(0.0, 0.0), (2.0, 0.0), (1.75, 2.0), (0.25, 2.0)])
+
+    def test_loops_in_formats_of_meshes(self):
+        write_configuration(self.folder / "pair.csv", [(1.5, 1.0, 1, 0.1), (0.5, 1.0, -1, 0.1)])
+        expected = self.solve("builtin:square", singularities="pair.csv")["energy"]
+        for ending in ("obj", "vtk"):
+            name = f"loop.{ending}"
+            getattr(domain_files, f"write_loop_{ending}")(self.folder / name, self.SQUARE)
+            energy = self.solve(name, singularities="pair.csv")["energy"]
+            self.assertLess(abs(energy / expected - 1.0), 1e-6)
 
     def test_a_csv_loop_may_repeat_its_first_point(self):
         domain_files.write_csv(self.folder / "open.csv", self.SQUARE)
