@@ -46,16 +46,20 @@ double Value(vtkDataSet* domain, const char* name)
   return domain->GetFieldData()->GetArray(name)->GetTuple1(0);
 }
 
-/** The configuration as the .csv text that the program reads. */
-std::string ConfigurationText(vtkDataSet* points)
+/** The configuration as the .csv text that the program reads; with z if the domain needs it. */
+std::string ConfigurationText(vtkDataSet* points, bool hasHeight)
 {
   std::ostringstream text;
   text.precision(17);
-  text << "x,y,quarter_index,radius\n";
+  text << (hasHeight ? "x,y,z,quarter_index,radius\n" : "x,y,quarter_index,radius\n");
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    text << points->GetPoint(i)[0] << "," << points->GetPoint(i)[1] << ","
-         << points->GetPointData()->GetArray(names::QuarterIndex)->GetTuple1(i) << ","
+    text << points->GetPoint(i)[0] << "," << points->GetPoint(i)[1] << ",";
+    if (hasHeight)
+    {
+      text << points->GetPoint(i)[2] << ",";
+    }
+    text << points->GetPointData()->GetArray(names::QuarterIndex)->GetTuple1(i) << ","
          << points->GetPointData()->GetArray(names::Radius)->GetTuple1(i) << "\n";
   }
   return text.str();
@@ -74,8 +78,12 @@ void PrintSummary(vtkPoincareHopfCheck* check)
   {
     if (corners->GetPointData()->GetArray(names::Cancellable)->GetTuple1(i) != 0.0)
     {
-      std::cout << "the corner at (" << corners->GetPoint(i)[0] << ", " << corners->GetPoint(i)[1]
-                << ") can be cancelled by singularities in the domain\n";
+      std::cout << "the corner at (" << corners->GetPoint(i)[0] << ", " << corners->GetPoint(i)[1];
+      if (DomainReader::HasHeight(domain))
+      {
+        std::cout << ", " << corners->GetPoint(i)[2];
+      }
+      std::cout << ") can be cancelled by singularities in the domain\n";
     }
   }
   if (vtkDataArray* defects = domain->GetFieldData()->GetArray(names::HolonomyDefect))
@@ -134,7 +142,8 @@ int Check(const CheckOptions& options)
   // 4. Write.
   if (!options.proposal.empty())
   {
-    OutputFile::WriteText(ConfigurationText(proposal->GetOutput()), options.proposal);
+    OutputFile::WriteText(ConfigurationText(
+      proposal->GetOutput(), DomainReader::HasHeight(check->GetOutput())), options.proposal);
   }
   const std::string reason = vtkStringArray::SafeDownCast(
     check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))->GetValue(0);

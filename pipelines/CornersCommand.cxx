@@ -15,6 +15,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -48,10 +49,16 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
   vtkPolyData* corners = classifier->GetOutput();
   const auto value = [corners](const char* name, vtkIdType i)
   { return corners->GetPointData()->GetArray(name)->GetTuple1(i); };
-  std::cout << "x y angle quarter_index scarce balanced excess conventional energy\n";
+  const bool hasHeight =
+    DomainReader::HasHeight(vtkDataSet::SafeDownCast(classifier->GetInput()));
+  std::cout << (hasHeight ? "x y z angle" : "x y angle") << " quarter_index scarce balanced excess conventional energy\n";
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
   {
     std::cout << corners->GetPoint(i)[0] << " " << corners->GetPoint(i)[1];
+    if (hasHeight)
+    {
+      std::cout << " " << corners->GetPoint(i)[2];
+    }
     for (const char* name : { names::Angle, names::QuarterIndex, names::QuarterIndexScarce,
            names::QuarterIndexBalanced, names::QuarterIndexExcess, names::QuarterIndexConventional,
            names::CornerEnergy })

@@ -82,7 +82,7 @@ void RequireNumbers(const std::string& file)
   }
 }
 
-/** The points of a table with columns x and y, joined to one closed polyline. */
+/** The points of a table with columns x, y and maybe z, joined to one closed polyline. */
 vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
 {
   vtkNew<vtkDelimitedTextReader> reader;
@@ -90,7 +90,8 @@ vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
   reader->SetHaveHeaders(true);
   PipelineRun::Update(reader, "reading");
   vtkTable* table = reader->GetOutput();
-  vtkAbstractArray* columns[2] = { table->GetColumnByName("x"), table->GetColumnByName("y") };
+  vtkAbstractArray* columns[3] = { table->GetColumnByName("x"), table->GetColumnByName("y"),
+    table->GetColumnByName("z") };
   if (columns[0] == nullptr || columns[1] == nullptr)
   {
     throw Error("The file '" + file + "' has no columns x and y; its first line must be x,y.");
@@ -105,18 +106,18 @@ vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
   lines->InsertNextCell(static_cast<int>(table->GetNumberOfRows()) + 1);
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    double place[2];
-    for (int i = 0; i < 2; ++i)
+    double place[3] = { 0.0, 0.0, 0.0 };
+    for (int i = 0; i < 3 && columns[i] != nullptr; ++i)
     {
       bool valid = true;
       place[i] = columns[i]->GetVariantValue(row).ToDouble(&valid);
       if (!valid)
       {
         throw Error("Row " + std::to_string(row) + " of '" + file +
-          "' does not hold two numbers; correct it.");
+          "' does not hold numbers for its coordinates; correct it.");
       }
     }
-    lines->InsertCellPoint(points->InsertNextPoint(place[0], place[1], 0.0));
+    lines->InsertCellPoint(points->InsertNextPoint(place));
   }
   lines->InsertCellPoint(0);
   vtkNew<vtkPolyData> loop;
@@ -132,7 +133,7 @@ namespace DomainReader
 {
 const char* const Help =
   "boundary loops or a triangle mesh: a .vtp .vtu .vtk .stl .obj .ply file, a .csv file with the "
-  "points x,y of one loop, or builtin:NAME (see `crossfield domain --help`)";
+  "points x,y or x,y,z of one loop, or builtin:NAME (see `crossfield domain --help`)";
 
 vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength)
 {
@@ -179,6 +180,14 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   {
     return OpenLoop(argument);
   }
+  if (ending == ".msh")
+  {
+    const std::string converted = argument.substr(0, argument.size() - ending.size()) + ".vtu";
+    // Debian's package has the module, but not the command `meshio convert`.
+    throw Error("The domain '" + argument + "' is a mesh of Gmsh, which is not read here; convert it "
+      "with `python3 -c \"import meshio; meshio.write('" + converted + "', meshio.read('" + argument +
+      "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
+  }
   throw Error("The domain '" + argument +
     "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply or .csv file.");
 }
@@ -193,5 +202,12 @@ vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file)
   auto source = vtkSmartPointer<vtkSingularitySource>::New();
   source->SetFileName(file);
   return source;
+}
+
+bool HasHeight(vtkDataSet* domain)
+{
+  double bounds[6];
+  domain->GetBounds(bounds);
+  return bounds[4] < bounds[5];
 }
 }

@@ -48,18 +48,23 @@ void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
             << " after " << Value(field, names::Iterations) << " iterations (residual "
             << Value(field, names::Residual) << "), unwanted singularities "
             << Value(field, names::UnwantedSingularities) << "\n";
-  PrintSingularities(singularities);
+  PrintSingularities(singularities, field);
 }
 }
 
-void PrintSingularities(vtkPolyData* singularities)
+void PrintSingularities(vtkPolyData* singularities, vtkUnstructuredGrid* field)
 {
   for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
   {
     const double* place = singularities->GetPoint(i);
     std::cout << "quarter index "
               << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
-              << " at " << place[0] << " " << place[1] << "\n";
+              << " at " << place[0] << " " << place[1];
+    if (DomainReader::HasHeight(field))
+    {
+      std::cout << " " << place[2];
+    }
+    std::cout << "\n";
   }
 }
 
@@ -122,7 +127,9 @@ int GinzburgLandauSolve::Run() const
   {
     const std::string report =
       ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
-    OutputFile::WriteText(ReportJson::AddSingularities(report, found->GetOutput()), this->json);
+    OutputFile::WriteText(
+      ReportJson::AddSingularities(report, found->GetOutput(), DomainReader::HasHeight(field)),
+      this->json);
   }
 
   // 5. The answer.

@@ -7,9 +7,10 @@
 #include <vector>
 
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /** Prints one line for each singularity that was found in a field. */
-void PrintSingularities(vtkPolyData* singularities);
+void PrintSingularities(vtkPolyData* singularities, vtkUnstructuredGrid* field);
 
 /** What `crossfield solve --method ginzburg-landau` was asked to do. */
 struct GinzburgLandauSolve : MeshOptions

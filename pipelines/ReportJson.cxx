@@ -102,7 +102,8 @@ std::string Write(vtkFieldData* data, const std::map<std::string, long long>& co
   return report.dump(2) + "\n";
 }
 
-std::string AddSingularities(const std::string& report, vtkPolyData* singularities)
+std::string AddSingularities(
+  const std::string& report, vtkPolyData* singularities, bool hasHeight)
 {
   Json json = Json::parse(report);
   vtkDataArray* quarters =
@@ -113,6 +114,10 @@ std::string AddSingularities(const std::string& report, vtkPolyData* singulariti
     const double* place = singularities->GetPoint(i);
     json["singularities"].push_back(
       { { "x", place[0] }, { "y", place[1] }, { "quarter_index", Number(quarters, i, 0) } });
+    if (hasHeight)
+    {
+      json["singularities"].back()["z"] = place[2];
+    }
   }
   return json.dump(2) + "\n";
 }

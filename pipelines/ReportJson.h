@@ -18,8 +18,9 @@ namespace ReportJson
 std::string Write(vtkFieldData* data, const std::map<std::string, long long>& counts,
   const std::map<std::string, double>& seconds);
 
-/** A report with the list `singularities` of x, y and quarter_index added. */
-std::string AddSingularities(const std::string& report, vtkPolyData* singularities);
+/** A report with the list `singularities` of x, y, z if asked for, and quarter_index added. */
+std::string AddSingularities(
+  const std::string& report, vtkPolyData* singularities, bool hasHeight = false);
 }
 
 #endif

@@ -215,7 +215,7 @@ int Solve(const SolveOptions& options)
     PrintSummary(field);
     if (mayAppear)
     {
-      PrintSingularities(found->GetOutput());
+      PrintSingularities(found->GetOutput(), field);
     }
   }
   else

@@ -1,5 +1,6 @@
 #include "TopologyJson.h"
 
+#include "DomainReader.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkPoincareHopfCheck.h"
@@ -57,8 +58,12 @@ std::string Text(vtkFieldData* data, const char* name, vtkIdType tuple = 0)
   return vtkStringArray::SafeDownCast(data->GetAbstractArray(name))->GetValue(tuple);
 }
 
-/** One object per tuple; entries whose array is missing or not a number are left out. */
-Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count, vtkDataSet* places = nullptr)
+/**
+ * One object per tuple, with its place if there is one; entries whose array is missing or not a
+ * number are left out.
+ */
+Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count,
+  vtkDataSet* places = nullptr, bool hasHeight = false)
 {
   Json rows = Json::array();
   for (vtkIdType i = 0; i < count; ++i)
@@ -68,6 +73,10 @@ Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count, vtkDataSe
     {
       row["x"] = places->GetPoint(i)[0];
       row["y"] = places->GetPoint(i)[1];
+    }
+    if (hasHeight)
+    {
+      row["z"] = places->GetPoint(i)[2];
     }
     for (const auto& [key, name, kind] : entries)
     {
@@ -82,9 +91,11 @@ Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count, vtkDataSe
   return rows;
 }
 
-Json Points(vtkDataSet* points, const Entries& entries)
+/** Points of a domain. */
+Json Points(vtkDataSet* points, const Entries& entries, vtkDataSet* domain)
 {
-  return Rows(points->GetPointData(), entries, points->GetNumberOfPoints(), points);
+  return Rows(points->GetPointData(), entries, points->GetNumberOfPoints(), points,
+    DomainReader::HasHeight(domain));
 }
 
 Json List(vtkFieldData* data, const char* name, Kind kind)
@@ -118,7 +129,8 @@ std::string Write(vtkPoincareHopfCheck* check)
   report["corners"] = Points(vtkDataSet::SafeDownCast(check->GetOutputDataObject(2)),
     { { "angle", names::Angle, Kind::Number },
       { "quarter_index", names::QuarterIndex, Kind::Integer },
-      { "cancellable", names::Cancellable, Kind::Flag } });
+      { "cancellable", names::Cancellable, Kind::Flag } },
+    check->GetOutput());
   auto* loops = vtkTable::SafeDownCast(check->GetOutputDataObject(1));
   report["loops"] = Rows(loops->GetRowData(),
     { { "valence", names::Valence, Kind::Number },
@@ -133,6 +145,7 @@ std::string Write(vtkPoincareHopfCheck* check)
 std::string Write(vtkBoundaryCornerClassifier* classifier)
 {
   vtkFieldData* data = classifier->GetOutput()->GetFieldData();
+  auto* domain = vtkDataSet::SafeDownCast(classifier->GetInput());
   Json report = Json::object();
   report["scenario"] = Text(data, names::Scenario);
   report["energy"] = data->GetArray(names::Energy)->GetTuple1(0);
@@ -157,9 +170,10 @@ std::string Write(vtkBoundaryCornerClassifier* classifier)
       { "quarter_index_conventional", names::QuarterIndexConventional, Kind::Integer },
       { "corner_energy", names::CornerEnergy, Kind::Number },
       { "cancellable", names::Cancellable, Kind::Flag }, { "tied", names::Tied, Kind::Flag },
-      { "overridden", names::Overridden, Kind::Flag } });
+      { "overridden", names::Overridden, Kind::Flag } },
+    domain);
   report["split"] = Points(vtkDataSet::SafeDownCast(classifier->GetOutputDataObject(2)),
-    { { "quarter_index", names::QuarterIndex, Kind::Integer } });
+    { { "quarter_index", names::QuarterIndex, Kind::Integer } }, domain);
   return report.dump(2) + "\n";
 }
 }

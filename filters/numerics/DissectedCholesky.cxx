@@ -57,11 +57,13 @@ void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last, const std::vector<int>& leftOut)
+  const std::vector<Point>& places, const std::vector<int>& last, const std::vector<int>& leftOut,
+  const Progress& progress)
   : Size(matrix.rows())
 {
   const SerialBlas serial;
   Dissection dissection = Dissect(matrix, places, last, leftOut);
+  progress.Report(0.1);
   this->Halves[0].unknowns = std::move(dissection.left);
   this->Halves[1].unknowns = std::move(dissection.right);
   this->Border = std::move(dissection.border);
@@ -88,6 +90,7 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
   std::array<Eigen::MatrixXd, 2> parts;
   ForBothHalves([&](std::size_t half)
     { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
+  progress.Report(0.9);
   for (std::size_t half = 0; half < 2; ++half)
   {
     AddTo(this->Halves[half].border, parts[half], schur);

@@ -2,6 +2,7 @@
 
 #include "DenseCholesky.h"
 #include "Plane.h"
+#include "Progress.h"
 #include "SparseCholesky.h"
 
 #include <array>
@@ -22,7 +23,7 @@ public:
   /// last, in that order; rows and columns in `leftOut` are not part of the system. Throws Error
   /// when an entry is not finite, and NotPositiveDefinite when the matrix is not.
   DissectedCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-    const std::vector<int>& last, const std::vector<int>& leftOut);
+    const std::vector<int>& last, const std::vector<int>& leftOut, const Progress& progress = {});
 
   /// L⁻¹ b, by parts.
   struct Eliminated

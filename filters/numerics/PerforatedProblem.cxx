@@ -40,7 +40,7 @@ std::map<int, int> ChosenByVertex(
 
 PerforatedProblem::PerforatedProblem(
   const TriangleMesh& drilled, PotentialSolver::Periods periods,
-  const std::vector<CornerChoice>& chosenCorners, int pointQuarters)
+  const std::vector<CornerChoice>& chosenCorners, int pointQuarters, const Progress& progress)
   : mesh(drilled)
   , corners(chosenCorners)
 {
@@ -63,7 +63,9 @@ PerforatedProblem::PerforatedProblem(
     }
   }
   this->assembleSeconds = stopwatch.Lap();
-  this->potential = std::make_unique<PotentialSolver>(drilled, this->edges, this->loops, periods);
+  progress.Report(0.1);
+  this->potential = std::make_unique<PotentialSolver>(drilled, this->edges, this->loops, periods,
+    PotentialSolver::Boundary::Natural, progress.Part(0.1, 1.0));
   this->factorSeconds = stopwatch.Lap();
 }
 

@@ -29,7 +29,8 @@ struct PerforatedProblem
   /// singularities without holes. Throws Error when the quarter indices violate Poincaré-Hopf.
   explicit PerforatedProblem(const TriangleMesh& drilled,
     PotentialSolver::Periods periods = PotentialSolver::Periods::Islands,
-    const std::vector<CornerChoice>& chosenCorners = {}, int pointQuarters = 0);
+    const std::vector<CornerChoice>& chosenCorners = {}, int pointQuarters = 0,
+    const Progress& progress = {});
 
   /// Number of inner loops.
   Eigen::Index IslandCount() const;

@@ -101,7 +101,8 @@ CrossField SolvePerforated(
     return SolveVariant(mesh, options, progress);
   }
   CrossField field;
-  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
+  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners, 0,
+    progress.Part(0.0, 0.6));
   field.count = problem.count;
   field.seconds.assemble = problem.assembleSeconds;
   field.seconds.factor = problem.factorSeconds;

@@ -84,7 +84,8 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
 }
 
 PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<BoundaryLoop>& loops, Periods periods, Boundary boundary)
+  const std::vector<BoundaryLoop>& loops, Periods periods, Boundary boundary,
+  const Progress& progress)
   : Mesh(mesh)
   , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
   , Strips(FindLoopStrips(mesh, edges, loops, periods == Periods::IslandsAndHoles))
@@ -120,8 +121,10 @@ PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& 
 
   std::vector<Point> places(mesh.points);
   places.resize(static_cast<std::size_t>(this->Rows()), Point::Zero()); // periods have no place
+  const Eigen::SparseMatrix<double> matrix = BorderedMatrix(mesh, edges, this->Strips);
+  progress.Report(0.1);
   this->Factor = std::make_unique<DissectedCholesky>(
-    BorderedMatrix(mesh, edges, this->Strips), places, this->Trailing, leftOut);
+    matrix, places, this->Trailing, leftOut, progress.Part(0.1, 1.0));
 }
 
 Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) const

@@ -3,6 +3,7 @@
 #include "DissectedCholesky.h"
 #include "EdgeNumbering.h"
 #include "LoopStrip.h"
+#include "Progress.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -55,7 +56,7 @@ public:
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
     const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands,
-    Boundary boundary = Boundary::Natural);
+    Boundary boundary = Boundary::Natural, const Progress& progress = {});
 
   /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
   Eigen::Index Rows() const { return this->VertexCount + this->PeriodCount(); }

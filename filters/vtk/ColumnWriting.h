@@ -1,6 +1,8 @@
 #ifndef ColumnWriting_h
 #define ColumnWriting_h
 
+#include "DomainPlane.h"
+
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -24,16 +26,16 @@ void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value v
   data->AddArray(array);
 }
 
-/** Points with a vertex cell each. */
+/** Points of a plane, with a vertex cell each. */
 template <class Items>
-void WritePlaces(const Items& items, double z, vtkPolyData* output)
+void WritePlaces(const Items& items, const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   for (const auto& item : items)
   {
-    vertices->InsertNextCell({ points->InsertNextPoint(item.position.x(), item.position.y(), z) });
+    vertices->InsertNextCell({ points->InsertNextPoint(plane.ToSpace(item.position).data()) });
   }
   output->SetPoints(points);
   output->SetVerts(vertices);

@@ -19,7 +19,6 @@
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
-using crossfield::Point;
 using ColumnWriting::AddColumn;
 using ColumnWriting::WritePlaces;
 }
@@ -27,12 +26,12 @@ using ColumnWriting::WritePlaces;
 namespace CornerConversion
 {
 //------------------------------------------------------------------------------
-void WriteCorners(
-  const crossfield::CornerClassification& classification, double z, vtkPolyData* output)
+void WriteCorners(const crossfield::CornerClassification& classification,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using Corner = crossfield::ClassifiedCorner;
   const auto& corners = classification.corners;
-  WritePlaces(corners, z, output);
+  WritePlaces(corners, plane, output);
   vtkFieldData* data = output->GetPointData();
   const auto addInteger = [&](const char* name, auto value)
   { AddColumn<vtkIntArray>(data, name, corners, value); };
@@ -78,11 +77,11 @@ void WriteScenarios(const crossfield::CornerClassification& classification, vtkT
 }
 
 //------------------------------------------------------------------------------
-void WriteCountedCorners(
-  const std::vector<crossfield::CountedCorner>& corners, double z, vtkPolyData* output)
+void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using Corner = crossfield::CountedCorner;
-  WritePlaces(corners, z, output);
+  WritePlaces(corners, plane, output);
   vtkFieldData* data = output->GetPointData();
   AddColumn<vtkDoubleArray>(
     data, names::Angle, corners, [](const Corner& corner) { return corner.angle; });
@@ -122,11 +121,11 @@ void WriteLoopTable(const crossfield::PoincareHopfCount& count,
 }
 
 //------------------------------------------------------------------------------
-void WriteConfiguration(
-  const crossfield::Configuration& configuration, double z, vtkPolyData* output)
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   using crossfield::Singularity;
-  WritePlaces(configuration, z, output);
+  WritePlaces(configuration, plane, output);
   vtkFieldData* data = output->GetPointData();
   AddColumn<vtkIntArray>(data, names::QuarterIndex, configuration,
     [](const Singularity& singularity) { return singularity.quarterIndex; });
@@ -135,7 +134,8 @@ void WriteConfiguration(
 }
 
 //------------------------------------------------------------------------------
-std::vector<crossfield::CornerChoice> ReadChoices(vtkDataSet* input)
+std::vector<crossfield::CornerChoice> ReadChoices(
+  vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   std::vector<crossfield::CornerChoice> choices;
   if (input == nullptr || input->GetNumberOfPoints() == 0)
@@ -156,8 +156,9 @@ std::vector<crossfield::CornerChoice> ReadChoices(vtkDataSet* input)
       throw crossfield::Error("The quarter index of corner " + std::to_string(i) +
         " is not an integer; give 4 times its index, for example 1 or 0.");
     }
-    const double* point = input->GetPoint(i);
-    choices.push_back({ Point(point[0], point[1]), static_cast<int>(quarter) });
+    choices.push_back({ plane.RequireInPlane(Eigen::Vector3d(input->GetPoint(i)),
+                          "The corner " + std::to_string(i)),
+      static_cast<int>(quarter) });
   }
   return choices;
 }

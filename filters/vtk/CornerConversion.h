@@ -2,39 +2,41 @@
 #define CornerConversion_h
 
 #include "CornerClassification.h"
+#include "DomainPlane.h"
 #include "PoincareHopf.h"
 
 class vtkDataSet;
 class vtkPolyData;
 class vtkTable;
 
-/** Conversion of corners, counts and configurations to VTK data, in the plane of a given z. */
+/** Conversion of corners, counts and configurations to VTK data, in the plane of the domain. */
 namespace CornerConversion
 {
 /** Point arrays of vtkBoundaryCornerClassifier, and its field data. */
-void WriteCorners(
-  const crossfield::CornerClassification& classification, double z, vtkPolyData* output);
+void WriteCorners(const crossfield::CornerClassification& classification,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
 
 /** One row per scenario; see vtkBoundaryCornerClassifier. */
 void WriteScenarios(const crossfield::CornerClassification& classification, vtkTable* output);
 
 /** Points with `Angle`, `QuarterIndex` and `Cancellable`. */
-void WriteCountedCorners(
-  const std::vector<crossfield::CountedCorner>& corners, double z, vtkPolyData* output);
+void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
 
 /** One row per boundary loop; see vtkPoincareHopfCheck. */
 void WriteLoopTable(const crossfield::PoincareHopfCount& count,
   const std::vector<double>& holonomyDefects, vtkTable* output);
 
 /** Points with `QuarterIndex` and `Radius`. */
-void WriteConfiguration(
-  const crossfield::Configuration& configuration, double z, vtkPolyData* output);
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
 
 /**
  * The points of a data set with their integer point array `QuarterIndex`; nothing for a null
  * pointer. Throws crossfield::Error when the array is missing or not integer.
  */
-std::vector<crossfield::CornerChoice> ReadChoices(vtkDataSet* input);
+std::vector<crossfield::CornerChoice> ReadChoices(
+  vtkDataSet* input, const crossfield::DomainPlane& plane);
 }
 
 #endif

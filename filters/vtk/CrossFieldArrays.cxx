@@ -34,8 +34,9 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
 class ShownField
 {
 public:
-  ShownField(vtkFieldData* data, vtkIdType tuples)
-    : Representation(NewArray(data, vtkCrossFieldArrayNames::Representation, 3, tuples))
+  ShownField(const crossfield::DomainPlane& plane, vtkFieldData* data, vtkIdType tuples)
+    : Plane(plane)
+    , Representation(NewArray(data, vtkCrossFieldArrayNames::Representation, 3, tuples))
     , Cross(NewArray(data, vtkCrossFieldArrayNames::Cross, 3, tuples))
     , Cross2(NewArray(data, vtkCrossFieldArrayNames::Cross2, 3, tuples))
     , CrossNorm(NewArray(data, vtkCrossFieldArrayNames::CrossNorm, 1, tuples))
@@ -46,12 +47,14 @@ public:
   {
     const crossfield::Point branch = crossfield::CrossBranch(u);
     this->Representation->SetTuple3(tuple, u.real(), u.imag(), 0.0);
-    this->Cross->SetTuple3(tuple, branch.x(), branch.y(), 0.0);
-    this->Cross2->SetTuple3(tuple, -branch.y(), branch.x(), 0.0);
+    this->Cross->SetTuple(tuple, this->Plane.DirectionToSpace(branch).data());
+    this->Cross2->SetTuple(
+      tuple, this->Plane.DirectionToSpace({ -branch.y(), branch.x() }).data());
     this->CrossNorm->SetTuple1(tuple, std::abs(u));
   }
 
 private:
+  const crossfield::DomainPlane& Plane;
   vtkSmartPointer<vtkDoubleArray> Representation;
   vtkSmartPointer<vtkDoubleArray> Cross;
   vtkSmartPointer<vtkDoubleArray> Cross2;
@@ -87,7 +90,7 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
   const crossfield::CrossSamples samples =
     crossfield::SampleField(cells.mesh, field.edges, field.u);
 
-  ShownField points(output->GetPointData(), output->GetNumberOfPoints());
+  ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints());
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     points.Set(i, samples.atVertices[i]);
@@ -95,7 +98,7 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
 
   auto exact = NewArray(
     output->GetCellData(), vtkCrossFieldArrayNames::CrossFieldCR, 6, output->GetNumberOfCells());
-  ShownField shown(output->GetCellData(), output->GetNumberOfCells());
+  ShownField shown(cells.plane, output->GetCellData(), output->GetNumberOfCells());
   const auto setExact = [&](vtkIdType cell, Complex a, Complex b, Complex c)
   { exact->SetTuple6(cell, a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag()); };
   for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)

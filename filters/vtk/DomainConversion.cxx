@@ -73,6 +73,9 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
       case VTK_POLYGON:
         surfaces->InsertNextCell(ids);
         break;
+      case VTK_PIXEL: // its points go row by row, not around
+        surfaces->InsertNextCell({ ids->GetId(0), ids->GetId(1), ids->GetId(3), ids->GetId(2) });
+        break;
       default:
         throw Error("The domain has cells of type " +
           std::string(input->GetCell(cell)->GetClassName()) +
@@ -113,22 +116,6 @@ vtkSmartPointer<vtkPolyData> SurfaceBoundary(vtkPolyData* surface)
   return edges->GetOutput();
 }
 
-double RequireOnePlane(vtkPolyData* curves)
-{
-  double bounds[6];
-  curves->GetBounds(bounds);
-  // Coordinates that went through single precision are off by 6e-8 of their size.
-  constexpr double Flatness = 1e-6;
-  const double reach = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]) +
-    std::abs(bounds[4]);
-  if (bounds[5] - bounds[4] > Flatness * reach)
-  {
-    throw Error("The domain is not planar: its z runs from " + std::to_string(bounds[4]) + " to " +
-      std::to_string(bounds[5]) + "; give a domain in a plane z = const.");
-  }
-  return bounds[4];
-}
-
 vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input)
 {
   vtkNew<vtkCleanPolyData> clean; // also drops the points that no cell uses
@@ -163,6 +150,17 @@ vtkSmartPointer<vtkIntArray> NewCellArray(vtkUnstructuredGrid* grid, const char*
 namespace DomainConversion
 {
 //------------------------------------------------------------------------------
+crossfield::DomainPlane FindPlane(vtkDataSet* input)
+{
+  Eigen::Matrix3Xd points(3, input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    input->GetPoint(i, points.col(i).data());
+  }
+  return crossfield::DomainPlane::Find(points);
+}
+
+//------------------------------------------------------------------------------
 Loops ReadLoops(vtkDataSet* input)
 {
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -175,23 +173,22 @@ Loops ReadLoops(vtkDataSet* input)
     }
   }
   vtkSmartPointer<vtkPolyData> curves = MergePoints(ExtractCurvesAndSurfaces(input));
+  Loops result;
+  result.plane = FindPlane(curves); // of a surface as well, which could bulge from a planar boundary
   if (curves->GetNumberOfPolys() > 0)
   {
     curves = SurfaceBoundary(curves);
   }
-  Loops result;
   if (curves->GetNumberOfLines() == 0)
   {
     throw Error("The domain has no boundary lines and no surface cells; give closed curves or a "
                 "mesh.");
   }
-  result.z = RequireOnePlane(curves);
 
   std::vector<Point> points;
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
   {
-    const double* point = curves->GetPoint(i);
-    points.emplace_back(point[0], point[1]);
+    points.push_back(result.plane.ToPlane(Eigen::Vector3d(curves->GetPoint(i))));
   }
   std::vector<std::array<int, 2>> segments;
   vtkNew<vtkIdList> line;
@@ -229,7 +226,8 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-crossfield::Configuration ReadConfiguration(vtkDataSet* input)
+crossfield::Configuration ReadConfiguration(
+  vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   // The array is asked for even when there are no points: a source that failed gives no points and
   // no array, and must not pass for the empty configuration.
@@ -255,8 +253,8 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input)
         " is not an integer; give 4 times its index, for example 1 or -1.");
     }
     crossfield::Singularity singularity;
-    const double* point = input->GetPoint(i);
-    singularity.position = Point(point[0], point[1]);
+    singularity.position = plane.RequireInPlane(
+      Eigen::Vector3d(input->GetPoint(i)), "The singularity " + std::to_string(i));
     singularity.quarterIndex = static_cast<int>(quarter);
     if (radii != nullptr)
     {
@@ -279,10 +277,10 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
   vtkDataArray* ids = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryId);
   vtkDataArray* quarters = RequireCellArray(input, vtkCrossFieldArrayNames::QuarterIndex);
   DrilledMesh result;
+  result.plane = FindPlane(input);
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    const double* point = input->GetPoint(i);
-    result.mesh.points.emplace_back(point[0], point[1]);
+    result.mesh.points.push_back(result.plane.ToPlane(Eigen::Vector3d(input->GetPoint(i))));
   }
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
@@ -316,7 +314,8 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 }
 
 //------------------------------------------------------------------------------
-void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstructuredGrid* output)
+void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,
+  vtkUnstructuredGrid* output)
 {
   std::vector<crossfield::BoundaryEdge> lines = mesh.boundary;
   lines.insert(lines.end(), mesh.imprinted.begin(), mesh.imprinted.end());
@@ -325,7 +324,7 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, double z, vtkUnstruc
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].x(), mesh.points[i].y(), z);
+    points->SetPoint(static_cast<vtkIdType>(i), plane.ToSpace(mesh.points[i]).data());
   }
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;

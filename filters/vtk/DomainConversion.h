@@ -1,6 +1,7 @@
 #ifndef DomainConversion_h
 #define DomainConversion_h
 
+#include "DomainPlane.h"
 #include "PlanarDomain.h"
 #include "Singularity.h"
 #include "TriangleMesh.h"
@@ -13,15 +14,21 @@ class vtkDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/** Conversion between VTK data and numerics; every function throws crossfield::Error. */
+/**
+ * Conversion between VTK data and numerics; every function throws crossfield::Error. This is where
+ * data of a plane in space become coordinates of that plane, and back (DomainPlane.h).
+ */
 namespace DomainConversion
 {
-/** Boundary loops and the plane z = const that they lie in. */
+/** Boundary loops and the plane that they lie in. */
 struct Loops
 {
   std::vector<crossfield::Loop> loops;
-  double z = 0.0;
+  crossfield::DomainPlane plane;
 };
+
+/** The plane of the points of a data set. */
+crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
  * Reads boundary loops from lines, or the boundary of surface cells. Points closer than 1e-9 of
@@ -32,13 +39,15 @@ Loops ReadLoops(vtkDataSet* input);
 /** One closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);
 
-/** Reads the points with their arrays `QuarterIndex` and, optionally, `Radius`. */
-crossfield::Configuration ReadConfiguration(vtkDataSet* input);
+/** Points in the plane of a domain with their arrays `QuarterIndex` and, optionally, `Radius`. */
+crossfield::Configuration ReadConfiguration(
+  vtkDataSet* input, const crossfield::DomainPlane& plane);
 
-/** A drilled mesh, and which cells its triangles and boundary edges are. */
+/** A drilled mesh, its plane, and which cells its triangles and boundary edges are. */
 struct DrilledMesh
 {
   crossfield::TriangleMesh mesh;
+  crossfield::DomainPlane plane;
   std::vector<vtkIdType> triangleCells;
   std::vector<vtkIdType> lineCells;
   std::vector<vtkIdType> imprintedCells; ///< Of the edges of imprinted circles.
@@ -46,9 +55,9 @@ struct DrilledMesh
 
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);
 
-/** Triangles, then lines, in the plane of the given z, with the cell arrays of vtkDrillHoles. */
-void WriteDrilledMesh(
-  const crossfield::TriangleMesh& mesh, double z, vtkUnstructuredGrid* output);
+/** Triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
+void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,
+  vtkUnstructuredGrid* output);
 }
 
 #endif

@@ -74,8 +74,8 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
 }
 
 //------------------------------------------------------------------------------
-void WriteGradients(
-  const std::vector<ConfigurationEnergy>& energies, double z, vtkPolyData* output)
+void WriteGradients(const std::vector<ConfigurationEnergy>& energies,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   std::vector<GradientRow> rows;
   for (const ConfigurationEnergy& energy : energies)
@@ -87,7 +87,7 @@ void WriteGradients(
         energy.renormalized.gradient.col(static_cast<Eigen::Index>(i)) });
     }
   }
-  ColumnWriting::WritePlaces(rows, z, output);
+  ColumnWriting::WritePlaces(rows, plane, output);
   vtkFieldData* data = output->GetPointData();
   AddColumn<vtkIntArray>(
     data, names::Configuration, rows, [](const GradientRow& row) { return row.configuration; });
@@ -98,7 +98,7 @@ void WriteGradients(
   gradients->SetNumberOfComponents(3);
   for (const GradientRow& row : rows)
   {
-    gradients->InsertNextTuple3(row.gradient.x(), row.gradient.y(), 0.0);
+    gradients->InsertNextTuple(plane.DirectionToSpace(row.gradient).data());
   }
   data->AddArray(gradients);
 }

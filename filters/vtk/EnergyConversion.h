@@ -2,6 +2,7 @@
 #define EnergyConversion_h
 
 #include "ConfigurationEnergy.h"
+#include "DomainPlane.h"
 #include "SingularityOptimizer.h"
 
 class vtkPolyData;
@@ -13,9 +14,9 @@ namespace EnergyConversion
 /** One row per configuration; see vtkSingularityEnergy. */
 void WriteEnergies(const std::vector<crossfield::ConfigurationEnergy>& energies, vtkTable* output);
 
-/** Points with `Configuration`, `QuarterIndex` and `Gradient`, in the plane of the given z. */
-void WriteGradients(const std::vector<crossfield::ConfigurationEnergy>& energies, double z,
-  vtkPolyData* output);
+/** Points with `Configuration`, `QuarterIndex` and `Gradient`, in the given plane. */
+void WriteGradients(const std::vector<crossfield::ConfigurationEnergy>& energies,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
 
 /** Field data; see vtkSingularityOptimizer. */
 void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output);

@@ -148,17 +148,17 @@ int vtkBoundaryCornerClassifier::RequestData(
             " but the domain has no such point; give a point id below " +
             std::to_string(domain->GetNumberOfPoints()) + ".");
         }
-        const double* point = domain->GetPoint(id);
         options.overrides.push_back(
-          { crossfield::Point(point[0], point[1]), RequireInteger(quarterIndex) });
+          { input.plane.ToPlane(Eigen::Vector3d(domain->GetPoint(id))),
+            RequireInteger(quarterIndex) });
       }
       const crossfield::CornerClassification classification =
         crossfield::ClassifyCorners(crossfield::MakePlanarDomain(input.loops), options);
       CornerConversion::WriteCorners(
-        classification, input.z, vtkPolyData::GetData(outputVector, 0));
+        classification, input.plane, vtkPolyData::GetData(outputVector, 0));
       CornerConversion::WriteScenarios(classification, vtkTable::GetData(outputVector, 1));
       CornerConversion::WriteConfiguration(
-        classification.split, input.z, vtkPolyData::GetData(outputVector, 2));
+        classification.split, input.plane, vtkPolyData::GetData(outputVector, 2));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

@@ -91,7 +91,10 @@ public:
   ///@}
 
   ///@{
-  /** The quarter index of the corner nearest to (x, y), by row; a row beyond the last adds one. */
+  /**
+   * The quarter index of the corner nearest to (x, y), by row; a row beyond the last adds one. In
+   * coordinates of the domain's plane, see vtkDrillHoles.
+   */
   void SetOverride(int row, double x, double y, double quarterIndex);
   void AddOverride(double x, double y, double quarterIndex);
   void RemoveAllOverrides();

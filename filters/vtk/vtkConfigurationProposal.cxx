@@ -54,16 +54,16 @@ int vtkConfigurationProposal::RequestData(
       const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
       crossfield::ProposalOptions options;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
-      options.corners = CornerConversion::ReadChoices(corners);
+      options.corners = CornerConversion::ReadChoices(corners, input.plane);
       options.cancelFlatCorners = this->CancelFlatCorners;
       if (singularities != nullptr)
       {
-        options.given = DomainConversion::ReadConfiguration(singularities);
+        options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
       }
       CornerConversion::WriteConfiguration(
         crossfield::ProposeConfiguration(
           crossfield::MakePlanarDomain(input.loops), options, progress),
-        input.z, vtkPolyData::GetData(outputVector));
+        input.plane, vtkPolyData::GetData(outputVector));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

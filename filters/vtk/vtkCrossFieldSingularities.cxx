@@ -22,8 +22,8 @@ vtkStandardNewMacro(vtkCrossFieldSingularities);
 
 namespace
 {
-void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singularities, double z,
-  vtkPolyData* output)
+void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singularities,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   vtkNew<vtkIntArray> kinds;
   kinds->SetName(vtkCrossFieldArrayNames::BoundaryKind);
@@ -36,7 +36,7 @@ void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singula
     kinds->InsertNextValue(static_cast<int>(singularity.place));
     ids->InsertNextValue(singularity.id);
   }
-  CornerConversion::WriteConfiguration(configuration, z, output);
+  CornerConversion::WriteConfiguration(configuration, plane, output);
   output->GetPointData()->AddArray(kinds);
   output->GetPointData()->AddArray(ids);
 }
@@ -73,7 +73,7 @@ int vtkCrossFieldSingularities::RequestData(
       const auto singularities = crossfield::FindFieldSingularities(
         cells.mesh, edges, CrossFieldArrays::ReadField(cells, edges, input), options);
       vtkPolyData* output = vtkPolyData::GetData(outputVector);
-      WriteSingularities(singularities, input->GetBounds()[4], output);
+      WriteSingularities(singularities, cells.plane, output);
       if (!this->IncludeHoles)
       {
         // Only holes have a radius, and a radius of 0 could not be drilled.

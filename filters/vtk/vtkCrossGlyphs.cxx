@@ -1,5 +1,6 @@
 #include "vtkCrossGlyphs.h"
 
+#include "DomainConversion.h"
 #include "Error.h"
 #include "FilterRun.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -74,13 +75,15 @@ std::vector<Place> TrianglePlaces(vtkDataSet* input)
 /** Keeps in each square of the grid the place nearest to its middle, and moves it there if it can. */
 std::vector<Place> ThinOut(vtkDataSet* input, const std::vector<Place>& places, double spacing)
 {
+  const crossfield::DomainPlane plane = DomainConversion::FindPlane(input);
   std::map<std::array<double, 2>, std::pair<double, Place>> nearest;
   for (const Place& place : places)
   {
-    const std::array<double, 2> square = { std::floor(place.centre[0] / spacing),
-      std::floor(place.centre[1] / spacing) };
-    const double distance = std::hypot(place.centre[0] - (square[0] + 0.5) * spacing,
-      place.centre[1] - (square[1] + 0.5) * spacing);
+    const crossfield::Point centre = plane.ToPlane(Eigen::Vector3d(place.centre.data()));
+    const std::array<double, 2> square = { std::floor(centre.x() / spacing),
+      std::floor(centre.y() / spacing) };
+    const double distance = std::hypot(
+      centre.x() - (square[0] + 0.5) * spacing, centre.y() - (square[1] + 0.5) * spacing);
     const auto [found, added] = nearest.try_emplace(square, distance, place);
     if (!added && distance < found->second.first)
     {
@@ -93,17 +96,21 @@ std::vector<Place> ThinOut(vtkDataSet* input, const std::vector<Place>& places, 
   {
     Place place = entry.second.second;
     place.room = spacing;
-    const double middle[3] = { (entry.first[0] + 0.5) * spacing, (entry.first[1] + 0.5) * spacing,
-      place.centre[2] };
+    Eigen::Vector3d middle =
+      plane.ToSpace({ (entry.first[0] + 0.5) * spacing, (entry.first[1] + 0.5) * spacing });
+    if (plane.IsHorizontal())
+    {
+      middle.z() = place.centre[2]; // as the crosses at the centres of triangles
+    }
     double corners[3][3];
     input->GetCellPoints(place.cell, ids);
     for (int i = 0; i < 3; ++i)
     {
       input->GetPoint(ids->GetId(i), corners[i]);
     }
-    if (vtkTriangle::PointInTriangle(middle, corners[0], corners[1], corners[2], 0.0) != 0)
+    if (vtkTriangle::PointInTriangle(middle.data(), corners[0], corners[1], corners[2], 0.0) != 0)
     {
-      std::copy(middle, middle + 3, place.centre.begin());
+      std::copy(middle.data(), middle.data() + 3, place.centre.begin());
     }
     kept.push_back(place);
   }

@@ -9,12 +9,14 @@
  * ±`Cross2`, with the cell array `CrossNorm` (double, 1) of the cell it was taken from. By default
  * there is one cross per triangle, at its centre; with Spacing s > 0 at most one per square of a
  * grid of side s, that of the triangle whose centre is nearest to the middle of the square, drawn at
- * the middle if the triangle contains it.
+ * the middle if the triangle contains it. The grid is in the plane of the points (see
+ * vtkDrillHoles), which then have to lie in one.
  *
  * The length of a line is Scale times the spacing, or Scale times the square root of the cell's
  * area without a spacing; with ScaleByNorm also times `CrossNorm`.
  *
- * An empty input gives an empty output. Failure: an array is missing.
+ * An empty input gives an empty output. Failure: an array is missing; with a spacing, points that
+ * are not in one plane.
  *
  * @sa vtkPerforatedCrossField
  */

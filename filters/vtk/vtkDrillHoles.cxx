@@ -53,7 +53,7 @@ int vtkDrillHoles::RequestData(
       }
       const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
       const crossfield::Configuration configuration =
-        DomainConversion::ReadConfiguration(singularities);
+        DomainConversion::ReadConfiguration(singularities, input.plane);
       crossfield::DrillOptions options;
       options.mode = static_cast<crossfield::DrillMode>(this->Mode);
       options.meshSize = this->MeshSize;
@@ -61,7 +61,7 @@ int vtkDrillHoles::RequestData(
       options.gradation = this->Gradation;
       const crossfield::TriangleMesh mesh = crossfield::DrillHoles(
         crossfield::MakePlanarDomain(input.loops), configuration, options, progress);
-      DomainConversion::WriteDrilledMesh(mesh, input.z, output);
+      DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

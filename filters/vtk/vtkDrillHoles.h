@@ -8,10 +8,16 @@
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): either boundary loops, closed polylines
  * or 2-point lines in any order and orientation, or a surface mesh whose boundary is taken and
- * remeshed. All points in one plane z = const. Points that no cell uses and vertex cells are
- * ignored, and so are lines when there are surface cells.
+ * remeshed. All points in one plane of space. Points that no cell uses and vertex cells are ignored,
+ * and so are lines when there are surface cells.
  *
- * Port 1, the singularities (points, z ignored): point arrays `QuarterIndex` (any numeric type,
+ * Planes: computations are done in coordinates of the domain's plane, (x, y) if z is constant,
+ * (y, z) if x is, (x, z) if y is; in a tilted plane in those of the nearest of these three, turned
+ * into it by the shortest rotation. Points and directions of all outputs lie in the plane, and the
+ * other filters find the same coordinates again. Coordinates in messages are those of the plane.
+ *
+ * Port 1, the singularities (points): in the plane of the domain, within 1/1000 of its size; z is
+ * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type,
  * integer values, 1 component) and optionally `Radius` (1 component, a length; without it every
  * hole has the mesh size as radius).
  *
@@ -32,9 +38,10 @@
  *
  * An empty domain gives an empty output. Failure, with an empty output: a curve that is open,
  * branches, crosses or touches itself; several outer loops; a boundary that is not in one plane; a
- * hole outside the domain, cutting its boundary or overlapping another; a radius or mesh size that
- * is not positive; numbers that are not finite; a quarter index that is not an integer. ModeTriangle:
- * a quarter index other than ±1, a triangle at the boundary, two triangles that share an edge.
+ * singularity that is not in it; a hole outside the domain, cutting its boundary or overlapping
+ * another; a radius or mesh size that is not positive; numbers that are not finite; a quarter index
+ * that is not an integer. ModeTriangle: a quarter index other than ±1, a triangle at the boundary, two
+ * triangles that share an edge.
  *
  * Paper: "Singularity placements via perforation strategy". Difference from it: the mesh is made
  * here, not by Gmsh.

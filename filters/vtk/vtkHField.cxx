@@ -34,9 +34,10 @@ vtkUnstructuredGrid* AsMesh(vtkDataSet* domain)
     : nullptr;
 }
 
-crossfield::Configuration ReadSingularities(vtkDataSet* singularities)
+crossfield::Configuration ReadSingularities(
+  vtkDataSet* singularities, const crossfield::DomainPlane& plane)
 {
-  return singularities != nullptr ? DomainConversion::ReadConfiguration(singularities)
+  return singularities != nullptr ? DomainConversion::ReadConfiguration(singularities, plane)
                                   : crossfield::Configuration();
 }
 }
@@ -79,7 +80,8 @@ int vtkHField::RequestData(
         return;
       }
       crossfield::Stopwatch stopwatch;
-      const crossfield::Configuration configuration = ReadSingularities(singularities);
+      const crossfield::DomainPlane plane = DomainConversion::FindPlane(domain);
+      const crossfield::Configuration configuration = ReadSingularities(singularities, plane);
       vtkNew<vtkUnstructuredGrid> mesh;
       if (vtkUnstructuredGrid* given = AsMesh(domain))
       {
@@ -91,12 +93,12 @@ int vtkHField::RequestData(
         DomainConversion::WriteDrilledMesh(
           crossfield::MeshForPoints(crossfield::MakePlanarDomain(input.loops), configuration,
             this->MeshSize, progress.Part(0.0, 0.4)),
-          input.z, mesh);
+          plane, mesh);
       }
       const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(mesh);
       this->StageSeconds[0] = stopwatch.Lap();
       const crossfield::HField field = crossfield::SolveHField(cells.mesh, configuration,
-        CornerConversion::ReadChoices(corners), progress.Part(0.4, 1.0));
+        CornerConversion::ReadChoices(corners, plane), progress.Part(0.4, 1.0));
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];

@@ -76,7 +76,8 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   options.epsilon = this->Epsilon;
   options.reduced.maximumIterations = this->GetMaximumIterations();
   options.reduced.tolerance = this->GetTolerance();
-  options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]));
+  options.corners = 
+    CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]), cells.plane);
   this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), output);

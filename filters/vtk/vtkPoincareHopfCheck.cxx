@@ -43,7 +43,7 @@ struct Findings
   bool isField = false;
   std::vector<int> holeDegrees;
   int unwantedSingularities = 0;
-  double z = 0.0;
+  crossfield::DomainPlane plane;
 };
 
 vtkUnstructuredGrid* AsField(vtkDataSet* domain)
@@ -55,21 +55,22 @@ vtkUnstructuredGrid* AsField(vtkDataSet* domain)
     : nullptr;
 }
 
-Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities,
-  const std::vector<crossfield::CornerChoice>& corners, double cornerAngle, bool holonomy,
-  const crossfield::Progress& progress)
+Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* chosen,
+  double cornerAngle, bool holonomy, const crossfield::Progress& progress)
 {
   Findings result;
   const DomainConversion::Loops loops = DomainConversion::ReadLoops(input);
+  const std::vector<crossfield::CornerChoice> corners =
+    CornerConversion::ReadChoices(chosen, loops.plane);
   progress.Report(0.1);
   const crossfield::PlanarDomain domain = crossfield::MakePlanarDomain(loops.loops);
   crossfield::Configuration configuration;
   if (singularities != nullptr)
   {
-    configuration = DomainConversion::ReadConfiguration(singularities);
+    configuration = DomainConversion::ReadConfiguration(singularities, loops.plane);
   }
   crossfield::RequireInside(domain, configuration);
-  result.z = loops.z;
+  result.plane = loops.plane;
   result.count = crossfield::CountQuarters(
     domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, corners);
   result.consistent = result.count.Consistent();
@@ -82,14 +83,15 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities,
   return result;
 }
 
-Findings CheckField(vtkUnstructuredGrid* input,
-  const std::vector<crossfield::CornerChoice>& corners, const crossfield::Progress& progress)
+Findings CheckField(
+  vtkUnstructuredGrid* input, vtkDataSet* chosen, const crossfield::Progress& progress)
 {
   Findings result;
   const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
   progress.Report(0.5);
   const crossfield::FieldCheck check = crossfield::CheckField(cells.mesh,
-    CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input), corners);
+    CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input),
+    CornerConversion::ReadChoices(chosen, cells.plane));
   result.count = check.count;
   result.consistent = check.asPrescribed;
   result.reason = check.verdict;
@@ -99,7 +101,7 @@ Findings CheckField(vtkUnstructuredGrid* input,
     result.holeDegrees.push_back(hole.degree);
   }
   result.unwantedSingularities = check.unwantedSingularities;
-  result.z = input->GetPoint(0)[2];
+  result.plane = cells.plane;
   return result;
 }
 
@@ -245,11 +247,10 @@ int vtkPoincareHopfCheck::RequestData(
       {
         return;
       }
-      const std::vector<crossfield::CornerChoice> corners = CornerConversion::ReadChoices(chosen);
       vtkUnstructuredGrid* field = AsField(domain);
       const Findings findings = field != nullptr
-        ? CheckField(field, corners, progress)
-        : CheckConfiguration(domain, singularities, corners,
+        ? CheckField(field, chosen, progress)
+        : CheckConfiguration(domain, singularities, chosen,
             vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
       vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
       output->ShallowCopy(domain);
@@ -257,7 +258,7 @@ int vtkPoincareHopfCheck::RequestData(
       CornerConversion::WriteLoopTable(
         findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
       CornerConversion::WriteCountedCorners(
-        findings.count.corners, findings.z, vtkPolyData::GetData(outputVector, 2));
+        findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
       WriteVerdict(findings, vtkTable::GetData(outputVector, 3));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;

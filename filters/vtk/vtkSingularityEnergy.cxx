@@ -68,16 +68,17 @@ int vtkSingularityEnergy::RequestData(
       for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
       {
         configurations.push_back(
-          DomainConversion::ReadConfiguration(vtkDataSet::GetData(inputVector[1], i)));
+          DomainConversion::ReadConfiguration(
+          vtkDataSet::GetData(inputVector[1], i), input.plane));
       }
       crossfield::ConfigurationEnergyOptions options;
       options.meshSize = this->MeshSize;
-      options.corners = CornerConversion::ReadChoices(corners);
+      options.corners = CornerConversion::ReadChoices(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies =
         crossfield::CompareConfigurations(
           crossfield::MakePlanarDomain(input.loops), configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
-      EnergyConversion::WriteGradients(energies, input.z, vtkPolyData::GetData(outputVector, 1));
+      EnergyConversion::WriteGradients(energies, input.plane, vtkPolyData::GetData(outputVector, 1));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

@@ -63,18 +63,18 @@ int vtkSingularityOptimizer::RequestData(
       const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
       crossfield::OptimizerOptions options;
       options.meshSize = this->MeshSize;
-      options.corners = CornerConversion::ReadChoices(corners);
+      options.corners = CornerConversion::ReadChoices(corners, input.plane);
       options.maximumIterations = this->MaximumIterations;
       options.tolerance = this->Tolerance;
       const crossfield::OptimizerResult result =
         crossfield::OptimizeSingularities(crossfield::MakePlanarDomain(input.loops),
-          DomainConversion::ReadConfiguration(singularities), options, progress);
+          DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
       {
         vtkWarningMacro(<< result.reason);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-      CornerConversion::WriteConfiguration(result.configuration, input.z, output);
+      CornerConversion::WriteConfiguration(result.configuration, input.plane, output);
       EnergyConversion::WriteOptimizerReport(result, output);
       EnergyConversion::WriteHistory(result, vtkTable::GetData(outputVector, 1));
       if (result.aborted)

@@ -30,11 +30,12 @@ namespace
 {
 using crossfield::Error;
 
-/** Rows of x, y, quarter index and radius, and whether the radius was given. */
+/** Rows of x, y, quarter index and radius, whether the radius was given, and z if it was. */
 struct RowTable
 {
   std::vector<std::array<double, 4>> rows;
   bool hasRadius = true;
+  std::vector<double> z;
 };
 
 vtkAbstractArray* FindColumn(vtkTable* table, const char* name)
@@ -62,39 +63,41 @@ RowTable ReadRows(const std::string& fileName)
   reader->SetFieldDelimiterCharacters(",");
   reader->Update();
 
-  const char* names[4] = { "x", "y", "quarter_index", "radius" };
-  vtkAbstractArray* columns[4];
-  for (int i = 0; i < 4; ++i)
+  constexpr int Count = 5;
+  const char* names[Count] = { "x", "y", "quarter_index", "radius", "z" };
+  vtkAbstractArray* columns[Count];
+  for (int i = 0; i < Count; ++i)
   {
     columns[i] = FindColumn(reader->GetOutput(), names[i]);
     if (columns[i] == nullptr && i < 3)
     {
       throw Error("The file '" + fileName + "' has no column '" + names[i] +
-        "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius.");
+        "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius, and may have z.");
     }
   }
   RowTable table;
   table.hasRadius = columns[3] != nullptr;
   for (vtkIdType row = 0; row < reader->GetOutput()->GetNumberOfRows(); ++row)
   {
-    table.rows.emplace_back();
-    for (int i = 0; i < 4; ++i)
+    double numbers[Count];
+    for (int i = 0; i < Count; ++i)
     {
       bool valid = true;
-      table.rows.back()[i] =
-        columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
+      numbers[i] = columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
       if (!valid)
       {
         throw Error("Row " + std::to_string(row) + " of '" + fileName + "' has no number in column '" +
           names[i] + "'; correct it.");
       }
     }
+    table.rows.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
+    table.z.push_back(numbers[4]);
   }
   return table;
 }
 
 /** The rows at the places of the handles. */
-void MoveToHandles(const std::vector<std::array<double, 2>>& handles, RowTable& table)
+void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& table)
 {
   std::array<double, 4> next = { 0.0, 0.0, 1.0, 0.1 };
   if (!table.rows.empty())
@@ -104,7 +107,13 @@ void MoveToHandles(const std::vector<std::array<double, 2>>& handles, RowTable& 
   table.rows.resize(handles.size(), next);
   for (std::size_t i = 0; i < handles.size(); ++i)
   {
-    std::copy(handles[i].begin(), handles[i].end(), table.rows[i].begin());
+    table.rows[i][0] = handles[i][0];
+    table.rows[i][1] = handles[i][1];
+  }
+  table.z.clear();
+  for (const auto& handle : handles)
+  {
+    table.z.push_back(handle[2]);
   }
 }
 
@@ -120,7 +129,8 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
   for (std::size_t i = 0; i < table.rows.size(); ++i)
   {
     const auto& [x, y, quarterIndex, radius] = table.rows[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(radius))
+    const double z = table.z.empty() ? 0.0 : table.z[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || !std::isfinite(radius))
     {
       throw Error("Row " + std::to_string(i) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
@@ -130,7 +140,7 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
       throw Error("The quarter index of singularity " + std::to_string(i) +
         " is not an integer; give 4 times its index, for example 1 or -1.");
     }
-    const vtkIdType id = points->InsertNextPoint(x, y, 0.0);
+    const vtkIdType id = points->InsertNextPoint(x, y, z);
     vertices->InsertNextCell({ id });
     quarters->InsertNextValue(static_cast<int>(quarterIndex));
     radii->InsertNextValue(radius);
@@ -153,7 +163,7 @@ vtkSingularitySource::vtkSingularitySource()
   for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
   {
     this->Rows.push_back({ x * diagonal, y * diagonal, 1.0, 0.1 });
-    this->Handles.push_back({ x * diagonal, y * diagonal });
+    this->Handles.push_back({ x * diagonal, y * diagonal, 0.0 });
   }
 }
 
@@ -201,7 +211,7 @@ void vtkSingularitySource::RemoveAllSingularities()
 }
 
 //------------------------------------------------------------------------------
-void vtkSingularitySource::SetHandle(int handle, double x, double y, double)
+void vtkSingularitySource::SetHandle(int handle, double x, double y, double z)
 {
   if (handle < 0)
   {
@@ -209,15 +219,15 @@ void vtkSingularitySource::SetHandle(int handle, double x, double y, double)
     return;
   }
   const auto index = static_cast<std::size_t>(handle);
-  this->Handles.resize(std::max(index + 1, this->Handles.size()), { 0.0, 0.0 });
-  this->Handles[index] = { x, y };
+  this->Handles.resize(std::max(index + 1, this->Handles.size()), { 0.0, 0.0, 0.0 });
+  this->Handles[index] = { x, y, z };
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkSingularitySource::SetNumberOfHandles(int count)
 {
-  this->Handles.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0 });
+  this->Handles.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0, 0.0 });
   this->Modified();
 }
 
@@ -235,7 +245,7 @@ int vtkSingularitySource::RequestData(
     [&](const crossfield::Progress&)
     {
       RowTable table =
-        this->FileName.empty() ? RowTable{ this->Rows, true } : ReadRows(this->FileName);
+        this->FileName.empty() ? RowTable{ this->Rows, true, {} } : ReadRows(this->FileName);
       if (this->UseHandles)
       {
         MoveToHandles(this->Handles, table);
@@ -257,8 +267,8 @@ void vtkSingularitySource::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "UseHandles: " << (this->UseHandles ? "on" : "off") << "\n";
   os << indent << "Handles: " << this->Handles.size() << "\n";
-  for (const auto& [x, y] : this->Handles)
+  for (const auto& [x, y, z] : this->Handles)
   {
-    os << indent.GetNextIndent() << x << " " << y << "\n";
+    os << indent.GetNextIndent() << x << " " << y << " " << z << "\n";
   }
 }

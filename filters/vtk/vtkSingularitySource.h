@@ -6,13 +6,14 @@
  * turns k times around it and its index is k/4. k = +1 becomes a node of valence 3 of the quad
  * mesh, k = −1 one of valence 5.
  *
- * Output (vtkPolyData): one vertex per row, z = 0, with the point arrays
+ * Output (vtkPolyData): one vertex per row, z = 0 unless a file has it, with the point arrays
  * - `QuarterIndex` (int, 1 component): k;
  * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file
  *   has no such column.
  *
  * The rows are those set here, unless FileName is set. A file is comma-separated with the header
- * `x,y,quarter_index` and optionally `radius`, in any order.
+ * `x,y,quarter_index` and optionally `radius` and `z`, in any order. Domains in a plane z = const
+ * make no use of z; for those in another plane the points have to lie in it.
  *
  * With UseHandles on, handle i takes the place of row i: these are the points that ParaView lets one
  * drag in the 3D view. A row without a handle is left out; a handle without a row is a singularity
@@ -74,7 +75,7 @@ public:
   ///@}
 
   ///@{
-  /** The handles; z is ignored. Default: the places of the default rows. */
+  /** The handles, points of space. Default: the places of the default rows. */
   void SetHandle(int handle, double x, double y, double z);
   void SetNumberOfHandles(int count);
   int GetNumberOfHandles() const;
@@ -93,7 +94,7 @@ private:
   std::vector<std::array<double, 4>> Rows;
   std::string FileName;
   bool UseHandles = false;
-  std::vector<std::array<double, 2>> Handles;
+  std::vector<std::array<double, 3>> Handles;
 };
 
 #endif

@@ -21,8 +21,14 @@ def _cells(tag, cells, more=""):
             f"\n{more}</{tag}>")
 
 
+def _place(point):
+    """x, y and z; z is 0 for points of the plane."""
+    x, y, z = (*point, 0.0)[:3]
+    return f"{x!r} {y!r} {z!r}"
+
+
 def _points(points):
-    values = [repr(float(value)) for point in points for value in (*point, 0.0)]
+    values = [_place(map(float, point)) for point in points]
     return f"<Points>\n{_array('Float64', 'Points', values, 3)}\n</Points>"
 
 
@@ -42,7 +48,7 @@ def write_vtu(path, points, triangles):
 def write_vtk(path, points, triangles):
     lines = ["# vtk DataFile Version 3.0", "a domain", "ASCII", "DATASET UNSTRUCTURED_GRID",
              f"POINTS {len(points)} double"]
-    lines += [f"{x!r} {y!r} 0" for x, y in points]
+    lines += [_place(point) for point in points]
     lines += [f"CELLS {len(triangles)} {4 * len(triangles)}"]
     lines += ["3 " + " ".join(map(str, triangle)) for triangle in triangles]
     lines += [f"CELL_TYPES {len(triangles)}"] + ["5"] * len(triangles)
@@ -53,13 +59,13 @@ def write_stl(path, points, triangles):
     lines = ["solid domain"]
     for triangle in triangles:
         lines += [" facet normal 0 0 1", "  outer loop"]
-        lines += [f"   vertex {points[i][0]!r} {points[i][1]!r} 0" for i in triangle]
+        lines += [f"   vertex {_place(points[i])}" for i in triangle]
         lines += ["  endloop", " endfacet"]
     pathlib.Path(path).write_text("\n".join(lines + ["endsolid domain"]) + "\n")
 
 
 def write_obj(path, points, triangles):
-    lines = [f"v {x!r} {y!r} 0" for x, y in points]
+    lines = [f"v {_place(point)}" for point in points]
     lines += ["f " + " ".join(str(i + 1) for i in triangle) for triangle in triangles]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
@@ -68,14 +74,30 @@ def write_ply(path, points, triangles):
     lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}", "property float x",
              "property float y", "property float z", f"element face {len(triangles)}",
              "property list uchar int vertex_indices", "end_header"]
-    lines += [f"{x!r} {y!r} 0" for x, y in points]
+    lines += [_place(point) for point in points]
     lines += ["3 " + " ".join(map(str, triangle)) for triangle in triangles]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
 
 def write_csv(path, points):
     """One loop: the points in the order in which they follow each other."""
-    lines = ["x,y"] + [f"{x!r},{y!r}" for x, y in points]
+    lines = ["x,y,z"[:2 * len(points[0]) - 1]] + [",".join(map(repr, point)) for point in points]
+    pathlib.Path(path).write_text("\n".join(lines) + "\n")
+
+
+def write_loop_obj(path, points):
+    """One closed line as .obj."""
+    lines = [f"v {_place(point)}" for point in points]
+    lines += ["l " + " ".join(str(i + 1) for i in (*range(len(points)), 0))]
+    pathlib.Path(path).write_text("\n".join(lines) + "\n")
+
+
+def write_loop_vtk(path, points):
+    """One closed polyline as legacy .vtk."""
+    ids = (*range(len(points)), 0)
+    lines = ["# vtk DataFile Version 3.0", "a loop", "ASCII", "DATASET POLYDATA",
+             f"POINTS {len(points)} double"] + [_place(point) for point in points]
+    lines += [f"LINES 1 {len(ids) + 1}", f"{len(ids)} " + " ".join(map(str, ids))]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
 

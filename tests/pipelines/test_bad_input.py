@@ -110,6 +110,10 @@ class Domains(ProgramTest):
         self.refuse_text("loop.csv", "x,y\n0,0\n1\n1,1\n", "Row 1")
         self.refuse_text("loop.csv", "x,y\n")
 
+    def test_gmsh(self):
+        (self.folder / "plate.msh").write_text("$MeshFormat\n")
+        self.refuse_solve("plate.msh", says=["meshio.write('plate.vtu', meshio.read('plate.msh'))"])
+
     def test_3d_cells(self):
         self.refuse_text(
             "cube.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"

@@ -139,7 +139,7 @@ TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
   this->Source->AddSingularity(1.0, 2.0, 3.0, 0.4);
   this->Source->AddSingularity(5.0, 6.0, -7.0, 0.8);
   this->Source->SetNumberOfHandles(1);
-  this->Source->SetHandle(0, 0.5, 0.25, 9.0);
+  this->Source->SetHandle(0, 0.5, 0.25, 0.0);
   EXPECT_EQ(this->Rows()[0], Row({ 1.0, 2.0, 3.0, 0.4 })) << "handles are off by default";
   this->Source->UseHandlesOn();
   EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.5, 0.25, 3.0, 0.4 } }));
@@ -147,6 +147,9 @@ TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
   EXPECT_EQ(this->Source->GetNumberOfHandles(), 3);
   EXPECT_EQ(this->Rows(),
     std::vector<Row>({ { 0.5, 0.25, 3.0, 0.4 }, { 0.0, 0.0, -7.0, 0.8 }, { -1.0, -2.0, 1.0, 0.8 } }));
+  this->Source->SetHandle(2, -1.0, -2.0, 3.0);
+  this->Source->Update();
+  EXPECT_EQ(this->Source->GetOutput()->GetPoint(2)[2], 3.0);
   // The rows themselves stay.
   this->Source->UseHandlesOff();
   EXPECT_EQ(this->Rows().size(), 2u);

@@ -1,0 +1,207 @@
+"""The functions of the package: one pipeline of filters each."""
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Union
+
+from . import names
+from ._input import Domain, Singularities, as_configuration, as_domain
+from ._results import (
+    Corners, CrossField, Mesh, Verdict, copied, field_of, mesh_of, places, report_of)
+from ._run import Error, Pipeline
+from .vtkCrossFieldFilters import (
+    vtkBoundaryCornerClassifier, vtkDrillHoles, vtkGinzburgLandauCrossField,
+    vtkPerforatedCrossField, vtkPoincareHopfCheck)
+
+_STARTS = {"constrained": {"best": vtkPerforatedCrossField.StartBest,
+                           "harmonic": vtkPerforatedCrossField.StartHarmonic,
+                           "unit-norm": vtkPerforatedCrossField.StartUnitNorm},
+           "unit-norm": {},
+           "ginzburg-landau": {"harmonic": vtkGinzburgLandauCrossField.StartHarmonic,
+                               "constant": vtkGinzburgLandauCrossField.StartConstant,
+                               "zero": vtkGinzburgLandauCrossField.StartZero}}
+
+
+def _choice(value: str, choices: Any, what: str) -> Any:
+    if value not in choices:
+        raise Error("There is no %s '%s'; choose %s." % (what, value, ", ".join(choices) or "none"))
+    return choices[value]
+
+
+def _corner_points(corners: Union[Corners, Singularities]) -> Any:
+    return corners.data if isinstance(corners, Corners) else as_configuration(corners, "corners")
+
+
+def _drilled(pipeline: Pipeline, domain: Domain, singularities: Singularities,
+             size: Optional[float], minimum_hole_edges: int, gradation: float) -> Any:
+    if size is not None and not size > 0:
+        raise Error("The size %s is not positive; give a length, or None." % size)
+    drill_holes = pipeline.add(vtkDrillHoles())
+    drill_holes.SetInputData(as_domain(domain, size))
+    drill_holes.SetSingularitiesData(as_configuration(singularities))
+    drill_holes.SetMeshSize(size or 0.0)
+    drill_holes.SetMinimumHoleEdges(minimum_hole_edges)
+    drill_holes.SetGradation(gradation)
+    return drill_holes
+
+
+def drill(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
+          minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
+    """Triangulates a domain with a small hole at every singularity.
+
+    The arguments are those of `solve`. `gradation` is the largest growth of the edge length per unit
+    of distance.
+
+    >>> mesh = drill("builtin:square", [(1.5, 1, 1, 0.1), (0.5, 1, -1, 0.1)])
+    >>> sorted(set(mesh.quarter_index.tolist()))
+    [-1, 0, 1]
+    """
+    pipeline = Pipeline()
+    found = _drilled(pipeline, domain, singularities, size, minimum_hole_edges, gradation)
+    return mesh_of(pipeline.update(found).GetOutput())
+
+
+def solve(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
+          method: str = "constrained", start: Optional[str] = None, unit_holes: bool = False,
+          corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
+          minimum_hole_edges: int = 32, gradation: float = 0.25) -> CrossField:
+    """The smoothest cross field that is aligned with the boundary and has these singularities.
+
+    domain         a loop, an array (n, 2) of points; a list of loops; any vtkDataSet with boundary
+                   lines or a surface mesh; a file; or "builtin:NAME". Loops may be in any plane of
+                   space, (n, 3).
+    singularities  an array (m, 3) of x, y, quarter index, or (m, 4) with a radius; any vtkDataSet of
+                   points with `QuarterIndex`, see `configuration`; a .csv or .vtp file; or None
+    size           edge length of the mesh; default: 1/40 of the diagonal of the domain
+    method         "constrained", "unit-norm", or "ginzburg-landau", which places singularities by
+                   itself and takes none
+    start          "constrained": "best" (default), "harmonic", "unit-norm"; "ginzburg-landau":
+                   "harmonic" (default), "constant", "zero"
+    unit_holes     force unit crosses on the holes
+    corners        quarter indices of corners: what `corners` gives, or as `singularities`
+    epsilon        "ginzburg-landau": radius of the cores, a length; default: the mean edge length
+    minimum_hole_edges, gradation
+                   of the mesh, see `drill`
+
+    Raises Error with one sentence if the input is bad or no such field exists. An iteration that
+    does not converge is a RuntimeWarning, and report["converged"] is False.
+
+    >>> import numpy as np
+    >>> outer = [(0, 0), (6, 0), (6, 4), (0, 4)]
+    >>> t = np.arange(32) * 2 * np.pi / 32
+    >>> inner = np.column_stack([3 + 0.8 * np.cos(t), 2 + 0.8 * np.sin(t)])
+    >>> field = solve([outer, inner], [(1, 2, -2, 0.2), (5, 2, -2, 0.2)], size=0.3)
+    >>> field.hole_degrees.tolist(), field.report["converged"]
+    ([-2, -2], True)
+    >>> field.u.shape == (len(field.triangles), 3)
+    True
+    >>> solve(outer, [(1, 2, 1)])
+    Traceback (most recent call last):
+    crossfield.Error: The quarter indices of the singularities add up to 1 ...
+    """
+    starts = _choice(method, _STARTS, "method")
+    pipeline = Pipeline()
+    if method == "ginzburg-landau":
+        if singularities is not None:
+            raise Error("The method ginzburg-landau has its own singularities; give none.")
+        if unit_holes or corners is not None:
+            raise Error("The options unit_holes and corners do not belong to the method "
+                        "ginzburg-landau; leave them out.")
+        solver = pipeline.add(vtkGinzburgLandauCrossField())
+        solver.SetEpsilon(epsilon or 0.0)
+    else:
+        if epsilon is not None:
+            raise Error("The option epsilon belongs to the method ginzburg-landau; leave it out.")
+        solver = pipeline.add(vtkPerforatedCrossField())
+        if method == "unit-norm":
+            solver.SetMethodToUnitNorm()
+        solver.SetUnitHoles(unit_holes)
+        if corners is not None:
+            solver.SetCornersData(_corner_points(corners))
+    if start is not None:
+        solver.SetStart(_choice(start, starts, "start of the method " + method))
+    found = _drilled(pipeline, domain, singularities, size, minimum_hole_edges, gradation)
+    solver.SetInputConnection(found.GetOutputPort())
+    return field_of(pipeline.update(solver).GetOutput())
+
+
+def check(domain: Domain, singularities: Singularities = None, *,
+          corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
+          holonomy: bool = True) -> Verdict:
+    """Whether singularities can exist on a domain, and why; by the Poincaré-Hopf theorem.
+
+    The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
+    then checked itself. A vertex of the boundary that turns by more than `corner_angle` degrees is a
+    corner. `holonomy` says whether the defects of inner loops are computed, which takes a solve.
+    A configuration that cannot exist is no error.
+
+    >>> verdict = check("builtin:disk", [(0, 0, 1)])
+    >>> verdict.consistent, verdict.report["required_interior_quarters"]
+    (False, 4)
+    """
+    pipeline = Pipeline()
+    filter_ = pipeline.add(vtkPoincareHopfCheck())
+    filter_.SetInputData(as_domain(domain, None))
+    if singularities is not None:
+        filter_.SetSingularitiesData(as_configuration(singularities))
+    if corners is not None:
+        filter_.SetCornersData(_corner_points(corners))
+    filter_.SetCornerAngle(corner_angle)
+    filter_.SetHolonomy(holonomy)
+    checked = pipeline.update(filter_).GetOutput()
+    found = filter_.GetOutputDataObject(2)
+    wanted = (names.EulerCharacteristic, names.Valence, names.TangentTurning,
+              names.RequiredInteriorQuarters, names.GivenInteriorQuarters, names.Consistent)
+    report = report_of(checked, wanted)
+    report["holonomy_defect"] = report_of(checked, (names.HolonomyDefect,)).get(
+        "holonomy_defect", [])
+    data = found.GetPointData()
+    return Verdict(
+        consistent=report["consistent"],
+        reason=checked.GetFieldData().GetAbstractArray(names.Reason).GetValue(0),
+        corner_points=places(found), corner_angles=copied(data, names.Angle),
+        corner_quarters=copied(data, names.QuarterIndex),
+        cancellable=copied(data, names.Cancellable) != 0, report=report)
+
+
+def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: bool = False,
+            overrides: Sequence[tuple[float, float, int]] = ()) -> Corners:
+    """The quarter indices of corners that cost least together with the singularities they need.
+
+    `overrides` are rows of x, y and quarter index for the corner nearest to (x, y), in coordinates
+    of the domain's plane. `printed_coefficient` counts interior singularities twice, as the paper
+    prints it.
+
+    >>> found = corners("builtin:l-shape")
+    >>> found.quarter_index.tolist(), found.interior_quarters
+    ([1, 1, 1, -1, 1, 1], 0)
+    """
+    pipeline = Pipeline()
+    classifier = pipeline.add(vtkBoundaryCornerClassifier())
+    classifier.SetInputData(as_domain(domain, None))
+    classifier.SetCornerAngle(corner_angle)
+    classifier.SetPrintedCoefficient(printed_coefficient)
+    for row in overrides:
+        classifier.AddOverride(*row)
+    found = pipeline.update(classifier).GetOutput()
+    data, report = found.GetPointData(), report_of(found)
+    table = classifier.GetOutputDataObject(1)
+
+    def cell(row: int, name: str) -> Any:
+        return table.GetValueByName(row, name)
+
+    scenarios = {cell(row, names.Scenario).ToString(): {
+        "sum": cell(row, names.Sum).ToInt(), "energy": cell(row, names.Energy).ToDouble(),
+        "feasible": cell(row, names.Feasible).ToInt() != 0}
+        for row in range(table.GetNumberOfRows())}
+    return Corners(
+        points=places(found), angle=copied(data, names.Angle),
+        quarter_index=copied(data, names.QuarterIndex),
+        scarce=copied(data, names.QuarterIndexScarce),
+        balanced=copied(data, names.QuarterIndexBalanced),
+        excess=copied(data, names.QuarterIndexExcess),
+        conventional=copied(data, names.QuarterIndexConventional),
+        corner_energy=copied(data, names.CornerEnergy),
+        cancellable=copied(data, names.Cancellable) != 0, tied=copied(data, names.Tied) != 0,
+        scenario=found.GetFieldData().GetAbstractArray(names.Scenario).GetValue(0),
+        energy=report["energy"], interior_quarters=report["interior_quarters"],
+        scenarios=scenarios, data=found)

@@ -1,0 +1,242 @@
+"""Domains and configurations as users have them, as the data sets that the filters read."""
+from __future__ import annotations
+
+import os
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    vtkCellArray, vtkDataSet, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+
+from . import names
+from ._run import Error, Pipeline
+from .vtkCrossFieldFilters import vtkPlanarDomainSource, vtkSingularitySource
+
+Path = Union[str, "os.PathLike[str]"]
+#: One loop, several loops, a data set, a file, or "builtin:NAME".
+Domain = Union[ArrayLike, Sequence[ArrayLike], vtkDataSet, Path]
+#: Rows of x, y, quarter index and maybe radius, a data set, or a file; None: no singularities.
+Singularities = Union[ArrayLike, vtkDataSet, Path, None]
+
+_READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
+            ".vtk": vtkGenericDataObjectReader, ".stl": vtkSTLReader, ".obj": vtkOBJReader,
+            ".ply": vtkPLYReader}
+
+
+def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
+    """Rows of numbers with one of the widths; no rows at all are fine."""
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        array = np.empty(0)
+        values = None
+    if values is not None and array.size == 0:
+        return np.empty((0, widths[0]))
+    if array.ndim != 2 or array.shape[1] not in widths:
+        raise Error("The %s must be an array of numbers with %s columns; its shape is %s." % (
+            what, " or ".join(map(str, widths)),
+            array.shape if values is not None else "not that of an array"))
+    return array
+
+
+def _points(places: np.ndarray) -> vtkPoints:
+    """Points in double precision; z is 0 where it is not given."""
+    padded = np.zeros((len(places), 3))
+    padded[:, :places.shape[1]] = places
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(padded, deep=True))
+    return points
+
+
+def _cells(cells: Sequence[np.ndarray]) -> vtkCellArray:
+    """Cells of any numbers of points."""
+    offsets = np.concatenate([[0], np.cumsum([len(cell) for cell in cells])]).astype(np.int64)
+    ids = np.concatenate([np.asarray(cell, dtype=np.int64) for cell in cells])
+    result = vtkCellArray()
+    result.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                   numpy_to_vtkIdTypeArray(ids, deep=True))
+    return result
+
+
+def _loops(loops: Any) -> vtkPolyData:
+    """Closed polylines."""
+    if len(loops) == 0:
+        raise Error("The domain has no loops; give at least one array of points.")
+    if np.ndim(loops[0]) == 1:
+        loops = [loops]
+    arrays = [_numbers(loop, (2, 3), "loop %d of the domain" % i) for i, loop in enumerate(loops)]
+    padded = [np.pad(array, ((0, 0), (0, 3 - array.shape[1]))) for array in arrays]
+    first, lines = 0, []
+    for array in padded:
+        if len(array) > 0:
+            lines.append(np.append(np.arange(first, first + len(array)), first))
+        first += len(array)
+    if not lines:
+        raise Error("The loops of the domain have no points; give at least three.")
+    result = vtkPolyData()
+    result.SetPoints(_points(np.concatenate(padded)))
+    result.SetLines(_cells(lines))
+    return result
+
+
+def _read_csv(path: str) -> vtkPolyData:
+    """The points x, y and maybe z of one loop."""
+    try:
+        table = np.genfromtxt(path, delimiter=",", names=True, dtype=float, ndmin=1)
+    except ValueError as error:
+        raise Error("The file '%s' is no table of numbers (%s); correct it."
+                    % (path, str(error).splitlines()[0])) from None
+    columns = table.dtype.names or ()
+    if not {"x", "y"} <= set(columns):
+        raise Error("The file '%s' has no columns x and y; its first line must be x,y." % path)
+    return _loops(np.column_stack([table[name] for name in ("x", "y", "z") if name in columns]))
+
+
+def _read_gmsh(path: str) -> vtkPolyData:
+    """A Gmsh mesh through meshio: its triangles and quadrilaterals, or else its lines."""
+    try:
+        import meshio
+    except ImportError:
+        raise Error(
+            "The file '%s' is a mesh of Gmsh, which is read with the Python package meshio; install "
+            "it (Debian package python3-meshio), or convert the file where it is installed with "
+            "`python3 -c \"import meshio; meshio.write('%s', meshio.read('%s'))\"`."
+            % (path, os.path.splitext(path)[0] + ".vtu", path)) from None
+    try:
+        mesh = meshio.read(path)
+    except (Exception, SystemExit) as error:  # meshio has many ways to say no
+        raise Error("The file '%s' cannot be read by meshio (%s); check it." % (path, error)) from None
+    cells: dict[str, list[np.ndarray]] = {"line": [], "triangle": [], "quad": []}
+    for block in mesh.cells:
+        if block.type in cells:
+            cells[block.type].extend(np.asarray(block.data))
+        elif block.type != "vertex":
+            raise Error("The mesh '%s' has cells of type %s; give boundary lines or a mesh of "
+                        "triangles or quadrilaterals." % (path, block.type))
+    result = vtkPolyData()
+    result.SetPoints(_points(np.asarray(mesh.points, dtype=float)))
+    surfaces = cells["triangle"] + cells["quad"]
+    if surfaces:
+        result.SetPolys(_cells(surfaces))
+    elif cells["line"]:
+        result.SetLines(_cells(cells["line"]))
+    return result
+
+
+def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of one loop, or a
+    .msh of Gmsh if meshio is installed.
+
+    Raises Error if there is no such file, it cannot be read or holds no cells.
+    """
+    path = os.fspath(path)
+    if not os.path.isfile(path):
+        raise Error("There is no file '%s'; check the name of the domain." % path)
+    ending = os.path.splitext(path)[1].lower()
+    if ending == ".csv":
+        return _read_csv(path)
+    if ending == ".msh":
+        data = _read_gmsh(path)
+    elif ending in _READERS:
+        data = _read_with(_READERS[ending], path)
+    else:
+        raise Error("The file '%s' has an unknown ending; give one of %s, .csv or .msh."
+                    % (path, ", ".join(_READERS)))
+    if not isinstance(data, vtkDataSet) or data.GetNumberOfCells() == 0:
+        raise Error(
+            "The file '%s' holds no cells; give boundary lines or a triangle mesh." % path)
+    return _as_curves_or_surfaces(data)
+
+
+def _read_with(kind: Any, path: str) -> Any:
+    reader = kind()
+    reader.SetFileName(path)
+    try:
+        return Pipeline().update_one(reader).GetOutputDataObject(0)
+    except Error as error:
+        # Among others, Debian 12's VTKs cannot parse files with appended data.
+        raise Error("The file '%s' cannot be read (%s); check it, or save it again as binary or "
+                    "ASCII, not appended." % (path, error)) from None
+
+
+def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+    """The two types that the filters read; every other data set has cells that they know."""
+    if isinstance(data, (vtkPolyData, vtkUnstructuredGrid)):
+        return data
+    append = vtkAppendFilter()
+    append.AddInputData(data)
+    return Pipeline().update_one(append).GetOutput()
+
+
+def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+    """The data set of a domain; curves of built-in ones are sampled at `size`."""
+    if isinstance(domain, vtkDataSet):
+        if domain.GetNumberOfCells() == 0:  # the filters would give an empty output
+            raise Error("The domain has no cells; give boundary lines or a triangle mesh.")
+        return _as_curves_or_surfaces(domain)
+    if isinstance(domain, (str, os.PathLike)):
+        name = os.fspath(domain)
+        if not name.startswith("builtin:"):
+            return read(name)
+        source = vtkPlanarDomainSource()
+        source.SetDomainName(name[len("builtin:"):])
+        source.SetEdgeLength(size or 0.0)
+        return Pipeline().update_one(source).GetOutput()
+    return _loops(domain)
+
+
+def configuration(points: ArrayLike, quarter_index: ArrayLike,
+                  radius: Optional[ArrayLike] = None) -> vtkPolyData:
+    """Singularities as points with the arrays `QuarterIndex` and, if given, `Radius`.
+
+    `points` is (n, 2), or (n, 3) for a domain in any plane of space, `quarter_index` (n,), 4 times
+    the index of each; `radius` is (n,) or one number, in the units of the domain.
+
+    >>> data = configuration([(0.3, 0.5, 0.0), (0.7, 0.5, 0.0)], [1, -1], 0.05)
+    >>> data.GetNumberOfPoints()
+    2
+    """
+    places = _numbers(points, (2, 3), "points of the singularities")
+    columns = [(names.QuarterIndex, quarter_index)]
+    if radius is not None:
+        columns.append((names.Radius, radius))
+    result = vtkPolyData()
+    result.SetPoints(_points(places))
+    if len(places) > 0:
+        result.SetVerts(_cells(np.arange(len(places)).reshape(-1, 1)))
+    for name, values in columns:
+        try:
+            column = np.array(np.broadcast_to(np.asarray(values, dtype=float), len(places)))
+        except (TypeError, ValueError):
+            raise Error("The singularities need one number '%s' for each of their %d points."
+                        % (name, len(places))) from None
+        # The filters refuse what is not an integer, and say which.
+        if name == names.QuarterIndex and (column == column.astype(np.int32)).all():
+            column = column.astype(np.int32)
+        array = numpy_to_vtk(column, deep=True)
+        array.SetName(name)
+        result.GetPointData().AddArray(array)
+    return result
+
+
+def as_configuration(rows: Singularities, what: str = "singularities") -> vtkDataSet:
+    """The points of singularities or corners with their quarter indices."""
+    if isinstance(rows, vtkDataSet):
+        return rows
+    if isinstance(rows, (str, os.PathLike)):
+        name = os.fspath(rows)
+        if os.path.splitext(name)[1].lower() == ".vtp" and os.path.isfile(name):
+            return _read_with(vtkXMLPolyDataReader, name)
+        source = vtkSingularitySource()
+        source.SetFileName(name)
+        return Pipeline().update_one(source).GetOutput()
+    table = _numbers([] if rows is None else rows, (3, 4), what)
+    return configuration(table[:, :2], table[:, 2], table[:, 3] if table.shape[1] == 4 else None)

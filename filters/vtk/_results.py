@@ -1,0 +1,225 @@
+"""What the functions give back: numpy arrays, and the VTK data that they were taken from."""
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    VTK_LINE, VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+from . import names
+from ._run import Pipeline
+from .vtkCrossFieldFilters import vtkCrossFieldSingularities
+
+# Field data that is true or false, and that has one entry for each hole or inner loop.
+_FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
+          names.UnitHoles)
+_LISTS = (names.HoleDegree, names.HoleNormRange, names.HolonomyDefect)
+
+
+def copied(attributes: Any, name: str) -> np.ndarray:
+    """A copy of an array."""
+    return vtk_to_numpy(attributes.GetArray(name)).copy()
+
+
+def places(data: Any) -> np.ndarray:
+    """A copy of the points, (n, 3)."""
+    if data.GetNumberOfPoints() == 0:
+        return np.empty((0, 3))
+    return vtk_to_numpy(data.GetPoints().GetData()).copy()
+
+
+def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, Any]:
+    """Field data, or the wanted arrays of it, under the names of `crossfield --json`."""
+    report = {}
+    for i in range(data.GetFieldData().GetNumberOfArrays()):
+        array = data.GetFieldData().GetArray(i)
+        if array is None or (wanted is not None and array.GetName() not in wanted):
+            continue  # a text, or of no interest
+        values = vtk_to_numpy(array).tolist()
+        name = array.GetName()
+        if name in _FLAGS:
+            values = values[0] != 0
+        elif name not in _LISTS:
+            values = values[0]
+        report[re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()] = values
+    return report
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A triangle mesh with a hole at every singularity.
+
+    points         (n, 3) float; in the plane of the domain
+    triangles      (t, 3) int, rows of `points`, counter-clockwise
+    edges          (b, 2) int, of the boundary, with the domain on the left
+    boundary_kind  (b,) int: 1 outer loop, 2 inner loop, 3 hole
+    boundary_id    (b,) int: number of the loop, or row of the singularity
+    quarter_index  (b,) int: of the hole, 0 elsewhere
+    grid           all of it as a vtkUnstructuredGrid
+    """
+
+    points: np.ndarray
+    triangles: np.ndarray
+    edges: np.ndarray
+    boundary_kind: np.ndarray
+    boundary_id: np.ndarray
+    quarter_index: np.ndarray
+    grid: vtkUnstructuredGrid
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes `grid` to a .vtu file, in a form that Debian's VTK can read back."""
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputData(self.grid)
+        writer.SetDataModeToBinary()
+        writer.WriteToOutputStringOn()
+        Pipeline().update_one(writer)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(writer.GetOutputString())
+
+
+@dataclass(frozen=True)
+class CrossField(Mesh):
+    """A cross field on a mesh. A cross at angle θ is u = exp(4iθ), |u| its norm.
+
+    u              (t, 3) complex, at the midpoints of p0p1, p1p2, p2p0 of each triangle: the exact
+                   discrete field
+    angle          (t,) float, of a branch at the centre of each triangle, in (-π/4, π/4], radians
+    point_angle    (n,) float, the same at each point
+    norm           (t,) float, |u| at the centre of each triangle
+    point_norm     (n,) float, the same at each point
+    cross          (t, 3) float, the branch at that angle as a unit vector of space
+    point_cross    (n, 3) float, the same at each point
+    hole_degrees   (h,) int, quarter turns that the field really makes around each hole
+    report         the numbers of the solver, under the names of `crossfield solve --json`
+    grid           all of it as a vtkUnstructuredGrid
+
+    u and the angles are in the frame of the plane: of (x, y) if z is constant, of (y, z) if x is, of
+    (x, z) if y is, and in other planes of the nearest of these three, turned into the plane by the
+    shortest rotation.
+    """
+
+    u: np.ndarray
+    angle: np.ndarray
+    point_angle: np.ndarray
+    norm: np.ndarray
+    point_norm: np.ndarray
+    cross: np.ndarray
+    point_cross: np.ndarray
+    hole_degrees: np.ndarray
+    report: dict[str, Any]
+
+    def singularities(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points (m, 3) and quarter indices (m,) of the singularities that are not in holes."""
+        finder = vtkCrossFieldSingularities()
+        finder.SetInputData(self.grid)
+        found = Pipeline().update_one(finder).GetOutput()
+        return places(found), copied(found.GetPointData(), names.QuarterIndex)
+
+
+def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
+    lines = types == VTK_LINE
+
+    def corners(wanted: np.ndarray, count: int) -> np.ndarray:
+        return ids[starts[wanted][:, None] + np.arange(count)]
+
+    def of_lines(name: str) -> np.ndarray:
+        return vtk_to_numpy(grid.GetCellData().GetArray(name))[lines]
+
+    return {"points": places(grid), "triangles": corners(types == VTK_TRIANGLE, 3),
+            "edges": corners(lines, 2), "boundary_kind": of_lines(names.BoundaryKind),
+            "boundary_id": of_lines(names.BoundaryId),
+            "quarter_index": of_lines(names.QuarterIndex), "grid": grid}
+
+
+def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
+    """The arrays of a drilled mesh."""
+    return Mesh(**_mesh_arrays(grid))
+
+
+def field_of(grid: vtkUnstructuredGrid) -> CrossField:
+    """The arrays of a field."""
+    mesh = _mesh_arrays(grid)
+    triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
+
+    def on_triangles(name: str) -> np.ndarray:
+        return vtk_to_numpy(grid.GetCellData().GetArray(name))[triangles]
+
+    def angles(shown: np.ndarray) -> np.ndarray:
+        return np.arctan2(shown[:, 1], shown[:, 0]) / 4
+
+    exact = on_triangles(names.CrossFieldCR)
+    report = report_of(grid)
+    report["triangles"] = len(mesh["triangles"])
+    return CrossField(
+        **mesh, u=exact[:, 0::2] + 1j * exact[:, 1::2],
+        angle=angles(on_triangles(names.Representation)),
+        point_angle=angles(copied(grid.GetPointData(), names.Representation)),
+        norm=on_triangles(names.CrossNorm), point_norm=copied(grid.GetPointData(), names.CrossNorm),
+        cross=on_triangles(names.Cross), point_cross=copied(grid.GetPointData(), names.Cross),
+        hole_degrees=copied(grid.GetFieldData(), names.HoleDegree), report=report)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether singularities can exist on a domain, and why.
+
+    consistent         the sum of quarter indices is the one that the domain asks for
+    reason             one sentence
+    corner_points      (c, 3) float
+    corner_angles      (c,) float, inside the domain, radians
+    corner_quarters    (c,) int, quarter index of each corner
+    cancellable        (c,) bool, interior singularities can make it a regular point
+    report             the numbers, under the names of `crossfield check --json`
+    """
+
+    consistent: bool
+    reason: str
+    corner_points: np.ndarray
+    corner_angles: np.ndarray
+    corner_quarters: np.ndarray
+    cancellable: np.ndarray
+    report: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Corners:
+    """The corners of a domain with their quarter indices.
+
+    points             (c, 3) float
+    angle              (c,) float, inside the domain, radians
+    quarter_index      (c,) int, of least energy
+    scarce, balanced, excess, conventional
+                       (c,) int, in the scenarios of the paper, and by the smallest rotation
+    corner_energy      (c,) float
+    cancellable, tied  (c,) bool
+    scenario           name of the scenario that the least energy belongs to
+    energy             of all corners and the interior singularities that they make necessary
+    interior_quarters  sum of the quarter indices in the interior
+    scenarios          name: {"sum", "energy", "feasible"}
+    data               the points as vtkPolyData; `solve` and `check` take it, or this object
+    """
+
+    points: np.ndarray
+    angle: np.ndarray
+    quarter_index: np.ndarray
+    scarce: np.ndarray
+    balanced: np.ndarray
+    excess: np.ndarray
+    conventional: np.ndarray
+    corner_energy: np.ndarray
+    cancellable: np.ndarray
+    tied: np.ndarray
+    scenario: str
+    energy: float
+    interior_quarters: int
+    scenarios: dict[str, dict[str, Any]]
+    data: vtkPolyData

@@ -1,0 +1,342 @@
+// Domains in any plane of space: every filter gives what it gives in z = 0, moved there.
+
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkBoundaryCornerClassifier.h"
+#include "vtkConfigurationProposal.h"
+#include "vtkCrossFieldSingularities.h"
+#include "vtkCrossGlyphs.h"
+#include "vtkDrillHoles.h"
+#include "vtkGinzburgLandauCrossField.h"
+#include "vtkPerforatedCrossField.h"
+#include "vtkPoincareHopfCheck.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+namespace
+{
+using Vector = std::array<double, 3>;
+using Rotation = std::array<Vector, 3>; ///< By rows.
+
+/** The rotation about an axis in z = 0 that takes z to the normal: the shortest one. */
+Rotation Tilt(Vector normal)
+{
+  vtkMath::Normalize(normal.data());
+  const auto [x, y, z] = normal;
+  const double s = 1.0 / (1.0 + z);
+  return { { { 1.0 - x * x * s, -x * y * s, x }, { -x * y * s, 1.0 - y * y * s, y },
+    { -x, -y, z } } };
+}
+
+Vector Apply(const Rotation& rotation, const double* place)
+{
+  Vector result;
+  for (int i = 0; i < 3; ++i)
+  {
+    result[i] = vtkMath::Dot(rotation[i].data(), place);
+  }
+  return result;
+}
+
+double Distance(const Vector& a, const double* b)
+{
+  return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b));
+}
+
+vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* input, const Rotation& rotation)
+{
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->DeepCopy(input);
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    result->GetPoints()->SetPoint(i, Apply(rotation, input->GetPoint(i)).data());
+  }
+  return result;
+}
+
+double Value(vtkDataObject* data, const char* name)
+{
+  return FilterChecks::RequireArray(data->GetFieldData(), name)->GetTuple1(0);
+}
+
+/** An L with corners of 90 and 270 degrees, and two singularities. */
+vtkSmartPointer<vtkPolyData> Domain()
+{
+  return TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 4, 2 }, { 2, 2 }, { 2, 4 }, { 0, 4 } } });
+}
+vtkSmartPointer<vtkPolyData> Pair()
+{
+  return TestInputs::Singularities({ { 1, 3, 1, 0.25 }, { 3, 1, -1, 0.25 } });
+}
+
+struct Chain
+{
+  explicit Chain(const Rotation& rotation)
+    : Domain(Moved(::Domain(), rotation))
+    , Singularities(Moved(Pair(), rotation))
+  {
+    this->Drill->SetInputData(this->Domain);
+    this->Drill->SetSingularitiesData(this->Singularities);
+    this->Drill->SetMeshSize(0.25);
+    this->Solver->SetInputConnection(this->Drill->GetOutputPort());
+  }
+
+  vtkSmartPointer<vtkPolyData> Domain;
+  vtkSmartPointer<vtkPolyData> Singularities;
+  vtkNew<vtkDrillHoles> Drill;
+  vtkNew<vtkPerforatedCrossField> Solver;
+};
+
+const Rotation Identity = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+
+class Planes : public testing::TestWithParam<Rotation>
+{
+public:
+  Chain Flat{ Identity };
+  Chain Turned{ GetParam() };
+
+  /** Points one by one where those in z = 0 are moved to. */
+  void ExpectMoved(vtkDataSet* turned, vtkDataSet* flat, double tolerance = 1e-12)
+  {
+    ASSERT_EQ(turned->GetNumberOfPoints(), flat->GetNumberOfPoints());
+    ASSERT_GT(flat->GetNumberOfPoints(), 0);
+    for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_LT(Distance(Apply(GetParam(), flat->GetPoint(i)), turned->GetPoint(i)), tolerance);
+    }
+  }
+};
+
+TEST_P(Planes, MeshAndField)
+{
+  for (Chain* chain : { &this->Flat, &this->Turned })
+  {
+    FilterChecks::UpdateWithoutError(chain->Solver);
+  }
+  vtkUnstructuredGrid* flat = this->Flat.Solver->GetOutput();
+  vtkUnstructuredGrid* turned = this->Turned.Solver->GetOutput();
+  ASSERT_EQ(turned->GetNumberOfPoints(), flat->GetNumberOfPoints());
+  ASSERT_EQ(turned->GetNumberOfCells(), flat->GetNumberOfCells());
+  EXPECT_NEAR(Value(turned, "Energy") / Value(flat, "Energy"), 1.0, 1e-12);
+
+  const auto complex = [](vtkUnstructuredGrid* field, vtkIdType i)
+  {
+    const double* u = field->GetPointData()->GetArray("Representation")->GetTuple3(i);
+    return std::complex<double>(u[0], u[1]);
+  };
+  const Vector normal = Apply(GetParam(), Identity[2].data());
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    // The numbers of points may differ, so each is looked for.
+    const Vector place = Apply(GetParam(), flat->GetPoint(i));
+    vtkIdType found = 0;
+    for (vtkIdType j = 1; j < turned->GetNumberOfPoints(); ++j)
+    {
+      found = Distance(place, turned->GetPoint(j)) < Distance(place, turned->GetPoint(found)) ? j
+                                                                                           : found;
+    }
+    ASSERT_LT(Distance(place, turned->GetPoint(found)), 1e-12);
+    EXPECT_LT(std::abs(complex(flat, i) - complex(turned, found)), 1e-10) << "u in the plane's frame";
+
+    Vector crosses[2];
+    turned->GetPointData()->GetArray("Cross")->GetTuple(found, crosses[0].data());
+    turned->GetPointData()->GetArray("Cross2")->GetTuple(found, crosses[1].data());
+    Vector product;
+    vtkMath::Cross(crosses[0].data(), crosses[1].data(), product.data());
+    EXPECT_LT(Distance(normal, product.data()), 1e-12) << "orthogonal unit vectors in the plane";
+    // Where arg(u) is near π rounding chooses the branch; cos 4θ does not depend on it.
+    double expected[3];
+    flat->GetPointData()->GetArray("Cross")->GetTuple(i, expected);
+    const double cosine = vtkMath::Dot(Apply(GetParam(), expected).data(), crosses[0].data());
+    EXPECT_NEAR(8 * std::pow(cosine, 4) - 8 * std::pow(cosine, 2) + 1, 1.0, 1e-9);
+  }
+}
+
+TEST_P(Planes, CornersAndOverrides)
+{
+  vtkNew<vtkBoundaryCornerClassifier> classifiers[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    classifiers[i]->SetInputData(i == 0 ? this->Flat.Domain : this->Turned.Domain);
+    classifiers[i]->AddPointOverride(3, -2);
+    classifiers[i]->AddOverride(4, 2, 2); // in coordinates of the plane
+    FilterChecks::UpdateWithoutError(classifiers[i]);
+  }
+  this->ExpectMoved(classifiers[1]->GetOutput(), classifiers[0]->GetOutput());
+  for (const char* name : { "QuarterIndex", "Overridden", "QuarterIndexScarce" })
+  {
+    for (vtkIdType i = 0; i < 6; ++i)
+    {
+      EXPECT_EQ(classifiers[0]->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i),
+        classifiers[1]->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(i))
+        << name;
+    }
+  }
+  // They fit to the boundary of a mesh of the same domain, and the sum of the singularities to them.
+  double energies[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkPerforatedCrossField* solver = (i == 0 ? this->Flat : this->Turned).Solver;
+    solver->SetMethodToUnitNorm();
+    FilterChecks::UpdateWithoutError(solver);
+    const double withoutCorners = Value(solver->GetOutput(), "Energy");
+    solver->SetCornersConnection(classifiers[i]->GetOutputPort());
+    FilterChecks::UpdateWithoutError(solver);
+    energies[i] = Value(solver->GetOutput(), "Energy");
+    EXPECT_GT(energies[i], 1.1 * withoutCorners);
+  }
+  EXPECT_NEAR(energies[1] / energies[0], 1.0, 1e-12);
+}
+
+TEST_P(Planes, CheckAndProposal)
+{
+  vtkNew<vtkPoincareHopfCheck> checks[2];
+  vtkNew<vtkConfigurationProposal> proposals[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Chain& chain = i == 0 ? this->Flat : this->Turned;
+    checks[i]->SetInputData(chain.Domain);
+    checks[i]->SetSingularitiesData(chain.Singularities);
+    FilterChecks::UpdateWithoutError(checks[i]);
+    EXPECT_EQ(Value(checks[i]->GetOutput(), "Consistent"), 1.0);
+    proposals[i]->SetInputData(chain.Domain);
+    proposals[i]->SetSingularitiesData(chain.Singularities);
+    FilterChecks::UpdateWithoutError(proposals[i]);
+  }
+  this->ExpectMoved(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
+    vtkPolyData::SafeDownCast(checks[0]->GetOutputDataObject(2)));
+  this->ExpectMoved(proposals[1]->GetOutput(), proposals[0]->GetOutput());
+  // And of a solved field.
+  for (int i = 0; i < 2; ++i)
+  {
+    checks[i]->SetInputConnection((i == 0 ? this->Flat : this->Turned).Solver->GetOutputPort());
+    FilterChecks::UpdateWithoutError(checks[i]);
+  }
+  this->ExpectMoved(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
+    vtkPolyData::SafeDownCast(checks[0]->GetOutputDataObject(2)));
+}
+
+TEST_P(Planes, SingularitiesOfAField)
+{
+  vtkNew<vtkCrossFieldSingularities> finders[2];
+  vtkNew<vtkGinzburgLandauCrossField> references[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    Chain& chain = i == 0 ? this->Flat : this->Turned;
+    finders[i]->SetIncludeHoles(true);
+    finders[i]->SetInputConnection(chain.Solver->GetOutputPort());
+    FilterChecks::UpdateWithoutError(finders[i]);
+  }
+  this->ExpectMoved(finders[1]->GetOutput(), finders[0]->GetOutput(), 1e-9);
+  for (int i = 0; i < 2; ++i)
+  {
+    Chain& chain = i == 0 ? this->Flat : this->Turned;
+    chain.Drill->SetInputData(Moved(
+      TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
+      i == 0 ? Identity : GetParam()));
+    chain.Drill->SetSingularitiesData(TestInputs::Singularities({}));
+    references[i]->SetInputConnection(chain.Drill->GetOutputPort());
+    references[i]->SetEpsilon(4.0); // a weak penalty has one minimum; for others rounding chooses
+    FilterChecks::UpdateWithoutError(references[i]);
+  }
+  EXPECT_GT(Value(references[0]->GetOutput(), "Energy"), 1.0);
+  EXPECT_NEAR(Value(references[1]->GetOutput(), "Energy") /
+      Value(references[0]->GetOutput(), "Energy"), 1.0, 1e-10);
+}
+
+TEST_P(Planes, Glyphs)
+{
+  vtkNew<vtkCrossGlyphs> glyphs[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    glyphs[i]->SetInputConnection((i == 0 ? this->Flat : this->Turned).Solver->GetOutputPort());
+    glyphs[i]->SetSpacing(0.37); // no middle of a square is as near to two triangles
+    FilterChecks::UpdateWithoutError(glyphs[i]);
+  }
+  ASSERT_EQ(glyphs[1]->GetOutput()->GetNumberOfLines(), glyphs[0]->GetOutput()->GetNumberOfLines());
+  for (vtkIdType i = 0; i < glyphs[0]->GetOutput()->GetNumberOfLines(); ++i)
+  {
+    double middles[2][3];
+    for (int j = 0; j < 2; ++j)
+    {
+      double ends[2][3];
+      glyphs[j]->GetOutput()->GetPoint(2 * i, ends[0]);
+      glyphs[j]->GetOutput()->GetPoint(2 * i + 1, ends[1]);
+      for (int k = 0; k < 3; ++k)
+      {
+        middles[j][k] = 0.5 * (ends[0][k] + ends[1][k]);
+      }
+    }
+    EXPECT_LT(Distance(Apply(GetParam(), middles[0]), middles[1]), 1e-10);
+  }
+}
+
+TEST_P(Planes, InputIsNotTouched)
+{
+  FilterChecks::CheckInputUntouched(this->Turned.Drill);
+  FilterChecks::CheckInputUntouched(this->Turned.Solver);
+}
+
+const std::array<Rotation, 4> Rotations = { Identity,
+  Rotation{ { { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 } } },
+  Rotation{ { { 1, 0, 0 }, { 0, 0, -1 }, { 0, 1, 0 } } }, Tilt({ 0.3, -0.4, 0.8 }) };
+
+std::string PlaneName(const testing::TestParamInfo<Rotation>& info)
+{
+  const char* const names[] = { "XY", "YZ", "XZ", "Tilted" };
+  return names[info.index];
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Planes, testing::ValuesIn(Rotations), PlaneName);
+
+TEST(PlanesRefusals, SingularityOffThePlane)
+{
+  Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
+  chain.Drill->SetSingularitiesData(Pair());
+  FilterChecks::CaptureError(chain.Drill, { "The singularity 0 at (1, 3, 0)", "off the plane" });
+  chain.Drill->SetSingularitiesData(chain.Singularities);
+  FilterChecks::UpdateWithoutError(chain.Drill);
+}
+
+TEST(PlanesRefusals, CornerOffThePlane)
+{
+  Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
+  vtkNew<vtkBoundaryCornerClassifier> corners;
+  corners->SetInputData(Domain()); // in z = 0
+  chain.Solver->SetCornersConnection(corners->GetOutputPort());
+  FilterChecks::CaptureError(chain.Solver, { "The corner ", "off the plane" });
+}
+
+TEST(PlanesRefusals, SurfaceThatBulgesFromAPlanarBoundary)
+{
+  auto mesh = TestInputs::FrameMesh();
+  vtkNew<vtkDrillHoles> drill;
+  drill->SetInputData(mesh);
+  drill->SetSingularitiesData(TestInputs::Singularities({}));
+  FilterChecks::UpdateWithoutError(drill);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* point = mesh->GetPoint(i);
+    const bool isInner = point[0] == 1.0 && point[1] == 1.0; // on no loop
+    mesh->GetPoints()->SetPoint(i, point[0], point[1], isInner ? 0.5 : 0.0);
+  }
+  mesh->Modified();
+  FilterChecks::CaptureError(drill, { "not planar" });
+}
+}
