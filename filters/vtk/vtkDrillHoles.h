@@ -17,9 +17,9 @@
  * other filters find the same coordinates again. Coordinates in messages are those of the plane.
  *
  * Port 1, the singularities (points): in the plane of the domain, within 1/1000 of its size; z is
- * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type,
- * integer values, 1 component) and optionally `Radius` (1 component, a length; without it every
- * hole has the mesh size as radius).
+ * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type, integer values,
+ * 1 component) and optionally `Radius` (1 component, a length; without it every hole has the mesh
+ * size as radius).
  *
  * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise, then a VTK_LINE cell for
  * every boundary edge, directed so that the domain is on its left. Cell arrays (int, 1 component):
@@ -37,8 +37,9 @@
  *
  * An empty domain gives an empty output. Failure, with an empty output: a curve that is open,
  * branches, crosses or touches itself; several outer loops; a boundary that is not in one plane; a
- * singularity that is not in it; a hole outside the domain, cutting its boundary or overlapping another; a radius or mesh size that
- * is not positive; numbers that are not finite; a quarter index that is not an integer.
+ * singularity that is not in it; a hole outside the domain, cutting its boundary or overlapping
+ * another; a radius or mesh size that is not positive; numbers that are not
+ * finite; a quarter index that is not an integer.
  *
  * Paper: "Singularity placements via perforation strategy". Difference from it: the mesh is made
  * here, not by Gmsh.
