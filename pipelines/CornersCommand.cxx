@@ -51,7 +51,8 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
   { return corners->GetPointData()->GetArray(name)->GetTuple1(i); };
   const bool hasHeight =
     DomainReader::HasHeight(vtkDataSet::SafeDownCast(classifier->GetInput()));
-  std::cout << (hasHeight ? "x y z angle" : "x y angle") << " quarter_index scarce balanced excess conventional energy\n";
+  std::cout << (hasHeight ? "x y z" : "x y")
+            << " angle quarter_index scarce balanced excess conventional energy\n";
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
   {
     std::cout << corners->GetPoint(i)[0] << " " << corners->GetPoint(i)[1];

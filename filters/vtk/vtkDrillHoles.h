@@ -17,9 +17,9 @@
  * other filters find the same coordinates again. Coordinates in messages are those of the plane.
  *
  * Port 1, the singularities (points): in the plane of the domain, within 1/1000 of its size; z is
- * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type,
- * integer values, 1 component) and optionally `Radius` (1 component, a length; without it every
- * hole has the mesh size as radius).
+ * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type, integer values,
+ * 1 component) and optionally `Radius` (1 component, a length; without it every hole has the mesh
+ * size as radius).
  *
  * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise, then a VTK_LINE cell for
  * every boundary edge, directed so that the domain is on its left. Cell arrays (int, 1 component):

@@ -23,5 +23,6 @@ field = crossfield.solve([plate, hole], singularities, size=0.1, method="unit-no
 print("energy %.4f, degrees of the holes %s" % (field.report["energy"], field.hole_degrees))
 centres = field.points[field.triangles].mean(axis=1)
 below = centres[:, 1] < 1
-print("mean angle of the crosses below the hole: %.2f degrees" % np.degrees(field.angle[below].mean()))
+print("mean |angle| of the crosses below the hole: %.2f degrees"
+      % np.degrees(abs(field.angle[below]).mean()))
 field.write(sys.argv[1])
