@@ -119,6 +119,8 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
     setExact(cells.imprintedCells[i], u, u, u);
     shown.Set(cells.imprintedCells[i], u);
   }
+  // What ParaView colours a new field by.
+  output->GetPointData()->SetActiveScalars(vtkCrossFieldArrayNames::CrossNorm);
 }
 
 //------------------------------------------------------------------------------
@@ -211,6 +213,7 @@ void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
     h->SetValue(i, field.h[i]);
     sizes->SetValue(i, std::exp(field.h[i]));
   }
+  output->GetPointData()->SetActiveScalars(names::SizeMap);
   if (field.periods.empty())
   {
     NewArray(output->GetFieldData(), names::HolonomyDefect, 1, 0);

@@ -358,5 +358,7 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::Do
     quarters->SetValue(cell, edge.quarterIndex);
     ++cell;
   }
+  // What ParaView colours a new mesh by.
+  output->GetCellData()->SetActiveScalars(vtkCrossFieldArrayNames::BoundaryKind);
 }
 }

@@ -4,6 +4,8 @@ Every proxy exists and is documented, the default chain gives the field it shoul
 an empty output, a changed input gives another result, and no filter changes its input.
 """
 import math
+import os
+import re
 import sys
 
 from paraview import servermanager
@@ -11,6 +13,8 @@ from paraview.simple import *
 from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE
 
 from checks import check, check_default_field, check_equal, fingerprint, value, values
+
+ICONS = os.path.join(os.path.dirname(__file__), "..", "..", "paraview-plugin", "icons")
 
 PROXIES = {
     "BoundaryCornerClassifier": (
@@ -56,6 +60,8 @@ def test_proxies():
         check_equal(prototype.GetXMLLabel().replace(" ", ""), name, "the label")
         menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
         check_equal(menu.GetAttribute("category"), "Cross Field", "the menu of %s" % name)
+        icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
+        check(os.path.exists(os.path.join(ICONS, icon)), "%s has no icon" % name)
         found = dict(properties_of(prototype))
         check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
         for key, item in found.items():

@@ -58,6 +58,7 @@ TEST_F(PerforatedCrossField, ArraysHaveTheirNamesTypesAndShapes)
   }
   ExpectArray(cells, "CrossNorm", VTK_DOUBLE, 1, cellCount);
   ExpectArray(points, "CrossNorm", VTK_DOUBLE, 1, pointCount);
+  EXPECT_STREQ(points->GetScalars()->GetName(), "CrossNorm") << "what ParaView colours by";
 
   vtkFieldData* report = output->GetFieldData();
   for (const char* name : { "Energy", "Residual", "Valence", "TangentTurning" })
