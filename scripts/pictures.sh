@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Draws the pictures of docs/filters/ and docs/choosing_singularities.md with ParaView, into
+# docs/pictures/ or the folder given, and docs/h_field.png beside it. Screenshots of ParaView's windows
+# are made by hand.
+#
+#   scripts/build.sh && scripts/pictures.sh [FOLDER]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+crossfield=${CROSSFIELD:-build/bin/crossfield}
+plugin=$("$crossfield" --paths | sed -n 's/^plugin: //p')
+folder=${1:-docs/pictures}
+mkdir -p "$folder"
+
+draw() {
+  script=$1
+  shift
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+    pvpython "pipelines/pvpython/$script" --plugin "$plugin" "$@"
+}
+
+draw docs_pictures.py --folder "$folder"
+draw draw_h.py --picture "$folder/../h_field.png" --width 1000
