@@ -19,4 +19,4 @@ draw() {
 }
 
 draw docs_pictures.py --folder "$folder"
-draw draw_h.py --picture "$folder/../h_field.png" --width 1000
+draw draw_h.py --picture "$folder/../h_field.png" --width 960

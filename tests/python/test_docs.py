@@ -7,7 +7,8 @@ All blocks of the page run in one temporary folder, from the top down, the way a
 - ```csv NAME: the block is written to the file NAME.
 - ```console: every line that begins with `crossfield` or `build/bin/crossfield`, after an optional
   `$ `, runs with PROGRAM; a `\` continues a line. Its exit status has to be 0, or that of a comment
-  `# exit status 1` at its end. Other lines are output, and are not compared.
+  `# exit status 1` at its end; what stands in double quotes in the comment has to be in its output.
+  Other lines are not compared.
 - ```python: runs in pvpython with the plugin loaded and everything of paraview.simple imported.
   An error that a filter reports fails the test, as an exception does.
 
@@ -45,8 +46,13 @@ def run_console(block, directory):
         words = shlex.split(re.sub(r"^\$ ", "", line), comments=True)
         if not words or words[0] not in ("crossfield", "build/bin/crossfield"):
             continue
-        expected = re.search(r"# exit status (\d)", line)
-        run([program] + words[1:], directory, int(expected.group(1)) if expected else 0)
+        comment = line.partition("#")[2]
+        expected = re.search(r"exit status (\d)", comment)
+        output = run([program] + words[1:], directory, int(expected.group(1)) if expected else 0)
+        output = re.sub(r"\s+", " ", output)
+        for said in re.findall(r'"([^"]*)"', comment):
+            if said not in output:
+                sys.exit('%s: %s\ndoes not say "%s" but:\n%s' % (page, line, said, output))
 
 
 def run_python(block, directory):
