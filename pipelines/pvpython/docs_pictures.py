@@ -87,10 +87,10 @@ def path_of(name):
 
 
 def draw_crosses(field, view, spacing, colour=BLACK):
-    draw_lines(CrossGlyphs(Input=field, Spacing=spacing, Scale=0.75), view, colour, 1.5)
+    draw_lines(CrossGlyphs(Input=field, Spacing=spacing, Scale=0.75), view, colour, 1)
 
 
-def field_panel(field, title, spacing=0.08, found=False):
+def field_panel(field, title, spacing=0.1, found=False):
     """The norm of a field, its crosses, its boundaries."""
     view = panel(field, title)
     draw_norm(field, view, 0, 1.4, show_bar=False)
