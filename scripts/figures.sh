@@ -21,6 +21,6 @@ for field in build/figures/*.vtu; do
     --plugin "$plugin" --width $width --crosses $crosses --picture "$docs/gallery/$name.png" "$field"
 done
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython pipelines/pvpython/draw_h.py \
-  --plugin "$plugin" --picture "$docs/gallery/h_field.png"
+  --plugin "$plugin" --width 960 --picture "$docs/gallery/h_field.png"
 python3 scripts/gallery.py build/figures/summary.csv >"$docs/gallery.md"
 echo "The gallery is in $docs/gallery.md"

@@ -9,7 +9,7 @@ the crosses, with quads that are small where the map is dark.
 Usage:
 
     xvfb-run -a -s -noreset pvpython draw_h.py --plugin CrossFieldPlugin.so --picture h.png
-        [--domain disk] [--singularities four.csv] [--size 0.02]
+        [--domain disk] [--singularities four.csv] [--size 0.02] [--width 1600]
 
 Sample run:
 
@@ -36,6 +36,7 @@ def parse_arguments():
     parser.add_argument("--domain", default="l-shape", help="name of a built-in domain")
     parser.add_argument("--singularities", default="", help="a .csv file; default: four and four")
     parser.add_argument("--size", type=float, default=0.01, help="edge length of the mesh")
+    parser.add_argument("--width", type=int, default=1600, help="of the picture, in pixels")
     return parser.parse_args()
 
 
@@ -122,7 +123,8 @@ def main():
     layout.AssignView(1, left)
     layout.AssignView(2, right)
     layout.SetSize(1600, 860)
-    SaveScreenshot(arguments.picture, layout, ImageResolution=[1600, 860])
+    SaveScreenshot(arguments.picture, layout, CompressionLevel="9",
+                   ImageResolution=[arguments.width, arguments.width * 860 // 1600])
 
 
 main()

@@ -1,0 +1,378 @@
+"""Draw the pictures of docs/filters and docs/choosing_singularities.md.
+
+Usage:
+
+    xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython docs_pictures.py
+        --plugin CrossFieldPlugin.so --folder docs/pictures [--only NAME]
+
+Positive singularities are red, negative ones blue. In pictures of the norm blue areas have a norm
+below one, orange ones above. Sample run: scripts/pictures.sh.
+"""
+import argparse
+import math
+import os
+
+from paraview import servermanager
+from paraview.simple import *
+
+from drawing import (boundary, draw_boundaries, draw_lines, draw_norm, draw_singularities,
+                     look_from_above, white_view)
+
+DOMAINS = ["disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape", "hexagonal",
+           "star", "angular-balanced", "angular-negative", "angular-positive", "angular-hole"]
+BLACK, GREY, GREEN = [0, 0, 0], [0.5, 0.5, 0.5], [0.05, 0.5, 0.15]
+PANEL = 400  # pixels
+
+
+def rows(*singularities):
+    """A singularity source of rows (x, y, quarter index[, radius])."""
+    return SingularitySource(
+        Singularities=[value for row in singularities for value in (tuple(row) + (0.05,))[:4]])
+
+
+def on_circle(count, distance, quarters=1, first=45):
+    angles = [math.radians(first + 360 * i / count) for i in range(count)]
+    return [(distance * math.cos(a), distance * math.sin(a), quarters) for a in angles]
+
+
+def disk():
+    return PlanarDomainSource(EdgeLength=0.05)
+
+
+def polygon(sides):
+    """A regular polygon with its lowest side level."""
+    first = -90 - 180 / sides
+    points = [(x, y, 0) for x, y, _ in on_circle(sides, 1, first=first)]
+    return PolyLineSource(Points=[value for point in points for value in point], Closed=1)
+
+
+def bounds_of(source):
+    source.UpdatePipeline()
+    return source.GetDataInformation().GetBounds()
+
+
+def panel(source, title="", room_below=0.08):
+    """A view that shows what this source covers, with a title below."""
+    view = white_view(PANEL, PANEL)
+    bounds = bounds_of(source)
+    look_from_above(view, bounds, room_below)
+    view.CameraParallelScale *= 1.12
+    if title:
+        shown = Show(Text(Text=title), view)
+        SetProperties(shown, WindowLocation="Lower Center", Color=BLACK, FontSize=16)
+    return view
+
+
+def figure(name, *views):
+    """Puts views side by side into one picture."""
+    if len(views) == 1:
+        SaveScreenshot(path_of(name), views[0], ImageResolution=[PANEL, PANEL], CompressionLevel="9")
+        return
+    layout = CreateLayout(name)
+    cell = 0
+    for number, view in enumerate(views):
+        if number < len(views) - 1:
+            layout.SplitHorizontal(cell, 1 / (len(views) - number))
+            layout.AssignView(2 * cell + 1, view)
+            cell = 2 * cell + 2
+        else:
+            layout.AssignView(cell, view)
+    layout.SetSize(PANEL * len(views), PANEL)
+    SaveScreenshot(path_of(name), layout, ImageResolution=[PANEL * len(views), PANEL],
+                   SeparatorWidth=0, CompressionLevel="9")
+
+
+def path_of(name):
+    return os.path.join(arguments.folder, name + ".png")
+
+
+def draw_crosses(field, view, spacing, colour=BLACK):
+    draw_lines(CrossGlyphs(Input=field, Spacing=spacing, Scale=0.75), view, colour, 1)
+
+
+def field_panel(field, title, spacing=0.1, found=False):
+    """The norm of a field, its crosses, its boundaries."""
+    view = panel(field, title)
+    draw_norm(field, view, 0, 1.4, show_bar=False)
+    draw_crosses(field, view, spacing)
+    draw_boundaries(field, view)
+    if found:
+        draw_singularities(CrossFieldSingularities(Input=field), view, 0.03)
+    return view
+
+
+def draw_scalar(field, view, name, preset):
+    surface = Show(field, view)
+    ColorBy(surface, ("POINTS", name), separate=True)
+    SetProperties(surface, Ambient=1, Diffuse=0)
+    surface.SetScalarBarVisibility(view, False)
+    colours = GetColorTransferFunction(name, surface, separate=True)
+    colours.ApplyPreset(preset, True)
+    array = servermanager.Fetch(field).GetPointData().GetArray(name)
+    values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
+    # Infinite at singularities: without the outer values the rest keeps its colours.
+    colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
+    draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
+
+
+def draw_labels(points, array, view):
+    """Writes the value of a point array beside every point."""
+    data = servermanager.Fetch(points)
+    values = data.GetPointData().GetArray(array)
+    bounds = data.GetBounds()
+    size = 0.075 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+    # A little beside the middle, where a corner may be.
+    middle = [(bounds[0] + bounds[1] - 0.1 * size) / 2, (bounds[2] + bounds[3] - 0.1 * size) / 2]
+    for i in range(data.GetNumberOfPoints()):
+        x, y, _ = data.GetPoint(i)
+        text = a3DText(Text="%d" % values.GetValue(i))
+        side = 1 if values.GetValue(i) >= 0 else -1  # outside of a tip, inside of a re-entrant corner
+        away = 1 + side * (0.9 if side > 0 else 0.6) * size / math.hypot(x - middle[0], y - middle[1])
+        placed = Transform(Input=text)
+        placed.Transform.Translate = [middle[0] + away * (x - middle[0]) - size / 4,
+                                      middle[1] + away * (y - middle[1]) - size / 3, 0]
+        placed.Transform.Scale = [size, size, size]
+        draw_lines(placed, view, GREEN, 1)
+
+
+def solved(domain, singularities, size=0.05, **options):
+    drilled = DrillHoles(Input=domain, Singularities=singularities, MeshSize=size)
+    return PerforatedCrossField(Input=drilled, **options)
+
+
+def reference(domain, size, **options):
+    drilled = DrillHoles(Input=domain, Singularities=rows(), MeshSize=size)
+    return GinzburgLandauCrossField(Input=drilled, **options)
+
+
+# Filters
+
+
+def planar_domain_source():
+    view = white_view(1000, 640)
+    for number, name in enumerate(DOMAINS):
+        domain = PlanarDomainSource(DomainName=name)
+        x0, x1, y0, y1 = bounds_of(domain)[:4]
+        place = [2.6 * (number % 5) - (x0 + x1) / 2, -2.8 * (number // 5) - (y0 + y1) / 2, 0]
+        moved = Transform(Input=domain)
+        moved.Transform.Translate = place
+        draw_lines(moved, view, BLACK, 2)
+        text = a3DText(Text=name)
+        width = bounds_of(text)[1]
+        label = Transform(Input=text)
+        label.Transform.Scale = [0.2, 0.2, 0.2]
+        label.Transform.Translate = [2.6 * (number % 5) - 0.1 * width,
+                                     -2.8 * (number // 5) - 1.35, 0]
+        draw_lines(label, view, GREEN, 1)
+    look_from_above(view, [-1.2, 11.6, -7, 1.1], 0)
+    view.CameraParallelScale = 4.2
+    SaveScreenshot(path_of("planar_domain_source"), view, ImageResolution=[1000, 640],
+                   CompressionLevel="9")
+
+
+def singularity_source():
+    domain, points = disk(), rows(*on_circle(5, 0.6), (0, 0, -1))
+    view = panel(domain, "five of +1, one of -1")
+    draw_lines(domain, view, BLACK, 2)
+    draw_singularities(points, view, 0.05)
+    figure("singularity_source", view)
+
+
+def drill_holes():
+    views = []
+    for mode in ("Perforate", "Imprint", "Triangle"):
+        mesh = DrillHoles(Input=disk(), Singularities=rows(*(row + (0.1,) for row in on_circle(4, 0.6))),
+                          Mode=mode, MeshSize=0.12)
+        view = panel(mesh, mode)
+        shown = Show(mesh, view)
+        SetProperties(shown, Representation="Surface With Edges", ColorArrayName=[None, ""],
+                      DiffuseColor=[0.9, 0.94, 1], AmbientColor=[0.9, 0.94, 1], Ambient=1, Diffuse=0,
+                      EdgeColor=GREY)
+        draw_boundaries(mesh, view)
+        views.append(view)
+    figure("drill_holes", *views)
+
+
+def boundary_corner_classifier():
+    views = []
+    for name in ("l-shape", "hexagonal", "star"):
+        domain = PlanarDomainSource(DomainName=name)
+        corners = BoundaryCornerClassifier(Input=domain)
+        corners.UpdatePipeline()
+        view = panel(domain, name)
+        draw_lines(domain, view, BLACK, 2)
+        view.CameraParallelScale *= 1.1
+        draw_labels(corners, "QuarterIndex", view)
+        views.append(view)
+    figure("boundary_corner_classifier", *views)
+
+
+def poincare_hopf_check():
+    views = []
+    for singularities in (on_circle(4, 0.6), on_circle(3, 0.6)):
+        domain, points = disk(), rows(*singularities)
+        check = PoincareHopfCheck(Input=domain, Singularities=points)
+        view = panel(domain, room_below=-0.22)
+        view.CameraParallelScale *= 1.2
+        draw_lines(domain, view, BLACK, 2)
+        draw_singularities(points, view, 0.05)
+        SetProperties(Show(OutputPort(check, 3), view), Color=BLACK, FontSize=11)
+        views.append(view)
+    figure("poincare_hopf_check", *views)
+
+
+def configuration_proposal():
+    views = []
+    for name, options in (("disk", {}), ("angular-hole", {}),
+                          ("angular-hole", dict(CancelFlatCorners=1))):
+        domain = PlanarDomainSource(DomainName=name)
+        view = panel(domain, name + (", Cancel Flat Corners" if options else ""))
+        draw_lines(domain, view, BLACK, 2)
+        draw_singularities(ConfigurationProposal(Input=domain, **options), view, 0.04)
+        views.append(view)
+    figure("configuration_proposal", *views)
+
+
+def perforated_cross_field():
+    points = rows(*on_circle(5, 0.6), (0, 0, -1))
+    figure("perforated_cross_field",
+           *(field_panel(solved(disk(), points, Method=method), method)
+             for method in ("Constrained", "Unit Norm")))
+
+
+def ginzburg_landau_cross_field():
+    ring = PlanarDomainSource(DomainName="ring", EdgeLength=0.04)
+    figure("ginzburg_landau_cross_field",
+           *(field_panel(reference(ring, 0.04, Epsilon=0.04, Start=start), "start: " + start,
+                         found=True)
+             for start in ("Harmonic", "Constant")))
+
+
+def singularity_energy():
+    views = []
+    for title, singularities in (("like signs repel", on_circle(4, 0.6)),
+                                 ("opposite signs attract", on_circle(5, 0.6) + [(0.25, 0.22, -1)])):
+        domain, points = disk(), rows(*singularities)
+        energy = SingularityEnergy(Input=domain, Configurations=[points])
+        downhill = Calculator(Input=OutputPort(energy, 1), AttributeType="Point Data",
+                              ResultArrayName="Downhill", Function="-Gradient/mag(Gradient)")
+        view = panel(domain, title)
+        draw_lines(domain, view, BLACK, 2)
+        draw_singularities(points, view, 0.04)
+        arrows = Glyph(Input=downhill, GlyphType="Arrow", OrientationArray=["POINTS", "Downhill"],
+                       ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.3,
+                       GlyphMode="All Points")
+        draw_lines(arrows, view, BLACK, 1)
+        views.append(view)
+    figure("singularity_energy", *views)
+
+
+def singularity_optimizer():
+    views = []
+    # It warns that few iterations do not reach the end: they are the way.
+    for name, start in (("disk", [(0.5, 0.1, 1), (0.1, 0.4, 1), (-0.5, 0.3, 1), (0, -0.3, 1)]),
+                        ("ellipse", [(0.5, 0.1, 1), (0.1, 0.3, 1), (-0.5, 0.2, 1), (0, -0.2, 1)])):
+        domain, points = PlanarDomainSource(DomainName=name, EdgeLength=0.05), rows(*start)
+        view = panel(domain, name)
+        draw_lines(domain, view, BLACK, 2)
+        ways = [[] for _ in start]
+        for iterations in list(range(12)) + [200]:
+            better = servermanager.Fetch(SingularityOptimizer(
+                Input=domain, Singularities=points, MeshSize=0.05, MaximumIterations=iterations))
+            for i, way in enumerate(ways):
+                way.extend(better.GetPoint(i))
+        for way in ways:
+            draw_lines(PolyLineSource(Points=way), view, GREY, 2)
+        draw_singularities(points, view, 0.02)
+        draw_singularities(rows(*((way[-3], way[-2], 1) for way in ways)), view, 0.045)
+        views.append(view)
+    figure("singularity_optimizer", *views)
+
+
+def cross_field_singularities():
+    field = reference(disk(), 0.05, Epsilon=0.05)
+    figure("cross_field_singularities", field_panel(field, "", found=True))
+
+
+def cross_glyphs():
+    field = solved(disk(), SingularitySource(), size=0.1)
+    views = []
+    for title, options in (("Spacing 0", {}), ("Spacing 0.1", dict(Spacing=0.1)),
+                           ("Scale By Norm", dict(Spacing=0.1, ScaleByNorm=1))):
+        view = panel(field, title)
+        draw_lines(CrossGlyphs(Input=field, **options), view, BLACK, 1)
+        draw_boundaries(field, view)
+        views.append(view)
+    figure("cross_glyphs", *views)
+
+
+# Choosing singularities
+
+
+def valence():
+    views = []
+    for sides in (3, 4, 5, 6):
+        points = rows((0, 0, 4 - sides)) if sides != 4 else rows()
+        field = HField(Input=polygon(sides), Singularities=points, MeshSize=0.03)
+        view = panel(field, "k = %+d" % (4 - sides) if sides != 4 else "k = 0")
+        draw_crosses(field, view, 0.11)
+        draw_lines(boundary(field, 1, 2), view, BLACK, 2)
+        draw_singularities(points, view, 0.05)
+        views.append(view)
+    figure("valence", *views)
+
+
+def holonomy():
+    ring = PlanarDomainSource(DomainName="ring", EdgeLength=0.03)
+    views = []
+    for title, singularities in (("no defect", []), ("a defect: H jumps", [(0.7, 0, 1), (-0.7, 0, -1)])):
+        points = rows(*singularities)
+        field = HField(Input=ring, Singularities=points, MeshSize=0.03)
+        view = panel(field, title)
+        draw_scalar(field, view, "H", "Cool to Warm")
+        draw_crosses(field, view, 0.08)
+        draw_singularities(points, view, 0.04)
+        views.append(view)
+    figure("holonomy", *views)
+
+
+def unwanted():
+    corners = [(1.3, 0), (1.13, 0.5), (0.65, 0.87), (0, 1), (-0.65, 0.87), (-1.13, 0.5),
+               (-1.3, 0), (-1.13, -0.5), (-0.65, -0.87), (0, -1), (0.65, -0.87), (1.13, -0.5)]
+    domain = PolyLineSource(Points=[value for x, y in corners for value in (x, y, 0)], Closed=1)
+    figure("unwanted",
+           *(field_panel(solved(domain, SingularitySource(), Method=method), method, found=True)
+             for method in ("Constrained", "Unit Norm")))
+
+
+def sizes():
+    views = []
+    for title, singularities in (("k = +1: small quads", on_circle(4, 0.6)),
+                                 ("k = -1: large quads", on_circle(5, 0.7) + [(0, 0, -1)])):
+        points = rows(*singularities)
+        field = HField(Input=disk(), Singularities=points, MeshSize=0.03)
+        view = panel(field, title)
+        draw_scalar(field, view, "SizeMap", "Grayscale")
+        draw_crosses(field, view, 0.08, [0.1, 0.3, 0.8])
+        draw_singularities(points, view, 0.03)
+        views.append(view)
+    figure("sizes", *views)
+
+
+PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
+            poincare_hopf_check, configuration_proposal, perforated_cross_field,
+            ginzburg_landau_cross_field, singularity_energy, singularity_optimizer,
+            cross_field_singularities, cross_glyphs, valence, holonomy, unwanted, sizes]
+
+parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
+parser.add_argument("--folder", required=True, help="where the .png files are written")
+parser.add_argument("--only", action="append", choices=[picture.__name__ for picture in PICTURES],
+                    help="draw this picture; may be repeated")
+arguments = parser.parse_args()
+LoadPlugin(arguments.plugin, ns=globals())
+os.makedirs(arguments.folder, exist_ok=True)
+for picture in PICTURES:
+    if not arguments.only or picture.__name__ in arguments.only:
+        picture()
+        print("wrote", path_of(picture.__name__))

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Draws the pictures of docs/filters/ and docs/choosing_singularities.md with ParaView, into
+# docs/pictures/ or the folder given. Screenshots of ParaView's windows
+# are made by hand.
+#
+#   scripts/build.sh && scripts/pictures.sh [FOLDER]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+crossfield=${CROSSFIELD:-build/bin/crossfield}
+plugin=$("$crossfield" --paths | sed -n 's/^plugin: //p')
+folder=${1:-docs/pictures}
+mkdir -p "$folder"
+
+draw() {
+  script=$1
+  shift
+  xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
+    pvpython "pipelines/pvpython/$script" --plugin "$plugin" "$@"
+}
+
+draw docs_pictures.py --folder "$folder"

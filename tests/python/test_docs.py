@@ -1,0 +1,83 @@
+"""Runs the examples of a page of the documentation, so that none of them can rot.
+
+    python3 test_docs.py PAGE.md PROGRAM PLUGIN.so -- PVPYTHON...
+
+All blocks of the page run in one temporary folder, from the top down, the way a reader would.
+
+- ```csv NAME: the block is written to the file NAME.
+- ```console: every line that begins with `crossfield` or `build/bin/crossfield`, after an optional
+  `$ `, runs with PROGRAM; a `\` continues a line. Its exit status has to be 0, or that of a comment
+  `# exit status 1` at its end; what stands in double quotes in the comment has to be in its output.
+  Other lines are not compared.
+- ```python: runs in pvpython with the plugin loaded and everything of paraview.simple imported.
+  An error that a filter reports fails the test, as an exception does.
+
+All links of the page to files have to lead somewhere.
+"""
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+page, program, plugin = sys.argv[1:4]
+pvpython = sys.argv[5:]
+with open(page, encoding="utf-8") as file:
+    text = file.read()
+
+PREAMBLE = """\
+from paraview.simple import *
+LoadPlugin(%r, ns=globals())
+"""
+
+
+def run(command, directory, status=0):
+    done = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          universal_newlines=True, check=False)
+    if done.returncode != status:
+        sys.exit("%s: %s\nended with status %d instead of %d:\n%s"
+                 % (page, " ".join(command), done.returncode, status, done.stdout))
+    return done.stdout
+
+
+def run_console(block, directory):
+    for line in block.replace("\\\n", " ").splitlines():
+        words = shlex.split(re.sub(r"^\$ ", "", line), comments=True)
+        if not words or words[0] not in ("crossfield", "build/bin/crossfield"):
+            continue
+        comment = line.partition("#")[2]
+        expected = re.search(r"exit status (\d)", comment)
+        output = run([program] + words[1:], directory, int(expected.group(1)) if expected else 0)
+        output = re.sub(r"\s+", " ", output)
+        for said in re.findall(r'"([^"]*)"', comment):
+            if said not in output:
+                sys.exit('%s: %s\ndoes not say "%s" but:\n%s' % (page, line, said, output))
+
+
+def run_python(block, directory):
+    script = os.path.join(directory, "example.py")
+    with open(script, "w", encoding="utf-8") as file:
+        file.write(PREAMBLE % plugin + block)
+    output = run(pvpython + [script], directory)
+    if re.search(r"ERR\||ERROR: In ", output):
+        sys.exit("%s: this example reports an error:\n%s\n%s" % (page, block, output))
+
+
+# The page as a reader sees it: links count outside of code only.
+prose = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", prose):
+    if "://" not in target and not os.path.exists(os.path.join(os.path.dirname(page), target)):
+        sys.exit("%s links to %s, which does not exist." % (page, target))
+
+blocks = re.findall(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+with tempfile.TemporaryDirectory(prefix="crossfield-docs-") as directory:
+    for language, name, block in blocks:
+        if language == "csv":
+            with open(os.path.join(directory, name), "w", encoding="utf-8") as file:
+                file.write(block)
+        elif language == "console":
+            run_console(block, directory)
+        elif language == "python":
+            run_python(block, directory)
+print("%s: %d blocks" % (page, len(blocks)))

@@ -1,0 +1,25 @@
+"""Draws the pictures of the documentation again, so that the script that draws them cannot rot.
+
+    python3 test_pictures.py docs_pictures.py docs/pictures PLUGIN.so -- xvfb-run ... pvpython
+
+Every picture of the folder but the screenshots (tutorial_*.png) has to be drawn, and no others; a
+picture is larger than an empty one, and not larger than 300 kB.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+
+script, folder, plugin = sys.argv[1:4]
+kept = {name for name in os.listdir(folder) if not name.startswith("tutorial_")}
+with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
+    subprocess.run(sys.argv[5:] + [script, "--plugin", plugin, "--folder", directory], check=True)
+    drawn = set(os.listdir(directory))
+    if drawn != kept:
+        sys.exit("Drawn but not in %s: %s; there but not drawn: %s"
+                 % (folder, sorted(drawn - kept), sorted(kept - drawn)))
+    for name in sorted(drawn):
+        size = os.path.getsize(os.path.join(directory, name))
+        # A view that is white but for its title has about 3 kB.
+        if not 5000 < size <= 300 * 1024:
+            sys.exit("%s has %d bytes." % (name, size))
