@@ -2,11 +2,14 @@
 # Builds everything, then computes and draws the first figure of the paper: the cross field on the
 # unit disk with four singularities of quarter index 1. The results are in build/demo/.
 #
-#   scripts/demo.sh
+#   scripts/demo.sh           builds first
+#   scripts/demo.sh --built   takes what is built
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/build.sh
+if [[ "${1:-}" != --built ]]; then
+  scripts/build.sh
+fi
 demo=build/demo
 mkdir -p "$demo"
 rm -f "$demo"/cross_field*

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # Computes what docs/variants.md shows: every variant of the paper on its own example. The fields and
-# the tables end up in build/variants/, the pictures in docs/.
+# the tables end up in build/variants/, the pictures in docs/ or the folder given.
 #
-#   scripts/build.sh && scripts/variants.sh
+#   scripts/build.sh && scripts/variants.sh [FOLDER]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
+docs=${1:-$root/docs} # an absolute path
+mkdir -p "$docs"
 crossfield=$root/build/bin/crossfield
 plugin=$("$crossfield" --paths | sed -n 's/^plugin: //p')
 mkdir -p build/variants
@@ -32,7 +34,7 @@ for radius in 0.06 0.2; do
   "$crossfield" solve builtin:quarter-disk -s minus.csv --mode imprint --unit-holes --size 0.02 \
     -o quarter-$radius.vtu
 done
-draw --picture "$root/docs/variants_imprint.png" quarter-0.06.vtu quarter-0.2.vtu
+draw --picture "$docs/variants_imprint.png" quarter-0.06.vtu quarter-0.2.vtu
 
 echo "== Single triangles, near the reference and far from it"
 for distance in 0.85 0.3; do
@@ -40,7 +42,7 @@ for distance in 0.85 0.3; do
   "$crossfield" solve builtin:disk -s triangles.csv --mode triangle --epsilon 0.05 --size 0.05 \
     -o triangle-$distance.vtu
 done
-draw --picture "$root/docs/variants_triangle.png" triangle-0.85.vtu triangle-0.3.vtu
+draw --picture "$docs/variants_triangle.png" triangle-0.85.vtu triangle-0.3.vtu
 
 for ratio in 0.4 0.46; do
   echo "== The ring r1/r2 = $ratio, epsilon = 1/100"
@@ -54,7 +56,7 @@ for ratio in 0.4 0.46; do
     ring-$ratio-constant.txt >ring-$ratio.csv
   "$crossfield" compare ring-$ratio.vtp -s ring-$ratio.csv --size 0.02 --epsilon 0.01 --in-place \
     --methods constrained,unit-holes,unit-norm,penalty -o ring-$ratio.vtm || true
-  draw --picture "$root/docs/variants_ring_$ratio.png" ring-$ratio-harmonic.vtu \
+  draw --picture "$docs/variants_ring_$ratio.png" ring-$ratio-harmonic.vtu \
     ring-$ratio-constant.vtu ring-$ratio/unit-norm.vtu ring-$ratio/penalty.vtu
 done
 
@@ -69,7 +71,7 @@ x,y,quarter_index,radius
 END
 "$crossfield" compare ellipse.vtp -s rectangle.csv --size 0.06 --epsilon 0.06 --in-place \
   --methods ginzburg-landau,constrained,unit-norm,penalty -o ellipse.vtm || true
-draw --picture "$root/docs/variants_ellipse.png" --columns 1 --width 900 --crosses 70 \
+draw --picture "$docs/variants_ellipse.png" --columns 1 --width 900 --crosses 70 \
   ellipse/ginzburg-landau.vtu ellipse/constrained.vtu ellipse/unit-norm.vtu
 
 echo "== Wrongly placed sets with the penalty"
@@ -86,4 +88,4 @@ x,y,quarter_index,radius
 0.6,0.6,-1,0.1
 END
 "$crossfield" solve builtin:disk -s seven.csv --epsilon 0.05 --size 0.05 -o seven.vtu
-draw --picture "$root/docs/variants_penalty.png" five.vtu seven.vtu
+draw --picture "$docs/variants_penalty.png" five.vtu seven.vtu
