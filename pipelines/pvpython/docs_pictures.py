@@ -9,19 +9,19 @@ Positive singularities are red, negative ones blue. In pictures of the norm blue
 below one, orange ones above. Sample run: scripts/pictures.sh.
 """
 import argparse
-import math
 import os
 
 from paraview import servermanager
 from paraview.simple import *
 
+from docs_drawing import (BLACK, GREEN, bounds_of, draw_labels, draw_scalar, figure, on_circle, panel,
+                          polygon)
 from drawing import (boundary, draw_boundaries, draw_lines, draw_norm, draw_singularities,
                      look_from_above, white_view)
 
 DOMAINS = ["disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape", "hexagonal",
            "star", "angular-balanced", "angular-negative", "angular-positive", "angular-hole"]
-BLACK, GREY, GREEN = [0, 0, 0], [0.5, 0.5, 0.5], [0.05, 0.5, 0.15]
-PANEL = 400  # pixels
+GREY = [0.5, 0.5, 0.5]
 
 
 def rows(*singularities):
@@ -30,56 +30,8 @@ def rows(*singularities):
         Singularities=[value for row in singularities for value in (tuple(row) + (0.05,))[:4]])
 
 
-def on_circle(count, distance, quarters=1, first=45):
-    angles = [math.radians(first + 360 * i / count) for i in range(count)]
-    return [(distance * math.cos(a), distance * math.sin(a), quarters) for a in angles]
-
-
 def disk():
     return PlanarDomainSource(EdgeLength=0.05)
-
-
-def polygon(sides):
-    """A regular polygon with its lowest side level."""
-    first = -90 - 180 / sides
-    points = [(x, y, 0) for x, y, _ in on_circle(sides, 1, first=first)]
-    return PolyLineSource(Points=[value for point in points for value in point], Closed=1)
-
-
-def bounds_of(source):
-    source.UpdatePipeline()
-    return source.GetDataInformation().GetBounds()
-
-
-def panel(source, title="", room_below=0.08):
-    """A view that shows what this source covers, with a title below."""
-    view = white_view(PANEL, PANEL)
-    bounds = bounds_of(source)
-    look_from_above(view, bounds, room_below)
-    view.CameraParallelScale *= 1.12
-    if title:
-        shown = Show(Text(Text=title), view)
-        SetProperties(shown, WindowLocation="Lower Center", Color=BLACK, FontSize=16)
-    return view
-
-
-def figure(name, *views):
-    """Puts views side by side into one picture."""
-    if len(views) == 1:
-        SaveScreenshot(path_of(name), views[0], ImageResolution=[PANEL, PANEL], CompressionLevel="9")
-        return
-    layout = CreateLayout(name)
-    cell = 0
-    for number, view in enumerate(views):
-        if number < len(views) - 1:
-            layout.SplitHorizontal(cell, 1 / (len(views) - number))
-            layout.AssignView(2 * cell + 1, view)
-            cell = 2 * cell + 2
-        else:
-            layout.AssignView(cell, view)
-    layout.SetSize(PANEL * len(views), PANEL)
-    SaveScreenshot(path_of(name), layout, ImageResolution=[PANEL * len(views), PANEL],
-                   SeparatorWidth=0, CompressionLevel="9")
 
 
 def path_of(name):
@@ -99,40 +51,6 @@ def field_panel(field, title, spacing=0.1, found=False):
     if found:
         draw_singularities(CrossFieldSingularities(Input=field), view, 0.03)
     return view
-
-
-def draw_scalar(field, view, name, preset):
-    surface = Show(field, view)
-    ColorBy(surface, ("POINTS", name), separate=True)
-    SetProperties(surface, Ambient=1, Diffuse=0)
-    surface.SetScalarBarVisibility(view, False)
-    colours = GetColorTransferFunction(name, surface, separate=True)
-    colours.ApplyPreset(preset, True)
-    array = servermanager.Fetch(field).GetPointData().GetArray(name)
-    values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
-    # Infinite at singularities: without the outer values the rest keeps its colours.
-    colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
-    draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
-
-
-def draw_labels(points, array, view):
-    """Writes the value of a point array beside every point."""
-    data = servermanager.Fetch(points)
-    values = data.GetPointData().GetArray(array)
-    bounds = data.GetBounds()
-    size = 0.075 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-    # A little beside the middle, where a corner may be.
-    middle = [(bounds[0] + bounds[1] - 0.1 * size) / 2, (bounds[2] + bounds[3] - 0.1 * size) / 2]
-    for i in range(data.GetNumberOfPoints()):
-        x, y, _ = data.GetPoint(i)
-        text = a3DText(Text="%d" % values.GetValue(i))
-        side = 1 if values.GetValue(i) >= 0 else -1  # outside of a tip, inside of a re-entrant corner
-        away = 1 + side * (0.9 if side > 0 else 0.6) * size / math.hypot(x - middle[0], y - middle[1])
-        placed = Transform(Input=text)
-        placed.Transform.Translate = [middle[0] + away * (x - middle[0]) - size / 4,
-                                      middle[1] + away * (y - middle[1]) - size / 3, 0]
-        placed.Transform.Scale = [size, size, size]
-        draw_lines(placed, view, GREEN, 1)
 
 
 def solved(domain, singularities, size=0.05, **options):
@@ -175,7 +93,7 @@ def singularity_source():
     view = panel(domain, "five of +1, one of -1")
     draw_lines(domain, view, BLACK, 2)
     draw_singularities(points, view, 0.05)
-    figure("singularity_source", view)
+    figure(path_of("singularity_source"), view)
 
 
 def drill_holes():
@@ -190,7 +108,7 @@ def drill_holes():
                       EdgeColor=GREY)
         draw_boundaries(mesh, view)
         views.append(view)
-    figure("drill_holes", *views)
+    figure(path_of("drill_holes"), *views)
 
 
 def boundary_corner_classifier():
@@ -204,7 +122,7 @@ def boundary_corner_classifier():
         view.CameraParallelScale *= 1.1
         draw_labels(corners, "QuarterIndex", view)
         views.append(view)
-    figure("boundary_corner_classifier", *views)
+    figure(path_of("boundary_corner_classifier"), *views)
 
 
 def poincare_hopf_check():
@@ -218,7 +136,7 @@ def poincare_hopf_check():
         draw_singularities(points, view, 0.05)
         SetProperties(Show(OutputPort(check, 3), view), Color=BLACK, FontSize=11)
         views.append(view)
-    figure("poincare_hopf_check", *views)
+    figure(path_of("poincare_hopf_check"), *views)
 
 
 def configuration_proposal():
@@ -230,19 +148,19 @@ def configuration_proposal():
         draw_lines(domain, view, BLACK, 2)
         draw_singularities(ConfigurationProposal(Input=domain, **options), view, 0.04)
         views.append(view)
-    figure("configuration_proposal", *views)
+    figure(path_of("configuration_proposal"), *views)
 
 
 def perforated_cross_field():
     points = rows(*on_circle(5, 0.6), (0, 0, -1))
-    figure("perforated_cross_field",
+    figure(path_of("perforated_cross_field"),
            *(field_panel(solved(disk(), points, Method=method), method)
              for method in ("Constrained", "Unit Norm")))
 
 
 def ginzburg_landau_cross_field():
     ring = PlanarDomainSource(DomainName="ring", EdgeLength=0.04)
-    figure("ginzburg_landau_cross_field",
+    figure(path_of("ginzburg_landau_cross_field"),
            *(field_panel(reference(ring, 0.04, Epsilon=0.04, Start=start), "start: " + start,
                          found=True)
              for start in ("Harmonic", "Constant")))
@@ -264,7 +182,7 @@ def singularity_energy():
                        GlyphMode="All Points")
         draw_lines(arrows, view, BLACK, 1)
         views.append(view)
-    figure("singularity_energy", *views)
+    figure(path_of("singularity_energy"), *views)
 
 
 def singularity_optimizer():
@@ -286,12 +204,12 @@ def singularity_optimizer():
         draw_singularities(points, view, 0.02)
         draw_singularities(rows(*((way[-3], way[-2], 1) for way in ways)), view, 0.045)
         views.append(view)
-    figure("singularity_optimizer", *views)
+    figure(path_of("singularity_optimizer"), *views)
 
 
 def cross_field_singularities():
     field = reference(disk(), 0.05, Epsilon=0.05)
-    figure("cross_field_singularities", field_panel(field, "", found=True))
+    figure(path_of("cross_field_singularities"), field_panel(field, "", found=True))
 
 
 def cross_glyphs():
@@ -303,7 +221,7 @@ def cross_glyphs():
         draw_lines(CrossGlyphs(Input=field, **options), view, BLACK, 1)
         draw_boundaries(field, view)
         views.append(view)
-    figure("cross_glyphs", *views)
+    figure(path_of("cross_glyphs"), *views)
 
 
 # Choosing singularities
@@ -319,7 +237,7 @@ def valence():
         draw_lines(boundary(field, 1, 2), view, BLACK, 2)
         draw_singularities(points, view, 0.05)
         views.append(view)
-    figure("valence", *views)
+    figure(path_of("valence"), *views)
 
 
 def holonomy():
@@ -333,14 +251,14 @@ def holonomy():
         draw_crosses(field, view, 0.08)
         draw_singularities(points, view, 0.04)
         views.append(view)
-    figure("holonomy", *views)
+    figure(path_of("holonomy"), *views)
 
 
 def unwanted():
     corners = [(1.3, 0), (1.13, 0.5), (0.65, 0.87), (0, 1), (-0.65, 0.87), (-1.13, 0.5),
                (-1.3, 0), (-1.13, -0.5), (-0.65, -0.87), (0, -1), (0.65, -0.87), (1.13, -0.5)]
     domain = PolyLineSource(Points=[value for x, y in corners for value in (x, y, 0)], Closed=1)
-    figure("unwanted",
+    figure(path_of("unwanted"),
            *(field_panel(solved(domain, SingularitySource(), Method=method), method, found=True)
              for method in ("Constrained", "Unit Norm")))
 
@@ -356,7 +274,7 @@ def sizes():
         draw_crosses(field, view, 0.08, [0.1, 0.3, 0.8])
         draw_singularities(points, view, 0.03)
         views.append(view)
-    figure("sizes", *views)
+    figure(path_of("sizes"), *views)
 
 
 PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
