@@ -22,9 +22,13 @@ void PrintPaths(const char* program)
   std::string path;
   std::string error;
   vtksys::SystemTools::FindProgramPath(program, path, error);
+  const std::string folder =
+    vtksys::SystemTools::GetFilenamePath(vtksys::SystemTools::GetRealPath(path));
+  const auto beside = [&folder](const std::string& relative)
+  { return relative.empty() ? "" : vtksys::SystemTools::CollapseFullPath(relative, folder); };
   std::cout << "program: " << path << "\n"
-            << "plugin: " << CROSSFIELD_PLUGIN_PATH << "\n"
-            << "python: " << CROSSFIELD_PYTHON_PATH << "\n";
+            << "plugin: " << beside(CROSSFIELD_PLUGIN_PATH) << "\n"
+            << "python: " << beside(CROSSFIELD_PYTHON_PATH) << "\n";
 }
 }
 
