@@ -157,10 +157,10 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
 }
 
 /** The verdict as a text of short lines, for a view. */
-void WriteVerdict(const Findings& findings, vtkTable* table)
+void WriteVerdict(const char* verdict, const std::string& reason, vtkTable* table)
 {
-  std::istringstream words(findings.reason);
-  std::string text = findings.consistent ? "Consistent" : "Inconsistent";
+  std::istringstream words(reason);
+  std::string text = verdict;
   std::size_t lineLength = std::string::npos; // the reason begins on a line of its own
   constexpr std::size_t LongestLine = 60;
   for (std::string word; words >> word;)
@@ -240,28 +240,42 @@ int vtkPoincareHopfCheck::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* chosen = vtkDataSet::GetData(inputVector[2]);
+  vtkTable* verdict = vtkTable::GetData(outputVector, 3);
+  const auto check = [&](const crossfield::Progress& progress)
+  {
+    if (domain->GetNumberOfCells() == 0)
+    {
+      return;
+    }
+    vtkUnstructuredGrid* field = AsField(domain);
+    const Findings findings = field != nullptr
+      ? CheckField(field, chosen, progress)
+      : CheckConfiguration(domain, singularities, chosen,
+          vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
+    vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
+    output->ShallowCopy(domain);
+    WriteFindings(findings, output->GetFieldData());
+    CornerConversion::WriteLoopTable(
+      findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
+    CornerConversion::WriteCountedCorners(
+      findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
+    WriteVerdict(findings.consistent ? "Consistent" : "Inconsistent", findings.reason, verdict);
+  };
   this->ErrorCode = FilterRun::Run(this,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
+      try
       {
-        return;
+        check(progress);
       }
-      vtkUnstructuredGrid* field = AsField(domain);
-      const Findings findings = field != nullptr
-        ? CheckField(field, chosen, progress)
-        : CheckConfiguration(domain, singularities, chosen,
-            vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
-      vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
-      output->ShallowCopy(domain);
-      WriteFindings(findings, output->GetFieldData());
-      CornerConversion::WriteLoopTable(
-        findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
-      CornerConversion::WriteCountedCorners(
-        findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
-      WriteVerdict(findings, vtkTable::GetData(outputVector, 3));
+      catch (const crossfield::Error& error)
+      {
+        WriteVerdict("No verdict", error.what(), verdict);
+        throw;
+      }
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+  // Not 0 after an error: then a view would not draw again, and go on showing the last verdict.
+  return 1;
 }
 
 //------------------------------------------------------------------------------

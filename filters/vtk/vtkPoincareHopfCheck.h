@@ -40,7 +40,8 @@
  * interior singularities can make them regular points of the boundary).
  *
  * Output 3 (vtkTable): the column `Verdict` with one entry, a text for the 3D view: whether it is
- * consistent, and the reason.
+ * consistent, and the reason; after a failure its sentence, so that a view never shows a verdict that
+ * is out of date. For this the filter goes on after a failure, with empty outputs.
  *
  * An inconsistent configuration is not a failure. An empty domain gives empty outputs. Failure,
  * with empty outputs: a domain that vtkDrillHoles refuses; a singularity outside of it; arrays that

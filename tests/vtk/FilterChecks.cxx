@@ -358,7 +358,8 @@ unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>&
 {
   MessageRecorder messages(filter);
   filter->Modified();
-  EXPECT_EQ(filter->GetExecutive()->Update(), 0);
+  // The check goes on after a failure, for the sake of its text in a view.
+  EXPECT_EQ(filter->GetExecutive()->Update(), filter->IsA("vtkPoincareHopfCheck") ? 1 : 0);
   EXPECT_EQ(messages.errors.size(), 1u);
   const std::string sentence = messages.errors.empty() ? "" : messages.errors.front();
   for (const std::string& part : parts)

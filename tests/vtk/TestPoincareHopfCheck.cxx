@@ -264,6 +264,8 @@ TEST_F(PoincareHopfCheck, Refusals)
     EXPECT_EQ(FilterChecks::CaptureError(this->Filter, parts), vtkErrorCode::UserError);
     EXPECT_EQ(this->Loops()->GetNumberOfRows(), 0);
     EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 0);
+    // A view that shows the text must not go on showing an old one.
+    EXPECT_EQ(this->Verdict().rfind("No verdict\n", 0), 0u) << this->Verdict();
   };
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.1 } }));
   refuse({ "singularity 0", "(3, 0)", "outside" });
