@@ -1,12 +1,21 @@
 #!/usr/bin/env bash
-# Builds the library, the Python package, the ParaView plugin and the program in build/.
-# Installs missing Debian packages first and builds only what has changed.
+# Builds the presets named, or paraview511: the library, the Python package, the ParaView plugin and
+# the program in build/. Installs missing Debian packages first and builds only what has changed.
 #
-#   scripts/build.sh
+#   scripts/build.sh [PRESET...]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/packages.sh
-# Debian's VTK needs Debian's Python, also when another python3 comes first on the PATH.
-cmake --preset paraview511 -DPython3_EXECUTABLE=/usr/bin/python3
-cmake --build --preset paraview511
+# The numerics are the same in all presets; so they are compiled once and found by ccache then.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+for preset in "${@:-paraview511}"; do
+  # Debian's VTK needs Debian's Python, also when another python3 comes first on the PATH.
+  python=/usr/bin/python3
+  if [[ $preset == vtk91 ]]; then
+    scripts/vtk91.sh
+    python=$PWD/build-vtk91/vtk/bin/python3
+  fi
+  cmake --preset "$preset" "-DPython3_EXECUTABLE=$python"
+  cmake --build --preset "$preset"
+done

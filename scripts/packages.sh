@@ -2,6 +2,7 @@
 # Installs the Debian 12 packages that building and testing need. Quick when nothing is missing.
 #
 #   scripts/packages.sh
+#   scripts/packages.sh --update   fetches the lists of packages in any case
 set -euo pipefail
 
 packages=(
@@ -17,6 +18,8 @@ packages=(
   libavcodec-dev libavformat-dev libdouble-conversion-dev libfreetype-dev libgdal-dev
   libgl2ps-dev libglew-dev libhdf5-openmpi-dev libqt5opengl5-dev libqt5svg5-dev libswscale-dev
   libtheora-dev libutfcpp-dev qtbase5-dev qttools5-dev
+  # The same for VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes its libraries find each other.
+  libjsoncpp-dev libtbb-dev patchelf
   # The plugin's help pages are made with it.
   qtxmlpatterns5-dev-tools
 )
@@ -29,15 +32,14 @@ for package in "${packages[@]}"; do
     missing+=("$package")
   fi
 done
-if [[ ${#missing[@]} -eq 0 ]]; then
+if [[ ${#missing[@]} -eq 0 && "${1:-}" != --update ]]; then
   exit 0
 fi
 
-echo "Installing: ${missing[*]}"
 as_root=()
 if [[ $(id --user) -ne 0 ]]; then
   if ! command -v sudo >/dev/null; then
-    echo "Become root and run this again, or install: ${missing[*]}" >&2
+    echo "Become root and run this again, or 'apt-get update' and install: ${missing[*]}" >&2
     exit 1
   fi
   as_root=(sudo)
@@ -45,4 +47,7 @@ fi
 # Waits when another program is installing packages.
 apt=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --option DPkg::Lock::Timeout=600)
 "${as_root[@]}" "${apt[@]}" update
-"${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "${missing[@]}"
+if [[ ${#missing[@]} -gt 0 ]]; then
+  echo "Installing: ${missing[*]}"
+  "${as_root[@]}" "${apt[@]}" install --yes --no-install-recommends "${missing[@]}"
+fi

@@ -1,9 +1,25 @@
 #!/usr/bin/env bash
-# Builds everything and runs all tests; the exit status is that of the tests.
+# Builds everything for ParaView 5.11 and for VTK 9.1 and runs all tests; the exit status is that of
+# the tests.
 #
-#   scripts/test.sh
+#   scripts/test.sh [OPTIONS OF CTEST]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/build.sh
-ctest --test-dir build --output-on-failure --parallel 2
+# Names of presets. Each builds in build-NAME, the first in build.
+presets=(paraview511 vtk91)
+# Tests of the others that do not depend on the VTK and would only be repeated.
+declare -A skipped=([vtk91]='^(Numerics|bench|Rules)\.')
+
+scripts/build.sh "${presets[@]}"
+
+# One list of the tests of all builds, so that one run of ctest reports on them together.
+mkdir -p build-all
+{
+  echo "include(\"$PWD/tests/AllTests.cmake\")"
+  echo "tests_of(\"$PWD/build\" \"\" \"\")"
+  for preset in "${presets[@]:1}"; do
+    echo "tests_of(\"$PWD/build-$preset\" \"$preset.\" [==[${skipped[$preset]:-}]==])"
+  done
+} >build-all/CTestTestfile.cmake
+ctest --test-dir build-all --output-on-failure --parallel 2 "$@"

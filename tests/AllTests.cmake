@@ -1,0 +1,58 @@
+# The tests of several build trees as one list. A ctest file that includes this names the trees:
+#   tests_of(FOLDER PREFIX SKIPPED)   PREFIX goes before the names of the tests in FOLDER; those whose
+#                                     names match SKIPPED are left out
+# It works by standing in for the two commands that the ctest files of the trees are made of.
+cmake_policy(VERSION 3.22) # a ctest file has none
+
+function (tests_of folder prefix skipped)
+  subdirs("${folder}")
+endfunction ()
+
+# The arguments are passed on one by one: ${ARGN} would lose empty ones and split at semicolons.
+function (add_test name)
+  if (skipped AND name MATCHES "${skipped}")
+    return ()
+  endif ()
+  set(arguments " [==[${prefix}${name}]==]")
+  math(EXPR last "${ARGC} - 1")
+  foreach (i RANGE 1 ${last})
+    string(APPEND arguments " [==[${ARGV${i}}]==]")
+  endforeach ()
+  cmake_language(EVAL CODE "_add_test(${arguments})")
+endfunction ()
+
+# set_tests_properties(TEST... PROPERTIES NAME VALUE...); tests and fixtures in a value need the prefix.
+function (set_tests_properties)
+  set(arguments "")
+  set(next TEST)
+  set(any_test FALSE)
+  math(EXPR last "${ARGC} - 1")
+  foreach (i RANGE ${last})
+    set(argument "${ARGV${i}}")
+    if (next STREQUAL "TEST")
+      if (argument STREQUAL "PROPERTIES")
+        set(next NAME)
+      elseif (skipped AND argument MATCHES "${skipped}")
+        continue ()
+      else ()
+        string(PREPEND argument "${prefix}")
+        set(any_test TRUE)
+      endif ()
+    elseif (next STREQUAL "NAME")
+      set(has_names FALSE)
+      if (argument MATCHES "^(DEPENDS|FIXTURES_)")
+        set(has_names TRUE)
+      endif ()
+      set(next VALUE)
+    else ()
+      if (has_names)
+        list(TRANSFORM argument PREPEND "${prefix}")
+      endif ()
+      set(next NAME)
+    endif ()
+    string(APPEND arguments " [==[${argument}]==]")
+  endforeach ()
+  if (any_test)
+    cmake_language(EVAL CODE "_set_tests_properties(${arguments})")
+  endif ()
+endfunction ()
