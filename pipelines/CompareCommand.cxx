@@ -46,6 +46,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Moved(vtkUnstructuredGrid* field, double of
   auto moved = vtkSmartPointer<vtkUnstructuredGrid>::New();
   moved->ShallowCopy(field);
   vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble(); // as everywhere: crosses are aligned with edges to rounding
   points->DeepCopy(field->GetPoints());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {

@@ -6,8 +6,13 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
+import time
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "verify"))
+import kept
 
 PROGRAM = os.environ["CROSSFIELD_PROGRAM"]
 
@@ -33,11 +38,16 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         write_configuration(self.folder / "four.csv")
+        kept.ran()
 
     def run_program(self, *arguments, stdout=subprocess.PIPE, **options):
-        return subprocess.run(
+        begin = time.time()
+        result = subprocess.run(
             [PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, stdout=stdout,
             stderr=subprocess.PIPE, timeout=30, check=False, **options)
+        if result.returncode in (0, 1) and set(arguments) & {"-o", "--output"}:
+            kept.keep_folder(self.folder, since=begin)
+        return result
 
     def snapshot(self):
         """Name, time and fingerprint of everything in the folder."""
@@ -57,8 +67,17 @@ class ProgramTest(unittest.TestCase):
 
     def solve(self, domain, *arguments, singularities="four.csv"):
         """The report of `solve` as a dictionary."""
-        report = self.succeed("solve", domain, "-s", singularities, "--json", "-", *arguments)
-        return json.loads(report)
+        command = ("solve", domain, "-s", singularities, "--json", "-", *arguments)
+        return json.loads(self.succeed(*self.with_output(command)))
+
+    def with_output(self, arguments):
+        """A run that only reports writes what it computes for the verifier."""
+        if not kept.WRITTEN or {"-o", "--output"} & set(arguments):
+            return arguments
+        folder = tempfile.TemporaryDirectory(prefix="crossfield-")
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(kept.keep_folder, folder.name)
+        return (*arguments, "-o", pathlib.Path(folder.name) / "kept.vtu")
 
     def refuse(self, *arguments, says=(), status=2):
         """Runs the program, which must leave the folder alone and say why in one sentence."""

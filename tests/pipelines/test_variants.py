@@ -134,6 +134,7 @@ class Compare(ProgramTest):
             data = (self.folder / "all" / f"{name}.vtu").read_bytes()
             self.assertNotIn(b"appended", data)
             self.assertIn(b"vtkZLibDataCompressor", data)
+            self.assertIn(b'type="Float64" Name="Points"', data)
 
     def test_it_agrees_with_solve(self):
         solved = self.solve("builtin:disk")

@@ -13,6 +13,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 readme, language, build_directory, name = sys.argv[1:5]
 command = sys.argv[6:]
 
@@ -28,3 +31,4 @@ if command:
         subprocess.run(command + [name], cwd=directory, check=True)
         if not os.path.exists(os.path.join(directory, "field.vtu")):
             sys.exit("The example has not written field.vtu.")
+        kept.keep_folder(directory)

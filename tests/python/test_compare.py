@@ -16,6 +16,9 @@ from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 from checks import check, check_equal, value, values
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 METHODS = ["constrained", "unit-holes", "penalty", "ginzburg-landau"]
 
 
@@ -101,4 +104,5 @@ command = sys.argv[4:]
 with tempfile.TemporaryDirectory() as directory:
     for test in (test_table_file_and_picture, test_drawing_of_files, test_refusals):
         test()
+        kept.keep_folder(directory)
         print(test.__name__, "passed")

@@ -21,6 +21,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 page, program, plugin = sys.argv[1:4]
 pvpython = sys.argv[5:]
 with open(page, encoding="utf-8") as file:
@@ -29,6 +32,13 @@ with open(page, encoding="utf-8") as file:
 PREAMBLE = """\
 from paraview.simple import *
 LoadPlugin(%r, ns=globals())
+"""
+# What the example computes is kept for the verifier.
+END = """
+import sys
+sys.path.insert(0, %r)
+import kept
+kept.keep_sources()
 """
 
 
@@ -58,7 +68,7 @@ def run_console(block, directory):
 def run_python(block, directory):
     script = os.path.join(directory, "example.py")
     with open(script, "w", encoding="utf-8") as file:
-        file.write(PREAMBLE % plugin + block)
+        file.write(PREAMBLE % plugin + block + END % os.path.dirname(kept.__file__))
     output = run(pvpython + [script], directory)
     if re.search(r"ERR\||ERROR: In ", output):
         sys.exit("%s: this example reports an error:\n%s\n%s" % (page, block, output))
@@ -80,4 +90,5 @@ with tempfile.TemporaryDirectory(prefix="crossfield-docs-") as directory:
             run_console(block, directory)
         elif language == "python":
             run_python(block, directory)
+        kept.keep_folder(directory)
 print("%s: %d blocks" % (page, len(blocks)))

@@ -7,6 +7,7 @@ is.
 import ast
 import contextlib
 import doctest
+import functools
 import io
 import json
 import os
@@ -27,12 +28,28 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from checks import check, check_default_field, check_equal, fingerprint
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 PROGRAM, HEADER = sys.argv[1:]
 FOUR = np.array([(0.42, 0.42, 1, 0.1), (-0.42, 0.42, 1, 0.1), (-0.42, -0.42, 1, 0.1),
                  (0.42, -0.42, 1, 0.1)])
 SQUARE = np.array([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)])
 PAIR = np.array([(1.5, 1.0, 1, 0.1), (0.5, 1.0, -1, 0.1)])
 TIMES = ("seconds",)
+
+
+def keeping(function):
+    """The function, with what it computes kept for the verifier."""
+    @functools.wraps(function)
+    def kept_function(*arguments, **options):
+        result = function(*arguments, **options)
+        kept.keep_data(result.grid)
+        return result
+    return kept_function
+
+
+crossfield.drill, crossfield.solve = map(keeping, (crossfield.drill, crossfield.solve))
 
 
 @contextlib.contextmanager

@@ -8,6 +8,7 @@ also has to draw a picture. Files go to a temporary directory.
 import argparse
 import os
 import subprocess
+import sys
 import tempfile
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -15,6 +16,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from checks import check, check_default_field, check_equal
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
 
 FOUR = "x,y,quarter_index,radius\n" + "".join(
     "%g,%g,1,0.1\n" % place for place in ((0.42, 0.42), (-0.42, 0.42), (-0.42, -0.42), (0.42, -0.42)))
@@ -96,4 +100,5 @@ arguments = parser.parse_args()
 with tempfile.TemporaryDirectory() as directory:
     for test in (test_default, test_file, test_refusal):
         test()
+        kept.keep_folder(directory)
         print(test.__name__, "passed")

@@ -13,6 +13,9 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 from checks import check, check_equal
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 plugin, state = sys.argv[1:]
 simple.LoadPlugin(plugin, ns=vars(simple))  # as ParaView does before it loads a state
 with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
@@ -26,6 +29,7 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
         data = servermanager.Fetch(source)
         rows = data.GetNumberOfRows() if data.IsA("vtkTable") else data.GetNumberOfCells()
         check(rows > 0, "%s is not empty" % name)
+        kept.keep_data(data)
         check(name != type(source).__name__ + "1", "%s has a name that says what it is" % name)
     for number, layout in enumerate(simple.GetLayouts().values()):
         picture = os.path.join(directory, "%d.png" % number)

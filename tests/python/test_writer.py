@@ -13,6 +13,9 @@ from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader, vtkXMLPolyDataWriter,
 
 from checks import check, check_equal
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
 
 def contents(name):
     with open(os.path.join(directory, name), "rb") as file:
@@ -47,3 +50,4 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
     # More than one block of 32 kB in every array.
     run("solve", "disk.vtp", "-s", "four.csv", "--size", "0.03", "-o", "field.vtu")
     check_file("field.vtu", vtkXMLUnstructuredGridReader(), vtkXMLUnstructuredGridWriter())
+    kept.keep_folder(directory)

@@ -1,5 +1,7 @@
 #include "FilterChecks.h"
 
+#include "Written.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -258,6 +260,7 @@ void UpdateWithoutError(vtkAlgorithm* filter)
   EXPECT_TRUE(messages.warnings.empty()) << messages.warnings.front();
   EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_FALSE(IsEmpty(filter->GetOutputDataObject(0)));
+  Written::Keep(filter);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,53 @@
+"""The generalised Poincaré-Hopf theorem (METHOD §7): what the domain asks for and what was given."""
+import numpy as np
+
+from topology import HOLE, IMPRINTED
+
+
+def check_counts(data, mesh, boundary, indices, given, report):
+    """`given`: the sum of quarter indices inside, None where the file does not have it.
+
+    Gives the required sum and the vertices of the boundary whose index must have been chosen.
+    """
+    report.equal("EulerCharacteristic", data.value("EulerCharacteristic"), mesh.euler_characteristic())
+    required = data.value("RequiredInteriorQuarters")
+    stated = data.value("Valence"), data.value("TangentTurning")
+    rounding = len(boundary.angle) * 2.0 ** -50
+
+    def count(fixed, quarters):
+        rotation = boundary.angle[fixed] - 0.5 * np.pi * quarters[fixed]
+        return rotation.sum() / (2.0 * np.pi), boundary.angle[~fixed].sum() / (2.0 * np.pi)
+
+    chosen = np.zeros(len(boundary.angle), bool)
+    found = count(boundary.corner, boundary.smallest)
+    if abs(found[0] - stated[0]) > rounding or abs(found[1] - stated[1]) > rounding:
+        # Somebody chose indices: the field shows which, wherever it was held to them.
+        taken = taken_indices(mesh, boundary, indices)
+        chosen = taken != np.where(boundary.corner, boundary.smallest, 0)
+        found = count(boundary.corner | chosen, taken)
+    agree = [abs(a - b) <= rounding for a, b in zip(found, stated)]
+    if all(agree) or data.value("ChosenCorners") is None and not chosen.any():
+        report.bound("Valence", abs(found[0] - stated[0]), rounding, "rounding of a sum of angles")
+        report.bound("TangentTurning", abs(found[1] - stated[1]), rounding, "rounding of a sum of angles")
+    else:
+        report.note("Valence is not that of the indices that the field takes at corners; chosen "
+                    "indices, which the file does not list, may explain it")
+        total = boundary.angle.sum() / (2.0 * np.pi) - sum(stated)
+        report.bound("Valence and TangentTurning lack whole quarters only",
+                     abs(4.0 * total - np.rint(4.0 * total)), rounding, "rounding of a sum of angles")
+    report.equal("RequiredInteriorQuarters", required, int(np.rint(4.0 * sum(stated))))
+    if given is not None:
+        report.equal("GivenInteriorQuarters", data.value("GivenInteriorQuarters"), given)
+    report.equal("Consistent", data.value("Consistent"),
+                 int(required == data.value("GivenInteriorQuarters")))
+    return chosen
+
+
+def taken_indices(mesh, boundary, indices):
+    """Quarter index of the field at every aligned vertex, the triangles there included."""
+    _, of_vertex = indices.merged_at(mesh, boundary.vertex)
+    return of_vertex[boundary.vertex]
+
+
+def prescribed(mesh):
+    return sum(loop.quarter for loop in mesh.of_kind(HOLE, IMPRINTED))

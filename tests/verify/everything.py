@@ -1,0 +1,29 @@
+"""Verifies everything that the tests of a run have written.
+
+    python3 everything.py FOLDER --program-tests N --sources Program Vtk ...
+
+After a full run, one in which all N tests of the program ran, every source must have written
+something. After a part of the tests there may be nothing.
+"""
+import argparse
+import pathlib
+import sys
+
+import verify
+
+parser = argparse.ArgumentParser()
+parser.add_argument("folder")
+parser.add_argument("--program-tests", type=int, required=True)
+parser.add_argument("--sources", nargs="*", default=[])
+options = parser.parse_args()
+folder = pathlib.Path(options.folder)
+names = [path.name for path in folder.glob("*.vtu")]
+if len(list(folder.glob("*.ran"))) >= options.program_tests:
+    silent = [source for source in options.sources
+              if not any(name.startswith(source + ".") for name in names)]
+    if silent or not names:
+        sys.exit("After all tests of the program, nothing is there to verify from: " + ", ".join(silent))
+elif not names:
+    print("The tests that ran have written nothing.")
+    sys.exit(0)
+sys.exit(verify.main(["--quiet", "--jobs", "2", options.folder]))

@@ -1,0 +1,56 @@
+"""Reads a .vtu into numpy arrays. VTK is used for this only."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+from report import Unverifiable
+
+
+def _arrays(attributes):
+    """By name; strings and arrays without a name are left out."""
+    found = {}
+    for i in range(attributes.GetNumberOfArrays()):
+        array = attributes.GetArray(i)
+        if array is not None and array.GetName():
+            found[array.GetName()] = vtk_to_numpy(array).copy()
+    return found
+
+
+class Data:
+    """Points in space, triangles and lines, and the arrays on all of them.
+
+    `cells` has an array per name for the rows of `triangles` and of `lines`: a pair.
+    """
+
+    def __init__(self, name):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(name))
+        reader.Update()
+        grid = reader.GetOutput()
+        if reader.GetErrorCode() != 0 or grid is None:
+            raise Unverifiable("VTK cannot read the file")
+        self.points = np.zeros((0, 3))
+        if grid.GetNumberOfPoints() > 0:
+            self.points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+        self.triangles = np.zeros((0, 3), int)
+        self.lines = np.zeros((0, 2), int)
+        self.only_triangles_and_lines = True
+        chosen = [np.zeros(0, int), np.zeros(0, int)]
+        if grid.GetNumberOfCells() > 0:
+            types = vtk_to_numpy(grid.GetCellTypesArray())
+            ends = vtk_to_numpy(grid.GetCells().GetOffsetsArray()).astype(int)
+            ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).astype(int)
+            chosen = [np.flatnonzero(types == kind) for kind in (VTK_TRIANGLE, VTK_LINE)]
+            self.only_triangles_and_lines = len(chosen[0]) + len(chosen[1]) == len(types)
+            self.triangles = ids[ends[chosen[0]][:, None] + np.arange(3)]
+            self.lines = ids[ends[chosen[1]][:, None] + np.arange(2)]
+        self.cells = {name: (array[chosen[0]], array[chosen[1]])
+                      for name, array in _arrays(grid.GetCellData()).items()}
+        self.at_points = _arrays(grid.GetPointData())
+        self.field = _arrays(grid.GetFieldData())
+
+    def value(self, name):
+        """The one value of a field data array, None where there is none."""
+        array = self.field.get(name)
+        return None if array is None or array.size != 1 else array.ravel()[0].item()

@@ -1,0 +1,84 @@
+"""A good file to be spoilt in one place: its arrays, to be changed in place, and the field by edges."""
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+
+import topology
+from crouzeix_raviart import energies
+from field import Field
+from reading import Data
+
+
+class Spoiled:
+    """Views of the arrays of a file; what is changed in them is what is written."""
+
+    def __init__(self, name):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(name))
+        reader.Update()
+        self.grid = reader.GetOutput()
+        data = Data(name)
+        self.mesh = topology.Mesh(data)
+        self.lines = len(self.mesh.triangles) + np.arange(len(self.mesh.lines))
+        self.points = vtk_to_numpy(self.grid.GetPoints().GetData())
+        self.corners = vtk_to_numpy(self.grid.GetCells().GetConnectivityArray())
+        if "CrossFieldCR" in data.cells:
+            self.u = Field(data, self.mesh).u.copy()
+
+    def cell(self, name):
+        return vtk_to_numpy(self.grid.GetCellData().GetArray(name))
+
+    def point(self, name):
+        return vtk_to_numpy(self.grid.GetPointData().GetArray(name))
+
+    def report(self, name):
+        return vtk_to_numpy(self.grid.GetFieldData().GetArray(name))
+
+    def remove(self, attributes, name):
+        attributes.RemoveArray(name)
+
+    def edges_of(self, kind, first=0):
+        """Edges of the first loop of a kind, in their order."""
+        return self.mesh.counter_clockwise(self.mesh.of_kind(kind)[first])
+
+    def inner_edge(self):
+        """An edge that is far from all loops."""
+        on_loop = np.zeros(len(self.mesh.points), bool)
+        on_loop[self.mesh.lines.ravel()] = True
+        near = on_loop[self.mesh.triangles].any(axis=1)
+        far = np.setdiff1d(np.arange(len(self.mesh.ends)), self.mesh.edge[near])
+        return far[len(far) // 2]
+
+    def inner_vertex(self):
+        return self.mesh.ends[self.inner_edge(), 0]
+
+    def show(self, energy=False):
+        """Writes u into all arrays that show it, and the energy into the report."""
+        mesh, u = self.mesh, self.u
+        inside = u[mesh.edge]
+        exact = self.cell("CrossFieldCR")
+        count = len(mesh.triangles)
+        exact[:count, 0::2], exact[:count, 1::2] = inside.real, inside.imag
+        on_line = np.repeat(u[mesh.edge_of_line][:, None], 3, axis=1)
+        exact[count:, 0::2], exact[count:, 1::2] = on_line.real, on_line.imag
+        at_corner = inside.sum(axis=1)[:, None] - 2.0 * np.roll(inside, -1, axis=1)
+        sums, weights = np.zeros(len(mesh.points), complex), np.zeros(len(mesh.points))
+        np.add.at(sums, mesh.triangles, mesh.area[:, None] * at_corner)
+        np.add.at(weights, mesh.triangles, mesh.area[:, None] * np.ones(3))
+        for attributes, values in ((self.cell, np.concatenate([inside.mean(axis=1), u[mesh.edge_of_line]])),
+                                   (self.point, sums / np.where(weights > 0, weights, 1.0))):
+            attributes("Representation")[:, 0] = values.real
+            attributes("Representation")[:, 1] = values.imag
+            attributes("CrossNorm")[:] = np.abs(values)
+            angle = 0.25 * np.angle(values)
+            attributes("Cross")[:] = np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1)
+            attributes("Cross2")[:] = np.stack([-np.sin(angle), np.cos(angle), 0 * angle], axis=1)
+        if energy:
+            self.report("Energy")[0] = energies(mesh, inside).sum()
+
+    def write(self, name):
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputDataObject(self.grid)
+        writer.SetDataModeToBinary()
+        writer.SetFileName(str(name))
+        writer.Write()
