@@ -1,5 +1,6 @@
 #include "DomainReader.h"
 
+#include "IsolatedReading.h"
 #include "PipelineRun.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularitySource.h"
@@ -33,11 +34,11 @@ using PipelineRun::Error;
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
 {
-  auto reader = vtkSmartPointer<Reader>::New();
+  vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   try
   {
-    PipelineRun::Update(reader, "reading");
+    return IsolatedReading::Read(file, reader);
   }
   catch (const Error& error)
   {
@@ -45,19 +46,18 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
     throw Error("The file '" + file + "' cannot be read (" + error.what() +
       "); check it, or save it again as binary or ASCII, not appended.");
   }
-  return reader;
 }
 
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
 {
-  const auto reader = Read<Reader>(file);
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  const auto source = Read<Reader>(file);
+  auto* data = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
   if (data == nullptr || data->GetNumberOfCells() == 0)
   {
     throw Error("The file '" + file + "' holds no cells; give boundary lines or a triangle mesh.");
   }
-  return reader;
+  return source;
 }
 
 /** vtkOBJReader takes what is not a number for 0. */

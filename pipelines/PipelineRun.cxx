@@ -10,8 +10,10 @@
 #include "vtkOutputWindow.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -37,20 +39,32 @@ public:
     }
   }
   void DisplayWarningText(const char* text) override { this->Warnings.push_back(Sentence(text)); }
-  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+  /** Of functions that have no object to report an error, such as those that parse numbers. */
+  void DisplayGenericWarningText(const char* text) override { this->DisplayErrorText(text); }
 
   bool Failed = false;
   std::string First;
   std::vector<std::string> Warnings;
 
 private:
-  /** VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n". */
+  /**
+   * VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n", and without an object the same
+   * without the class. The sentence may have several lines; here it gets one.
+   */
   static std::string Sentence(std::string text)
   {
-    const auto begin = text.find("): ");
-    text = begin == std::string::npos ? text : text.substr(begin + 3);
-    text.erase(text.find_last_not_of(" \n") + 1);
-    return text;
+    const auto end = text.find("): ");
+    const auto head = text.find(", line ");
+    const auto begin = end != std::string::npos ? end + 2
+      : head != std::string::npos               ? text.find('\n', head)
+                                                : 0;
+    std::istringstream words(text.substr(std::min(begin, text.size())));
+    std::string sentence;
+    for (std::string word; words >> word;)
+    {
+      sentence += (sentence.empty() ? "" : " ") + word;
+    }
+    return sentence;
   }
 };
 vtkStandardNewMacro(ErrorCatcher);

@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
@@ -142,6 +143,7 @@ std::vector<crossfield::CornerChoice> ReadChoices(
   {
     return choices;
   }
+  SoundInput::Require(input);
   vtkDataArray* quarters = input->GetPointData()->GetArray(names::QuarterIndex);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
   {

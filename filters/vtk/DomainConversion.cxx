@@ -2,11 +2,12 @@
 
 #include "BoundaryLoops.h"
 #include "Error.h"
+#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataSet.h"
 #include "vtkFeatureEdges.h"
@@ -27,19 +28,6 @@ namespace
 using crossfield::Error;
 using crossfield::Point;
 
-/** Readers do not check that the points of a cell exist. */
-void RequirePoints(vtkIdType cell, vtkIdList* ids, vtkIdType count)
-{
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    if (ids->GetId(i) < 0 || ids->GetId(i) >= count)
-    {
-      throw Error("Cell " + std::to_string(cell) + " uses point " + std::to_string(ids->GetId(i)) +
-        " of " + std::to_string(count) + "; the file is damaged, make it again.");
-    }
-  }
-}
-
 /** The lines and surface cells of a data set; other cells than vertices are refused. */
 vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
 {
@@ -57,7 +45,6 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
   {
     const int type = input->GetCellType(cell);
     input->GetCellPoints(cell, ids);
-    RequirePoints(cell, ids, input->GetNumberOfPoints());
     switch (type)
     {
       case VTK_EMPTY_CELL:
@@ -78,7 +65,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
         break;
       default:
         throw Error("The domain has cells of type " +
-          std::string(input->GetCell(cell)->GetClassName()) +
+          std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
           "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
     }
   }
@@ -163,6 +150,7 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input)
 //------------------------------------------------------------------------------
 Loops ReadLoops(vtkDataSet* input)
 {
+  SoundInput::Require(input);
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const double* point = input->GetPoint(i);
@@ -231,6 +219,7 @@ crossfield::Configuration ReadConfiguration(
 {
   // The array is asked for even when there are no points: a source that failed gives no points and
   // no array, and must not pass for the empty configuration.
+  SoundInput::Require(input);
   crossfield::Configuration configuration;
   vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
@@ -273,6 +262,7 @@ crossfield::Configuration ReadConfiguration(
 //------------------------------------------------------------------------------
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 {
+  SoundInput::Require(input);
   vtkDataArray* kinds = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryKind);
   vtkDataArray* ids = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryId);
   vtkDataArray* quarters = RequireCellArray(input, vtkCrossFieldArrayNames::QuarterIndex);
@@ -286,7 +276,6 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, points);
-    RequirePoints(cell, points, input->GetNumberOfPoints());
     const auto vertex = [&points](vtkIdType i) { return static_cast<int>(points->GetId(i)); };
     const int kind = static_cast<int>(kinds->GetTuple1(cell));
     if (input->GetCellType(cell) == VTK_TRIANGLE)

@@ -21,8 +21,7 @@ foreach (file IN ITEMS __init__.pyi _functions.py _input.py _results.py _run.py 
 endforeach ()
 list(TRANSFORM package_files PREPEND "${package_directory}/")
 
-# Types of the wrapped classes, by a module that Debian's VTK 9.1 lacks: there they are only named. A
-# Python without the sanitizers cannot load a module that has them.
+# Types of the wrapped classes, by a module that Debian's VTK 9.1 lacks: there they are only named.
 if (NOT Python3_EXECUTABLE)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
 endif ()
@@ -31,7 +30,7 @@ execute_process(
   COMMAND "${Python3_EXECUTABLE}" -c "import vtkmodules.generate_pyi"
   RESULT_VARIABLE no_generator
   OUTPUT_QUIET ERROR_QUIET)
-if (no_generator OR CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+if (no_generator)
   file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/vtk*.h")
   set(types "from typing import Any\n\n")
   foreach (class_header IN LISTS headers)

@@ -3,6 +3,7 @@
 #include "DomainConversion.h"
 #include "Error.h"
 #include "FilterRun.h"
+#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCell.h"
@@ -141,6 +142,7 @@ int vtkCrossGlyphs::RequestData(
       {
         return;
       }
+      SoundInput::Require(input);
       namespace names = vtkCrossFieldArrayNames;
       vtkDataArray* branches[2] = { RequireArray(input, names::Cross, 3),
         RequireArray(input, names::Cross2, 3) };

@@ -23,6 +23,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkSingularitySource);
 
@@ -42,8 +44,10 @@ vtkAbstractArray* FindColumn(vtkTable* table, const char* name)
 {
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
-    if (vtksys::SystemTools::LowerCase(
-          vtksys::SystemTools::RemoveChars(table->GetColumnName(i), " \t\r")) == name)
+    std::string word;
+    const char* title = table->GetColumnName(i);
+    std::istringstream(title == nullptr ? "" : title) >> word; // without blanks around it
+    if (vtksys::SystemTools::LowerCase(word) == name)
     {
       return table->GetColumn(i);
     }

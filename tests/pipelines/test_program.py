@@ -49,7 +49,12 @@ class Help(ProgramTest):
                      for line in lines)
         self.assertEqual(list(paths), ["program", "plugin", "python"])
         self.assertTrue(os.path.samefile(paths["program"], PROGRAM))
-        self.assertTrue((pathlib.Path(paths["python"]) / "crossfield" / "__init__.py").is_file())
+        python = os.environ.get("CROSSFIELD_PYTHON")  # set by CMake when it is built
+        if python:
+            self.assertTrue(os.path.samefile(paths["python"], python))
+            self.assertTrue((pathlib.Path(python) / "crossfield" / "__init__.py").is_file())
+        else:
+            self.assertEqual(paths["python"], "")
         plugin = os.environ.get("CROSSFIELD_PLUGIN")  # set by CMake when it is built
         if plugin:
             self.assertTrue(os.path.samefile(paths["plugin"], plugin))

@@ -1,0 +1,19 @@
+#ifndef SoundInput_h
+#define SoundInput_h
+
+class vtkDataSet;
+
+/**
+ * Readers do not check what they read, nor do data sets check what they are given. What this module
+ * takes as given is checked here, before any filter walks along cells.
+ */
+namespace SoundInput
+{
+/**
+ * Throws crossfield::Error unless every cell has its points, in the number that its type asks for,
+ * among those of the data set, and every array of cells and points has a tuple for each.
+ */
+void Require(vtkDataSet* input);
+}
+
+#endif
