@@ -235,9 +235,9 @@ def phase_off_harmonic(file):
     file.show()
 
 
-@of("ring", "potential is single-valued if there is no holonomy defect")
-def holonomy_denied(file):
-    file.report("HolonomyDefect")[:] = 0.0
+@of("ring", "HolonomyDefect")
+def holonomy_defect_changed(file):
+    file.report("HolonomyDefect")[:] += 1e-7
 
 
 @of("ring", "holonomy defects, one for an inner loop")

@@ -6,7 +6,7 @@ continuous across every inner edge and zero through every edge of a hole: if (K 
 import numpy as np
 
 from crouzeix_raviart import energies, stiffness, stiffness_sizes
-from topology import INNER
+from holonomy import check_holonomy
 
 
 class Phase:
@@ -72,17 +72,5 @@ def check_unit_norm(data, mesh, field, report):
     off = np.abs(phase.residual / phase.sizes)[mesh.free]
     report.bound("phase is harmonic, its potential continuous and constant on holes",
                  off.max(initial=0.0), rounding, "one rounding an edge, relative to the terms")
-    defects = data.field.get("HolonomyDefect", np.zeros(0)).ravel()
-    periods = []
-    for loop in mesh.of_kind(INNER):
-        edges = mesh.edge_of_line[loop.lines]
-        periods.append(phase.residual[edges].sum())
-    scale = rounding * phase.sizes.max()
-    if len(defects) == len(periods):
-        single = np.abs(periods).max(initial=0.0) <= scale * 10
-        report.true("potential is single-valued if there is no holonomy defect",
-                    single or np.abs(defects).max() > scale * 1e-2,
-                    "the periods are %s, the defects %s" % (periods, defects.tolist()))
-    else:
-        report.equal("holonomy defects, one for an inner loop", len(defects), len(periods))
-    return energies(mesh, phase.values).sum(), phase, np.array(periods)
+    check_holonomy(data, mesh, phase.residual, report)
+    return energies(mesh, phase.values).sum(), phase

@@ -81,6 +81,7 @@ def _verify_field(data, mesh, report):
         stationarity.check_ginzburg_landau(data, mesh, field, report, norm, weight)
     else:
         _verify_perforated(data, mesh, field, boundary, indices, loops, degrees, found, report)
+    # The tolerance is not in the file: 1e-10 if not chosen, and 1e-6 for the alignment of unit norms.
     report.true("Converged only with a small residual", data.value("Converged") != 1 or
                 data.value("Residual") <= 1e-6, "Residual is %s" % data.value("Residual"))
 
@@ -94,7 +95,7 @@ def _verify_perforated(data, mesh, field, boundary, indices, loops, degrees, fou
         by_sum = stationarity.check_constrained(data, mesh, field, report)
     elif field.of_unit_norm and not mesh.of_kind(IMPRINTED):
         report.kind = "unit-norm field"
-        energy, _, _ = unit_norm.check_unit_norm(data, mesh, field, report)
+        energy, _ = unit_norm.check_unit_norm(data, mesh, field, report)
         energies.check_energy("Energy", data.value("Energy"), energy, mesh, report)
     else:
         report.kind = "constrained field"
@@ -115,7 +116,7 @@ def _verify_h(data, mesh, field, boundary, indices, loops, degrees, found, repor
     given = counts.prescribed(mesh) if on_holes else None
     chosen = counts.check_counts(data, mesh, boundary, indices, given, report)
     if on_holes:
-        energy, phase, _ = unit_norm.check_unit_norm(data, mesh, field, report)
+        energy, phase = unit_norm.check_unit_norm(data, mesh, field, report)
         energies.check_energy("Energy", data.value("Energy"), energy, mesh, report)
         hfield.check_on_holes(data, mesh, phase, report)
         singular.check_reached(data, mesh, loops, degrees, False, report)

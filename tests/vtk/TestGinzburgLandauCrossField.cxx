@@ -2,6 +2,7 @@
 #include "MeshReading.h"
 #include "SolverTest.h"
 #include "TestInputs.h"
+#include "Written.h"
 #include "vtkGinzburgLandauCrossField.h"
 
 #include "vtkCellData.h"
@@ -203,6 +204,7 @@ TEST_F(GinzburgLandauCrossField, FewIterationsAreAWarningAndNotConverged)
   this->Filter->SetInputData(Disk());
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
+  Written::Keep(this->Filter);
   EXPECT_TRUE(messages.errors.empty());
   ASSERT_EQ(messages.warnings.size(), 1u);
   EXPECT_NE(messages.warnings[0].find("1 step"), std::string::npos) << messages.warnings[0];

@@ -1,4 +1,5 @@
 #include "TestInputs.h"
+#include "Written.h"
 
 #include "vtkDrillHoles.h"
 
@@ -222,6 +223,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Drill(
   drill->SetSingularitiesData(Singularities(rows));
   drill->SetMeshSize(meshSize);
   drill->Update();
+  Written::Keep(drill);
   return drill->GetOutput();
 }
 

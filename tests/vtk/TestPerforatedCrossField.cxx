@@ -2,6 +2,7 @@
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
+#include "Written.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -277,6 +278,7 @@ TEST_F(PerforatedCrossField, FewIterationsAreAWarningAndNotConverged)
   this->Filter->SetInputData(TestInputs::DrilledDisk());
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
+  Written::Keep(this->Filter);
   EXPECT_TRUE(messages.errors.empty());
   ASSERT_EQ(messages.warnings.size(), 1u);
   EXPECT_NE(messages.warnings[0].find("1 step"), std::string::npos) << messages.warnings[0];

@@ -38,7 +38,7 @@ void Keep(vtkAlgorithm* filter)
   const std::string type = filter->GetClassName();
   const bool computes = type == "vtkDrillHoles" || type == "vtkPerforatedCrossField" ||
     type == "vtkGinzburgLandauCrossField" || type == "vtkHField";
-  if (folder == nullptr || grid == nullptr || !computes)
+  if (folder == nullptr || grid == nullptr || grid->GetNumberOfCells() == 0 || !computes)
   {
     return;
   }
