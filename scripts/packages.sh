@@ -22,6 +22,8 @@ packages=(
   libtheora-dev libutfcpp-dev qtbase5-dev qttools5-dev
   # The same for VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes its libraries find each other.
   libjsoncpp-dev libtbb-dev patchelf
+  # The Debian package is made with dpkg-dev and file; openmpi-bin has mpirun, for parameter studies.
+  dpkg-dev file openmpi-bin python3-mpi4py
   # The plugin's help pages are made with it.
   qtxmlpatterns5-dev-tools
 )
