@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <new>
 #include <thread>
 
 vtkStandardNewMacro(AheadCompressor);
@@ -55,19 +56,32 @@ void AheadCompressor::Compress(vtkDataSet* data, size_t blockSize)
   std::atomic<size_t> next{ 0 };
   const auto work = [&]
   {
-    std::vector<unsigned char> buffer(this->GetMaximumCompressionSpace(blockSize));
-    for (size_t i = next++; i < blocks.size(); i = next++)
+    try
     {
-      Block& block = blocks[i]->second;
-      const size_t size = vtkZLibDataCompressor::CompressBuffer(
-        blocks[i]->first, block.size, buffer.data(), buffer.size());
-      block.compressed.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(size));
+      std::vector<unsigned char> buffer(this->GetMaximumCompressionSpace(blockSize));
+      for (size_t i = next++; i < blocks.size(); i = next++)
+      {
+        Block& block = blocks[i]->second;
+        const size_t size = vtkZLibDataCompressor::CompressBuffer(
+          blocks[i]->first, block.size, buffer.data(), buffer.size());
+        block.compressed.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(size));
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      next = blocks.size(); // what is missing is compressed when the writer asks for it
     }
   };
   std::vector<std::thread> threads;
-  for (unsigned int i = 1; i < std::thread::hardware_concurrency(); ++i)
+  try
   {
-    threads.emplace_back(work);
+    for (unsigned int i = 1; i < std::thread::hardware_concurrency(); ++i)
+    {
+      threads.emplace_back(work);
+    }
+  }
+  catch (const std::exception&) // no memory for another thread: those that run will do
+  {
   }
   work();
   for (std::thread& thread : threads)

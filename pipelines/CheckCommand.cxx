@@ -7,6 +7,7 @@
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "TopologyJson.h"
 #include "vtkConfigurationProposal.h"
@@ -140,9 +141,10 @@ int Check(const CheckOptions& options)
   PipelineRun::Update(check, "checking");
 
   // 4. Write.
+  OutputTransaction outputs;
   if (!options.proposal.empty())
   {
-    OutputFile::WriteText(ConfigurationText(
+    outputs.Write(ConfigurationText(
       proposal->GetOutput(), DomainReader::HasHeight(check->GetOutput())), options.proposal);
   }
   const std::string reason = vtkStringArray::SafeDownCast(
@@ -155,8 +157,9 @@ int Check(const CheckOptions& options)
   }
   else
   {
-    OutputFile::WriteText(TopologyJson::Write(check), options.json);
+    outputs.Write(TopologyJson::Write(check), options.json);
   }
+  outputs.Commit();
 
   // 5. The answer.
   if (!consistent)

@@ -9,6 +9,7 @@
 #include "DomainReader.h"
 #include "MethodRun.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkSingularitySource.h"
 
@@ -126,22 +127,24 @@ int Compare(const CompareOptions& options)
   }
 
   // 4. Write the fields and the table.
+  OutputTransaction outputs;
   if (!options.output.empty())
   {
-    OutputFile::WriteBlocks(blocks, options.output);
+    OutputFile::WriteBlocks(blocks, options.output, outputs);
   }
   if (!options.csv.empty())
   {
-    OutputFile::WriteText(CompareTable::Csv(rows), options.csv);
+    outputs.Write(CompareTable::Csv(rows), options.csv);
   }
   if (!options.json.empty())
   {
-    OutputFile::WriteText(CompareTable::Json(rows), options.json);
+    outputs.Write(CompareTable::Json(rows), options.json);
   }
   if (options.csv != "-" && options.json != "-")
   {
     std::cout << CompareTable::Text(rows);
   }
+  outputs.Commit();
 
   // 5. The answer.
   return refused.has_value() || !allConverged ? AnswerIsNo : Done;

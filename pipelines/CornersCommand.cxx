@@ -7,6 +7,7 @@
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "TopologyJson.h"
 #include "vtkBoundaryCornerClassifier.h"
@@ -110,9 +111,10 @@ int Corners(const CornersOptions& options)
   PipelineRun::Update(classifier, "corners");
 
   // 3. Write.
+  OutputTransaction outputs;
   if (!options.output.empty())
   {
-    OutputFile::Write(classifier->GetOutput(), options.output);
+    OutputFile::Write(classifier->GetOutput(), options.output, outputs);
   }
   if (options.json.empty())
   {
@@ -120,8 +122,9 @@ int Corners(const CornersOptions& options)
   }
   else
   {
-    OutputFile::WriteText(TopologyJson::Write(classifier), options.json);
+    outputs.Write(TopologyJson::Write(classifier), options.json);
   }
+  outputs.Commit();
   return Done;
 }
 }

@@ -5,6 +5,7 @@
  */
 #include "CommandLine.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkPlanarDomainSource.h"
 
@@ -64,7 +65,9 @@ void AddDomainCommand(CLI::App& app, int& status)
       PipelineRun::Update(source, "domain");
 
       // 3. Write them.
-      OutputFile::Write(source->GetOutput(), options->output);
+      OutputTransaction outputs;
+      OutputFile::Write(source->GetOutput(), options->output, outputs);
+      outputs.Commit();
       status = Done;
     });
 }

@@ -6,6 +6,7 @@
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkDrillHoles.h"
 #include "vtkSingularitySource.h"
@@ -56,9 +57,11 @@ void AddDrillCommand(CLI::App& app, int& status)
       PipelineRun::Update(drill, "drilling");
 
       // 4. Write the mesh.
-      OutputFile::Write(drill->GetOutput(), options->output);
+      OutputTransaction outputs;
+      OutputFile::Write(drill->GetOutput(), options->output, outputs);
       std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
                 << " triangles\n";
+      outputs.Commit();
       status = Done;
     });
 }

@@ -7,6 +7,7 @@
 #include "DomainReader.h"
 #include "EnergyJson.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityEnergy.h"
@@ -81,14 +82,16 @@ int Energy(const EnergyOptions& options)
   // 3. Compute and write.
   PipelineRun::Update(energy, "energies");
   vtkTable* table = energy->GetOutput();
+  OutputTransaction outputs;
   if (options.json.empty())
   {
     PrintSummary(table, options.configurations);
   }
   else
   {
-    OutputFile::WriteText(EnergyJson::Write(energy, options.configurations), options.json);
+    outputs.Write(EnergyJson::Write(energy, options.configurations), options.json);
   }
+  outputs.Commit();
 
   // 4. The answer.
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)

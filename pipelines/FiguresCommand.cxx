@@ -7,6 +7,7 @@
 #include "CommandLine.h"
 #include "MethodRun.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PaperFigures.h"
 #include "PipelineRun.h"
 #include "vtkConfigurationProposal.h"
@@ -22,8 +23,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <vtksys/SystemTools.hxx>
 
 #include <CLI/CLI.hpp>
 
@@ -75,7 +74,8 @@ struct FigureResult
 };
 
 /** Computes a figure and writes its field. */
-FigureResult Compute(const PaperFigure& figure, const std::string& folder)
+FigureResult Compute(
+  const PaperFigure& figure, const std::string& folder, OutputTransaction& outputs)
 {
   vtkNew<vtkPlanarDomainSource> domain;
   domain->SetDomainName(figure.domain);
@@ -125,7 +125,7 @@ FigureResult Compute(const PaperFigure& figure, const std::string& folder)
     run.Solve(figure.method, figure.size, figure.epsilon, domain, singularities);
     field = run.GetField();
   }
-  OutputFile::Write(field, folder + "/" + figure.name + ".vtu");
+  OutputFile::Write(field, folder + "/" + figure.name + ".vtu", outputs);
 
   const auto value = [field](const char* name)
   {
@@ -140,11 +140,8 @@ FigureResult Compute(const PaperFigure& figure, const std::string& folder)
 int ComputeFigures(const FiguresOptions& options)
 {
   // 1. The folder.
-  if (!vtksys::SystemTools::MakeDirectory(options.folder))
-  {
-    throw PipelineRun::Error(
-      "The folder '" + options.folder + "' cannot be made; choose another place.");
-  }
+  OutputTransaction outputs;
+  outputs.MakeFolder(options.folder);
   OutputFile::RequireWritable(options.folder + "/summary.csv", ".csv");
 
   // 2. The figures, and a row for each.
@@ -163,7 +160,7 @@ int ComputeFigures(const FiguresOptions& options)
     {
       continue;
     }
-    const FigureResult result = Compute(figure, options.folder);
+    const FigureResult result = Compute(figure, options.folder, outputs);
     allConverged = allConverged && result.converged;
     csv << figure.name << ",\"" << figure.label << "\",\"" << figure.says << "\"," << figure.method
         << "," << result.energy << "," << result.iterations << "," << result.converged << ",\""
@@ -174,7 +171,8 @@ int ComputeFigures(const FiguresOptions& options)
   }
 
   // 3. The table.
-  OutputFile::WriteText(csv.str(), options.folder + "/summary.csv");
+  outputs.Write(csv.str(), options.folder + "/summary.csv");
+  outputs.Commit();
   return allConverged ? Done : AnswerIsNo;
 }
 

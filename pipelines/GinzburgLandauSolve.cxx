@@ -9,6 +9,7 @@
 
 #include "DomainReader.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -112,10 +113,11 @@ int GinzburgLandauSolve::Run() const
   PipelineRun::Update(found, "reading singularities");
 
   // 4. Write the field and the report.
+  OutputTransaction outputs;
   timer->StartTimer();
   if (!this->output.empty())
   {
-    OutputFile::Write(field, this->output);
+    OutputFile::Write(field, this->output, outputs);
   }
   timer->StopTimer();
   seconds["write"] = timer->GetElapsedTime();
@@ -127,10 +129,11 @@ int GinzburgLandauSolve::Run() const
   {
     const std::string report =
       ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
-    OutputFile::WriteText(
+    outputs.Write(
       ReportJson::AddSingularities(report, found->GetOutput(), DomainReader::HasHeight(field)),
       this->json);
   }
+  outputs.Commit();
 
   // 5. The answer.
   const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0;

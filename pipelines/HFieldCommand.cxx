@@ -6,6 +6,7 @@
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -104,11 +105,12 @@ int SolveH(const HFieldOptions& options)
   }
 
   // 4. Write the field and the report.
+  OutputTransaction outputs;
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   if (!options.output.empty())
   {
-    OutputFile::Write(field, options.output);
+    OutputFile::Write(field, options.output, outputs);
   }
   timer->StopTimer();
   seconds["write"] = timer->GetElapsedTime();
@@ -118,10 +120,11 @@ int SolveH(const HFieldOptions& options)
   }
   else
   {
-    OutputFile::WriteText(
+    outputs.Write(
       ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds),
       options.json);
   }
+  outputs.Commit();
 
   // 5. The answer.
   const auto flag = [field](const char* name)

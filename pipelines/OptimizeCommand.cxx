@@ -8,6 +8,7 @@
 #include "DomainReader.h"
 #include "EnergyJson.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityOptimizer.h"
@@ -69,9 +70,10 @@ int Optimize(const OptimizeOptions& options)
   PipelineRun::Update(optimizer, "optimizing");
   vtkFieldData* data = optimizer->GetOutput()->GetFieldData();
   const auto value = [data](const char* name) { return data->GetArray(name)->GetTuple1(0); };
+  OutputTransaction outputs;
   if (!options.output.empty())
   {
-    OutputFile::WriteText(EnergyJson::WriteConfiguration(optimizer), options.output);
+    outputs.Write(EnergyJson::WriteConfiguration(optimizer), options.output);
   }
   if (options.json.empty())
   {
@@ -83,8 +85,9 @@ int Optimize(const OptimizeOptions& options)
   }
   else
   {
-    OutputFile::WriteText(EnergyJson::Write(optimizer), options.json);
+    outputs.Write(EnergyJson::Write(optimizer), options.json);
   }
+  outputs.Commit();
   return value(names::Converged) != 0.0 ? Done : AnswerIsNo;
 }
 }

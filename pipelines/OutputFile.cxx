@@ -1,6 +1,7 @@
 #include "OutputFile.h"
 
 #include "AheadCompressor.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 
 #include "vtkNew.h"
@@ -10,30 +11,12 @@
 
 #include <vtksys/SystemTools.hxx>
 
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <unistd.h>
 
 namespace
 {
 using PipelineRun::Error;
 
-/** The file's name while it is incomplete: in the same folder, so that it can be renamed. */
-std::string PartName(const std::string& file)
-{
-  return file + ".part" + std::to_string(getpid());
-}
-
-void MoveIntoPlace(const std::string& part, const std::string& file)
-{
-  if (std::rename(part.c_str(), file.c_str()) != 0)
-  {
-    std::remove(part.c_str());
-    throw Error("The file '" + file + "' cannot be written; choose another place.");
-  }
-}
 }
 
 namespace OutputFile
@@ -55,9 +38,13 @@ void RequireWritable(const std::string& file, const std::string& ending)
   {
     throw Error("The folder '" + folder + "' does not exist or cannot be written; choose another.");
   }
+  if (access(file.c_str(), F_OK) == 0 && access(file.c_str(), W_OK) != 0)
+  {
+    throw Error("The file '" + file + "' is protected against writing; choose another name.");
+  }
 }
 
-void Write(vtkDataObject* data, const std::string& file)
+void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs)
 {
   vtkSmartPointer<vtkXMLUnstructuredDataWriter> writer;
   if (vtkPolyData::SafeDownCast(data) != nullptr)
@@ -76,54 +63,26 @@ void Write(vtkDataObject* data, const std::string& file)
   writer->SetCompressor(compressor);
   writer->WriteToOutputStringOn(); // VTK 9.1 and 9.2 crash when a stream to a file fails
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
-  WriteText(writer->GetOutputString(), file);
+  outputs.Write(writer->GetOutputString(), file);
 }
 
-void WriteBlocks(const Blocks& blocks, const std::string& file)
+void WriteBlocks(const Blocks& blocks, const std::string& file, OutputTransaction& outputs)
 {
   using vtksys::SystemTools;
   const std::string name = SystemTools::GetFilenameWithoutLastExtension(file);
   const std::string folder =
     SystemTools::GetParentDirectory(SystemTools::CollapseFullPath(file)) + "/" + name;
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed)
-  {
-    throw Error("The folder '" + folder + "' cannot be made; choose another name.");
-  }
+  outputs.MakeFolder(folder);
   std::string index = "<?xml version=\"1.0\"?>\n"
                       "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\">\n"
                       "  <vtkMultiBlockDataSet>\n";
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto& [block, data] = blocks[i];
-    Write(data, folder + "/" + block + ".vtu");
+    Write(data, folder + "/" + block + ".vtu", outputs);
     index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + block + "\" file=\"" +
       name + "/" + block + ".vtu\"/>\n";
   }
-  WriteText(index + "  </vtkMultiBlockDataSet>\n</VTKFile>\n", file);
-}
-
-void WriteText(const std::string& text, const std::string& file)
-{
-  if (file == "-")
-  {
-    std::cout << text << std::flush;
-    if (!std::cout)
-    {
-      throw Error("The report cannot be written to standard output; check where it goes.");
-    }
-    return;
-  }
-  const std::string part = PartName(file);
-  std::ofstream stream(part);
-  stream << text;
-  stream.close();
-  if (!stream)
-  {
-    std::remove(part.c_str());
-    throw Error("The file '" + file + "' cannot be written; check the folder and the free space.");
-  }
-  MoveIntoPlace(part, file);
+  outputs.Write(index + "  </vtkMultiBlockDataSet>\n</VTKFile>\n", file);
 }
 }

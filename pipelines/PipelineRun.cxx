@@ -30,8 +30,10 @@ public:
   void DisplayErrorText(const char* text) override
   {
     // The executive repeats that an algorithm failed; a few readers leave it at a warning.
+    // VTK's arrays say what they cannot allocate before they throw std::bad_alloc.
     const bool repetition =
-      std::string(text).find("returned failure for request") != std::string::npos;
+      std::string(text).find("returned failure for request") != std::string::npos ||
+      std::string(text).find("Unable to allocate") != std::string::npos;
     this->Failed = true;
     if (this->First.empty() && !repetition)
     {

@@ -7,6 +7,7 @@
 #include "DomainReader.h"
 #include "GinzburgLandauSolve.h"
 #include "OutputFile.h"
+#include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -203,10 +204,11 @@ int Solve(const SolveOptions& options)
   }
 
   // 6. Write the field and the report.
+  OutputTransaction outputs;
   timer->StartTimer();
   if (!options.output.empty())
   {
-    OutputFile::Write(field, options.output);
+    OutputFile::Write(field, options.output, outputs);
   }
   timer->StopTimer();
   seconds["write"] = timer->GetElapsedTime();
@@ -222,9 +224,10 @@ int Solve(const SolveOptions& options)
   {
     const std::string report =
       ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
-    OutputFile::WriteText(
+    outputs.Write(
       mayAppear ? ReportJson::AddSingularities(report, found->GetOutput()) : report, options.json);
   }
+  outputs.Commit();
 
   // 7. The answer.
   const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0 ||

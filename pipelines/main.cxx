@@ -14,6 +14,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <iostream>
+#include <new>
 
 namespace
 {
@@ -76,6 +77,12 @@ int main(int argc, char** argv)
   {
     std::cerr << "crossfield: " << error.what() << "\n";
     return error.GetStatus();
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "crossfield: There is not enough memory for an input or a mesh of this size; use a "
+                 "larger mesh size.\n";
+    return BadInput;
   }
   catch (const std::exception& error)
   {

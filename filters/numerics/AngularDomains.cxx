@@ -1,5 +1,7 @@
 #include "AngularDomains.h"
 
+#include "Error.h"
+
 #include <algorithm>
 
 namespace crossfield
@@ -69,7 +71,13 @@ std::vector<Loop> AngularHoleDomain(double width, double edgeLength)
 {
   const double radius = 0.1 * width;
   // A polygon of fewer sides would have corners; a multiple of 4 keeps the symmetry.
-  const int quarter = std::max(4, static_cast<int>(std::ceil(0.5 * Pi * radius / edgeLength)));
+  const double segments = std::max(4.0, std::ceil(0.5 * Pi * radius / edgeLength));
+  if (!(segments < 2.5e6))
+  {
+    throw Error("The edge length of a built-in domain would cut its curve into more than ten "
+                "million segments; give a larger one.");
+  }
+  const auto quarter = static_cast<int>(segments);
   Loop hole;
   for (int i = 0; i < 4 * quarter; ++i)
   {

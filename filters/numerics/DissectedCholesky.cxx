@@ -1,5 +1,6 @@
 #include "DissectedCholesky.h"
 
+#include "MemoryBudget.h"
 #include "NestedDissection.h"
 #include "SerialBlas.h"
 
@@ -54,6 +55,47 @@ void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen
     }
   }
 }
+
+/// How many unknowns of the border are next to a half.
+Eigen::Index NextTo(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& half,
+  const std::vector<int>& border)
+{
+  std::vector<char> inHalf(static_cast<std::size_t>(matrix.rows()), 0);
+  for (const int unknown : half)
+  {
+    inHalf[static_cast<std::size_t>(unknown)] = 1;
+  }
+  return std::count_if(border.begin(), border.end(),
+    [&](int unknown)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
+      {
+        if (inHalf[static_cast<std::size_t>(entry.row())] != 0)
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+
+/// Throws Error when the factor of both halves and the dense matrices on their borders do not fit.
+void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
+{
+  const auto square = [](std::size_t n) { return static_cast<double>(n) * static_cast<double>(n); };
+  double entries = square(dissection.border.size());
+  for (const std::vector<int>* half : { &dissection.left, &dissection.right })
+  {
+    const Eigen::Index border = NextTo(matrix, *half, dissection.border);
+    // The last block of the half's factor, a copy of it, its square, and what is subtracted.
+    entries += DissectionFill(static_cast<double>(half->size())) +
+      4.0 * square(static_cast<std::size_t>(border));
+  }
+  RequireMemory(entries * sizeof(double),
+    "The factorisation of " + std::to_string(matrix.rows()) + " unknowns, of which " +
+      std::to_string(dissection.border.size()) + " on holes and on the cut through the mesh are dense,",
+    "use a larger mesh size, fewer holes or fewer edges on them");
+}
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
@@ -63,6 +105,7 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
 {
   const SerialBlas serial;
   Dissection dissection = Dissect(matrix, places, last, leftOut);
+  RequireMemoryForFactor(matrix, dissection);
   progress.Report(0.1);
   this->Halves[0].unknowns = std::move(dissection.left);
   this->Halves[1].unknowns = std::move(dissection.right);

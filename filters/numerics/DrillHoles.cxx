@@ -2,11 +2,14 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
+#include "MemoryBudget.h"
+#include "MeshBudget.h"
 #include "PlanarMesher.h"
 #include "TriangleChoice.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace crossfield
@@ -76,6 +79,24 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
   }
 }
 
+/// Number of edges of a hole; see DrillOptions::minimumHoleEdges.
+int HoleEdges(std::size_t row, const Singularity& hole, double meshSize, int minimum)
+{
+  const double edges = std::max({ static_cast<double>(minimum),
+    8.0 * std::abs(static_cast<double>(hole.quarterIndex)),
+    std::ceil(2.0 * Pi * hole.radius / meshSize) });
+  // A ring of triangles around the hole, two to an edge, at the least.
+  RequireMemory(2.0 * edges * MeshBytesPerTriangle,
+    "The hole of " + Describe(row, hole) + " with " + std::to_string(std::llround(edges)) + " edges",
+    "give a smaller quarter index or fewer edges");
+  if (edges > std::numeric_limits<int>::max())
+  {
+    throw Error("The hole of " + Describe(row, hole) + " would have more edges than can be "
+      "numbered; give a smaller quarter index or fewer edges.");
+  }
+  return static_cast<int>(edges);
+}
+
 /// Clockwise, so that the domain lies on the left.
 Loop HolePolygon(const Singularity& singularity, int edges)
 {
@@ -118,6 +139,10 @@ SizeField MakeSizeField(
       box.extend(loop[i]);
     }
   }
+  if (options.gradation > 0.0) // or SizeField says so
+  {
+    RequireMemoryForMesh(domain, sources, meshSize, options.gradation);
+  }
   return SizeField(sources, meshSize, options.gradation, box);
 }
 }
@@ -135,6 +160,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   const DrillOptions& options, const Progress& progress)
 {
   const double meshSize = ResolveMeshSize(options, domain);
+  RequireMemoryForMesh(domain, {}, meshSize, options.gradation); // before anything of that size
   if (options.minimumHoleEdges < 3)
   {
     throw Error("A hole needs at least 3 edges; raise the smallest number of edges of a hole.");
@@ -159,8 +185,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
                                                                : BoundaryKind::Hole;
   for (std::size_t i = 0; i < holes.size(); ++i)
   {
-    const int edges = std::max({ options.minimumHoleEdges, 8 * std::abs(holes[i].quarterIndex),
-      static_cast<int>(std::ceil(2.0 * Pi * holes[i].radius / meshSize)) });
+    const int edges = HoleEdges(i, holes[i], meshSize, options.minimumHoleEdges);
     drilled.loops.push_back(HolePolygon(holes[i], edges));
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }

@@ -2,6 +2,8 @@
 #include "PlanarMesher.h"
 
 #include "Error.h"
+#include "MemoryBudget.h"
+#include "MeshBudget.h"
 #include "MesherCriteria.h"
 #include "MesherPoints.h"
 #include "MesherTriangulation.h"
@@ -312,6 +314,7 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops)
 
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress)
+try
 {
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
   const std::vector<bool> imprinted = FindImprinted(loopMarks);
@@ -323,6 +326,10 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   triangulation.insert(rings.begin(), rings.end());
   ComputeDepths(triangulation, imprinted);
   const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
+  // What was predicted is right within a factor of two where holes grade the mesh.
+  RequireMemory(2.0 * static_cast<double>(bulk.size()) * MeshBytesPerTriangle,
+    "A mesh with " + std::to_string(2 * bulk.size()) + " triangles",
+    "choose a larger edge length, larger holes or a larger gradation");
   progress.Report(0.3);
   triangulation.insert(bulk.begin(), bulk.end());
   progress.Report(0.5);
@@ -344,5 +351,10 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   TriangleMesh mesh = ReadOut(triangulation, domain, loopMarks);
   progress.Report(1.0);
   return mesh;
+}
+catch (const CGAL::Failure_exception&) // its text is of several lines about CGAL's source
+{
+  throw Error("The triangulation of the domain broke down; simplify the boundary where it is finest "
+              "or nearly touches itself.");
 }
 }

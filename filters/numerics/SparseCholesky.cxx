@@ -1,5 +1,6 @@
 #include "SparseCholesky.h"
 
+#include "MemoryBudget.h"
 #include "SerialBlas.h"
 
 #include <cholmod.h>
@@ -76,9 +77,18 @@ SparseCholesky::SparseCholesky(
     cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
   if (this->Data->factor != nullptr)
   {
+    const cholmod_factor& factor = *this->Data->factor;
+    RequireMemory(static_cast<double>(factor.xsize + factor.maxcsize) * sizeof(double),
+      "The factorisation of " + std::to_string(order.size()) + " unknowns",
+      "use a larger mesh size, fewer holes or fewer edges on them");
     cholmod_factorize(&view, this->Data->factor, common);
   }
-  if (common->status == CHOLMOD_OUT_OF_MEMORY || common->status == CHOLMOD_TOO_LARGE)
+  if (common->status == CHOLMOD_TOO_LARGE)
+  {
+    throw Error("The factor of a matrix with " + std::to_string(order.size()) +
+      " unknowns has more entries than can be numbered; use a larger mesh size or fewer holes.");
+  }
+  if (common->status == CHOLMOD_OUT_OF_MEMORY)
   {
     throw Error("There is not enough memory to factor a matrix with " +
       std::to_string(order.size()) + " unknowns; use a larger mesh size.");

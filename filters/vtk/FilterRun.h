@@ -2,12 +2,15 @@
 #define FilterRun_h
 
 #include "Error.h"
+#include "MemoryBudget.h"
 #include "Progress.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"
 
 #include <exception>
+#include <new>
+#include <string>
 
 /** The one way in which the filters of this module call numerics, from their RequestData. */
 namespace FilterRun
@@ -69,9 +72,16 @@ unsigned long Run(Algorithm* self, Work work)
     const unsigned long badInput = vtkErrorCode::UserError;
     return error.GetKind() == crossfield::Error::Kind::Inconsistent ? Inconsistent : badInput;
   }
-  catch (const std::exception& error)
+  catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(self, << error.what());
+    vtkErrorWithObjectMacro(self, << crossfield::OutOfMemory);
+    return vtkErrorCode::UserError;
+  }
+  catch (const std::exception& error) // of a library, and no sentence: it may have several lines
+  {
+    const std::string text = error.what();
+    vtkErrorWithObjectMacro(self, << "The computation broke down (" << text.substr(0, text.find('\n'))
+                                  << "); simplify the domain, or report it with this message.");
     return vtkErrorCode::UserError;
   }
 }
