@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -56,10 +57,10 @@ class SpreadLoop
 {
 public:
   SpreadLoop(const PerforatedProblem& problem, const Eigen::VectorXd& jump,
-    const std::vector<int>& edges)
+    std::vector<int> edges)
     : Problem(problem)
     , Jump(jump)
-    , Edges(edges)
+    , Edges(std::move(edges))
   {
     const auto count = this->Edges.size();
     for (std::size_t i = 0; i < count; ++i)

@@ -95,7 +95,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Eigen::RowVectorXd heights = normal.transpose() * points;
   plane.Offset = 0.5 * (heights.minCoeff() + heights.maxCoeff());
   const double deviation = 0.5 * (heights.maxCoeff() - heights.minCoeff());
-  constexpr double SinglePrecision = std::numeric_limits<float>::epsilon();
+  constexpr auto SinglePrecision = static_cast<double>(std::numeric_limits<float>::epsilon());
   if (deviation > Flatness * plane.Size + SinglePrecision * reach)
   {
     throw Error("The domain is not planar: its points are up to " + Text(deviation) +

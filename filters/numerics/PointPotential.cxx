@@ -18,7 +18,7 @@ Point Midpoint(const TriangleMesh& mesh, const std::array<int, 2>& ends)
     (mesh.points[static_cast<std::size_t>(ends[0])] + mesh.points[static_cast<std::size_t>(ends[1])]);
 }
 
-void RequireNoHoles(const TriangleMesh& mesh)
+const TriangleMesh& WithoutHoles(const TriangleMesh& mesh)
 {
   for (const BoundaryEdge& edge : mesh.boundary)
   {
@@ -28,12 +28,13 @@ void RequireNoHoles(const TriangleMesh& mesh)
                   "the domain without singularities.");
     }
   }
+  return mesh;
 }
 }
 
 PointPotential::PointPotential(
   const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters)
-  : Problem((RequireNoHoles(mesh), mesh), PotentialSolver::Periods::Islands, corners, pointQuarters)
+  : Problem(WithoutHoles(mesh), PotentialSolver::Periods::Islands, corners, pointQuarters)
   , Domain{ AlignedLoops(mesh, Problem.loops) }
   , Sources(CurvePhase(Problem))
   , Smooth(Sources.atRows)

@@ -18,7 +18,7 @@ enum class BoundaryKind
 /// A directed edge of the mesh with the domain on its left.
 struct BoundaryEdge
 {
-  std::array<int, 2> vertices;
+  std::array<int, 2> vertices{};
   BoundaryKind kind = BoundaryKind::Outer;
   int id = 0;           ///< Loop number; for holes and circles the row of the configuration.
   int quarterIndex = 0; ///< Prescribed on holes and circles, else 0.

@@ -138,8 +138,9 @@ crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
   {
     for (int i = 0; i < 3; ++i)
     {
-      u[edges.ofTriangle[t][i]] = Complex(exact->GetComponent(cells.triangleCells[t], 2 * i),
-        exact->GetComponent(cells.triangleCells[t], 2 * i + 1));
+      u[edges.ofTriangle[t][static_cast<std::size_t>(i)]] =
+        Complex(exact->GetComponent(cells.triangleCells[t], 2 * i),
+          exact->GetComponent(cells.triangleCells[t], 2 * i + 1));
     }
   }
   return u;

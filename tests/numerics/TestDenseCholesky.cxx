@@ -32,7 +32,7 @@ private:
 };
 
 using Scalars = testing::Types<double, Complex>;
-TYPED_TEST_SUITE(DenseCholeskyTest, Scalars);
+TYPED_TEST_SUITE(DenseCholeskyTest, Scalars, ); // without the last comma not ISO C++
 
 TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
 {

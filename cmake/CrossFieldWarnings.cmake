@@ -1,0 +1,33 @@
+# The warnings that all code of ours is compiled with; code that VTK generates is not ours. g++ 12 and
+# clang 14 give none of them. Headers of other libraries are SYSTEM and not looked at.
+# Not -Wpedantic: it minds the semicolon after vtkTypeMacro(...); the numerics add it.
+option(CROSSFIELD_WARNINGS_AS_ERRORS "A warning stops the build" OFF)
+
+set(crossfield_warnings
+  -Wall
+  -Wextra
+  -Wcast-align
+  -Wcast-qual
+  -Wconversion
+  -Wdouble-promotion
+  -Wformat=2
+  -Wmissing-declarations
+  -Wnon-virtual-dtor
+  -Wold-style-cast
+  -Woverloaded-virtual
+  -Wshadow
+  -Wsign-conversion
+  -Wundef)
+if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  list(APPEND crossfield_warnings -Wduplicated-branches -Wduplicated-cond -Wlogical-op)
+endif ()
+if (CROSSFIELD_WARNINGS_AS_ERRORS)
+  list(APPEND crossfield_warnings -Werror)
+endif ()
+
+# crossfield_add_warnings(TARGET...)
+function(crossfield_add_warnings)
+  foreach (target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE ${crossfield_warnings})
+  endforeach ()
+endfunction()
