@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# Builds everything for ParaView 5.11 and for VTK 9.1 and runs all tests; the exit status is that of
-# the tests.
+# Builds everything for ParaView 5.11, for VTK 9.1 and with sanitizers, and runs all tests; the exit
+# status is that of the tests.
 #
 #   scripts/test.sh [OPTIONS OF CTEST]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Names of presets. Each builds in build-NAME, the first in build.
-presets=(paraview511 vtk91)
+presets=(paraview511 vtk91 checked)
 # Tests of the others that do not depend on the VTK and would only be repeated.
-declare -A skipped=([vtk91]='^(Numerics|bench|Rules)\.')
+declare -A skipped=(
+  [vtk91]='^(Numerics|bench|Rules)\.'
+  [checked]='^(Rules|Verify\.Spoilt)\.')
 
 scripts/build.sh "${presets[@]}"
 
