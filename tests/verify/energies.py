@@ -3,7 +3,6 @@ import numpy as np
 
 from crouzeix_raviart import energies, stiffness_sizes
 from report import ROUNDING
-from stationarity import masses_with
 
 
 def check_energy(name, stated, found, mesh, report, size=1.0):

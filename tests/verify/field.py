@@ -27,7 +27,7 @@ def check_arrays(data, mesh, field, report):
     lines = data.cells["CrossFieldCR"][1]
     of_line = field.u[mesh.edge_of_line]
     report.true("lines have the value of their edge three times",
-                np.array_equal(lines[:, 0::2] + 1j * lines[:, 1::2], np.repeat(of_line[:, None], 3, axis=1)))
+                np.all(lines[:, 0::2] + 1j * lines[:, 1::2] == of_line[:, None]))
 
     count = len(mesh.points)
     sum_of_sides = field.in_triangle.sum(axis=1)
@@ -73,8 +73,8 @@ def _check_shown(where, u, shown, frame, exactness, report):
     angles = 2.0 ** -43
     off = np.abs(first ** 4 - stated_u / np.where(seen, np.abs(stated_u), 1.0))[seen].max(initial=0.0)
     report.bound("Cross of %s: its fourth power is u" % where, off, angles, "rounding of angles and axes")
-    off = max(np.abs(second - 1j * first).max(initial=0.0), np.abs(np.abs(first) - 1.0).max(initial=0.0),
-              np.abs(shown["Cross"] @ normal).max(initial=0.0), np.abs(shown["Cross2"] @ normal).max(initial=0.0))
+    off = max(np.abs(values).max(initial=0.0) for values in (
+        second - 1j * first, np.abs(first) - 1.0, shown["Cross"] @ normal, shown["Cross2"] @ normal))
     report.bound("Cross2 of %s: a unit branch at +90 degrees in the plane" % where, off, angles,
                  "rounding of angles and axes")
     off = np.abs(np.angle(first))[seen].max(initial=0.0) - 0.25 * np.pi

@@ -1,7 +1,7 @@
 """H: its own equation, and that the crosses are those of H + iθ analytic (METHOD §2, docs/hfield.md).
 
-Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On a mesh
-with holes that holds in every triangle. On one without, it holds for the regular parts
+Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On a
+mesh with holes that holds in every triangle. On one without, it holds for the regular parts
 
     R = Φ − Σ_j k_j log|x − b_j| − Σ_c s_c log|x − p_c|,   φ − Σ_j k_j arg(x − b_j) − Σ_c s_c arg(x − p_c),
 
@@ -28,8 +28,8 @@ def sizes(mesh):
 def check_arrays(data, mesh, on_holes, report):
     h, size = data.at_points["H"], data.at_points["SizeMap"]
     report.true("H is finite", np.all(np.isfinite(h)))
-    report.bound("SizeMap is e^H", np.abs(size / np.exp(h) - 1.0).max(), 4 * ROUNDING * max(1, np.abs(h).max()),
-                 "rounding of an exponential")
+    report.bound("SizeMap is e^H", np.abs(size / np.exp(h) - 1.0).max(),
+                 4 * ROUNDING * max(1.0, np.abs(h).max()), "rounding of an exponential")
     mean = (mesh.area * h[mesh.triangles].mean(axis=1)).sum() / mesh.area.sum()
     if on_holes:
         report.bound("area mean of H", abs(mean), len(mesh.area) * ROUNDING * np.abs(h).max(),
@@ -60,7 +60,7 @@ def _check_conjugate(data, mesh, off, tolerance, report):
         report.bound("4∇H is the conjugate of the phase's gradient", off.max(initial=0.0), tolerance,
                      "one rounding an edge, relative to the terms")
         return
-    report.note("H is a branch with a jump along a way to every inner loop: the triangles of the ways are left out")
+    report.note("H is a branch with a jump along a way to every inner loop: its triangles are left out")
     beyond = np.count_nonzero(off > tolerance)
     ways = 4.0 * np.sqrt(len(off)) * len(mesh.of_kind(INNER))
     report.bound("triangles in which 4∇H is not the conjugate of the phase's gradient", beyond, ways,
@@ -83,7 +83,6 @@ class Fit:
         # At the source of a logarithm the value of H is a mean, and curves are aligned at the end.
         curved = np.zeros(len(mesh.points), bool)
         turning = (np.abs(boundary.angle) > 1e-12) & ~(boundary.corner | extra)
-        loop_of = {}
         for loop in mesh.of_kind(OUTER, INNER):
             vertices = mesh.lines[loop.lines, 0]
             if np.isin(boundary.vertex[turning], vertices).any():
@@ -212,5 +211,5 @@ def check_at_points(data, mesh, field, boundary, singularities, chosen, report):
                  np.abs(quarters - np.rint(quarters))[straight].max(initial=0.0), 1e3 * rounding,
                  "rounding of the fit, a thousand times that of its equations")
     if straight.all():
-        report.equal("quarter indices of the logarithms, corners included: 4 times the Euler characteristic",
+        report.equal("quarter indices of the logarithms: 4 times the Euler characteristic",
                      4 * mesh.euler_characteristic(), int(np.rint(quarters).sum() + fit.quarters.sum()))

@@ -1,7 +1,7 @@
 """The holonomy defects of a unit-norm field (METHOD §7), from the field itself.
 
-Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is that of a
-single-valued potential plus Σ c_k w_k, where c_k makes up for the defect of loop k. The flux of a
+Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is that
+of a single-valued potential plus Σ c_k w_k, where c_k makes up for the defect of loop k. The flux of a
 single-valued potential's phase through every loop is 0, so that c follows from the fluxes of the phase
 and those of the w_k. Whole turns of c_k may have been chosen.
 """

@@ -40,7 +40,8 @@ def keep_folder(folder, since=0.0):
 
 def keep_data(data):
     """A data object of VTK, if it is a drilled mesh or has a field."""
-    if not WRITTEN or not data.IsA("vtkUnstructuredGrid") or not data.GetCellData().HasArray("BoundaryKind"):
+    if (not WRITTEN or not data.IsA("vtkUnstructuredGrid") or
+            not data.GetCellData().HasArray("BoundaryKind")):
         return
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
@@ -60,7 +61,8 @@ def keep_sources():
     from paraview import servermanager, simple
 
     for source in simple.GetSources().values():
-        if source.GetXMLName() in ("DrillHoles", "PerforatedCrossField", "GinzburgLandauCrossField", "HField"):
+        if source.GetXMLName() in ("DrillHoles", "PerforatedCrossField", "GinzburgLandauCrossField",
+                                   "HField"):
             keep_data(servermanager.Fetch(source))
 
 

@@ -1,7 +1,7 @@
-"""Singularities of a field: singular triangles and vertices that touch are one (vtkCrossFieldSingularities)."""
+"""Singularities of a field: singular triangles and vertices that touch are read as one."""
 import numpy as np
 
-from topology import HOLE, IMPRINTED
+from topology import IMPRINTED
 
 
 class Singularity:

@@ -9,6 +9,18 @@ from field import Field
 from reading import Data
 
 
+#: By name: the good file, the function that spoils it, and the checks that have to fail.
+CASES = {}
+
+
+def of(base, *names):
+    """A case: the good file that it spoils, and the checks that have to fail, and no others."""
+    def register(function):
+        CASES[function.__name__] = (base, function, set(names))
+        return function
+    return register
+
+
 class Spoiled:
     """Views of the arrays of a file; what is changed in them is what is written."""
 

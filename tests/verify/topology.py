@@ -75,7 +75,7 @@ class Mesh:
             while len(order) <= len(lines):
                 following = after.get(self.lines[order[-1], 1])
                 if following is None:
-                    raise Unverifiable("the lines of kind %d, number %d are no closed loop" % (kind, number))
+                    raise Unverifiable("lines of kind %d, number %d are no closed loop" % (kind, number))
                 if following == order[0]:
                     break
                 order.append(following)
@@ -149,7 +149,8 @@ def check_mesh(data, mesh, report):
     report.equal("numbers of outer and inner loops", list(range(1 + len(mesh.of_kind(INNER)))),
                  [loop.number for loop in mesh.of_kind(OUTER, INNER)])
     rows = sorted(loop.number for loop in mesh.of_kind(HOLE, IMPRINTED))
-    report.true("rows of singularities are unlike", len(set(rows)) == len(rows) and min(rows, default=0) >= 0)
+    report.true("rows of singularities are unlike",
+                len(set(rows)) == len(rows) and min(rows, default=0) >= 0)
     report.true("loops have enough edges for their quarter index",
                 all(len(loop.lines) > 2 * abs(loop.quarter) for loop in mesh.of_kind(HOLE, IMPRINTED)))
     worst = 0.0

@@ -13,8 +13,6 @@ import sys
 import time
 import traceback
 
-import numpy as np
-
 import alignment
 import counts
 import energies
