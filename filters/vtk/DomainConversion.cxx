@@ -144,8 +144,8 @@ DomainConversion::Loops ChainCurves(vtkSmartPointer<vtkPolyData> curves)
   }
   if (curves->GetNumberOfLines() == 0)
   {
-    throw Error("The domain has no boundary lines and no surface cells; give closed curves or a "
-                "mesh.");
+    throw Error("The domain has no boundary lines and no surface cells, or only such as shrink to a "
+                "point; give closed curves or a mesh.");
   }
 
   std::vector<Point> points;
