@@ -72,7 +72,8 @@ class Geometry(CorpusTest):
         for gap in (1e-2, 1e-4, 1e-6, 1e-9, 1e-12):
             loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), [(0, -1 + gap), (0.5, 0), (-0.5, 0)])
             # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 asks for -1.
-            self.solves("gap.vtp", [(0.0, 0.5, -1, 0.05)], ("check", "drill", "hfield", *SOLVES))
+            # In the gap the crosses turn from one side to the other within a triangle, which may count.
+            self.solves("gap.vtp", [(0.0, 0.5, -1, 0.05)], ("check", "drill", *SOLVES), unwanted=True)
 
     def test_loops_that_are_nearly_one(self):
         loops(self.folder / "two.vtp", box(-1, -1, 1, 1), [
