@@ -122,6 +122,30 @@ std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
   return marks;
 }
 
+/// Throws Error where the coordinates are too coarse for the smallest edges: rounding a vertex must
+/// not turn an edge by more than about a thousandth.
+void RequireResolution(
+  const std::vector<SizeSource>& sources, double meshSize, const Eigen::AlignedBox2d& box)
+{
+  constexpr double RoundingsPerEdge = 1000.0;
+  double smallest = meshSize;
+  for (const SizeSource& source : sources)
+  {
+    smallest = std::min(smallest, source.size);
+  }
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  const double rounding = std::numeric_limits<double>::epsilon() * reach;
+  if (smallest < RoundingsPerEdge * rounding)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "The mesh needs edges of " << smallest << ", but coordinates as large as " << reach
+         << " are rounded by " << rounding
+         << "; move the domain to the origin, or use larger holes, segments or mesh sizes.";
+    throw Error(text.str());
+  }
+}
+
 /// Short segments of the boundary and of the holes ask for small triangles around them.
 SizeField MakeSizeField(
   const PlanarDomain& domain, double meshSize, const DrillOptions& options)
@@ -139,6 +163,7 @@ SizeField MakeSizeField(
       box.extend(loop[i]);
     }
   }
+  RequireResolution(sources, meshSize, box);
   if (options.gradation > 0.0) // or SizeField says so
   {
     RequireMemoryForMesh(domain, sources, meshSize, options.gradation);

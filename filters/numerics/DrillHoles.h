@@ -43,7 +43,8 @@ double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain);
 /// nothing. Either way the marked edges are in TriangleMesh::imprinted.
 ///
 /// Throws Error when a radius is not positive, a coordinate is not finite, a hole is not wholly
-/// inside the domain, or two holes overlap. Triangle: when a quarter index is not ±1, or a triangle
+/// inside the domain, two holes overlap, or the coordinates are too large to resolve the smallest edges.
+/// Triangle: when a quarter index is not ±1, or a triangle
 /// touches the boundary or shares an edge with that of another singularity.
 TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configuration,
   const DrillOptions& options = {}, const Progress& progress = {});

@@ -1,5 +1,6 @@
 #include "PlanarDomain.h"
 
+#include "DomainExtent.h"
 #include "Error.h"
 #include "PlanarMesher.h"
 
@@ -77,6 +78,15 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
       throw Error("The boundary has a point whose coordinates are not finite numbers; remove it.");
     }
   }
+  Eigen::AlignedBox2d box;
+  for (const Loop& loop : loops)
+  {
+    for (const Point& point : loop)
+    {
+      box.extend(point);
+    }
+  }
+  RequireExtent(box.sizes().maxCoeff()); // its square may be zero or infinite
   const std::vector<int> depths = NestingDepths(loops);
   if (std::count(depths.begin(), depths.end(), 0) > 1)
   {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 
 namespace crossfield
@@ -77,6 +78,39 @@ Triangulation TriangulateLoops(const std::vector<Loop>& loops)
     }
   }
   return triangulation;
+}
+
+/// Where boundaries come much closer than the edges wanted, on either side, refinement adds as many
+/// points as the gap fits into its length. The other points are there before, so this is what gaps
+/// may cost: three hundred thousand triangles, about a second.
+constexpr std::size_t MostAddedVertices = 150000;
+
+/// Names the place where a segment comes nearest to a vertex that is not its end.
+[[noreturn]] void ThrowNarrow(const Triangulation& loops)
+{
+  double narrowest = std::numeric_limits<double>::infinity();
+  Point place = Point::Zero();
+  for (auto face = loops.finite_faces_begin(); face != loops.finite_faces_end(); ++face)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
+      const Point along = FromCgal(face->vertex(Triangulation::cw(i))->point()) - from;
+      const Point here = FromCgal(face->vertex(i)->point());
+      const double distance = std::abs(Cross(along, here - from)) / along.norm();
+      if (face->is_constrained(i) && distance < narrowest)
+      {
+        narrowest = distance;
+        place = here;
+      }
+    }
+  }
+  std::ostringstream text;
+  text.precision(3);
+  text << "The boundary comes within " << narrowest << " of itself near " << Describe(place)
+       << ", and triangles as small as this gap were not asked for; widen the gap, close it, or give "
+          "a mesh size of its width.";
+  throw Error(text.str());
 }
 
 /// Whether each loop is an imprinted circle, which separates nothing.
@@ -338,6 +372,7 @@ try
     triangulation, GradedCriteria(size));
   mesher.set_seeds(seeds.begin(), seeds.end(), false);
   mesher.init();
+  const std::size_t mostVertices = triangulation.number_of_vertices() + MostAddedVertices;
   // Asked now and then whether to stop; the number of steps to come is not known.
   constexpr int StepsBetweenReports = 4096;
   for (int step = 1; mesher.try_one_step_refine_mesh(); ++step)
@@ -345,6 +380,10 @@ try
     if (step % StepsBetweenReports == 0)
     {
       progress.Report(0.5 + 0.4 * (1.0 - 1.0 / (1.0 + step * 1e-5)));
+      if (triangulation.number_of_vertices() > mostVertices)
+      {
+        ThrowNarrow(TriangulateLoops(domain.loops));
+      }
     }
   }
   SpreadLoopNumbers(triangulation);

@@ -18,7 +18,8 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops);
 ///
 /// Loops marked as imprinted circles, convex ones, become edges inside the domain, which are given
 /// once, in the direction of their loop. `loopMarks[l]` says what loop l is part of; its kind, id and quarter index are copied to the
-/// edges that loop becomes. Two runs on the same input give the same mesh.
+/// edges that loop becomes. Throws Error where loops touch, or come so close that the gap between
+/// them takes many more triangles than the size asks for. Two runs on the same input give the same mesh.
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {});
 }

@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "QuarterIndexRange.h"
 #include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -152,15 +153,11 @@ std::vector<crossfield::CornerChoice> ReadChoices(
   }
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    const double quarter = quarters->GetTuple1(i);
-    if (!(std::floor(quarter) == quarter && std::abs(quarter) < VTK_INT_MAX))
-    {
-      throw crossfield::Error("The quarter index of corner " + std::to_string(i) +
-        " is not an integer; give 4 times its index, for example 1 or 0.");
-    }
+    const int quarterIndex = crossfield::RequireQuarterIndex(
+      quarters->GetTuple1(i), "The quarter index of corner " + std::to_string(i), "1 or 0");
     choices.push_back({ plane.RequireInPlane(Eigen::Vector3d(input->GetPoint(i)),
                           "The corner " + std::to_string(i)),
-      static_cast<int>(quarter) });
+      quarterIndex });
   }
   return choices;
 }

@@ -1,7 +1,9 @@
 #include "DomainConversion.h"
 
 #include "BoundaryLoops.h"
+#include "DomainExtent.h"
 #include "Error.h"
+#include "QuarterIndexRange.h"
 #include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -20,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -103,14 +106,68 @@ vtkSmartPointer<vtkPolyData> SurfaceBoundary(vtkPolyData* surface)
   return edges->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input)
+/** Of the bounding box's diagonal: rounding of coordinates that were written out and read back. */
+constexpr double OnePoint = 1e-9;
+
+vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
 {
   vtkNew<vtkCleanPolyData> clean; // also drops the points that no cell uses
   clean->SetInputData(input);
-  clean->SetTolerance(1e-9); // rounding of coordinates that were written out and read back
+  clean->SetTolerance(tolerance);
   clean->ConvertLinesToPointsOn();
   clean->Update();
   return clean->GetOutput();
+}
+
+/** The loops of curves, or of the boundary of a surface, whose points are merged. */
+DomainConversion::Loops ChainCurves(vtkSmartPointer<vtkPolyData> curves)
+{
+  DomainConversion::Loops result;
+  // Of a surface as well, which could bulge from a planar boundary.
+  result.plane = DomainConversion::FindPlane(curves);
+  if (curves->GetNumberOfPolys() > 0)
+  {
+    curves = SurfaceBoundary(curves);
+  }
+  if (curves->GetNumberOfLines() == 0)
+  {
+    throw Error("The domain has no boundary lines and no surface cells, or only such as shrink to a "
+                "point; give closed curves or a mesh.");
+  }
+
+  std::vector<Point> points;
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(result.plane.ToPlane(Eigen::Vector3d(curves->GetPoint(i))));
+  }
+  std::vector<std::array<int, 2>> segments;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType i = 0; i < curves->GetNumberOfLines(); ++i)
+  {
+    curves->GetLines()->GetCellAtId(i, line);
+    for (vtkIdType j = 1; j < line->GetNumberOfIds(); ++j)
+    {
+      segments.push_back(
+        { static_cast<int>(line->GetId(j - 1)), static_cast<int>(line->GetId(j)) });
+    }
+  }
+  result.loops = crossfield::ChainLoops(points, segments);
+  return result;
+}
+
+/** Throws another error where it is the merging of points that are not equal which made the loops fail. */
+void RequireChainsWhenMerged(vtkPolyData* cells)
+{
+  try
+  {
+    ChainCurves(MergePoints(cells, 0.0));
+  }
+  catch (const Error&)
+  {
+    return;
+  }
+  throw Error("The boundary has points nearer to each other than 1e-9 of its diagonal, which count as "
+              "one, and then its curves are not closed; move them apart or remove what is so narrow.");
 }
 
 vtkDataArray* RequireCellArray(vtkUnstructuredGrid* grid, const char* name)
@@ -160,37 +217,20 @@ Loops ReadLoops(vtkDataSet* input)
         " of the domain has coordinates that are not finite numbers; correct or remove it.");
     }
   }
-  vtkSmartPointer<vtkPolyData> curves = MergePoints(ExtractCurvesAndSurfaces(input));
-  Loops result;
-  result.plane = FindPlane(curves); // of a surface as well, which could bulge from a planar boundary
-  if (curves->GetNumberOfPolys() > 0)
+  double bounds[6]; // of no points, the lower ones are above the upper ones
+  input->GetBounds(bounds);
+  crossfield::RequireExtent(std::max(
+    { 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
+  vtkSmartPointer<vtkPolyData> cells = ExtractCurvesAndSurfaces(input);
+  try
   {
-    curves = SurfaceBoundary(curves);
+    return ChainCurves(MergePoints(cells, OnePoint));
   }
-  if (curves->GetNumberOfLines() == 0)
+  catch (const Error&)
   {
-    throw Error("The domain has no boundary lines and no surface cells; give closed curves or a "
-                "mesh.");
+    RequireChainsWhenMerged(cells);
+    throw;
   }
-
-  std::vector<Point> points;
-  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
-  {
-    points.push_back(result.plane.ToPlane(Eigen::Vector3d(curves->GetPoint(i))));
-  }
-  std::vector<std::array<int, 2>> segments;
-  vtkNew<vtkIdList> line;
-  for (vtkIdType i = 0; i < curves->GetNumberOfLines(); ++i)
-  {
-    curves->GetLines()->GetCellAtId(i, line);
-    for (vtkIdType j = 1; j < line->GetNumberOfIds(); ++j)
-    {
-      segments.push_back(
-        { static_cast<int>(line->GetId(j - 1)), static_cast<int>(line->GetId(j)) });
-    }
-  }
-  result.loops = crossfield::ChainLoops(points, segments);
-  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -235,16 +275,12 @@ crossfield::Configuration ReadConfiguration(
   }
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
-    const double quarter = quarters->GetTuple1(i);
-    if (!(std::floor(quarter) == quarter && std::abs(quarter) < VTK_INT_MAX))
-    {
-      throw Error("The quarter index of singularity " + std::to_string(i) +
-        " is not an integer; give 4 times its index, for example 1 or -1.");
-    }
+    const int quarterIndex = crossfield::RequireQuarterIndex(
+      quarters->GetTuple1(i), "The quarter index of singularity " + std::to_string(i));
     crossfield::Singularity singularity;
     singularity.position = plane.RequireInPlane(
       Eigen::Vector3d(input->GetPoint(i)), "The singularity " + std::to_string(i));
-    singularity.quarterIndex = static_cast<int>(quarter);
+    singularity.quarterIndex = quarterIndex;
     if (radii != nullptr)
     {
       singularity.radius = radii->GetTuple1(i);

@@ -3,6 +3,7 @@
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "FilterRun.h"
+#include "QuarterIndexRange.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -22,12 +23,8 @@ namespace
 {
 int RequireInteger(double quarterIndex)
 {
-  if (!(std::floor(quarterIndex) == quarterIndex && std::abs(quarterIndex) < VTK_INT_MAX))
-  {
-    throw crossfield::Error("The quarter index that was given for a corner is not an integer; give "
-                            "4 times its index, for example 1 or 0.");
-  }
-  return static_cast<int>(quarterIndex);
+  return crossfield::RequireQuarterIndex(
+    quarterIndex, "The quarter index that was given for a corner", "1 or 0");
 }
 
 /** Sets a row of a list that grows as needed. */

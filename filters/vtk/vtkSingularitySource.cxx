@@ -1,6 +1,7 @@
 #include "vtkSingularitySource.h"
 
 #include "Error.h"
+#include "QuarterIndexRange.h"
 #include "FilterRun.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -139,14 +140,11 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
       throw Error("Row " + std::to_string(i) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
     }
-    if (!(std::floor(quarterIndex) == quarterIndex && std::abs(quarterIndex) < VTK_INT_MAX))
-    {
-      throw Error("The quarter index of singularity " + std::to_string(i) +
-        " is not an integer; give 4 times its index, for example 1 or -1.");
-    }
+    const int wholeIndex = crossfield::RequireQuarterIndex(
+      quarterIndex, "The quarter index of singularity " + std::to_string(i));
     const vtkIdType id = points->InsertNextPoint(x, y, z);
     vertices->InsertNextCell({ id });
-    quarters->InsertNextValue(static_cast<int>(quarterIndex));
+    quarters->InsertNextValue(wholeIndex);
     radii->InsertNextValue(radius);
   }
   output->SetPoints(points);

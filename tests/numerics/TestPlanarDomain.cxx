@@ -178,5 +178,18 @@ TEST(PlanarDomain, RefusesCoordinatesThatAreNotFinite)
     EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ loop }); }, { "finite" }));
   }
 }
+
+TEST(PlanarDomain, RefusesExtentsWhosePowersOverflow)
+{
+  for (const double good : { 1.01e-60, 1.0, 0.99e60 })
+  {
+    EXPECT_NO_THROW(MakePlanarDomain({ Box(0.0, 0.0, good, 0.5 * good) }));
+  }
+  for (const double bad : { 1e-300, 0.99e-60, 1.01e60, 1e300 })
+  {
+    EXPECT_TRUE(Refuses([bad] { MakePlanarDomain({ Box(0.0, 0.0, bad, 0.5 * bad) }); },
+      { "extent", "another unit of length" }));
+  }
+}
 }
 }

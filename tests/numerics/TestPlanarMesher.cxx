@@ -243,5 +243,24 @@ TEST(PlanarMesher, ReportsProgressUpwardsAndStopsWhenAsked)
   const Progress stop([](double) { return false; });
   EXPECT_THROW(TriangulateDomain(domain, PlainMarks(domain), size, stop), Aborted);
 }
+
+TEST(PlanarMesher, RefusesGapsThatWouldTakeMillionsOfTriangles)
+{
+  const auto withGap = [](double gap)
+  {
+    const PlanarDomain domain =
+      MakePlanarDomain({ { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
+        { { -0.5, -1.0 + gap }, { 0.5, -1.0 + gap }, { 0.5, 0.0 }, { -0.5, 0.0 } } });
+    return Triangulate(domain, SizeOver(domain, 0.1, {}));
+  };
+  // One row of triangles about as wide as the gap, which is 1 long.
+  const std::size_t triangles = withGap(1e-4).triangles.size();
+  EXPECT_GT(triangles, 10000u);
+  EXPECT_LT(triangles, 40000u);
+  EXPECT_TRUE(Refuses([&] { withGap(1e-9); }, { "within 1e-09 of itself", "widen the gap" }));
+  // Triangles of that size on request are no surprise.
+  const PlanarDomain strip = MakePlanarDomain({ { { 0, 0 }, { 400, 0 }, { 400, 1 }, { 0, 1 } } });
+  EXPECT_GT(Triangulate(strip, SizeOver(strip, 0.05, {})).triangles.size(), 300000u);
+}
 }
 }

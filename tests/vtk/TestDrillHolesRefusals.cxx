@@ -248,8 +248,32 @@ TEST_F(DrillHolesRefusals, QuarterIndexThatIsNotAnInteger)
 {
   this->SetArray("QuarterIndex", { 0.25 });
   this->ExpectError({ "quarter index of singularity 0", "not an integer" });
-  this->SetArray("QuarterIndex", { 1e300 });
-  this->ExpectError({ "quarter index of singularity 0" });
+  this->SetArray("QuarterIndex", { NotANumber });
+  this->ExpectError({ "quarter index of singularity 0", "not an integer" });
+}
+
+TEST_F(DrillHolesRefusals, QuarterIndexBeyondTheLargest)
+{
+  for (double bad : { 1001.0, -1001.0, 2147483647.0, -2147483648.0, 1e300 })
+  {
+    this->SetArray("QuarterIndex", { bad });
+    this->ExpectError({ "quarter index of singularity 0", "beyond 1000" });
+  }
+}
+
+TEST_F(DrillHolesRefusals, DomainTooFarFromTheOrigin)
+{
+  this->SetDomain(Loops({ Rectangle({ 1e13, 0.0 }, { 1e13 + 4.0, 4.0 }) }));
+  this->SetRows({});
+  this->ExpectError({ "move the domain to the origin" });
+}
+
+TEST_F(DrillHolesRefusals, PointsThatCountAsOne)
+{
+  // A slit of width 1e-10: its ends fall together, and it is no loop any more.
+  this->SetDomain(
+    Loops({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 2.0 + 1e-10 }) }));
+  this->ExpectError({ "count as one" });
 }
 
 TEST_F(DrillHolesRefusals, ArraysThatAreMissingOrHaveTheWrongSize)

@@ -1,0 +1,26 @@
+#include "QuarterIndexRange.h"
+
+#include "Error.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace crossfield
+{
+int RequireQuarterIndex(double value, const std::string& what, const std::string& examples)
+{
+  if (!std::isfinite(value) || std::floor(value) != value)
+  {
+    throw Error(what + " is not an integer; give 4 times its index, for example " + examples + ".");
+  }
+  if (std::abs(value) > MaximumQuarterIndex)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << what << " is " << value << ", and a mesh resolves none beyond " << MaximumQuarterIndex
+         << "; give a smaller one.";
+    throw Error(text.str());
+  }
+  return static_cast<int>(value);
+}
+}

@@ -1,0 +1,129 @@
+"""Runs inputs through every subcommand, and allows two endings only: solved and right, or refused."""
+
+import json
+import os
+import resource
+import subprocess
+
+import domain_files
+from program import PROGRAM, ProgramTest, SENTENCE, write_configuration
+from verified import verified
+
+SECONDS = 120  # of a run; more is a hang. Most take a tenth of a second.
+MEMORY = 2 << 30  # bytes of a run
+OLD = "from an earlier run\n"
+OUTPUTS = ("mesh.vtu", "field.vtu", "unit.vtu", "h.vtu", "better.csv", "corners.vtp", "all.vtm")
+
+#: Every subcommand that reads a domain.
+COMMANDS = {
+    "check": ("check", "{domain}", "-s", "{rows}", "--json", "-"),
+    "corners": ("corners", "{domain}", "-o", "corners.vtp"),
+    "drill": ("drill", "{domain}", "-s", "{rows}", "-o", "mesh.vtu"),
+    "constrained": ("solve", "{domain}", "-s", "{rows}", "-o", "field.vtu", "--json", "-"),
+    "unit-norm": ("solve", "{domain}", "-s", "{rows}", "-o", "unit.vtu", "--json", "-",
+                  "--method", "unit-norm"),
+    "hfield": ("hfield", "{domain}", "-s", "{rows}", "-o", "h.vtu", "--json", "-"),
+    "energy": ("energy", "{domain}", "-s", "{rows}", "--json", "-"),
+    "optimize": ("optimize", "{domain}", "-s", "{rows}", "-o", "better.csv", "--json", "-"),
+    "compare": ("compare", "{domain}", "-s", "{rows}", "-o", "all.vtm", "--json", "-",
+                "--methods", "constrained,unit-norm"),
+}
+SOLVES = ("constrained", "unit-norm")
+DRILLS = ("drill", *SOLVES, "compare")  # those that drill holes
+
+
+def loops(path, *curves):
+    """Several closed curves as .vtp."""
+    points, lines = [], []
+    for curve in curves:
+        first = len(points)
+        points += curve
+        lines.append([*range(first, len(points)), first])
+    domain_files.write_vtp(path, points, lines)
+
+
+def box(left, bottom, right, top):
+    return [(left, bottom), (right, bottom), (right, top), (left, top)]
+
+
+class CorpusTest(ProgramTest):
+    """Counts inputs and endings; prints them at the end of a test."""
+
+    def setUp(self):
+        super().setUp()
+        self.solved = self.refused = self.answered = 0
+
+    def tearDown(self):
+        print(f"{self.id().split('.')[-1]}: {self.solved} runs solved and verified, "
+              f"{self.refused} refused, {self.answered} with the answer no")
+        super().tearDown()
+
+    def run_program(self, *arguments, **options):
+        options.setdefault("stdout", subprocess.PIPE)
+        result = subprocess.run(
+            [PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, errors="replace",
+            stderr=subprocess.PIPE, timeout=SECONDS, check=False, **options)
+        most = 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        self.assertLess(most, MEMORY, f"{arguments} took {most} bytes")
+        return result
+
+    def lay_out_old_files(self):
+        for name in OUTPUTS:
+            (self.folder / name).write_text(OLD)
+            os.utime(self.folder / name, (1e9, 1e9))
+
+    def command(self, name, domain, rows, more):
+        arguments = [word.format(domain=domain, rows=rows) for word in COMMANDS[name]]
+        # `check` and `corners` make no mesh that has a size.
+        return arguments + (list(more) if name not in ("check", "corners") else [])
+
+    def configuration(self, rows):
+        if isinstance(rows, str):
+            return rows
+        write_configuration(self.folder / "rows.csv", rows)
+        return "rows.csv"
+
+    def refuses(self, domain, rows=(), says=(), commands=tuple(COMMANDS), status=2, more=()):
+        """Every command ends with the status, one sentence, and every file as it was."""
+        rows = self.configuration(rows)
+        for name in commands:
+            with self.subTest(f"{name} {domain}"):
+                self.lay_out_old_files()
+                before = self.snapshot()
+                result = self.run_program(*self.command(name, domain, rows, more))
+                self.assertEqual(result.returncode, status, (result.args, result.stderr))
+                self.assertRegex(result.stderr, SENTENCE)
+                for part in (says,) if isinstance(says, str) else says:
+                    self.assertIn(part, result.stderr)
+                self.assertEqual(self.snapshot(), before, "a file was changed")
+                self.refused += 1
+
+    def solves(self, domain, rows=(), commands=tuple(COMMANDS), more=(), unwanted=False):
+        """Every command succeeds, and what it wrote is right. The reports by command.
+
+        `optimize` may answer no: singularities of opposite sign meet.
+        """
+        rows = self.configuration(rows)
+        reports = {}
+        for name in commands:
+            with self.subTest(f"{name} {domain}"):
+                self.lay_out_old_files()
+                result = self.run_program(*self.command(name, domain, rows, more))
+                if name == "optimize" and result.returncode == 1:
+                    self.assertFalse(json.loads(result.stdout)["converged"])
+                    self.answered += 1
+                    continue
+                self.assertEqual((result.returncode, result.stderr), (0, ""), result.args)
+                self.assertNotIn("nan", result.stdout.lower())
+                reports[name] = json.loads(result.stdout) if name not in ("corners", "drill") else {}
+                if name in SOLVES:
+                    self.check_field(name, reports[name], unwanted)
+                self.solved += 1
+        return reports
+
+    def check_field(self, name, report, unwanted):
+        self.assertTrue(report["converged"] and report["degrees_reached"], report)
+        if name == "unit-norm" and not unwanted:
+            self.assertEqual(report["unwanted_singularities"], 0)
+        problem = verified(self.folder / ("field.vtu" if name == "constrained" else "unit.vtu"))
+        self.assertIsNone(problem)

@@ -1,0 +1,125 @@
+"""Domains that are hard for the mesher: needles, slits, gaps, touching loops, many points, long shapes."""
+
+import math
+import unittest
+
+import domain_files
+from corpus import SOLVES, CorpusTest, box, loops
+
+GAP = ("comes within", "of itself near", "widen the gap")
+
+
+def wedge(degrees):
+    """A triangle with one corner of this angle, at the origin."""
+    height = 2.0 * math.tan(math.radians(degrees) / 2.0)
+    return [(0.0, 0.0), (2.0, -height), (2.0, height)]
+
+
+def notch(degrees):
+    """A square with a notch of this angle: the corner at its tip has 360° less that."""
+    height = math.tan(math.radians(degrees) / 2.0)
+    return [(-1.0, -1.0), (1.0, -1.0), (1.0, -height), (0.0, 0.0), (1.0, height), (1.0, 1.0),
+            (-1.0, 1.0)]
+
+
+class Geometry(CorpusTest):
+    def corner(self, angle):
+        """Quarter index that `check` counts at the corner of this angle, in degrees."""
+        report = self.solves("loop.vtp", commands=("check",))["check"]
+        angles = [(abs(math.degrees(corner["angle"]) - angle), corner["quarter_index"])
+                  for corner in report["corners"]]
+        self.assertLess(min(angles)[0], 1e-6)
+        return min(angles)[1]
+
+    def test_needles(self):
+        for degrees in (1.0, 0.1, 0.01):
+            domain_files.write_loop(self.folder / "loop.vtp", wedge(degrees))
+            self.solves("loop.vtp", commands=("check", "corners", "drill", "hfield", *SOLVES))
+            self.assertEqual(self.corner(degrees), 2)
+        # The field asks for 1/angle triangles; these are ten million.
+        domain_files.write_loop(self.folder / "loop.vtp", wedge(1e-5))
+        self.refuses("loop.vtp", says=GAP, commands=("constrained",))
+        self.assertEqual(self.corner(1e-5), 2)
+
+    def test_notches(self):
+        for degrees in (1.0, 1e-2, 1e-5):
+            domain_files.write_loop(self.folder / "loop.vtp", notch(degrees))
+            self.solves("loop.vtp", commands=("check", "corners", "drill", "hfield", *SOLVES))
+            self.assertEqual(self.corner(360.0 - degrees), -2)
+        domain_files.write_loop(self.folder / "loop.vtp", notch(1e-8))
+        self.refuses("loop.vtp", says="count as one")
+
+    def test_slits(self):
+        for width in (1e-2, 1e-3, 1e-4):
+            loops(self.folder / "slit.vtp", box(-1, -1, 1, 1), box(-0.5, 0.0, 0.5, width))
+            self.solves("slit.vtp", commands=("check", "drill", "hfield", *SOLVES))
+        loops(self.folder / "slit.vtp", box(-1, -1, 1, 1), box(-0.5, 0.0, 0.5, 1e-7))
+        self.refuses("slit.vtp", says=GAP, commands=("unit-norm",))
+        loops(self.folder / "slit.vtp", box(-1, -1, 1, 1), box(-0.5, 0.0, 0.5, 1e-10))
+        self.refuses("slit.vtp", says="count as one")
+
+    def test_gaps_between_parallel_sides(self):
+        for gap in (1e-2, 1e-3, 1e-4):
+            loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), box(-0.5, -1 + gap, 0.5, 0.0))
+            self.solves("gap.vtp", commands=("check", "drill", "hfield", *SOLVES))
+        for gap in (1e-7, 1e-12):
+            loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), box(-0.5, -1 + gap, 0.5, 0.0))
+            self.refuses("gap.vtp", says=GAP, commands=("unit-norm",))
+        self.refuses("gap.vtp", says=GAP, commands=("check",))  # it meshes for the holonomy
+
+    def test_gaps_at_a_point(self):
+        # Where a vertex comes near a side, the mesh is graded: the gap may be as small as it likes.
+        for gap in (1e-2, 1e-4, 1e-6, 1e-9, 1e-12):
+            loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), [(0, -1 + gap), (0.5, 0), (-0.5, 0)])
+            # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 asks for -1.
+            # In the gap the crosses turn from one side to the other within a triangle, which may count.
+            self.solves("gap.vtp", [(0.0, 0.5, -1, 0.05)], ("check", "drill", *SOLVES), unwanted=True)
+
+    def test_loops_that_are_nearly_one(self):
+        loops(self.folder / "two.vtp", box(-1, -1, 1, 1), [
+            (x * (1 - 1e-7), y * (1 - 1e-7)) for x, y in box(-1, -1, 1, 1)])
+        self.refuses("two.vtp", says=GAP, commands=("unit-norm",))
+        # Within 1e-9 of the diagonal they are one, as when a loop is drawn twice.
+        loops(self.folder / "two.vtp", box(-1, -1, 1, 1), [
+            (x * (1 - 1e-10), y * (1 - 1e-10)) for x, y in box(-1, -1, 1, 1)])
+        report = self.solves("two.vtp", commands=("check", "unit-norm"))["check"]
+        self.assertEqual(report["euler_characteristic"], 1)
+
+    def test_touching(self):
+        whole, left = box(-2, -2, 2, 2), box(-1, -1, 0, 0)
+        for other, words in (
+                (box(0, 0, 1, 1), "branches at (0, 0)"), (box(0, -1, 1, 0), "branches at (0, -1)"),
+                ([(0, -0.5), (1, -1), (1, 1)], "crosses or touches itself near (0, -0.5)"),
+                (box(0, -0.75, 1, -0.25), "crosses or touches itself near (0, -0.75)"),
+                (box(-0.5, -0.5, 1, 1), "crosses or touches itself"),
+                (box(0.5, 0.5, 2, 2), "branches at (2, 2)")):
+            loops(self.folder / "touch.vtp", whole, left, other)
+            self.refuses("touch.vtp", says=words)
+
+    def test_long_domains(self):
+        commands = ("check", "drill", "hfield", *SOLVES)
+        for length in (1e2, 1e4):
+            domain_files.write_loop(self.folder / "long.vtp", box(0, 0, length, 1))
+            self.solves("long.vtp", commands=commands)
+        # Between singularities of opposite sign the crosses turn across the width, which the mesh size
+        # has to resolve.
+        domain_files.write_loop(self.folder / "long.vtp", box(0, 0, 100, 1))
+        self.solves("long.vtp", [(25, 0.5, 1, 0.1), (75, 0.5, -1, 0.1)], commands,
+                    more=("--size", "0.2"))
+        domain_files.write_loop(self.folder / "long.vtp", box(0, 0, 1e7, 1))
+        self.refuses("long.vtp", says=GAP, commands=("drill",))
+        domain_files.write_loop(self.folder / "long.vtp", box(0, 0, 1e10, 1))
+        self.refuses("long.vtp", says="count as one")
+
+    def test_a_hundred_thousand_points(self):
+        count = 100000
+        circle = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count))
+                  for i in range(count)]
+        domain_files.write_loop(self.folder / "circle.vtp", circle)
+        domain_files.write_csv(self.folder / "circle.csv", circle)
+        self.solves("circle.vtp", "four.csv", commands=("check", "corners"))
+        self.solves("circle.csv", "four.csv", commands=("unit-norm",))
+
+
+if __name__ == "__main__":
+    unittest.main()
