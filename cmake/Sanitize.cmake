@@ -4,7 +4,8 @@ if (NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   message(FATAL_ERROR
     "CROSSFIELD_SANITIZE needs clang, which has libFuzzer; use the preset `checked`.")
 endif ()
-add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+  "-fsanitize-ignorelist=${CMAKE_SOURCE_DIR}/tests/checked/ignored.txt")
 # Where the kernel moves programs far (vm.mmap_rnd_bits = 32), one that has no address of its own may
 # come to lie on the sanitizer's memory, and ends before it begins.
 add_link_options(-fsanitize=address,undefined -no-pie --coverage)
