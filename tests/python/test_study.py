@@ -29,7 +29,9 @@ environment = dict(os.environ, PYTHONPATH=package, OMP_NUM_THREADS="1",
 
 
 def run(launcher, *options):
-    done = subprocess.run(launcher + [script] + list(options), cwd=directory, env=environment, text=True,
+    # mpirun would take the input of the terminal.
+    done = subprocess.run(launcher + [script] + list(options), cwd=directory, env=environment,
+                          stdin=subprocess.DEVNULL, text=True,
                           check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=200)
     print(*launcher, *options, "->", done.returncode, done.stdout, done.stderr)
     return done
