@@ -4,6 +4,8 @@
 #include "NestedDissection.h"
 #include "SerialBlas.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <exception>
 #include <numeric>
@@ -12,13 +14,14 @@ namespace crossfield
 {
 namespace
 {
-/// Calls do(0) and do(1) in two threads and throws what they throw. OpenMP's threads rather than
-/// others: CHOLMOD's own parallel loops, which do not pay here, run serially inside them.
+/// Calls do(0) and do(1) in two threads, if OpenMP may have as many, and throws what they throw.
+/// OpenMP's threads rather than others: CHOLMOD's own parallel loops, which do not pay here, run
+/// serially inside them.
 template <typename Function>
 void ForBothHalves(const Function& function)
 {
   std::array<std::exception_ptr, 2> failures;
-#pragma omp parallel for num_threads(2) schedule(static, 1)
+#pragma omp parallel for num_threads(std::min(2, omp_get_max_threads())) schedule(static, 1)
   for (int half = 0; half < 2; ++half)
   {
     try

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include <omp.h>
+
 #include <algorithm>
 
 namespace crossfield
@@ -152,7 +154,7 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   dissector.MeasureDensity(begin, end);
   const Dissector::Halves halves = dissector.Split(begin, end, 1);
   // A thread reads the parts of its own half and of the separator only, which stay as they are.
-#pragma omp parallel for num_threads(2) schedule(static, 1)
+#pragma omp parallel for num_threads(std::min(2, omp_get_max_threads())) schedule(static, 1)
   for (int half = 0; half < 2; ++half)
   {
     int part = half; // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
