@@ -14,7 +14,7 @@ void MeshOptions::AddTo(CLI::App& command)
   command.add_option("DOMAIN", this->domain, DomainReader::Help)->required();
   command
     .add_option("-s,--singularities", this->singularities,
-      "configuration: .csv with the header x,y,quarter_index[,radius]")
+      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp")
     ->required();
   command.add_option("-o,--output", this->output, "the .vtu file to write");
   command.add_option(

@@ -11,7 +11,6 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
@@ -83,8 +82,7 @@ int Compare(const CompareOptions& options)
   // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
   const auto domain = DomainReader::Open(options.domain, options.size);
   PipelineRun::Update(domain, "reading");
-  vtkNew<vtkSingularitySource> singularities;
-  singularities->SetFileName(options.singularities);
+  const auto singularities = DomainReader::OpenPoints(options.singularities);
   PipelineRun::Update(singularities, "reading");
   double bounds[6];
   vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0))->GetBounds(bounds);

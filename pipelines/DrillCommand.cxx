@@ -9,7 +9,6 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkDrillHoles.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
@@ -45,8 +44,7 @@ void AddDrillCommand(CLI::App& app, int& status)
 
       // 2. Read the domain and the configuration.
       const auto domain = DomainReader::Open(options->domain, options->size);
-      vtkNew<vtkSingularitySource> singularities;
-      singularities->SetFileName(options->singularities);
+      const auto singularities = DomainReader::OpenPoints(options->singularities);
 
       // 3. Drill.
       vtkNew<vtkDrillHoles> drill;

@@ -113,7 +113,7 @@ void AddEnergyCommand(CLI::App& app, int& status)
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   command
     ->add_option("-s,--singularities", options->configurations,
-      "configuration: .csv with the header x,y,quarter_index[,radius]; may be repeated")
+      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; may be repeated")
     ->required()
     ->expected(1)
     ->take_all();

@@ -80,9 +80,7 @@ int GinzburgLandauSolve::Run() const
   singularities->RemoveAllSingularities();
   if (!this->singularities.empty())
   {
-    vtkNew<vtkSingularitySource> unused;
-    unused->SetFileName(this->singularities);
-    PipelineRun::Update(unused, "reading");
+    PipelineRun::Update(DomainReader::OpenPoints(this->singularities), "reading");
   }
 
   // 2. Triangulate, without holes.

@@ -11,7 +11,6 @@
 #include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkHField.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -83,11 +82,10 @@ int SolveH(const HFieldOptions& options)
   vtkNew<vtkHField> solver;
   solver->SetInputConnection(domain->GetOutputPort());
   solver->SetMeshSize(options.size);
-  vtkNew<vtkSingularitySource> singularities;
   if (!options.singularities.empty())
   {
-    singularities->SetFileName(options.singularities);
-    solver->SetSingularitiesConnection(singularities->GetOutputPort());
+    solver->SetSingularitiesConnection(
+      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
   }
   if (!options.corners.empty())
   {

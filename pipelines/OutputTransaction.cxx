@@ -36,6 +36,15 @@ std::string FollowLinks(const std::string& file)
   return failed ? path.string() : (folder / path.filename()).string();
 }
 
+void RequireNoFolder(const std::string& place, const std::string& file)
+{
+  std::error_code failed;
+  if (fs::is_directory(place, failed))
+  {
+    throw Error("The output '" + file + "' is a folder; choose another name.");
+  }
+}
+
 bool IsStream(const std::string& place)
 {
   std::error_code failed;
@@ -76,6 +85,7 @@ void OutputTransaction::Write(const std::string& text, const std::string& file)
   File entry;
   entry.name = file;
   entry.place = FollowLinks(file);
+  RequireNoFolder(entry.place, file);
   entry.part = entry.place + ".part" + std::to_string(getpid());
   if (std::any_of(this->Files.begin(), this->Files.end(),
         [&entry](const File& other) { return other.place == entry.place; }))
@@ -147,11 +157,7 @@ void OutputTransaction::Print() const
 void OutputTransaction::Place(File& file)
 {
   const std::string before = file.place + ".before" + std::to_string(getpid());
-  std::error_code failed;
-  if (fs::is_directory(file.place, failed))
-  {
-    throw Error("The output '" + file.name + "' is a folder; choose another name.");
-  }
+  RequireNoFolder(file.place, file.name); // it would be moved like a file
   std::remove(before.c_str()); // of a process of this number that was killed
   // A second name leaves the first in place; some file systems have no such names.
   if (link(file.place.c_str(), before.c_str()) == 0 ||

@@ -14,7 +14,6 @@
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
 #include "vtkPerforatedCrossField.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -154,8 +153,7 @@ int Solve(const SolveOptions& options)
 
   // 2. Read the domain and the configuration.
   const auto domain = DomainReader::Open(options.domain, options.size);
-  vtkNew<vtkSingularitySource> singularities;
-  singularities->SetFileName(options.singularities);
+  const auto singularities = DomainReader::OpenPoints(options.singularities);
 
   // 3. Drill a hole at every singularity.
   vtkNew<vtkTimerLog> timer;

@@ -13,11 +13,31 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <sys/resource.h>
+
+#include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
 namespace
 {
+/**
+ * Ends the program. Under a limit on the address space (ulimit -v) a thread of OpenBLAS may be asking
+ * for memory for ever, and exit() would wait for it.
+ */
+int End(int status)
+{
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+  {
+    std::cout.flush();
+    std::fflush(nullptr);
+    std::_Exit(status);
+  }
+  return status;
+}
+
 void PrintPaths(const char* program)
 {
   std::string path;
@@ -31,9 +51,8 @@ void PrintPaths(const char* program)
             << "plugin: " << beside(CROSSFIELD_PLUGIN_PATH) << "\n"
             << "python: " << beside(CROSSFIELD_PYTHON_PATH) << "\n";
 }
-}
 
-int main(int argc, char** argv)
+int Run(int argc, char** argv)
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // PipelineRun says what went wrong
   CLI::App app("Choose the singularities of planar cross fields.", "crossfield");
@@ -90,4 +109,10 @@ int main(int argc, char** argv)
     return BadInput;
   }
   return status;
+}
+}
+
+int main(int argc, char** argv)
+{
+  return End(Run(argc, argv));
 }

@@ -104,6 +104,10 @@ void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& 
   }
 }
 
+/// OpenBLAS takes a buffer for each of the two threads that call it, and when a limit on the address
+/// space denies it, asks for ever. The threads have stacks of the default size, too.
+constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
+
 void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& files)
 {
 #ifdef RLIMIT_AS
@@ -112,7 +116,8 @@ void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& f
   if (pages.has_value() && getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
   {
     Lower(least,
-      static_cast<double>(limit.rlim_cur) - *pages * static_cast<double>(sysconf(_SC_PAGESIZE)));
+      static_cast<double>(limit.rlim_cur) - *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) -
+        ThreadReserve);
   }
 #else
   (void)least;

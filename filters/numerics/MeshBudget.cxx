@@ -138,6 +138,10 @@ void RequireMemoryForMesh(const PlanarDomain& domain, const std::vector<SizeSour
          << RoundUp(std::sqrt(TrianglesPerArea * domain.Area() / possible) * triangles / bulk);
   }
   RequireMemory(bytes, what.str() + " and", mend.str());
+  if (triangles <= MostTriangles)
+  {
+    return; // memory has become free meanwhile
+  }
   throw Error(what.str() + ", more than the 280 million that can be numbered; " + mend.str() + ".");
 }
 }

@@ -360,8 +360,10 @@ try
   triangulation.insert(rings.begin(), rings.end());
   ComputeDepths(triangulation, imprinted);
   const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
-  // What was predicted is right within a factor of two where holes grade the mesh.
-  RequireMemory(2.0 * static_cast<double>(bulk.size()) * MeshBytesPerTriangle,
+  // What was predicted is right within a factor of two where holes grade the mesh. There are two
+  // triangles to a point; the lattice and the points kept of it are in memory already.
+  RequireMemory(
+    static_cast<double>(bulk.size()) * (2.0 * MeshBytesPerTriangle - 2.0 * sizeof(CgalPoint)),
     "A mesh with " + std::to_string(2 * bulk.size()) + " triangles",
     "choose a larger edge length, larger holes or a larger gradation");
   progress.Report(0.3);

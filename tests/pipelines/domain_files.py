@@ -38,6 +38,16 @@ def write_vtp(path, points, lines):
     pathlib.Path(path).write_text(_xml("PolyData", piece))
 
 
+def write_singularities(path, rows):
+    """Rows of x, y, quarter index and radius, as vtkSingularitySource makes points of them."""
+    data = "\n".join(["<PointData>", _array("Int32", "QuarterIndex", [row[2] for row in rows]),
+                      _array("Float64", "Radius", [row[3] for row in rows]), "</PointData>"])
+    piece = (f'<Piece NumberOfPoints="{len(rows)}" NumberOfVerts="{len(rows)}">\n{data}\n'
+             f'{_points([row[:2] for row in rows])}\n'
+             f'{_cells("Verts", [[i] for i in range(len(rows))])}\n</Piece>')
+    pathlib.Path(path).write_text(_xml("PolyData", piece))
+
+
 def write_vtu(path, points, triangles):
     types = _array("UInt8", "types", [5] * len(triangles)) + "\n"
     piece = (f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(triangles)}">\n'

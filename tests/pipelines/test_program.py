@@ -297,6 +297,21 @@ class Files(ProgramTest):
             self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(self.digest("many.vtu"), self.digest("one.vtu"))
 
+    def test_singularities_may_be_a_vtp_file(self):
+        domain_files.write_singularities(self.folder / "four.vtp", FOUR)
+        for command, ending, *more in (
+                ("solve", "vtu"), ("drill", "vtu"), ("hfield", "vtu"), ("optimize", "csv"),
+                ("solve", "vtu", "--method", "ginzburg-landau", "--size", "0.2")):
+            for source in ("csv", "vtp"):
+                self.succeed(command, "builtin:disk", "-s", f"four.{source}", *more,
+                             "-o", f"{source}.{ending}")
+            with self.subTest(command):
+                self.assertEqual(self.digest(f"csv.{ending}"), self.digest(f"vtp.{ending}"))
+        for source in ("csv", "vtp"):
+            self.succeed("compare", "builtin:disk", "-s", f"four.{source}", "--methods", "unit-norm",
+                         "-o", f"{source}.vtm")
+        self.assertEqual(self.digest("csv/unit-norm.vtu"), self.digest("vtp/unit-norm.vtu"))
+
     def test_untidy_segments_write_the_same_bytes(self):
         curves = [[(radius * math.cos(i * math.pi / 32), radius * math.sin(i * math.pi / 32))
                    for i in range(64)] for radius in (1.0, 0.4)]
