@@ -76,8 +76,8 @@ int GinzburgLandauSolve::Run() const
   // 1. Read the domain. A configuration is read as well, so that a wrong name does not go
   //    unnoticed, but nothing is made of it: this method has its own.
   const auto domainReader = DomainReader::Open(this->domain, this->size);
-  vtkNew<vtkSingularitySource> singularities;
-  singularities->RemoveAllSingularities();
+  vtkNew<vtkSingularitySource> none;
+  none->RemoveAllSingularities();
   if (!this->singularities.empty())
   {
     PipelineRun::Update(DomainReader::OpenPoints(this->singularities), "reading");
@@ -88,7 +88,7 @@ int GinzburgLandauSolve::Run() const
   timer->StartTimer();
   vtkNew<vtkDrillHoles> drill;
   drill->SetInputConnection(domainReader->GetOutputPort());
-  drill->SetSingularitiesConnection(singularities->GetOutputPort());
+  drill->SetSingularitiesConnection(none->GetOutputPort());
   drill->SetMeshSize(this->size);
   PipelineRun::Update(drill, "meshing");
   timer->StopTimer();

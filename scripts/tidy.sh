@@ -6,6 +6,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+if ! command -v clang-tidy >/dev/null; then
+  echo "Install clang-tidy; it is not in scripts/packages.sh, as no test needs it." >&2
+  exit 2
+fi
 build=build
 if [[ "${1:-}" == --build ]]; then
   build=$2
