@@ -51,7 +51,7 @@ class Configurations(CorpusTest):
     def test_quarter_indices_of_corners_beyond_the_limit(self):
         for quarter in (1001, 2 ** 31, 10 ** 300):
             (self.folder / "corners.csv").write_text(f"x,y,quarter_index\n1,1,{quarter}\n")
-            self.refuses("square.vtp", [], "beyond 1000", ("check", "unit-norm"),
+            self.refuses("square.vtp", [], "beyond 1000", ("unit-norm", "hfield"),
                          more=("--corners", "corners.csv"))
 
     def grid(self, count):
