@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkFeatureEdges.h"
 #include "vtkIdList.h"
+#include "vtkIncrementalOctreePointLocator.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -114,6 +115,9 @@ vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
   vtkNew<vtkCleanPolyData> clean; // also drops the points that no cell uses
   clean->SetInputData(input);
   clean->SetTolerance(tolerance);
+  // The filter's own locator has buckets of one size, and a long curve is in few of them.
+  vtkNew<vtkIncrementalOctreePointLocator> locator;
+  clean->SetLocator(locator);
   clean->ConvertLinesToPointsOn();
   clean->Update();
   return clean->GetOutput();
