@@ -135,7 +135,9 @@ void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
   }
   Require(field.u.allFinite() && std::isfinite(field.energy), "a field is finite");
   Require(field.energy >= 0.0, "the energy is not negative");
-  Require(field.count.Consistent(), "only consistent configurations have a field");
+  // Where the inside of a singularity is kept, others appear and make up for any sum.
+  Require(field.count.Consistent() || !mesh.imprinted.empty(),
+    "with holes, only consistent configurations have a field");
   if (method == PerforatedMethod::UnitNorm)
   {
     Require((field.u.cwiseAbs().array() - 1.0).abs().maxCoeff() < 1e-9, "|u| = 1");
