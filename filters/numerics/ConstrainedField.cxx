@@ -46,7 +46,6 @@ Point Midpoint(const TriangleMesh& mesh, const BoundaryEdge& edge)
 
 ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
   : Problem(problem)
-  , ConstantsCount(false)
   , Aligned(problem.potential->Eliminate(AlignedLoad(problem)))
 {
   for (const BoundaryLoop& loop : problem.loops)
@@ -66,8 +65,8 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
         Midpoint(problem.mesh, problem.mesh.boundary[static_cast<std::size_t>(edge)]));
     }
     this->NextOnHole.back() = positions.front();
-    this->Reduced.constraints.push_back(
-      MakeDegreeConstraint(std::move(positions), midpoints, loop.quarterIndex));
+    this->Reduced.constraints.push_back(MakeDegreeConstraint(
+      std::move(positions), midpoints, CentreOf(loop, problem.mesh), loop.quarterIndex));
   }
 
   const PotentialSolver& potential = *problem.potential;

@@ -46,7 +46,7 @@ private:
   const PerforatedProblem& Problem;
   std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
   std::vector<int> NextOnHole;      ///< Position in HoleEdges of the next edge of the same hole.
-  bool ConstantsCount;              ///< The potential has periods around holes.
+  bool ConstantsCount = false;      ///< The potential has periods around holes.
   /// The potentials with the sources of the aligned loops only, columns Re and Im.
   PotentialSolver::Eliminated Aligned;
   Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.

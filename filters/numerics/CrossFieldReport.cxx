@@ -118,6 +118,7 @@ int CountAppeared(
   const TriangleMesh& mesh, const std::vector<BoundaryLoop>& imprinted, const CrossField& field)
 {
   std::vector<Circle> circles;
+  circles.reserve(imprinted.size());
   for (const BoundaryLoop& loop : imprinted)
   {
     circles.push_back(Describe(mesh, loop));

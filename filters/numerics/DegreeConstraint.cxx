@@ -49,17 +49,6 @@ Eigen::SparseMatrix<Complex> DegreeConstraint::Hessian(Eigen::Index size) const
   return matrix;
 }
 
-DegreeConstraint MakeDegreeConstraint(
-  std::vector<int> unknowns, const std::vector<Point>& midpoints, int degree)
-{
-  Point centre = Point::Zero();
-  for (const Point& midpoint : midpoints)
-  {
-    centre += midpoint / static_cast<double>(midpoints.size());
-  }
-  return MakeDegreeConstraint(std::move(unknowns), midpoints, centre, degree);
-}
-
 DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
   const std::vector<Point>& midpoints, const Point& centre, int degree)
 {

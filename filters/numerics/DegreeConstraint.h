@@ -27,12 +27,9 @@ struct DegreeConstraint
   Eigen::SparseMatrix<Complex> Hessian(Eigen::Index size) const;
 };
 
-/// The constraint on edges with the given midpoints, counter-clockwise, around their mean. Throws
-/// Error as DegreeTarget does.
-DegreeConstraint MakeDegreeConstraint(
-  std::vector<int> unknowns, const std::vector<Point>& midpoints, int degree);
-
-/// The same around a given centre.
+/// The constraint on edges with the given midpoints, counter-clockwise, seen from the given centre:
+/// CentreOf the loop, which is that of the circle also where the mesher has divided some edges.
+/// Throws Error as DegreeTarget does.
 DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
   const std::vector<Point>& midpoints, const Point& centre, int degree);
 

@@ -115,7 +115,7 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
   edges.ofTriangle.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    std::array<int, 3> numbers;
+    std::array<int, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i)
     {
       numbers[i] = table.Number(

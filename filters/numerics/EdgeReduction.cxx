@@ -37,7 +37,7 @@ EdgeReduction::EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edge
     }
     this->Reduced.constraints.push_back(
       MakeDegreeConstraint(
-      std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
+        std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
   this->Factor = std::make_unique<SparseCholesky>(
     this->Aligned.freeStiffness, this->Aligned.EliminationOrder(this->Constrained));

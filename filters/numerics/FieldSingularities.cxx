@@ -197,7 +197,7 @@ std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumberin
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto& triangle = mesh.triangles[t];
-    const auto around = std::find_if(triangle.begin(), triangle.end(), singular);
+    const auto* const around = std::find_if(triangle.begin(), triangle.end(), singular);
     if (indices.ofTriangle[t] == 0 && around == triangle.end())
     {
       continue;
@@ -268,6 +268,7 @@ std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
   FieldIndices indices = ReadIndices(mesh, edges, u);
   const std::vector<VertexRole> roles = FindRoles(mesh, options.cornerAngle);
   std::vector<bool> corners;
+  corners.reserve(roles.size());
   for (const VertexRole& role : roles)
   {
     corners.push_back(role.corner);

@@ -48,7 +48,7 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
     ++count[ends[1]];
   }
   Eigen::SparseMatrix<double> unsorted(vertexCount, vertexCount);
-  unsorted.resizeNonZeros(vertexCount + 2 * edges.Count());
+  unsorted.resizeNonZeros(vertexCount + 2 * static_cast<Eigen::Index>(edges.Count()));
   int* starts = unsorted.outerIndexPtr();
   starts[0] = 0;
   for (Eigen::Index v = 0; v < vertexCount; ++v)

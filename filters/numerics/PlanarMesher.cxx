@@ -117,6 +117,7 @@ constexpr std::size_t MostAddedVertices = 150000;
 std::vector<bool> FindImprinted(const std::vector<BoundaryEdge>& loopMarks)
 {
   std::vector<bool> imprinted;
+  imprinted.reserve(loopMarks.size());
   for (const BoundaryEdge& mark : loopMarks)
   {
     imprinted.push_back(mark.kind == BoundaryKind::ImprintedCircle);
@@ -290,7 +291,7 @@ TriangleMesh ReadOut(Triangulation& triangulation, const PlanarDomain& domain,
     {
       continue;
     }
-    std::array<int, 3> triangle;
+    std::array<int, 3> triangle{};
     for (int i = 0; i < 3; ++i)
     {
       VertexInfo& info = face->vertex(i)->info();

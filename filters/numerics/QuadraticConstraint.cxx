@@ -20,8 +20,9 @@ Eigen::VectorXd QuadraticConstraint::Gradient(const ComplexVector& x) const
   for (const Entry& entry : this->entries)
   {
     const Complex product = entry.value * x[entry.column];
-    gradient[2 * entry.row] += product.real();
-    gradient[2 * entry.row + 1] += product.imag();
+    const Eigen::Index row = entry.row;
+    gradient[2 * row] += product.real();
+    gradient[2 * row + 1] += product.imag();
   }
   return gradient;
 }

@@ -100,7 +100,7 @@ double SizeField::operator()(const Point& point) const
     const int child =
       (point.x() >= square.centre.x() ? 1 : 0) + (point.y() >= square.centre.y() ? 2 : 0);
     square = square.Child(child);
-    cell = &this->Cells[static_cast<std::size_t>(cell->firstChild + child)];
+    cell = &this->Cells[static_cast<std::size_t>(cell->firstChild) + static_cast<std::size_t>(child)];
   }
   return this->Evaluate(point, cell->range);
 }

@@ -13,7 +13,7 @@ namespace crossfield
 {
 struct SparseCholesky::Factor
 {
-  cholmod_common common;
+  cholmod_common common{};
   cholmod_factor* factor = nullptr;
   std::vector<int> order;
 

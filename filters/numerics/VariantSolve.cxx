@@ -205,14 +205,14 @@ public:
     // the harmonic field.
     const bool harmonicFirst =
       this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormField.size() > 0);
-    const CrossField first = harmonicFirst ? this->FromHarmonic(progress.Part(0.0, 0.5))
-                                           : this->FromUnitCrosses(progress.Part(0.0, 0.5));
+    CrossField first = harmonicFirst ? this->FromHarmonic(progress.Part(0.0, 0.5))
+                                     : this->FromUnitCrosses(progress.Part(0.0, 0.5));
     if (first.converged && first.wrongDegrees == 0 && first.unwantedSingularities == 0)
     {
       return first;
     }
-    const CrossField second = harmonicFirst ? this->FromUnitCrosses(progress.Part(0.5, 1.0))
-                                            : this->FromHarmonic(progress.Part(0.5, 1.0));
+    CrossField second = harmonicFirst ? this->FromUnitCrosses(progress.Part(0.5, 1.0))
+                                      : this->FromHarmonic(progress.Part(0.5, 1.0));
     return IsBetter(second, first) ? second : first;
   }
 

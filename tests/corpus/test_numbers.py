@@ -31,6 +31,7 @@ class Numbers(CorpusTest):
                          ("check", "corners", "drill", "unit-norm", "hfield", "energy", "optimize"))
 
     def test_places(self):
+        self.verify_all = False
         commands = ("check", "drill", "hfield", "energy", *SOLVES)
         expected = self.solves("square.vtp", self.square(), commands)
         for place in (1e5, 1e8, -1e8, 1e9):

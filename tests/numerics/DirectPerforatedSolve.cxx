@@ -84,7 +84,7 @@ SparseMatrix Restrict(const SparseMatrix& matrix, const Unknowns& unknowns)
 }
 
 std::vector<DegreeConstraint> MakeConstraints(
-  const std::vector<BoundaryLoop>& loops, const Unknowns& unknowns)
+  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, const Unknowns& unknowns)
 {
   std::vector<DegreeConstraint> constraints;
   int position = 0;
@@ -102,8 +102,8 @@ std::vector<DegreeConstraint> MakeConstraints(
       midpoints.push_back(unknowns.midpoint[static_cast<std::size_t>(
         unknowns.holes[static_cast<std::size_t>(position)])]);
     }
-    constraints.push_back(
-      MakeDegreeConstraint(std::move(positions), midpoints, loop.quarterIndex));
+    constraints.push_back(MakeDegreeConstraint(
+      std::move(positions), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
   return constraints;
 }
@@ -139,7 +139,7 @@ CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOption
 
   field.edges = NumberEdges(mesh);
   const Unknowns unknowns = NumberUnknowns(mesh, field.edges, loops);
-  const std::vector<DegreeConstraint> constraints = MakeConstraints(loops, unknowns);
+  const std::vector<DegreeConstraint> constraints = MakeConstraints(mesh, loops, unknowns);
   const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.edges);
   const SparseMatrix matrix = Restrict(stiffness, unknowns);
   const ComplexVector load = -(stiffness * unknowns.aligned);
