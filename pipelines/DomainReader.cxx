@@ -25,7 +25,10 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -58,6 +61,24 @@ vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
     throw Error("The file '" + file + "' holds no cells; give boundary lines or a triangle mesh.");
   }
   return source;
+}
+
+/** vtkPLYReader takes what is in its memory for the words that a property lacks. */
+void RequireProperties(const std::string& file)
+{
+  std::ifstream stream(file);
+  std::string line;
+  for (int number = 1; std::getline(stream, line) && line.compare(0, 10, "end_header") != 0; ++number)
+  {
+    std::istringstream stringOfWords(line);
+    const std::vector<std::string> words{ std::istream_iterator<std::string>(stringOfWords), {} };
+    if (!words.empty() && words[0] == "property" &&
+      words.size() != (words.size() > 1 && words[1] == "list" ? 5 : 3))
+    {
+      throw Error("Line " + std::to_string(number) + " of '" + file +
+        "' must be 'property TYPE NAME' or 'property list TYPE TYPE NAME'; correct it.");
+    }
+  }
 }
 
 /** vtkOBJReader takes what is not a number for 0. */
@@ -174,6 +195,7 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   }
   if (ending == ".ply")
   {
+    RequireProperties(argument);
     return OpenWith<vtkPLYReader>(argument);
   }
   if (ending == ".csv")

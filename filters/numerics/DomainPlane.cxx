@@ -44,7 +44,7 @@ Frame NearestCoordinatePlane(const Vector3d& normal)
 Vector3d LeastSquaresNormal(const Eigen::Matrix3Xd& points)
 {
   const Eigen::MatrixX3d centred = (points.colwise() - points.rowwise().mean()).transpose();
-  const Eigen::JacobiSVD<Eigen::MatrixX3d> decomposition(centred, Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixX3d> decomposition(centred, Eigen::ComputeFullV);
   return decomposition.matrixV().rightCols<1>();
 }
 

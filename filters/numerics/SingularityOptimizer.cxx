@@ -148,6 +148,10 @@ QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const Evaluation& here)
   matrix.topRightCorner(n, m) = here.defectGradient.transpose();
   Eigen::VectorXd right(n + m);
   right << -here.gradient, -here.defects;
+  if (right.size() == 0)
+  {
+    return { right, right }; // Eigen does not factor an empty matrix
+  }
   // Rank-revealing: no step can repair a defect that no singularity changes.
   const Eigen::VectorXd solution = matrix.fullPivLu().solve(right);
   return { solution.head(n), solution.tail(m) };

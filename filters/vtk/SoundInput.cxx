@@ -12,7 +12,9 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <array>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -54,9 +56,44 @@ vtkIdType PointsOf(int type)
   }
 }
 
+void RequirePoints(vtkIdType cell, vtkIdList* ids, vtkIdType count)
+{
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    if (ids->GetId(i) < 0 || ids->GetId(i) >= count)
+    {
+      throw Error("Cell " + std::to_string(cell) + " uses point " + std::to_string(ids->GetId(i)) +
+        " of " + std::to_string(count) + "; the data is damaged, make it again.");
+    }
+  }
+}
+
+/** Cell by cell in the lists: VTK 9.1 crashes when it is asked for the points of an empty polygon. */
+void RequireCells(vtkPolyData* input)
+{
+  const std::array<std::pair<vtkCellArray*, vtkIdType>, 4> lists = { {
+    { input->GetVerts(), 1 }, { input->GetLines(), 1 }, { input->GetPolys(), 3 },
+    { input->GetStrips(), 3 } } };
+  vtkNew<vtkIdList> ids;
+  vtkIdType cell = 0;
+  for (const auto& [list, least] : lists)
+  {
+    for (vtkIdType i = 0; i < list->GetNumberOfCells(); ++i, ++cell)
+    {
+      list->GetCellAtId(i, ids);
+      if (ids->GetNumberOfIds() < least)
+      {
+        throw Error("Cell " + std::to_string(cell) + " has " +
+          std::to_string(ids->GetNumberOfIds()) + " points instead of " + std::to_string(least) +
+          " or more; the data is damaged, make it again.");
+      }
+      RequirePoints(cell, ids, input->GetNumberOfPoints());
+    }
+  }
+}
+
 void RequireCells(vtkDataSet* input)
 {
-  const vtkIdType count = input->GetNumberOfPoints();
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
@@ -67,15 +104,7 @@ void RequireCells(vtkDataSet* input)
       throw Error("Cell " + std::to_string(cell) + " has " + std::to_string(ids->GetNumberOfIds()) +
         " points instead of " + std::to_string(expected) + "; the data is damaged, make it again.");
     }
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-    {
-      if (ids->GetId(i) < 0 || ids->GetId(i) >= count)
-      {
-        throw Error("Cell " + std::to_string(cell) + " uses point " +
-          std::to_string(ids->GetId(i)) + " of " + std::to_string(count) +
-          "; the data is damaged, make it again.");
-      }
-    }
+    RequirePoints(cell, ids, input->GetNumberOfPoints());
   }
 }
 
@@ -103,7 +132,14 @@ void Require(vtkDataSet* input)
   {
     throw Error("The list of cells ends before the last of them; the data is damaged, make it again.");
   }
-  RequireCells(input);
+  if (auto* surface = vtkPolyData::SafeDownCast(input))
+  {
+    RequireCells(surface);
+  }
+  else
+  {
+    RequireCells(input);
+  }
   RequireArrays(input->GetPointData(), input->GetNumberOfPoints(), "points");
   RequireArrays(input->GetCellData(), input->GetNumberOfCells(), "cells");
 }
