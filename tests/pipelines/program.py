@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "verify"
 import kept
 
 PROGRAM = os.environ["CROSSFIELD_PROGRAM"]
+SECONDS = int(os.environ.get("CROSSFIELD_SECONDS", "30"))  # of one run; more is a hang
 
 FOUR = [(x, y, 1, 0.1) for x, y in ((0.42, 0.42), (-0.42, 0.42), (-0.42, -0.42), (0.42, -0.42))]
 
@@ -44,7 +45,7 @@ class ProgramTest(unittest.TestCase):
         begin = time.time()
         result = subprocess.run(
             [PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, stdout=stdout,
-            stderr=subprocess.PIPE, timeout=30, check=False, **options)
+            stderr=subprocess.PIPE, timeout=SECONDS, check=False, **options)
         if result.returncode in (0, 1) and set(arguments) & {"-o", "--output"}:
             kept.keep_folder(self.folder, since=begin)
         return result
