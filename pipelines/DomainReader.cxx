@@ -54,7 +54,7 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
 {
-  const auto source = Read<Reader>(file);
+  auto source = Read<Reader>(file);
   auto* data = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
   if (data == nullptr || data->GetNumberOfCells() == 0)
   {
