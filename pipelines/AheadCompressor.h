@@ -33,7 +33,7 @@ protected:
 private:
   struct Block
   {
-    size_t size;
+    size_t size = 0;
     std::vector<unsigned char> compressed;
   };
   std::map<unsigned char const*, Block> Blocks; ///< By where they begin.

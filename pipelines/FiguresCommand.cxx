@@ -50,7 +50,7 @@ std::string Found(vtkUnstructuredGrid* field)
   reader->IncludeHolesOn();
   PipelineRun::Update(reader, "reading singularities");
   vtkDataArray* quarters = reader->GetOutput()->GetPointData()->GetArray(names::QuarterIndex);
-  std::map<int, int, std::greater<int>> counts;
+  std::map<int, int, std::greater<>> counts;
   for (vtkIdType i = 0; i < quarters->GetNumberOfTuples(); ++i)
   {
     ++counts[static_cast<int>(quarters->GetTuple1(i))];

@@ -53,7 +53,7 @@ private:
    * VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n", and without an object the same
    * without the class. The sentence may have several lines; here it gets one.
    */
-  static std::string Sentence(std::string text)
+  static std::string Sentence(const std::string& text)
   {
     const auto end = text.find("): ");
     const auto head = text.find(", line ");

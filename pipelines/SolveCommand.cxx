@@ -117,7 +117,7 @@ void CheckUsage(const SolveOptions& options)
 int SolveByGinzburgLandau(const SolveOptions& options)
 {
   GinzburgLandauSolve solve;
-  static_cast<MeshOptions&>(solve) = options;
+  static_cast<MeshOptions&>(solve) = static_cast<const MeshOptions&>(options);
   solve.epsilon = options.epsilon;
   if (options.start != SolveOptions().start)
   {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with the checks of .clang-tidy over the files named, or over every file of ours that
-# the build compiles; any finding fails. Takes 10 to 20 seconds a file.
+# Runs clang-tidy with the checks of .clang-tidy over the files named, or over every file of filters and
+# pipelines that the build compiles; any finding fails. Takes 10 to 20 seconds a file.
 #
 #   scripts/build.sh && scripts/tidy.sh [--build FOLDER] [FILE...]
 set -euo pipefail
@@ -17,7 +17,7 @@ if [[ "${1:-}" == --build ]]; then
 fi
 # Without a compile command clang-tidy would guess one, so only files that have one.
 mapfile -t compiled < <(sed -n 's/^ *"file": "\(.*\)",*$/\1/p' "$build/compile_commands.json" |
-  grep --extended-regexp "^$PWD/(filters|pipelines|tests)/" | sort --unique)
+  grep --extended-regexp "^$PWD/(filters|pipelines)/" | sort --unique)
 files=()
 for file in "${@:-${compiled[@]}}"; do
   file=$(realpath "$file")

@@ -64,11 +64,12 @@ int vtkSingularityEnergy::RequestData(
         return;
       }
       const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const int count = inputVector[1]->GetNumberOfInformationObjects();
       std::vector<crossfield::Configuration> configurations;
-      for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+      configurations.reserve(static_cast<std::size_t>(count));
+      for (int i = 0; i < count; ++i)
       {
-        configurations.push_back(
-          DomainConversion::ReadConfiguration(
+        configurations.push_back(DomainConversion::ReadConfiguration(
           vtkDataSet::GetData(inputVector[1], i), input.plane));
       }
       crossfield::ConfigurationEnergyOptions options;
