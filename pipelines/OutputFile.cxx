@@ -26,7 +26,7 @@ using PipelineRun::Error;
 void RequireMemoryForText(vtkDataObject* data)
 {
   const std::size_t kibibytes = data->GetActualMemorySize();
-  const std::unique_ptr<char[]> trial(new char[4 * 1024 * kibibytes]);
+  const std::unique_ptr<char[]> trial(new char[kibibytes * 4 * 1024]);
   *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may leave the allocation out
 }
 }
