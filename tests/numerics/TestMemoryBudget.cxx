@@ -44,7 +44,7 @@ class AvailableMemoryTest : public testing::Test
 protected:
   AvailableMemoryTest()
   {
-    std::string name = testing::TempDir() + "crossfield-memory-XXXXXX";
+    std::string name = testing::TempDir() + "crossfield-memory-" + std::string(6, 'X'); // mkdtemp's
     Root = mkdtemp(name.data());
     Files = { Root + "/proc", Root + "/cgroup" };
   }
