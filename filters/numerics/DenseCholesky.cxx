@@ -12,6 +12,10 @@ extern "C"
     std::size_t halfLength);
   void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
     int* info, std::size_t halfLength);
+  void dpotri_(const char* half, const int* size, double* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void zpotri_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
+    int* info, std::size_t halfLength);
 }
 
 namespace crossfield
@@ -26,6 +30,16 @@ void Factorise(const int* size, double* matrix, int* info)
 void Factorise(const int* size, std::complex<double>* matrix, int* info)
 {
   zpotrf_("L", size, matrix, size, info, 1);
+}
+
+void Invert(const int* size, double* factor, int* info)
+{
+  dpotri_("L", size, factor, size, info, 1);
+}
+
+void Invert(const int* size, std::complex<double>* factor, int* info)
+{
+  zpotri_("L", size, factor, size, info, 1);
 }
 }
 
@@ -43,6 +57,21 @@ DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
   Factorise(&size, this->Lower.data(), &info);
   this->PositiveDefinite = info == 0;
   this->Lower.template triangularView<Eigen::StrictlyUpper>().setZero();
+}
+
+template <typename Scalar>
+typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Inverse() const
+{
+  Matrix inverse = this->Lower;
+  if (inverse.size() > 0)
+  {
+    const SerialBlas serial;
+    const auto size = static_cast<int>(inverse.rows());
+    int info = 0; // not 0 only for a zero on the diagonal, which a positive definite matrix has not
+    Invert(&size, inverse.data(), &info);
+    inverse.template triangularView<Eigen::StrictlyUpper>() = inverse.adjoint();
+  }
+  return inverse;
 }
 
 template class DenseCholesky<double>;

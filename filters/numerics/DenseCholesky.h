@@ -35,6 +35,9 @@ public:
     return lower.adjoint().solve(lower.solve(rightHandSides));
   }
 
+  /// A⁻¹ (?potri), in half the time of solving for the unit matrix.
+  Matrix Inverse() const;
+
 private:
   Matrix Lower;
   bool PositiveDefinite = true;

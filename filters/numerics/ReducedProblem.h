@@ -36,15 +36,11 @@ struct ReducedSolution
   ComplexVector Forces(const ReducedProblem& problem) const;
 };
 
-/// Newton's method on the dual, from the harmonic field (λ = 0).
-///
-/// While H(λ) = S + Σ λ_i A_i is positive definite, x(λ) = H(λ)⁻¹ b minimises the Lagrangian and
-///   q(λ) = −½ bᴴ x(λ) − Σ λ_i t_i
-/// is concave with ∂q/∂λ_i = C_i(x(λ)) − t_i and ∂²q/∂λ_i∂λ_j = −Re((A_i x)ᴴ H⁻¹ A_j x). A line
-/// search on q keeps H positive definite, so a converged solution is the global minimiser of the
-/// problem, not only a critical point. The first steps are taken in the low Fourier modes of the
-/// holes only, which carry most of the field. Where the maximiser of q lies on the border of the region
-/// in which H is positive definite the iteration stalls: reported, not an error.
+/// Newton's method on the dual (DualMaximum.h), which keeps S + Σ λ_i A_i positive definite, so a
+/// converged solution is the global minimiser of the problem, not only a critical point. The first
+/// steps are taken in the low Fourier modes of the holes only, which carry most of the field. Where the
+/// dual has its maximum on the border of the region in which that matrix is positive definite, no
+/// solution of this kind exists: reported by `converged`, not an error.
 ReducedSolution SolveReduced(
   const ReducedProblem& problem, const ReducedOptions& options = {}, const Progress& progress = {});
 }

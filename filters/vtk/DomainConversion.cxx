@@ -25,7 +25,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -123,15 +125,41 @@ vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
   return clean->GetOutput();
 }
 
-/** The loops of curves, or of the boundary of a surface, whose points are merged. */
-DomainConversion::Loops ChainCurves(vtkSmartPointer<vtkPolyData> curves)
+/** Refuses surface cells that overlap, which their boundary does not tell. */
+void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& covered)
 {
-  DomainConversion::Loops result;
-  // Of a surface as well, which could bulge from a planar boundary.
-  result.plane = DomainConversion::FindPlane(curves);
-  if (curves->GetNumberOfPolys() > 0)
+  double area = 0.0;
+  vtkNew<vtkIdList> cell;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPolys(); ++i)
   {
-    curves = SurfaceBoundary(curves);
+    surface->GetPolys()->GetCellAtId(i, cell);
+    crossfield::Loop corners;
+    for (vtkIdType id : *cell)
+    {
+      corners.push_back(covered.plane.ToPlane(Eigen::Vector3d(surface->GetPoint(id))));
+    }
+    area += std::abs(crossfield::SignedArea(corners)); // neighbours may be oriented against each other
+  }
+  const double enclosed = covered.domain.Area();
+  const double diagonal = covered.domain.Diagonal();
+  // Both sums are of the same points, so they differ by rounding only; OnePoint is far above that, and
+  // what is less counts as nothing here.
+  if (std::abs(area - enclosed) > OnePoint * diagonal * diagonal)
+  {
+    std::ostringstream text;
+    text << "The areas of the domain's cells add up to " << area << ", but their boundary encloses "
+         << enclosed << "; give a mesh whose cells do not overlap, fold over or cross themselves.";
+    throw Error(text.str());
+  }
+}
+
+/** The loops of curves, or of the boundary of a surface, whose points are merged. */
+std::vector<crossfield::Loop> ChainCurves(vtkPolyData* cells, const crossfield::DomainPlane& plane)
+{
+  vtkSmartPointer<vtkPolyData> curves = cells;
+  if (cells->GetNumberOfPolys() > 0)
+  {
+    curves = SurfaceBoundary(cells);
   }
   if (curves->GetNumberOfLines() == 0)
   {
@@ -142,7 +170,7 @@ DomainConversion::Loops ChainCurves(vtkSmartPointer<vtkPolyData> curves)
   std::vector<Point> points;
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i)
   {
-    points.push_back(result.plane.ToPlane(Eigen::Vector3d(curves->GetPoint(i))));
+    points.push_back(plane.ToPlane(Eigen::Vector3d(curves->GetPoint(i))));
   }
   std::vector<std::array<int, 2>> segments;
   vtkNew<vtkIdList> line;
@@ -155,16 +183,15 @@ DomainConversion::Loops ChainCurves(vtkSmartPointer<vtkPolyData> curves)
         { static_cast<int>(line->GetId(j - 1)), static_cast<int>(line->GetId(j)) });
     }
   }
-  result.loops = crossfield::ChainLoops(points, segments);
-  return result;
+  return crossfield::ChainLoops(points, segments);
 }
 
 /** Throws another error where it is the merging of points that are not equal which made the loops fail. */
-void RequireChainsWhenMerged(vtkPolyData* cells)
+void RequireChainsWhenMerged(vtkPolyData* cells, const crossfield::DomainPlane& plane)
 {
   try
   {
-    ChainCurves(MergePoints(cells, 0.0));
+    ChainCurves(MergePoints(cells, 0.0), plane);
   }
   catch (const Error&)
   {
@@ -209,7 +236,7 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input)
 }
 
 //------------------------------------------------------------------------------
-Loops ReadLoops(vtkDataSet* input)
+Domain ReadDomain(vtkDataSet* input)
 {
   SoundInput::Require(input);
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -225,16 +252,27 @@ Loops ReadLoops(vtkDataSet* input)
   input->GetBounds(bounds);
   crossfield::RequireExtent(std::max(
     { 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
-  vtkSmartPointer<vtkPolyData> cells = ExtractCurvesAndSurfaces(input);
+  const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesAndSurfaces(input);
+  const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, OnePoint);
+  Domain result;
+  // Of a surface as well, which could bulge from a planar boundary.
+  result.plane = FindPlane(merged);
+  std::vector<crossfield::Loop> loops;
   try
   {
-    return ChainCurves(MergePoints(cells, OnePoint));
+    loops = ChainCurves(merged, result.plane);
   }
   catch (const Error&)
   {
-    RequireChainsWhenMerged(cells);
+    RequireChainsWhenMerged(cells, result.plane);
     throw;
   }
+  result.domain = crossfield::MakePlanarDomain(std::move(loops));
+  if (merged->GetNumberOfPolys() > 0)
+  {
+    RequireCoveredOnce(merged, result);
+  }
+  return result;
 }
 
 //------------------------------------------------------------------------------

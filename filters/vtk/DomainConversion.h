@@ -20,10 +20,10 @@ class vtkUnstructuredGrid;
  */
 namespace DomainConversion
 {
-/** Boundary loops and the plane that they lie in. */
-struct Loops
+/** A domain, and the plane in space that it lies in. */
+struct Domain
 {
-  std::vector<crossfield::Loop> loops;
+  crossfield::PlanarDomain domain;
   crossfield::DomainPlane plane;
 };
 
@@ -31,10 +31,10 @@ struct Loops
 crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
- * Reads boundary loops from lines, or the boundary of surface cells. Points closer than 1e-9 of
- * the bounding box's diagonal are one point.
+ * Reads a domain from lines along its boundary, or from surface cells, which have to cover it once.
+ * Points closer than 1e-9 of the bounding box's diagonal are one point.
  */
-Loops ReadLoops(vtkDataSet* input);
+Domain ReadDomain(vtkDataSet* input);
 
 /** One closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);

@@ -123,7 +123,7 @@ int vtkBoundaryCornerClassifier::RequestData(
       {
         return;
       }
-      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       progress.Report(0.5);
       crossfield::ClassificationOptions options;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
@@ -150,7 +150,7 @@ int vtkBoundaryCornerClassifier::RequestData(
             RequireInteger(quarterIndex) });
       }
       const crossfield::CornerClassification classification =
-        crossfield::ClassifyCorners(crossfield::MakePlanarDomain(input.loops), options);
+        crossfield::ClassifyCorners(input.domain, options);
       CornerConversion::WriteCorners(
         classification, input.plane, vtkPolyData::GetData(outputVector, 0));
       CornerConversion::WriteScenarios(classification, vtkTable::GetData(outputVector, 1));

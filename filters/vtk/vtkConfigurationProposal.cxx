@@ -51,7 +51,7 @@ int vtkConfigurationProposal::RequestData(
       {
         return;
       }
-      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       crossfield::ProposalOptions options;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
@@ -62,7 +62,7 @@ int vtkConfigurationProposal::RequestData(
       }
       CornerConversion::WriteConfiguration(
         crossfield::ProposeConfiguration(
-          crossfield::MakePlanarDomain(input.loops), options, progress),
+          input.domain, options, progress),
         input.plane, vtkPolyData::GetData(outputVector));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;

@@ -51,7 +51,7 @@ int vtkDrillHoles::RequestData(
       {
         return;
       }
-      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       const crossfield::Configuration configuration =
         DomainConversion::ReadConfiguration(singularities, input.plane);
       crossfield::DrillOptions options;
@@ -60,7 +60,7 @@ int vtkDrillHoles::RequestData(
       options.minimumHoleEdges = this->MinimumHoleEdges;
       options.gradation = this->Gradation;
       const crossfield::TriangleMesh mesh = crossfield::DrillHoles(
-        crossfield::MakePlanarDomain(input.loops), configuration, options, progress);
+        input.domain, configuration, options, progress);
       DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;

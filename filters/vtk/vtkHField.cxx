@@ -89,9 +89,9 @@ int vtkHField::RequestData(
       }
       else
       {
-        const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+        const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
         DomainConversion::WriteDrilledMesh(
-          crossfield::MeshForPoints(crossfield::MakePlanarDomain(input.loops), configuration,
+          crossfield::MeshForPoints(input.domain, configuration,
             this->MeshSize, progress.Part(0.0, 0.4)),
           plane, mesh);
       }

@@ -59,18 +59,17 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
   double cornerAngle, bool holonomy, const crossfield::Progress& progress)
 {
   Findings result;
-  const DomainConversion::Loops loops = DomainConversion::ReadLoops(input);
+  const auto [domain, plane] = DomainConversion::ReadDomain(input);
   const std::vector<crossfield::CornerChoice> corners =
-    CornerConversion::ReadChoices(chosen, loops.plane);
+    CornerConversion::ReadChoices(chosen, plane);
   progress.Report(0.1);
-  const crossfield::PlanarDomain domain = crossfield::MakePlanarDomain(loops.loops);
   crossfield::Configuration configuration;
   if (singularities != nullptr)
   {
-    configuration = DomainConversion::ReadConfiguration(singularities, loops.plane);
+    configuration = DomainConversion::ReadConfiguration(singularities, plane);
   }
   crossfield::RequireInside(domain, configuration);
-  result.plane = loops.plane;
+  result.plane = plane;
   result.count = crossfield::CountQuarters(
     domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, corners);
   result.consistent = result.count.Consistent();

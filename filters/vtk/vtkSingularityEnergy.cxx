@@ -63,7 +63,7 @@ int vtkSingularityEnergy::RequestData(
       {
         return;
       }
-      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       const int count = inputVector[1]->GetNumberOfInformationObjects();
       std::vector<crossfield::Configuration> configurations;
       configurations.reserve(static_cast<std::size_t>(count));
@@ -77,7 +77,7 @@ int vtkSingularityEnergy::RequestData(
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies =
         crossfield::CompareConfigurations(
-          crossfield::MakePlanarDomain(input.loops), configurations, options, progress);
+          input.domain, configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
       EnergyConversion::WriteGradients(energies, input.plane, vtkPolyData::GetData(outputVector, 1));
     });

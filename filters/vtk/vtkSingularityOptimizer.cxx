@@ -60,14 +60,14 @@ int vtkSingularityOptimizer::RequestData(
       {
         return;
       }
-      const DomainConversion::Loops input = DomainConversion::ReadLoops(domain);
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       crossfield::OptimizerOptions options;
       options.meshSize = this->MeshSize;
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
       options.maximumIterations = this->MaximumIterations;
       options.tolerance = this->Tolerance;
       const crossfield::OptimizerResult result =
-        crossfield::OptimizeSingularities(crossfield::MakePlanarDomain(input.loops),
+        crossfield::OptimizeSingularities(input.domain,
           DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
       {

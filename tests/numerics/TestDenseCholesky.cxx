@@ -49,6 +49,8 @@ TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
     const auto& lower = factor.GetLower();
     EXPECT_TRUE(lower.isLowerTriangular());
     EXPECT_LE((lower * lower.adjoint() - matrix).norm(), 1e-13 * (1.0 + matrix.norm()));
+    EXPECT_LE((factor.Inverse() * matrix - TestFixture::Matrix::Identity(size, size)).norm(),
+      1e-11 * (1.0 + matrix.norm()));
     const typename TestFixture::Matrix expected = this->Dense(size, 3);
     EXPECT_LE((factor.Solve(matrix * expected) - expected).norm(), 1e-10 * (1.0 + expected.norm()));
   }

@@ -2,6 +2,7 @@
 #include "Support.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -31,7 +32,7 @@ ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
     }
     problem.constraints.push_back(constraint);
   }
-    const Eigen::MatrixXd root =
+  const Eigen::MatrixXd root =
     Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
   problem.matrix = root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size);
   problem.load = problem.matrix * Eigen::Map<ComplexVector>(harmonic.data(), size);
@@ -83,6 +84,66 @@ TEST(ReducedProblem, OneConstraintIsSolvedFromAnyHarmonicField)
     const ReducedSolution solution = SolveReduced(problem);
     ASSERT_TRUE(solution.converged) << solution.residual;
     ExpectOptimalityConditions(problem, solution);
+  }
+}
+
+/// A problem whose solution is known: S + Σ λ_i A_i is positive definite with the smallest eigenvalue
+/// `margin`, so b and the targets that x gives make x its minimiser. With a small part of x along the
+/// eigenvector of that eigenvalue, the dual is nearly flat up to the border of its region.
+struct KnownProblem
+{
+  ReducedProblem problem;
+  ComplexVector x;
+  Eigen::VectorXd multipliers;
+};
+
+KnownProblem RandomKnownProblem(Random& random, int holeCount, double margin)
+{
+  KnownProblem known{ RandomProblem(random, holeCount, 0.0), {}, {} };
+  ReducedProblem& problem = known.problem;
+  const Eigen::Index size = problem.matrix.rows();
+  known.multipliers = Eigen::VectorXd::NullaryExpr(
+    holeCount, [&] { return random.Uniform(0.5, 1.0) * (random.Integer(0, 1) == 0 ? 1 : -1); });
+  const auto withMultipliers = [&]
+  {
+    Eigen::MatrixXcd hessian = problem.matrix.cast<Complex>();
+    for (int i = 0; i < holeCount; ++i)
+    {
+      hessian += known.multipliers[i] *
+        Eigen::MatrixXcd(problem.constraints[static_cast<std::size_t>(i)].Hessian(size));
+    }
+    return hessian;
+  };
+  // H(s λ) is S at s = 0 and indefinite for large s.
+  const Eigen::MatrixXcd added = withMultipliers() - problem.matrix.cast<Complex>();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> spectrum(
+    added, problem.matrix.cast<Complex>(), Eigen::EigenvaluesOnly);
+  known.multipliers *= (1.0 - margin) / -spectrum.eigenvalues()[0];
+  const Eigen::MatrixXcd hessian = withMultipliers();
+  known.x = problem.matrix.cast<Complex>().llt().solve(problem.load) +
+    ComplexVector::NullaryExpr(size, [&] { return 0.3 * random.Square(); });
+  problem.load = hessian * known.x;
+  for (DegreeConstraint& constraint : problem.constraints)
+  {
+    constraint.target = constraint.Value(known.x);
+  }
+  return known;
+}
+
+TEST(ReducedProblem, KnownSolutionsAreFoundAlsoNextToTheBorder)
+{
+  Random random(37);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    const double margin = std::pow(10.0, -1 - trial % 4);
+    SCOPED_TRACE(testing::Message() << trial << ", margin " << margin);
+    const KnownProblem known = RandomKnownProblem(random, 1 + trial % 7, margin);
+    const ReducedSolution solution = SolveReduced(known.problem);
+    EXPECT_TRUE(solution.converged) << solution.residual;
+    EXPECT_LE(solution.iterations, 60);
+    // An error of 1e-10 in the forces is this much in x.
+    EXPECT_LE((solution.x - known.x).norm(), 1e-9 / margin * known.x.norm());
+    EXPECT_LE((solution.multipliers - known.multipliers).norm(), 1e-8 / margin);
   }
 }
 

@@ -171,6 +171,24 @@ TEST_F(DrillHolesRefusals, NonManifoldMesh)
   this->ExpectError({ "more than two cells" });
 }
 
+TEST_F(DrillHolesRefusals, MeshFoldedOver)
+{
+  // Two triangles on one side of the edge that they share: their boundary is a loop all the same.
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.0, 0.0, 0.0);
+  points->InsertNextPoint(4.0, 0.0, 0.0);
+  points->InsertNextPoint(2.0, 4.0, 0.0);
+  points->InsertNextPoint(2.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ vtkIdType(0), vtkIdType(1), vtkIdType(2) });
+  cells->InsertNextCell({ vtkIdType(1), vtkIdType(0), vtkIdType(3) });
+  vtkNew<vtkPolyData> mesh;
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  this->SetDomain(mesh);
+  this->ExpectError({ "add up to 10", "encloses 6", "fold over" });
+}
+
 TEST_F(DrillHolesRefusals, Cells3D)
 {
   vtkNew<vtkPoints> points;
