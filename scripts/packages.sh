@@ -12,8 +12,8 @@ packages=(
   libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
   # Program and tests; Xvfb is the screen on which pictures are drawn.
   libbenchmark-dev libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
-  # The checked build: sanitizers, libFuzzer, OpenMP and gcov of clang; and memcheck.
-  clang-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14 valgrind
+  # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang; and memcheck.
+  clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14 valgrind
   # ParaView, its VTK and its Python.
   paraview paraview-dev python3-dev python3-paraview
   # find_package(ParaView) asks for these; paraview-dev does not depend on them.

@@ -26,6 +26,14 @@ Derivatives OfDual(const DualPoint& point)
   return { point.gradient, (lower.adjoint() * lower).real() };
 }
 
+/// How far Newton's model of q alone would rise. Where q is close to a maximum inside, that is what it is
+/// below the maximum; on the way to the border the model does not see that there is an end.
+double RiseOfModel(const DualPoint& point)
+{
+  const Derivatives derivatives = OfDual(point);
+  return 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
+}
+
 /// Of log det H: ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
 Derivatives OfLogDeterminant(const DualProblem& problem, const DualPoint& point)
 {
@@ -122,18 +130,22 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
   DualPoint point = EvaluateDual(problem, Eigen::VectorXd::Zero(problem.targets.size()));
   // λ has the size of S and the barrier that of one. In units of the mean of S a tenth is where the
   // barrier still leads; the last is above where rounding in H hides it. On 200 random hard cases this
-  // start and the rates below took the fewest steps.
+  // start and the rates below took the fewest steps. There the rise of Newton's model was below the gap
+  // on all late parts of paths to a maximum inside, and above 100 times the gap on the others.
   constexpr double First = 0.1;
+  constexpr double Late = 1e-6;
   constexpr double Last = 1e-11;
   const double unit =
     problem.matrix.diagonal().real().sum() / static_cast<double>(problem.matrix.rows());
   double relative = 1.0;
   bool stalled = !point.positiveDefinite;
-  while (!stalled && relative > Last && point.residual > options.tolerance &&
+  bool onBorder = false;
+  while (!stalled && !onBorder && relative > Last && point.residual > options.tolerance &&
     iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
     const double barrier = First * unit * relative;
+    const double gap = barrier * static_cast<double>(point.x.size());
     Derivatives derivatives = OfDual(point);
     const Derivatives ofBarrier = OfLogDeterminant(problem, point);
     derivatives.gradient += barrier * ofBarrier.gradient;
@@ -154,6 +166,7 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
         // whole step comes to the path. Elsewhere the point is still on its way there.
         if (length == 1.0 && slope <= 10.0 * barrier)
         {
+          onBorder = relative < Late && RiseOfModel(point) > 10.0 * gap;
           relative = std::min(0.1 * relative, std::pow(relative, 1.5));
         }
       }
@@ -161,6 +174,6 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
     }
     ++iterations;
   }
-  return MaximiseNearby(problem, std::move(point), options, progress, iterations);
+  return onBorder ? point : MaximiseNearby(problem, std::move(point), options, progress, iterations);
 }
 }

@@ -26,18 +26,18 @@ struct DualPoint
 
 DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers);
 
-/// Whole Newton steps on q, for a start so close to the maximum that they converge quadratically.
+/// Whole Newton steps on q from a point so close to the maximum that they converge quadratically.
 /// Ends at the first step that leads out of the region where H is positive definite, or that does not
 /// help. Adds its steps to `iterations`.
-DualPoint MaximiseNearby(const DualProblem& problem, DualPoint start, const ReducedOptions& options,
+DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const ReducedOptions& options,
   const Progress& progress, int& iterations);
 
 /// Newton's method on q + μ log det H with falling μ, from λ = 0; then MaximiseNearby.
 ///
 /// Newton's model of q alone does not see the border of the region, on which q is finite wherever b is
 /// orthogonal to the kernel of H: a line search would end there. The barrier keeps the path in the
-/// middle. Its maximum is within μ dim H of that of q, so where q has its maximum on the border, the
-/// path ends close to it, with the residual that is left there.
+/// middle. Its maximum is within the gap μ dim H of that of q; where Newton's model of q promises far more
+/// than that, q has its maximum on the border, and the path ends with the residual that is left there.
 DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& options,
   const Progress& progress, int& iterations);
 }
