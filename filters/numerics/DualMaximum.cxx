@@ -31,7 +31,8 @@ Derivatives OfDual(const DualPoint& point)
 double RiseOfModel(const DualPoint& point)
 {
   const Derivatives derivatives = OfDual(point);
-  return 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
+  const double rise = 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
+  return rise > 0.0 ? rise : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
 }
 
 /// Of log det H: ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
@@ -139,8 +140,7 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
     problem.matrix.diagonal().real().sum() / static_cast<double>(problem.matrix.rows());
   double relative = 1.0;
   bool stalled = !point.positiveDefinite;
-  bool onBorder = false;
-  while (!stalled && !onBorder && relative > Last && point.residual > options.tolerance &&
+  while (!stalled && !point.onBorder && relative > Last && point.residual > options.tolerance &&
     iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
@@ -166,7 +166,7 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
         // whole step comes to the path. Elsewhere the point is still on its way there.
         if (length == 1.0 && slope <= 10.0 * barrier)
         {
-          onBorder = relative < Late && RiseOfModel(point) > 10.0 * gap;
+          point.onBorder = relative < Late && RiseOfModel(point) > 10.0 * gap;
           relative = std::min(0.1 * relative, std::pow(relative, 1.5));
         }
       }
@@ -174,6 +174,8 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
     }
     ++iterations;
   }
-  return onBorder ? point : MaximiseNearby(problem, std::move(point), options, progress, iterations);
+  return point.onBorder
+    ? point
+    : MaximiseNearby(problem, std::move(point), options, progress, iterations);
 }
 }

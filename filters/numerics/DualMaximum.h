@@ -22,6 +22,7 @@ struct DualPoint
   Eigen::VectorXd gradient;    ///< C_i(x) − t_i.
   double residual = std::numeric_limits<double>::infinity(); ///< Of all optimality conditions.
   DenseCholesky<Complex> factor;                             ///< Of H.
+  bool onBorder = false; ///< MaximiseFromZero has found that q has its maximum on the border.
 };
 
 DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers);

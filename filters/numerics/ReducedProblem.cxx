@@ -4,6 +4,7 @@
 #include "SerialBlas.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crossfield
 {
@@ -36,15 +37,25 @@ ReducedSolution SolveReduced(
   const DualPoint low = MaximiseFromZero(
     InModes(problem, LowModes), rough, progress.Part(0.0, 0.3), solution.iterations);
 
-  // 2. In all values from there; the whole way if that was not close enough.
+  // 2. In all values from there; the whole way if that was not close enough. A violation that is left on
+  // the border is 1e-2 and more (of the sine of a step between edges), and what the missing modes add is
+  // far below: then it would be left in all values, too.
+  constexpr double MissingModes = 1e-3;
   const DualProblem full = InValues(problem);
-  DualPoint point = MaximiseNearby(full, EvaluateDual(full, low.multipliers), options,
-    progress.Part(0.3, 0.5), solution.iterations);
-  const bool more = point.residual > options.tolerance &&
-    solution.iterations < options.maximumIterations;
-  if (!point.positiveDefinite || more)
+  DualPoint point = EvaluateDual(full, low.multipliers);
+  const bool nowhere = low.onBorder && low.residual > MissingModes;
+  if (!nowhere)
   {
-    point = MaximiseFromZero(full, options, progress.Part(0.5, 1.0), solution.iterations);
+    point = MaximiseNearby(
+      full, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
+    if (point.residual > options.tolerance && solution.iterations < options.maximumIterations)
+    {
+      point = MaximiseFromZero(full, options, progress.Part(0.5, 1.0), solution.iterations);
+    }
+  }
+  if (!point.positiveDefinite)
+  {
+    point = EvaluateDual(full, Eigen::VectorXd::Zero(full.targets.size())); // the harmonic field
   }
 
   solution.x = point.x;
