@@ -40,12 +40,13 @@ Derivatives OfLogDeterminant(const DualProblem& problem, const DualPoint& point)
 {
   const Eigen::Index size = point.x.size();
   const Eigen::MatrixXcd inverse = point.factor.Inverse();
-  // H⁻¹ Σ A_i; its columns of hole i are H⁻¹ A_i, because the A_i share no unknowns.
-  Eigen::MatrixXcd product = Eigen::MatrixXcd::Zero(size, size);
+  // The A_i share no unknowns, so the columns of hole i in H⁻¹ Σ A_i are those of H⁻¹ A_i.
+  Eigen::SparseMatrix<Complex> sum(size, size);
   for (const Eigen::SparseMatrix<Complex>& constraint : problem.constraints)
   {
-    product += inverse * constraint;
+    sum += constraint;
   }
+  const Eigen::MatrixXcd product = inverse * sum;
   const Eigen::Index holes = problem.targets.size();
   Derivatives result{ Eigen::VectorXd::Zero(holes), Eigen::MatrixXd::Zero(holes, holes) };
   for (Eigen::Index k = 0; k < size; ++k)
