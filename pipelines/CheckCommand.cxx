@@ -144,11 +144,13 @@ int Check(const CheckOptions& options)
   OutputTransaction outputs;
   if (!options.proposal.empty())
   {
-    outputs.Write(ConfigurationText(
-      proposal->GetOutput(), DomainReader::HasHeight(check->GetOutput())), options.proposal);
+    outputs.Write(
+      ConfigurationText(proposal->GetOutput(), DomainReader::HasHeight(check->GetOutput())),
+      options.proposal);
   }
   const std::string reason = vtkStringArray::SafeDownCast(
-    check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))->GetValue(0);
+    check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))
+                               ->GetValue(0);
   const bool consistent = Value(check->GetOutput(), names::Consistent) != 0.0;
   if (options.json.empty())
   {
@@ -176,8 +178,10 @@ void AddCheckCommand(CLI::App& app, int& status)
   CLI::App* command =
     app.add_subcommand("check", "say whether singularities can exist on a domain, and why");
   command->footer("Example: crossfield check builtin:disk -s four.csv --json -");
-  command->add_option("DOMAIN", options->domain, std::string(DomainReader::Help) +
-      "; a solved field is checked itself")->required();
+  command
+    ->add_option("DOMAIN", options->domain,
+      std::string(DomainReader::Help) + "; a solved field is checked itself")
+    ->required();
   command->add_option("-s,--singularities", options->singularities,
     "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; default: none");
   command->add_option("--corners", options->corners,

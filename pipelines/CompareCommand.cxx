@@ -104,7 +104,8 @@ int Compare(const CompareOptions& options)
     try
     {
       rows.push_back(run.Solve(method, options.size, epsilon, domain, singularities));
-      const double offset = options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
+      const double offset =
+        options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
       blocks.emplace_back(method, Moved(run.GetField(), offset));
       allConverged = allConverged && rows.back().converged;
       configurationServed = configurationServed || !MethodRun::IsReference(method);
@@ -157,8 +158,8 @@ void AddCompareCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield compare builtin:disk -s four.csv -o compared.vtm\n"
                   "Exit status 1 when a method refused the configuration or did not converge.");
   options->AddTo(*command);
-  command->get_option("--output")->description(
-    "the .vtm file to write; the fields go to a folder of the same name beside it");
+  command->get_option("--output")
+    ->description("the .vtm file to write; the fields go to a folder of the same name beside it");
   command
     ->add_option("--methods", options->methods,
       "separated by commas: constrained, unit-norm, unit-holes, global-constraint, imprint, "

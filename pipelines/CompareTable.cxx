@@ -122,7 +122,8 @@ std::string Text(const std::vector<CompareRow>& rows)
   std::ostringstream text;
   text << std::left << std::setw(26) << "method" << std::right << std::setw(11) << "energy"
        << std::setw(16) << "norm" << std::setw(8) << "wanted" << std::setw(9) << "unwanted"
-       << std::setw(11) << "iterations" << std::setw(9) << "seconds" << "\n";
+       << std::setw(11) << "iterations" << std::setw(9) << "seconds"
+       << "\n";
   for (const CompareRow& row : rows)
   {
     text << std::left << std::setw(26) << row.method << std::right;
@@ -136,8 +137,8 @@ std::string Text(const std::vector<CompareRow>& rows)
     text << std::fixed << std::setprecision(4) << std::setw(11) << row.energy << std::setw(16)
          << norm.str() << std::setw(8)
          << std::to_string(row.reached) + "/" + std::to_string(row.wanted) << std::setw(9)
-         << row.unwanted << std::setw(11) << row.iterations << std::setprecision(2)
-         << std::setw(9) << row.seconds << (row.converged ? "" : "  NOT converged") << "\n";
+         << row.unwanted << std::setw(11) << row.iterations << std::setprecision(2) << std::setw(9)
+         << row.seconds << (row.converged ? "" : "  NOT converged") << "\n";
   }
   return text.str();
 }

@@ -11,11 +11,12 @@ class vtkUnstructuredGrid;
 struct CompareRow
 {
   std::string method;
-  double energy = 0.0; ///< As the method defines it; with the penalty where there is one.
+  double energy = 0.0;         ///< As the method defines it; with the penalty where there is one.
   double gradientEnergy = 0.0; ///< ½ ∫ |∇u|² without it.
   double normMinimum = 0.0;    ///< Of |u| over the midpoints of edges.
   double normMaximum = 0.0;
-  int wanted = 0;   ///< Σ |k| of the singularities asked for; of the reference, what the domain requires.
+  int wanted =
+    0; ///< Σ |k| of the singularities asked for; of the reference, what the domain requires.
   int reached = 0;  ///< The part of it that the field has where it was asked for.
   int unwanted = 0; ///< As the field's report counts them.
   int iterations = 0;

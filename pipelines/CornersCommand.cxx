@@ -50,8 +50,7 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
   vtkPolyData* corners = classifier->GetOutput();
   const auto value = [corners](const char* name, vtkIdType i)
   { return corners->GetPointData()->GetArray(name)->GetTuple1(i); };
-  const bool hasHeight =
-    DomainReader::HasHeight(vtkDataSet::SafeDownCast(classifier->GetInput()));
+  const bool hasHeight = DomainReader::HasHeight(vtkDataSet::SafeDownCast(classifier->GetInput()));
   std::cout << (hasHeight ? "x y z" : "x y")
             << " angle quarter_index scarce balanced excess conventional energy\n";
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
@@ -61,9 +60,9 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
     {
       std::cout << " " << corners->GetPoint(i)[2];
     }
-    for (const char* name : { names::Angle, names::QuarterIndex, names::QuarterIndexScarce,
-           names::QuarterIndexBalanced, names::QuarterIndexExcess, names::QuarterIndexConventional,
-           names::CornerEnergy })
+    for (const char* name :
+      { names::Angle, names::QuarterIndex, names::QuarterIndexScarce, names::QuarterIndexBalanced,
+        names::QuarterIndexExcess, names::QuarterIndexConventional, names::CornerEnergy })
     {
       std::cout << " " << value(name, i);
     }
@@ -137,7 +136,8 @@ void AddCornersCommand(CLI::App& app, int& status)
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   command->add_option("-o,--output", options->output, "the .vtp file to write");
   command->add_option("--json", options->json, "write the numbers to this file, or - for output");
-  command->add_option("--override", options->overrides,
+  command
+    ->add_option("--override", options->overrides,
       "X Y K: the corner nearest to (X, Y) has the quarter index K; may be repeated")
     ->type_size(3)
     ->expected(1, 1000);

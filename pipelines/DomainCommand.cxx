@@ -37,15 +37,17 @@ void AddDomainCommand(CLI::App& app, int& status)
       "angular-balanced, angular-negative, angular-positive or angular-hole")
     ->required();
   command->add_option("-o,--output", options->output, "the .vtp file to write")->required();
-  command->add_option("--radius", options->radius,
-      "of disk, ring, quarter-disk, hexagonal and star")
+  command
+    ->add_option("--radius", options->radius, "of disk, ring, quarter-disk, hexagonal and star")
     ->capture_default_str();
   command->add_option("--inner-radius", options->innerRadius, "of ring and star")
     ->capture_default_str();
-  command->add_option("--width", options->width,
-      "of ellipse, square, rectangle, l-shape and the angular domains")
+  command
+    ->add_option(
+      "--width", options->width, "of ellipse, square, rectangle, l-shape and the angular domains")
     ->capture_default_str();
-  command->add_option("--height", options->height, "of ellipse and rectangle")->capture_default_str();
+  command->add_option("--height", options->height, "of ellipse and rectangle")
+    ->capture_default_str();
   command->add_option("--size", options->edgeLength,
     "length of the segments of curves; default: 1/40 of the domain's diagonal");
   command->callback(

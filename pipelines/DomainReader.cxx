@@ -68,7 +68,8 @@ void RequireProperties(const std::string& file)
 {
   std::ifstream stream(file);
   std::string line;
-  for (int number = 1; std::getline(stream, line) && line.compare(0, 10, "end_header") != 0; ++number)
+  for (int number = 1; std::getline(stream, line) && line.compare(0, 10, "end_header") != 0;
+       ++number)
   {
     std::istringstream stringOfWords(line);
     const std::vector<std::string> words{ std::istream_iterator<std::string>(stringOfWords), {} };
@@ -206,8 +207,10 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   {
     const std::string converted = argument.substr(0, argument.size() - ending.size()) + ".vtu";
     // Debian's package has the module, but not the command `meshio convert`.
-    throw Error("The domain '" + argument + "' is a mesh of Gmsh, which is not read here; convert it "
-      "with `python3 -c \"import meshio; meshio.write('" + converted + "', meshio.read('" + argument +
+    throw Error("The domain '" + argument +
+      "' is a mesh of Gmsh, which is not read here; convert it "
+      "with `python3 -c \"import meshio; meshio.write('" +
+      converted + "', meshio.read('" + argument +
       "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
   }
   throw Error("The domain '" + argument +

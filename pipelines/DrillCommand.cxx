@@ -57,8 +57,7 @@ void AddDrillCommand(CLI::App& app, int& status)
       // 4. Write the mesh.
       OutputTransaction outputs;
       OutputFile::Write(drill->GetOutput(), options->output, outputs);
-      std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
-                << " triangles\n";
+      std::cout << options->output << ": " << CountTriangles(drill->GetOutput()) << " triangles\n";
       outputs.Commit();
       status = Done;
     });

@@ -41,7 +41,8 @@ void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
                "renormalized_energy\n";
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const auto value = [&](const char* name) { return table->GetValueByName(row, name).ToDouble(); };
+    const auto value = [&](const char* name)
+    { return table->GetValueByName(row, name).ToDouble(); };
     std::cout << files[static_cast<std::size_t>(value(names::Configuration))];
     if (value(names::Consistent) == 0.0)
     {

@@ -32,7 +32,8 @@ std::string Write(vtkSingularityEnergy* energy, const std::vector<std::string>& 
   Json list = Json::array();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
-    const auto value = [&](const char* name) { return table->GetValueByName(row, name).ToDouble(); };
+    const auto value = [&](const char* name)
+    { return table->GetValueByName(row, name).ToDouble(); };
     const int number = table->GetValueByName(row, names::Configuration).ToInt();
     const bool consistent = value(names::Consistent) != 0.0;
     Json entry = Json::object();

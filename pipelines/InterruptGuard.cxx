@@ -84,7 +84,8 @@ void InterruptGuard::Install()
   std::signal(SIGXFSZ, SIG_IGN); // so that writing beyond a limit is an error like a full disk
 }
 
-void InterruptGuard::RemoveOnSignal(std::vector<std::string> files, std::vector<std::string> folders)
+void InterruptGuard::RemoveOnSignal(
+  std::vector<std::string> files, std::vector<std::string> folders)
 {
   Files = std::move(files);
   Folders = std::move(folders);

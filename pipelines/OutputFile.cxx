@@ -44,8 +44,8 @@ void RequireWritable(const std::string& file, const std::string& ending)
   {
     throw Error("The output '" + file + "' is a folder; choose another name.");
   }
-  std::string folder = vtksys::SystemTools::GetParentDirectory(
-    vtksys::SystemTools::CollapseFullPath(file));
+  std::string folder =
+    vtksys::SystemTools::GetParentDirectory(vtksys::SystemTools::CollapseFullPath(file));
   if (access(folder.c_str(), W_OK) != 0)
   {
     throw Error("The folder '" + folder + "' does not exist or cannot be written; choose another.");

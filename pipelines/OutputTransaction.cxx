@@ -158,7 +158,7 @@ void OutputTransaction::Place(File& file)
 {
   const std::string before = file.place + ".before" + std::to_string(getpid());
   RequireNoFolder(file.place, file.name); // it would be moved like a file
-  std::remove(before.c_str()); // of a process of this number that was killed
+  std::remove(before.c_str());            // of a process of this number that was killed
   // A second name leaves the first in place; some file systems have no such names.
   if (link(file.place.c_str(), before.c_str()) == 0 ||
     (errno != ENOENT && std::rename(file.place.c_str(), before.c_str()) == 0))

@@ -8,9 +8,9 @@
 /** A figure of the paper that shows a computation, and how it is computed here. */
 struct PaperFigure
 {
-  std::string name;  ///< Of the file.
-  std::string label; ///< In the paper's LaTeX.
-  std::string says;  ///< What the paper says about it.
+  std::string name;   ///< Of the file.
+  std::string label;  ///< In the paper's LaTeX.
+  std::string says;   ///< What the paper says about it.
   std::string domain; ///< Name of a built-in domain.
   double innerRadius; ///< Of a ring.
   std::string method; ///< One of MethodRun, or "h" for vtkHField.

@@ -102,8 +102,7 @@ std::string Write(vtkFieldData* data, const std::map<std::string, long long>& co
   return report.dump(2) + "\n";
 }
 
-std::string AddSingularities(
-  const std::string& report, vtkPolyData* singularities, bool hasHeight)
+std::string AddSingularities(const std::string& report, vtkPolyData* singularities, bool hasHeight)
 {
   Json json = Json::parse(report);
   vtkDataArray* quarters =

@@ -109,8 +109,8 @@ void CheckUsage(const SolveOptions& options)
   const bool isDefault = options.start == SolveOptions().start;
   if (!isDefault && std::find(starts.begin(), starts.end(), options.start) == starts.end())
   {
-    throw CLI::ValidationError("--start " + options.start + " does not belong to --method " +
-      options.method);
+    throw CLI::ValidationError(
+      "--start " + options.start + " does not belong to --method " + options.method);
   }
 }
 
@@ -173,8 +173,8 @@ int Solve(const SolveOptions& options)
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetMethod(options.method == "unit-norm" ? vtkPerforatedCrossField::MethodUnitNorm
                                                   : vtkPerforatedCrossField::MethodConstrained);
-  solver->SetStart(static_cast<int>(
-    std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
+  solver->SetStart(
+    static_cast<int>(std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
   solver->SetUnitHoles(options.unitHoles);
   for (const int row : options.unitHoleRows)
   {
@@ -228,8 +228,8 @@ int Solve(const SolveOptions& options)
   outputs.Commit();
 
   // 7. The answer.
-  const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0 ||
-    Value(field, names::DegreesReached) == 0.0;
+  const bool unwanted =
+    Value(field, names::UnwantedSingularities) != 0.0 || Value(field, names::DegreesReached) == 0.0;
   return Value(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo : Done;
 }
 }
@@ -261,9 +261,10 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->check(CLI::PositiveNumber);
   AddModeTo(*command, options->mode);
   command->add_flag("--unit-holes", options->unitHoles, "force unit crosses on the holes");
-  command->add_option("--unit-hole", options->unitHoleRows,
-           "force unit crosses on the hole of this row of the configuration, counted from 0; may be "
-           "given several times")
+  command
+    ->add_option("--unit-hole", options->unitHoleRows,
+      "force unit crosses on the hole of this row of the configuration, counted from 0; may be "
+      "given several times")
     ->expected(1)
     ->take_all();
   command->add_flag("--global-constraint", options->globalConstraint,

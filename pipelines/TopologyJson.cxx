@@ -44,12 +44,12 @@ Json Value(vtkDataArray* array, vtkIdType tuple, Kind kind)
   const double value = array->GetTuple1(tuple);
   switch (kind)
   {
-    case Kind::Integer:
-      return static_cast<long long>(value);
-    case Kind::Flag:
-      return value != 0.0;
-    default:
-      return value;
+  case Kind::Integer:
+    return static_cast<long long>(value);
+  case Kind::Flag:
+    return value != 0.0;
+  default:
+    return value;
   }
 }
 
@@ -62,8 +62,8 @@ std::string Text(vtkFieldData* data, const char* name, vtkIdType tuple = 0)
  * One object per tuple, with its place if there is one; entries whose array is missing or not a
  * number are left out.
  */
-Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count,
-  vtkDataSet* places = nullptr, bool hasHeight = false)
+Json Rows(vtkFieldData* data, const Entries& entries, vtkIdType count, vtkDataSet* places = nullptr,
+  bool hasHeight = false)
 {
   Json rows = Json::array();
   for (vtkIdType i = 0; i < count; ++i)

@@ -99,8 +99,9 @@ int Run(int argc, char** argv)
   }
   catch (const std::bad_alloc&)
   {
-    std::cerr << "crossfield: There is not enough memory for an input or a mesh of this size; use a "
-                 "larger mesh size.\n";
+    std::cerr
+      << "crossfield: There is not enough memory for an input or a mesh of this size; use a "
+         "larger mesh size.\n";
     return BadInput;
   }
   catch (const std::exception& error)

@@ -85,10 +85,9 @@ AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSou
       defects[k] = WrapAngle(AlignedDifference(problem, sources, k) - carried[k]);
       result.holonomyDefect.push_back(defects[k]);
     }
-    const Eigen::MatrixXd inverse =
-      (matrix.bottomRightCorner(periods, periods) -
-        coupling * holeFactor.solve(coupling.transpose()))
-        .inverse();
+    const Eigen::MatrixXd inverse = (matrix.bottomRightCorner(periods, periods) -
+      coupling * holeFactor.solve(coupling.transpose()))
+                                      .inverse();
     result.carriedPhase = carried + NearestOffsets(defects, inverse);
     Eigen::VectorXd fullLoad = mergedLoad;
     fullLoad.tail(periods) += result.carriedPhase;
@@ -96,8 +95,7 @@ AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSou
   }
 
   // 4. The forces on the trailing unknowns that keep every hole constant, and the potential.
-  const Eigen::VectorXd forces =
-    lower * (lower.transpose() * (merge * values - freeTrailing));
+  const Eigen::VectorXd forces = lower * (lower.transpose() * (merge * values - freeTrailing));
   result.solution = potential.Substitute(aligned, forces);
   result.gradient = potential.Gradient(result.solution);
   result.energy = GradientEnergy(problem.mesh, result.gradient);

@@ -56,8 +56,7 @@ constexpr double LargestRatio = 2.0;
 class SpreadLoop
 {
 public:
-  SpreadLoop(const PerforatedProblem& problem, const Eigen::VectorXd& jump,
-    std::vector<int> edges)
+  SpreadLoop(const PerforatedProblem& problem, const Eigen::VectorXd& jump, std::vector<int> edges)
     : Problem(problem)
     , Jump(jump)
     , Edges(std::move(edges))
@@ -142,7 +141,8 @@ private:
     {
       const auto& points = this->Problem.mesh.points;
       const auto& ends = this->Edge(e).vertices;
-      return Point(points[static_cast<std::size_t>(ends[1])] - points[static_cast<std::size_t>(ends[0])]);
+      return Point(
+        points[static_cast<std::size_t>(ends[1])] - points[static_cast<std::size_t>(ends[0])]);
     };
     return this->Problem.chosenQuarters.count(this->Start(i)) != 0 ||
       IsCorner(AngleBetween(direction(this->Before(i)), direction(i)));

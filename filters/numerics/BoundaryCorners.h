@@ -18,8 +18,8 @@ struct Corner
 {
   Point position = Point::Zero();
   int loop = 0;
-  int vertex = 0;     ///< Position in its loop.
-  double angle = Pi;  ///< Inside the domain, radians in (0, 2π): below π it points outwards.
+  int vertex = 0;    ///< Position in its loop.
+  double angle = Pi; ///< Inside the domain, radians in (0, 2π): below π it points outwards.
   Point inward = Point::Zero(); ///< Unit bisector of the angle, into the domain.
 
   /// Turning angle of the boundary, π − angle.

@@ -41,7 +41,8 @@ std::vector<Loop> ChainLoops(
       const Point& point = points[static_cast<std::size_t>(here)];
       if (!point.allFinite())
       {
-        throw Error("The boundary has a point whose coordinates are not finite numbers; remove it.");
+        throw Error(
+          "The boundary has a point whose coordinates are not finite numbers; remove it.");
       }
       auto& pair = neighbours[static_cast<std::size_t>(here)];
       if (pair[1] != None)
@@ -77,7 +78,8 @@ std::vector<Loop> ChainLoops(
       const auto index = static_cast<std::size_t>(here);
       visited[index] = true;
       loop.push_back(points[index]);
-      const int next = neighbours[index][0] != previous ? neighbours[index][0] : neighbours[index][1];
+      const int next =
+        neighbours[index][0] != previous ? neighbours[index][0] : neighbours[index][1];
       previous = here;
       here = next;
     }

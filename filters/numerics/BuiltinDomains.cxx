@@ -76,8 +76,7 @@ std::vector<Loop> Ellipse(const BuiltinDomain& domain)
 {
   const double width = RequirePositive(domain.width, "width");
   const double height = RequirePositive(domain.height, "height");
-  return { Arc(
-    0.5 * width, 0.5 * height, 0.0, 2.0 * Pi, EdgeLength(domain, width, height)) };
+  return { Arc(0.5 * width, 0.5 * height, 0.0, 2.0 * Pi, EdgeLength(domain, width, height)) };
 }
 
 std::vector<Loop> QuarterDisk(const BuiltinDomain& domain)
@@ -102,8 +101,7 @@ std::vector<Loop> Square(const BuiltinDomain& domain)
 
 std::vector<Loop> Rectangle(const BuiltinDomain& domain)
 {
-  return Box(
-    RequirePositive(domain.width, "width"), RequirePositive(domain.height, "height"));
+  return Box(RequirePositive(domain.width, "width"), RequirePositive(domain.height, "height"));
 }
 
 std::vector<Loop> LShape(const BuiltinDomain& domain)

@@ -29,7 +29,8 @@ public:
     for (const Entry& entry : this->Entries)
     {
       if (entry.quarters == quarters &&
-        std::equal(corners.begin(), corners.end(), entry.corners.begin(), entry.corners.end(), same))
+        std::equal(
+          corners.begin(), corners.end(), entry.corners.begin(), entry.corners.end(), same))
       {
         return *entry.potential;
       }
@@ -70,7 +71,10 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
   for (std::size_t i = 0; i < configurations.size(); ++i)
   {
     const auto step = [&](double part)
-    { return 0.1 + 0.9 * (static_cast<double>(i) + part) / static_cast<double>(configurations.size()); };
+    {
+      return 0.1 +
+        0.9 * (static_cast<double>(i) + part) / static_cast<double>(configurations.size());
+    };
     ConfigurationEnergy energy;
     energy.configuration = static_cast<int>(i);
     try
@@ -80,10 +84,9 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       energy.interior = placed.interior;
       const PointPotential& potential =
         potentials.Get(placed.corners, TotalQuarters(placed.interior));
-      energy.renormalized =
-        EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
-      const TriangleMesh drilled = DrillHoles(
-        refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
+      energy.renormalized = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
+      const TriangleMesh drilled =
+        DrillHoles(refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
       energy.perforated = ComputePerforatedEnergy(drilled, placed.corners);
       energy.consistent = true;
       energy.reason = Verdict(potential.GetProblem().count, energy.renormalized.holonomyDefect);

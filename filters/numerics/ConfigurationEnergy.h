@@ -9,9 +9,9 @@ namespace crossfield
 /// What one of several configurations on a domain costs.
 struct ConfigurationEnergy
 {
-  int configuration = 0;   ///< Number in the list that was given.
-  bool consistent = false; ///< Otherwise nothing else but the reason is set.
-  std::string reason;      ///< Verdict of the Poincaré-Hopf theorem.
+  int configuration = 0;       ///< Number in the list that was given.
+  bool consistent = false;     ///< Otherwise nothing else but the reason is set.
+  std::string reason;          ///< Verdict of the Poincaré-Hopf theorem.
   PerforatedEnergy perforated; ///< E_ρ, with a hole at every singularity.
   RenormalizedEnergyValue renormalized;
   Configuration interior; ///< The columns of the gradient, in the order given.

@@ -56,7 +56,10 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
   ClassificationOptions options;
   const std::vector<Corner> all = FindCorners(domain.loops);
   const auto isAt = [reach](const Point& position)
-  { return [&position, reach](const auto& other) { return (other.position - position).norm() <= reach; }; };
+  {
+    return [&position, reach](const auto& other)
+    { return (other.position - position).norm() <= reach; };
+  };
   for (const CornerChoice& choice : placed.corners)
   {
     if (std::any_of(all.begin(), all.end(), isAt(choice.position)))

@@ -21,7 +21,8 @@ struct PlacedConfiguration
 {
   Configuration interior;
   std::vector<std::size_t> rows; ///< Of the interior ones in the configuration.
-  std::vector<CornerChoice> corners; ///< Given ones, then those of the cheapest assignment, if used.
+  std::vector<CornerChoice>
+    corners; ///< Given ones, then those of the cheapest assignment, if used.
 };
 
 /// Tells singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from those

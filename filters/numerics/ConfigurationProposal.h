@@ -26,6 +26,6 @@ struct ProposalOptions
 /// and the disks of the others, on a grid of 1/64 of the domain's size. Radii are a third of these
 /// disks, or 1/40 of the domain's diagonal if that is less. Throws Error when a given singularity
 /// lies outside the domain, or there is no room.
-Configuration ProposeConfiguration(const PlanarDomain& domain,
-  const ProposalOptions& options = {}, const Progress& progress = {});
+Configuration ProposeConfiguration(
+  const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
 }

@@ -85,8 +85,8 @@ ConstrainedSolver::ConstrainedSolver(const PerforatedProblem& problem)
     {
       const int edge = problem.edges.ofBoundary[static_cast<std::size_t>(last)];
       const auto position = std::find(this->HoleEdges.begin(), this->HoleEdges.end(), edge);
-      entries.emplace_back(static_cast<int>(count + k),
-        static_cast<int>(position - this->HoleEdges.begin()), -1.0);
+      entries.emplace_back(
+        static_cast<int>(count + k), static_cast<int>(position - this->HoleEdges.begin()), -1.0);
       this->ConstantsCount = true;
     }
   }

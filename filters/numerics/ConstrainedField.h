@@ -44,9 +44,9 @@ public:
 
 private:
   const PerforatedProblem& Problem;
-  std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
-  std::vector<int> NextOnHole;      ///< Position in HoleEdges of the next edge of the same hole.
-  bool ConstantsCount = false;      ///< The potential has periods around holes.
+  std::vector<int> HoleEdges;  ///< Edge numbers, hole by hole, counter-clockwise.
+  std::vector<int> NextOnHole; ///< Position in HoleEdges of the next edge of the same hole.
+  bool ConstantsCount = false; ///< The potential has periods around holes.
   /// The potentials with the sources of the aligned loops only, columns Re and Im.
   PotentialSolver::Eliminated Aligned;
   Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.

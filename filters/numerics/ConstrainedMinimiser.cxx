@@ -75,21 +75,18 @@ struct LocalPoint
   }
 
   /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
-  double Merit(double weight) const
-  {
-    return this->value + weight * this->violations.lpNorm<1>();
-  }
+  double Merit(double weight) const { return this->value + weight * this->violations.lpNorm<1>(); }
   /// λ that makes ∇f + Σ λ_i A_i x smallest.
   Eigen::VectorXd LeastSquaresMultipliers() const
   {
-    return -SolveSmall(this->normals.transpose() * this->normals,
-      this->normals.transpose() * this->gradient);
+    return -SolveSmall(
+      this->normals.transpose() * this->normals, this->normals.transpose() * this->gradient);
   }
   /// The shortest step that the linearised constraints ask for.
   ComplexVector Restoration() const
   {
-    return FromParts(-this->normals *
-      SolveSmall(this->normals.transpose() * this->normals, this->violations));
+    return FromParts(
+      -this->normals * SolveSmall(this->normals.transpose() * this->normals, this->violations));
   }
 };
 
@@ -184,8 +181,7 @@ private:
     additions.shift = remember && this->NextShift >= shifts.first ? this->NextShift : 0.0;
     while (!this->Functional.Factor(this->Here.x, additions))
     {
-      additions.shift =
-        additions.shift == 0.0 ? shifts.first : shifts.growth * additions.shift;
+      additions.shift = additions.shift == 0.0 ? shifts.first : shifts.growth * additions.shift;
     }
     this->Shift = additions.shift;
     this->Scale = additions.weight;
@@ -204,10 +200,8 @@ private:
     const Eigen::VectorXd direction = -fromGradient - fromNormals * plain;
     // The weight on the normals shifts the multipliers by weight × Nᵀ δx = −weight × c.
     const Eigen::VectorXd target = plain - this->Scale * here.violations;
-    this->Weight =
-      std::max(1.0, target.size() > 0 ? 2.0 * target.lpNorm<Eigen::Infinity>() : 0.0);
-    const double slope =
-      here.gradient.dot(direction) - this->Weight * here.violations.lpNorm<1>();
+    this->Weight = std::max(1.0, target.size() > 0 ? 2.0 * target.lpNorm<Eigen::Infinity>() : 0.0);
+    const double slope = here.gradient.dot(direction) - this->Weight * here.violations.lpNorm<1>();
     const double merit = here.Merit(this->Weight);
     for (double length = 1.0; length > 1e-10; length *= 0.5)
     {

@@ -198,7 +198,8 @@ void Override(std::vector<ClassifiedCorner>& corners, const std::vector<CornerCh
                   "corner angle or leave the index out.");
     }
     const auto nearest = std::min_element(corners.begin(), corners.end(),
-      [&choice](const Corner& a, const Corner& b) {
+      [&choice](const Corner& a, const Corner& b)
+      {
         return (a.position - choice.position).squaredNorm() <
           (b.position - choice.position).squaredNorm();
       });
@@ -215,8 +216,8 @@ void Split(const PlanarDomain& domain, CornerClassification& result)
     {
       corner.quarterIndex = 1;
       Singularity singularity;
-      singularity.position = corner.position +
-        0.25 * ClearWay(domain, corner.position, corner.inward) * corner.inward;
+      singularity.position =
+        corner.position + 0.25 * ClearWay(domain, corner.position, corner.inward) * corner.inward;
       result.split.push_back(singularity);
     }
   }
@@ -227,12 +228,12 @@ const char* ScenarioName(Scenario scenario)
 {
   switch (scenario)
   {
-    case Scenario::Scarce:
-      return "scarce";
-    case Scenario::Excess:
-      return "excess";
-    default:
-      return "balanced";
+  case Scenario::Scarce:
+    return "scarce";
+  case Scenario::Excess:
+    return "excess";
+  default:
+    return "balanced";
   }
 }
 

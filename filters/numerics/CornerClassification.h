@@ -31,12 +31,12 @@ struct ScenarioCost
 struct ClassifiedCorner : Corner
 {
   int quarterIndex = 0; ///< In the cheapest assignment.
-  int scarce = 0;       ///< 3/8 − 7a/8 ≤ k/4 ≤ 5/8 − 7a/8, a = angle / 2π; of two the smaller one.
-  int balanced = 0;     ///< In the cheapest assignment of sum 4χ.
-  int excess = 0;       ///< 3/8 − 9a/8 ≤ k/4 ≤ 5/8 − 9a/8; of two the larger one.
+  int scarce = 0; ///< 3/8 − 7a/8 ≤ k/4 ≤ 5/8 − 7a/8, a = angle / 2π; of two the smaller one.
+  int balanced = 0; ///< In the cheapest assignment of sum 4χ.
+  int excess = 0;   ///< 3/8 − 9a/8 ≤ k/4 ≤ 5/8 − 9a/8; of two the larger one.
   /// Nearest of 2, 1, 0, −1, −2 to 0, π/2, π, 3π/2, 2π; the smallest rotation.
   int conventional = 0;
-  double energy = 0.0;  ///< e(angle, quarterIndex).
+  double energy = 0.0; ///< e(angle, quarterIndex).
   bool overridden = false;
   bool tied = false; ///< Another assignment of the same total energy has another index here.
 };
@@ -54,8 +54,8 @@ struct ClassificationOptions
 
 struct CornerClassification
 {
-  std::vector<ClassifiedCorner> corners; ///< In the order of the loops.
-  std::array<ScenarioCost, 3> scenarios; ///< By Scenario.
+  std::vector<ClassifiedCorner> corners;  ///< In the order of the loops.
+  std::array<ScenarioCost, 3> scenarios;  ///< By Scenario.
   Scenario scenario = Scenario::Balanced; ///< Of the cheapest assignment, before any splitting.
   double energy = 0.0; ///< Σ e(α_i, k_i) + c × number of interior quarters, after any splitting.
   int interiorQuarters = 0; ///< 4χ − Σ k_i, after any splitting.

@@ -59,8 +59,8 @@ std::vector<bool> FindCorners(const TriangleMesh& mesh, const std::vector<Bounda
 
 /// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones;
 /// returns the sum over the holes, which the indices inside do not contain.
-int ReadDegrees(const std::vector<BoundaryLoop>& loops,
-  const std::vector<BoundaryLoop>& imprinted, CrossField& field)
+int ReadDegrees(const std::vector<BoundaryLoop>& loops, const std::vector<BoundaryLoop>& imprinted,
+  CrossField& field)
 {
   field.holes.clear();
   field.wrongDegrees = 0;
@@ -107,8 +107,7 @@ Circle Describe(const TriangleMesh& mesh, const BoundaryLoop& loop)
   for (const int edge : loop.edges)
   {
     const double length = (point(ends(edge)[1]) - point(ends(edge)[0])).norm();
-    circle.reach =
-      std::max(circle.reach, (point(ends(edge)[0]) - circle.centre).norm() + length);
+    circle.reach = std::max(circle.reach, (point(ends(edge)[0]) - circle.centre).norm() + length);
   }
   return circle;
 }
@@ -147,8 +146,7 @@ int CountAppeared(
 }
 }
 
-void ReadReport(
-  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, CrossField& field)
+void ReadReport(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, CrossField& field)
 {
   const std::vector<BoundaryLoop> imprinted = FindImprintedLoops(mesh);
   const int degrees = ReadDegrees(loops, imprinted, field);
@@ -183,9 +181,7 @@ void ReadReport(
 bool IsBetter(const CrossField& field, const CrossField& other)
 {
   const auto shortcomings = [](const CrossField& of)
-  {
-    return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities, of.energy);
-  };
+  { return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities, of.energy); };
   return shortcomings(field) < shortcomings(other);
 }
 }

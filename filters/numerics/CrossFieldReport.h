@@ -20,8 +20,8 @@ struct CrossField
   EdgeNumbering edges;
   ComplexVector u; ///< Representation at each edge.
 
-  double energy = 0.0; ///< ½ ∫ |∇u|², summed over triangles; with a penalty, that as well.
-  double epsilon = 0.0;        ///< Of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0: there is none.
+  double energy = 0.0;  ///< ½ ∫ |∇u|², summed over triangles; with a penalty, that as well.
+  double epsilon = 0.0; ///< Of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0: there is none.
   double gradientEnergy = 0.0; ///< With a penalty: ½ ∫ w |∇u|²,
   double penaltyEnergy = 0.0;  ///< and the penalty.
   int iterations = 0;
@@ -29,8 +29,8 @@ struct CrossField
   bool converged = false;
   /// Constrained method: the field was started from the unit-norm field, not the harmonic one.
   bool startedFromUnitNorm = false;
-  bool unitHoles = false; ///< Constrained method: |u| = 1 was forced on holes.
-  bool globalConstraint = false; ///< Only the sum of the degrees was prescribed.
+  bool unitHoles = false;          ///< Constrained method: |u| = 1 was forced on holes.
+  bool globalConstraint = false;   ///< Only the sum of the degrees was prescribed.
   std::vector<double> multipliers; ///< One per hole, for the constraint C of DegreeConstraint.
 
   /// Per inner loop, radians; unit-norm method only (UnitNormField.h).
@@ -38,7 +38,7 @@ struct CrossField
 
   /// Of holes and imprinted circles, in the order of the configuration.
   std::vector<HoleReading> holes;
-  int wrongDegrees = 0; ///< Holes whose degree is not the prescribed one.
+  int wrongDegrees = 0;       ///< Holes whose degree is not the prescribed one.
   bool degreesReached = true; ///< None is wrong; with the global constraint, their sum is right.
   int unwantedSingularities = 0;
   PoincareHopfCount count;
@@ -52,7 +52,8 @@ struct CrossField
 /// which may take what they like. Where singularities may appear by themselves, beside imprinted
 /// circles and with a penalty, they are counted as FieldSingularities.h reads them, by |k|; those in
 /// an imprinted circle or within an edge of it count as far as they exceed what it asks for.
-void ReadReport(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, CrossField& field);
+void ReadReport(
+  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, CrossField& field);
 
 /// Which of two fields is the better answer: converged, with fewer wrong degrees, fewer unwanted
 /// singularities, less energy; the first that differs decides.

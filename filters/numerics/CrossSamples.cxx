@@ -14,9 +14,9 @@ CrossSamples SampleField(
     const auto& triangle = mesh.triangles[t];
     const auto& numbers = edges.ofTriangle[t];
     const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const double area =
-      0.5 * Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
-              mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
+    const double area = 0.5 *
+      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
+        mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
     const Complex sum = u[numbers[0]] + u[numbers[1]] + u[numbers[2]];
     samples.atTriangles[static_cast<Eigen::Index>(t)] = sum / 3.0;
     for (std::size_t i = 0; i < 3; ++i)

@@ -49,11 +49,11 @@ Eigen::SparseMatrix<Complex> DegreeConstraint::Hessian(Eigen::Index size) const
   return matrix;
 }
 
-DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
-  const std::vector<Point>& midpoints, const Point& centre, int degree)
+DegreeConstraint MakeDegreeConstraint(
+  std::vector<int> unknowns, const std::vector<Point>& midpoints, const Point& centre, int degree)
 {
-  DegreeConstraint constraint{ std::move(unknowns), degree,
-    DegreeTarget(midpoints, centre, degree), {} };
+  DegreeConstraint constraint{ std::move(unknowns), degree, DegreeTarget(midpoints, centre, degree),
+    {} };
   for (const Point& midpoint : midpoints)
   {
     const Point arm = midpoint - centre;

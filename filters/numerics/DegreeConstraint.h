@@ -30,8 +30,8 @@ struct DegreeConstraint
 /// The constraint on edges with the given midpoints, counter-clockwise, seen from the given centre:
 /// CentreOf the loop, which is that of the circle also where the mesher has divided some edges.
 /// Throws Error as DegreeTarget does.
-DegreeConstraint MakeDegreeConstraint(std::vector<int> unknowns,
-  const std::vector<Point>& midpoints, const Point& centre, int degree);
+DegreeConstraint MakeDegreeConstraint(
+  std::vector<int> unknowns, const std::vector<Point>& midpoints, const Point& centre, int degree);
 
 /// Σ_j sin(d Δα_j), with Δα_j the angle between the midpoints of edges j and j + 1 seen from the
 /// centre; m sin(2πd/m) on a regular polygon. Throws Error unless |d| < m/2.

@@ -96,7 +96,8 @@ void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dis
   }
   RequireMemory(entries * sizeof(double),
     "The factorisation of " + std::to_string(matrix.rows()) + " unknowns, of which " +
-      std::to_string(dissection.border.size()) + " on holes and on the cut through the mesh are dense,",
+      std::to_string(dissection.border.size()) +
+      " on holes and on the cut through the mesh are dense,",
     "use a larger mesh size, fewer holes or fewer edges on them");
 }
 }
@@ -134,8 +135,8 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
     }
   }
   std::array<Eigen::MatrixXd, 2> parts;
-  ForBothHalves([&](std::size_t half)
-    { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
+  ForBothHalves(
+    [&](std::size_t half) { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
   progress.Report(0.9);
   for (std::size_t half = 0; half < 2; ++half)
   {
@@ -164,7 +165,8 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   }
 
   // 1. The part of the border next to the half, in the border's order.
-  std::vector<int> local(static_cast<std::size_t>(this->Size), -1); // positions in elimination order
+  std::vector<int> local(
+    static_cast<std::size_t>(this->Size), -1); // positions in elimination order
   for (std::size_t i = 0; i < half.unknowns.size(); ++i)
   {
     local[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
@@ -186,8 +188,9 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   const auto borderSize = static_cast<int>(half.border.size());
   for (int i = 0; i < borderSize; ++i)
   {
-    local[static_cast<std::size_t>(this->Border[static_cast<std::size_t>(
-      half.border[static_cast<std::size_t>(i)])])] = innerSize + i;
+    local[static_cast<std::size_t>(
+      this->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(i)])])] =
+      innerSize + i;
   }
   Eigen::SparseMatrix<double> part(innerSize + borderSize, innerSize + borderSize);
   part.reserve(matrix.nonZeros() / 3);
@@ -197,7 +200,8 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   {
     const int unknown = j < innerSize
       ? half.unknowns[static_cast<std::size_t>(j)]
-      : this->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(j - innerSize)])];
+      : this
+          ->Border[static_cast<std::size_t>(half.border[static_cast<std::size_t>(j - innerSize)])];
     column.clear();
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, unknown); entry; ++entry)
     {
@@ -211,8 +215,8 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
         before(i - innerSize, j - innerSize) = entry.value();
       }
     }
-    std::sort(column.begin(), column.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(
+      column.begin(), column.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     part.startVec(j);
     for (const auto& [row, value] : column)
     {
@@ -237,7 +241,8 @@ DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
 {
   Eliminated eliminated;
   std::array<Eigen::MatrixXd, 2> ofBorder;
-  ForBothHalves([&](std::size_t h)
+  ForBothHalves(
+    [&](std::size_t h)
     {
       const Half& half = this->Halves[h];
       if (half.unknowns.empty())
@@ -245,8 +250,8 @@ DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
         eliminated.halves[h].resize(0, rightHandSides.cols());
         return;
       }
-      Eigen::MatrixXd load = Eigen::MatrixXd::Zero(
-        Count(half.unknowns) + Count(half.border), rightHandSides.cols());
+      Eigen::MatrixXd load =
+        Eigen::MatrixXd::Zero(Count(half.unknowns) + Count(half.border), rightHandSides.cols());
       for (Eigen::Index i = 0; i < Count(half.unknowns); ++i)
       {
         load.row(i) = rightHandSides.row(half.unknowns[static_cast<std::size_t>(i)]);
@@ -283,7 +288,8 @@ Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) cons
   {
     solution.row(this->Border[static_cast<std::size_t>(i)]) = border.row(i);
   }
-  ForBothHalves([&](std::size_t h)
+  ForBothHalves(
+    [&](std::size_t h)
     {
       const Half& half = this->Halves[h];
       if (half.unknowns.empty())

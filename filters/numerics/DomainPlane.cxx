@@ -125,8 +125,8 @@ Point DomainPlane::RequireInPlane(const Vector3d& place, const std::string& what
   const double distance = std::abs(this->Normal.dot(place) - this->Offset);
   if (!this->IsHorizontal() && distance > 1e-3 * this->Size)
   {
-    throw Error(what + " at (" + Text(place.x()) + ", " + Text(place.y()) + ", " +
-      Text(place.z()) + ") is " + Text(distance) +
+    throw Error(what + " at (" + Text(place.x()) + ", " + Text(place.y()) + ", " + Text(place.z()) +
+      ") is " + Text(distance) +
       " off the plane of the domain; give it in that plane, in a .csv file with a column z.");
   }
   return this->ToPlane(place);

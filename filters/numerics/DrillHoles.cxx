@@ -18,8 +18,7 @@ namespace
 {
 std::string Describe(std::size_t row, const Singularity& singularity)
 {
-  return "singularity " + std::to_string(row) + " at " +
-    crossfield::Describe(singularity.position);
+  return "singularity " + std::to_string(row) + " at " + crossfield::Describe(singularity.position);
 }
 
 void CheckSingularity(std::size_t row, const Singularity& singularity)
@@ -82,16 +81,18 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
 /// Number of edges of a hole; see DrillOptions::minimumHoleEdges.
 int HoleEdges(std::size_t row, const Singularity& hole, double meshSize, int minimum)
 {
-  const double edges = std::max({ static_cast<double>(minimum),
-    8.0 * std::abs(static_cast<double>(hole.quarterIndex)),
-    std::ceil(2.0 * Pi * hole.radius / meshSize) });
+  const double edges =
+    std::max({ static_cast<double>(minimum), 8.0 * std::abs(static_cast<double>(hole.quarterIndex)),
+      std::ceil(2.0 * Pi * hole.radius / meshSize) });
   // A ring of triangles around the hole, two to an edge, at the least.
   RequireMemory(2.0 * edges * MeshBytesPerTriangle,
-    "The hole of " + Describe(row, hole) + " with " + std::to_string(std::llround(edges)) + " edges",
+    "The hole of " + Describe(row, hole) + " with " + std::to_string(std::llround(edges)) +
+      " edges",
     "give a smaller quarter index or fewer edges");
   if (edges > std::numeric_limits<int>::max())
   {
-    throw Error("The hole of " + Describe(row, hole) + " would have more edges than can be "
+    throw Error("The hole of " + Describe(row, hole) +
+      " would have more edges than can be "
       "numbered; give a smaller quarter index or fewer edges.");
   }
   return static_cast<int>(edges);
@@ -147,8 +148,7 @@ void RequireResolution(
 }
 
 /// Short segments of the boundary and of the holes ask for small triangles around them.
-SizeField MakeSizeField(
-  const PlanarDomain& domain, double meshSize, const DrillOptions& options)
+SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const DrillOptions& options)
 {
   // Short segments of the boundary and of the holes ask for small triangles around them.
   std::vector<SizeSource> sources = options.refinements;
@@ -192,8 +192,8 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   }
   if (options.mode == DrillMode::Triangle)
   {
-    TriangleMesh mesh = TriangulateDomain(domain, LoopMarks(domain),
-      MakeSizeField(domain, meshSize, options), progress);
+    TriangleMesh mesh = TriangulateDomain(
+      domain, LoopMarks(domain), MakeSizeField(domain, meshSize, options), progress);
     MarkTriangles(domain, configuration, mesh);
     return mesh;
   }
@@ -206,8 +206,8 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
 
   PlanarDomain drilled = domain;
   std::vector<BoundaryEdge> marks = LoopMarks(domain);
-  const BoundaryKind kind = options.mode == DrillMode::Imprint ? BoundaryKind::ImprintedCircle
-                                                               : BoundaryKind::Hole;
+  const BoundaryKind kind =
+    options.mode == DrillMode::Imprint ? BoundaryKind::ImprintedCircle : BoundaryKind::Hole;
   for (std::size_t i = 0; i < holes.size(); ++i)
   {
     const int edges = HoleEdges(i, holes[i], meshSize, options.minimumHoleEdges);
@@ -215,7 +215,6 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  return TriangulateDomain(
-    drilled, marks, MakeSizeField(drilled, meshSize, options), progress);
+  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options), progress);
 }
 }

@@ -32,7 +32,8 @@ double RiseOfModel(const DualPoint& point)
 {
   const Derivatives derivatives = OfDual(point);
   const double rise = 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
-  return rise > 0.0 ? rise : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
+  return rise > 0.0 ? rise
+                    : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
 }
 
 /// Of log det H: ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
@@ -101,8 +102,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
   const double violation = point.gradient.cwiseAbs().cwiseQuotient(problem.sizes).maxCoeff();
   const ComplexVector elastic = hessian.selfadjointView<Eigen::Lower>() * point.x;
   const double scale = elastic.norm() + problem.load.norm();
-  point.residual =
-    std::max(violation, scale > 0.0 ? (elastic - problem.load).norm() / scale : 0.0);
+  point.residual = std::max(violation, scale > 0.0 ? (elastic - problem.load).norm() / scale : 0.0);
   return point;
 }
 
@@ -175,8 +175,7 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& opt
     }
     ++iterations;
   }
-  return point.onBorder
-    ? point
-    : MaximiseNearby(problem, std::move(point), options, progress, iterations);
+  return point.onBorder ? point
+                        : MaximiseNearby(problem, std::move(point), options, progress, iterations);
 }
 }

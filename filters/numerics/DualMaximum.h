@@ -18,8 +18,8 @@ struct DualPoint
   ComplexVector x;
   Eigen::MatrixXcd normals; ///< Column i is A_i x.
   double value = 0.0;
-  double logDeterminant = 0.0; ///< Of H.
-  Eigen::VectorXd gradient;    ///< C_i(x) − t_i.
+  double logDeterminant = 0.0;                               ///< Of H.
+  Eigen::VectorXd gradient;                                  ///< C_i(x) − t_i.
   double residual = std::numeric_limits<double>::infinity(); ///< Of all optimality conditions.
   DenseCholesky<Complex> factor;                             ///< Of H.
   bool onBorder = false; ///< MaximiseFromZero has found that q has its maximum on the border.

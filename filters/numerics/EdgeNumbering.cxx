@@ -45,8 +45,7 @@ private:
 };
 
 /// Chains directed edges of any kinds into loops.
-std::vector<BoundaryLoop> FindLoops(
-  const std::vector<BoundaryEdge>& edges, std::size_t vertexCount)
+std::vector<BoundaryLoop> FindLoops(const std::vector<BoundaryEdge>& edges, std::size_t vertexCount)
 {
   std::map<std::tuple<int, int>, std::vector<int>> groups;
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -118,8 +117,8 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
     std::array<int, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i)
     {
-      numbers[i] = table.Number(
-        mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3], edges.vertices);
+      numbers[i] =
+        table.Number(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3], edges.vertices);
       edges.triangles.resize(edges.vertices.size(), { None, None });
       auto& pair = edges.triangles[static_cast<std::size_t>(numbers[i])];
       if (pair[1] != None)
@@ -151,8 +150,8 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
   }
   for (const BoundaryEdge& edge : mesh.imprinted)
   {
-    const auto number = static_cast<std::size_t>(
-      table.Number(edge.vertices[0], edge.vertices[1], edges.vertices));
+    const auto number =
+      static_cast<std::size_t>(table.Number(edge.vertices[0], edge.vertices[1], edges.vertices));
     if (number >= marked.size() || edges.triangles[number][1] == None || marked[number])
     {
       throw Error("A line of an imprinted circle is not an edge between two triangles, or is there "
@@ -179,8 +178,7 @@ std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges)
 
 Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh)
 {
-  const auto& marked =
-    loop.kind == BoundaryKind::ImprintedCircle ? mesh.imprinted : mesh.boundary;
+  const auto& marked = loop.kind == BoundaryKind::ImprintedCircle ? mesh.imprinted : mesh.boundary;
   Point sum = Point::Zero();
   double length = 0.0;
   for (const int edge : loop.edges)

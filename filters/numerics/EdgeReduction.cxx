@@ -16,8 +16,8 @@ Point Midpoint(const TriangleMesh& mesh, const EdgeNumbering& edges, int edge)
 }
 }
 
-EdgeReduction::EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<BoundaryLoop>& loops)
+EdgeReduction::EdgeReduction(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
   : Aligned(mesh, edges)
 {
   std::vector<int> freePosition(static_cast<std::size_t>(edges.Count()), -1);
@@ -35,9 +35,8 @@ EdgeReduction::EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edge
       this->Constrained.push_back(freePosition[static_cast<std::size_t>(edge)]);
       midpoints.push_back(Midpoint(mesh, edges, edge));
     }
-    this->Reduced.constraints.push_back(
-      MakeDegreeConstraint(
-        std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
+    this->Reduced.constraints.push_back(MakeDegreeConstraint(
+      std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
   this->Factor = std::make_unique<SparseCholesky>(
     this->Aligned.freeStiffness, this->Aligned.EliminationOrder(this->Constrained));

@@ -20,8 +20,8 @@ class EdgeReduction
 public:
   /// `loops`: holes and imprinted circles, one degree constraint each. Throws Error when one has too
   /// few edges for its degree.
-  EdgeReduction(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const std::vector<BoundaryLoop>& loops);
+  EdgeReduction(
+    const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops);
   ~EdgeReduction();
 
   const AlignedProblem& GetAligned() const { return this->Aligned; }

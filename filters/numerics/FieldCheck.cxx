@@ -20,8 +20,8 @@ bool IsAmong(const std::vector<CountedCorner>& corners, const Point& place)
 }
 
 /// The indices that the field takes at corners, and where else on the boundary they are not 0.
-std::vector<CornerChoice> TakenIndices(const TriangleMesh& mesh, const FieldIndices& indices,
-  const std::vector<CountedCorner>& corners)
+std::vector<CornerChoice> TakenIndices(
+  const TriangleMesh& mesh, const FieldIndices& indices, const std::vector<CountedCorner>& corners)
 {
   std::vector<CornerChoice> taken;
   for (const BoundaryEdge& edge : mesh.boundary)

@@ -10,8 +10,8 @@ struct FieldCheck
   /// Counted with the indices that the field takes at corners and other vertices of the boundary;
   /// given: degrees of the holes and indices inside. The two sums agree for every field.
   PoincareHopfCount count;
-  std::vector<HoleReading> holes;      ///< In the order of the configuration.
-  std::vector<int> prescribedDegrees;  ///< Likewise.
+  std::vector<HoleReading> holes;     ///< In the order of the configuration.
+  std::vector<int> prescribedDegrees; ///< Likewise.
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.
   /// As in CrossField, but triangles at a corner belong to it, and on a mesh without holes the
   /// singularities that the boundary asks for are nobody's fault.
@@ -24,6 +24,6 @@ struct FieldCheck
 /// Reads degrees of holes, interior indices and the indices of corners from a field on a drilled
 /// mesh; `u` has one value per edge, and `choices` are the quarter indices that it was asked to
 /// take. Throws Error when it has a value that is not finite, or is not aligned with the boundary.
-FieldCheck CheckField(const TriangleMesh& mesh, const ComplexVector& u,
-  const std::vector<CornerChoice>& choices = {});
+FieldCheck CheckField(
+  const TriangleMesh& mesh, const ComplexVector& u, const std::vector<CornerChoice>& choices = {});
 }

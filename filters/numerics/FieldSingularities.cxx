@@ -51,8 +51,7 @@ std::vector<VertexRole> FindRoles(const TriangleMesh& mesh, double cornerAngle)
     if (IsAligned(edge))
     {
       const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
-      roles[vertex].place =
-        edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
+      roles[vertex].place = edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
       roles[vertex].id = edge.id;
       roles[vertex].corner = IsCorner(AngleBetween(arriving[vertex], direction(edge)), cornerAngle);
     }
@@ -202,8 +201,7 @@ std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumberin
     {
       continue;
     }
-    Cluster& cluster =
-      clusters[sets.Find(indices.ofTriangle[t] != 0 ? triangle[0] : *around)];
+    Cluster& cluster = clusters[sets.Find(indices.ofTriangle[t] != 0 ? triangle[0] : *around)];
     if (const auto zero = LinearZero(mesh, edges, u, t, cluster.quarterIndex))
     {
       cluster.zeros.push_back(*zero);
@@ -241,8 +239,8 @@ FieldSingularity DescribeHole(
   hole.quarterIndex = reading.degree;
   const auto vertex = [&](int edge)
   {
-    return mesh.points[static_cast<std::size_t>(
-      mesh.boundary[static_cast<std::size_t>(edge)].vertices[0])];
+    return mesh
+      .points[static_cast<std::size_t>(mesh.boundary[static_cast<std::size_t>(edge)].vertices[0])];
   };
   for (const int edge : loop.edges)
   {

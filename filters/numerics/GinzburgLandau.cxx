@@ -44,23 +44,23 @@ ComplexVector Start(const GinzburgLandauOptions& options, const GinzburgLandauEn
   ComplexVector u;
   switch (options.start)
   {
-    case GinzburgLandauStart::Harmonic:
-      return energy.HarmonicField();
-    case GinzburgLandauStart::Constant:
-      u = ComplexVector::Ones(edges.Count());
-      break;
-    case GinzburgLandauStart::Zero:
-      u = ComplexVector::Zero(edges.Count());
-      break;
-    case GinzburgLandauStart::Given:
-      if (options.given.size() != edges.Count() || !options.given.allFinite())
-      {
-        throw Error("The field to start from has " + std::to_string(options.given.size()) +
-          " values or some that are not finite; give one finite value for each of the " +
-          std::to_string(edges.Count()) + " edges.");
-      }
-      u = options.given;
-      break;
+  case GinzburgLandauStart::Harmonic:
+    return energy.HarmonicField();
+  case GinzburgLandauStart::Constant:
+    u = ComplexVector::Ones(edges.Count());
+    break;
+  case GinzburgLandauStart::Zero:
+    u = ComplexVector::Zero(edges.Count());
+    break;
+  case GinzburgLandauStart::Given:
+    if (options.given.size() != edges.Count() || !options.given.allFinite())
+    {
+      throw Error("The field to start from has " + std::to_string(options.given.size()) +
+        " values or some that are not finite; give one finite value for each of the " +
+        std::to_string(edges.Count()) + " edges.");
+    }
+    u = options.given;
+    break;
   }
   energy.Align(u);
   return u;
@@ -258,8 +258,7 @@ void ReadField(
     sum += singularity.quarterIndex;
   }
   field.count.givenInteriorQuarters = sum;
-  field.unwantedSingularities =
-    std::max(0, size - std::abs(field.count.requiredInteriorQuarters));
+  field.unwantedSingularities = std::max(0, size - std::abs(field.count.requiredInteriorQuarters));
 }
 }
 

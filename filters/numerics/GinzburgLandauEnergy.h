@@ -67,7 +67,7 @@ public:
   ComplexVector HarmonicField() const { return this->Aligned.HarmonicField(); }
 
 private:
-  double InverseSquare;   ///< 1/ε².
+  double InverseSquare; ///< 1/ε².
   AlignedProblem Aligned;
   // Per edge: the penalty is InverseSquare / 4 × (Mass |u|⁴ − 2 Pull |u|² + Offset).
   Eigen::VectorXd Mass;

@@ -57,15 +57,15 @@ void SetCores(const TriangleMesh& mesh, const EdgeNumbering& edges,
     for (const LogSource& log : solution.logs)
     {
       const Point& point = mesh.points[static_cast<std::size_t>(v)];
-      values[v] += point == log.position
-        ? log.strength * (std::log(0.5 * shortest) - 0.5)
-        : log.Value(point);
+      values[v] +=
+        point == log.position ? log.strength * (std::log(0.5 * shortest) - 0.5) : log.Value(point);
     }
   }
 }
 
 /// Φ = R + logs at the vertices, area mean 0.
-Eigen::VectorXd AssembleValues(const PointPotential& potential, const PointPotential::Solution& solution)
+Eigen::VectorXd AssembleValues(
+  const PointPotential& potential, const PointPotential::Solution& solution)
 {
   const TriangleMesh& mesh = potential.GetProblem().mesh;
   const auto count = static_cast<Eigen::Index>(mesh.points.size());
@@ -91,15 +91,16 @@ Eigen::VectorXd AssembleValues(const PointPotential& potential, const PointPoten
 
 /// u from the conjugate of R, the turns of the corners' logarithms along the way, and the arguments
 /// of the singularities as powers of unit complex numbers, which needs no branches.
-ComplexVector AssembleField(const PointPotential& potential, const PointPotential::Solution& solution)
+ComplexVector AssembleField(
+  const PointPotential& potential, const PointPotential::Solution& solution)
 {
   const PerforatedProblem& problem = potential.GetProblem();
   const TriangleMesh& mesh = problem.mesh;
   const int first = problem.FirstOuterEdge();
-  const Eigen::RowVectorXd phase = IntegrateConjugate(mesh, problem.edges,
-    problem.potential->Gradient(solution.aligned),
-    problem.edges.ofBoundary[static_cast<std::size_t>(first)], Eigen::VectorXd::Zero(1),
-    potential.GetCorners());
+  const Eigen::RowVectorXd phase =
+    IntegrateConjugate(mesh, problem.edges, problem.potential->Gradient(solution.aligned),
+      problem.edges.ofBoundary[static_cast<std::size_t>(first)], Eigen::VectorXd::Zero(1),
+      potential.GetCorners());
   const std::size_t singularities = solution.logs.size() - potential.GetCorners().size();
   ComplexVector u(phase.size());
   for (Eigen::Index e = 0; e < phase.size(); ++e)
@@ -123,8 +124,8 @@ double Misalignment(const PointPotential& potential, const ComplexVector& u)
   for (Eigen::Index i = 0; i < problem.aligned.size(); ++i)
   {
     const Complex wanted = problem.aligned[i] * std::polar(1.0, potential.GetMidpointShift()[i]);
-    largest = std::max(largest,
-      std::abs(u[problem.edges.ofBoundary[static_cast<std::size_t>(i)]] - wanted));
+    largest = std::max(
+      largest, std::abs(u[problem.edges.ofBoundary[static_cast<std::size_t>(i)]] - wanted));
   }
   return largest;
 }
@@ -136,7 +137,7 @@ std::vector<double> LongestEdges(const TriangleMesh& mesh, const EdgeNumbering& 
   for (const auto& ends : edges.vertices)
   {
     const double length = (mesh.points[static_cast<std::size_t>(ends[0])] -
-                            mesh.points[static_cast<std::size_t>(ends[1])])
+      mesh.points[static_cast<std::size_t>(ends[1])])
                             .norm();
     for (int vertex : ends)
     {
@@ -292,8 +293,8 @@ bool HasHoles(const std::vector<BoundaryLoop>& loops)
 }
 
 /// Throws unless the singularity lies in a hole of its quarter index.
-void RequireHole(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops,
-  const Singularity& singularity)
+void RequireHole(
+  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, const Singularity& singularity)
 {
   for (const BoundaryLoop& loop : loops)
   {

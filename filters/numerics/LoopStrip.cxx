@@ -41,9 +41,7 @@ std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumber
   const std::vector<BoundaryLoop>& loops, bool withHoles)
 {
   const auto wanted = [withHoles](const BoundaryLoop& loop)
-  {
-    return loop.kind == BoundaryKind::Inner || (withHoles && loop.kind == BoundaryKind::Hole);
-  };
+  { return loop.kind == BoundaryKind::Inner || (withHoles && loop.kind == BoundaryKind::Hole); };
   std::vector<LoopStrip> strips;
   if (std::none_of(loops.begin(), loops.end(), wanted))
   {
@@ -98,8 +96,8 @@ std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumber
       const int edge = edges.ofBoundary[static_cast<std::size_t>(boundaryEdge)];
       return order[static_cast<std::size_t>(triangles[static_cast<std::size_t>(edge)][0])];
     };
-    const int nearest = *std::min_element(loop.edges.begin(), loop.edges.end(),
-      [&](int a, int b) { return reached(a) < reached(b); });
+    const int nearest = *std::min_element(
+      loop.edges.begin(), loop.edges.end(), [&](int a, int b) { return reached(a) < reached(b); });
     LoopStrip strip;
     strip.lastBoundaryEdge = nearest;
     int out = edges.ofBoundary[static_cast<std::size_t>(nearest)];

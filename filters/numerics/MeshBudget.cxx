@@ -56,8 +56,8 @@ public:
     }
     double sum = 0.0;
     const double half = 0.5 * halfWidth;
-    for (const Point& step : { Point(-half, -half), Point(half, -half), Point(-half, half),
-           Point(half, half) })
+    for (const Point& step :
+      { Point(-half, -half), Point(half, -half), Point(-half, half), Point(half, half) })
     {
       sum += this->Integrate(centre + step, half, kept);
     }
@@ -113,8 +113,7 @@ void RequireMemoryForMesh(const PlanarDomain& domain, const std::vector<SizeSour
   // a vector that grows takes twice its size.
   const double latticeBytesPerTriangle =
     0.5 * 2.0 * sizeof(Point) * BoundingBox(domain).volume() / domain.Area();
-  const double bytes =
-    std::max(triangles * MeshBytesPerTriangle, bulk * latticeBytesPerTriangle);
+  const double bytes = std::max(triangles * MeshBytesPerTriangle, bulk * latticeBytesPerTriangle);
   const double available = AvailableMemory().value_or(bytes);
   if (bytes <= available && triangles <= MostTriangles)
   {
@@ -122,7 +121,8 @@ void RequireMemoryForMesh(const PlanarDomain& domain, const std::vector<SizeSour
   }
   std::ostringstream what;
   what.precision(3);
-  what << "A mesh with edge length " << maximum << " would have about " << triangles << " triangles";
+  what << "A mesh with edge length " << maximum << " would have about " << triangles
+       << " triangles";
   std::ostringstream mend;
   mend.precision(3);
   mend << "choose ";

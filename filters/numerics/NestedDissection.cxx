@@ -158,8 +158,8 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   for (int half = 0; half < 2; ++half)
   {
     int part = half; // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
-    dissector.Order(half == 0 ? begin : halves.leftEnd,
-      half == 0 ? halves.leftEnd : halves.rightEnd, part);
+    dissector.Order(
+      half == 0 ? begin : halves.leftEnd, half == 0 ? halves.leftEnd : halves.rightEnd, part);
   }
   Dissection dissection;
   dissection.left.assign(begin, halves.leftEnd);

@@ -126,7 +126,7 @@ private:
   }
 
   const GinzburgLandauEnergy& Energy;
-  ComplexVector Field; ///< For the values on the aligned edges.
+  ComplexVector Field;          ///< For the values on the aligned edges.
   std::vector<int> Constrained; ///< Positions in FreeEdges.
   std::vector<int> Order;
   double MeanDiagonal; ///< Of the stiffness matrix.

@@ -206,8 +206,8 @@ PerforatedEnergy ComputePerforatedEnergy(
     }
   }
   const Eigen::MatrixXd& lower = given.TrailingFactor();
-  const Eigen::MatrixXd root = lower.triangularView<Eigen::Lower>().transpose() *
-    merge.topLeftCorner(lower.rows(), holes);
+  const Eigen::MatrixXd root =
+    lower.triangularView<Eigen::Lower>().transpose() * merge.topLeftCorner(lower.rows(), holes);
   result.degreeOnlyLower =
     0.5 * turns.dot(Eigen::LLT<Eigen::MatrixXd>(root.transpose() * root).solve(turns));
   const Eigen::MatrixXd periods =

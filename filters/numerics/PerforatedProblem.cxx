@@ -38,8 +38,7 @@ std::map<int, int> ChosenByVertex(
 }
 }
 
-PerforatedProblem::PerforatedProblem(
-  const TriangleMesh& drilled, PotentialSolver::Periods periods,
+PerforatedProblem::PerforatedProblem(const TriangleMesh& drilled, PotentialSolver::Periods periods,
   const std::vector<CornerChoice>& chosenCorners, int pointQuarters, const Progress& progress)
   : mesh(drilled)
   , corners(chosenCorners)

@@ -68,8 +68,8 @@ void UseConstrained(const PerforatedProblem& problem, const PerforatedOptions& o
   CrossField other = field;
   other.startedFromUnitNorm = true;
   UseSolution(problem, solver,
-    SolveReducedFrom(solver.GetReducedProblem(), solver.HoleValues(unitNorm), patience,
-      progress.Part(0.5, 0.8)),
+    SolveReducedFrom(
+      solver.GetReducedProblem(), solver.HoleValues(unitNorm), patience, progress.Part(0.5, 0.8)),
     other);
   if (options.start == PerforatedStart::UnitNorm || IsBetter(other, field))
   {
@@ -101,8 +101,8 @@ CrossField SolvePerforated(
     return SolveVariant(mesh, options, progress);
   }
   CrossField field;
-  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners, 0,
-    progress.Part(0.0, 0.6));
+  const PerforatedProblem problem(
+    mesh, PotentialSolver::Periods::Islands, options.corners, 0, progress.Part(0.0, 0.6));
   field.count = problem.count;
   field.seconds.assemble = problem.assembleSeconds;
   field.seconds.factor = problem.factorSeconds;
@@ -121,8 +121,8 @@ CrossField SolvePerforated(
     {
       UseConstrained(problem, options, progress.Part(0.6, 0.9), field);
     }
-    const bool mend = options.start == PerforatedStart::Best &&
-      (field.wrongDegrees > 0 || !field.converged);
+    const bool mend =
+      options.start == PerforatedStart::Best && (field.wrongDegrees > 0 || !field.converged);
     if (options.unitHoles || mend)
     {
       UseUnitHoles(problem, options.reduced, progress.Part(0.9, 1.0), field);

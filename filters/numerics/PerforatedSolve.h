@@ -47,6 +47,6 @@ struct PerforatedOptions
 ///
 /// Throws Error when the quarter indices violate Poincaré-Hopf or a hole has too few edges for its
 /// degree. An iteration that does not converge is not an error: see CrossField::converged.
-CrossField SolvePerforated(const TriangleMesh& mesh, const PerforatedOptions& options = {},
-  const Progress& progress = {});
+CrossField SolvePerforated(
+  const TriangleMesh& mesh, const PerforatedOptions& options = {}, const Progress& progress = {});
 }

@@ -107,9 +107,10 @@ constexpr std::size_t MostAddedVertices = 150000;
   }
   std::ostringstream text;
   text.precision(3);
-  text << "The boundary comes within " << narrowest << " of itself near " << Describe(place)
-       << ", and triangles as small as this gap were not asked for; widen the gap, close it, or give "
-          "a mesh size of its width.";
+  text
+    << "The boundary comes within " << narrowest << " of itself near " << Describe(place)
+    << ", and triangles as small as this gap were not asked for; widen the gap, close it, or give "
+       "a mesh size of its width.";
   throw Error(text.str());
 }
 
@@ -154,8 +155,7 @@ void ComputeDepths(Triangulation& triangulation, const std::vector<bool>& imprin
         {
           // Loops do not touch: the ends of a segment are of the same one.
           const bool crosses = triangulation.is_constrained({ face, i }) &&
-            !imprinted[static_cast<std::size_t>(
-              face->vertex(Triangulation::cw(i))->info().loop)];
+            !imprinted[static_cast<std::size_t>(face->vertex(Triangulation::cw(i))->info().loop)];
           neighbour->info().depth = depth + (crosses ? 1 : 0);
           (crosses ? next : current).push_back(neighbour);
         }
@@ -338,10 +338,9 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops)
     if (triangulation.is_constrained(*edge))
     {
       const auto face = edge->first;
-      const auto loop = static_cast<std::size_t>(
-        face->vertex(Triangulation::cw(edge->second))->info().loop);
-      depths[loop] = std::min(
-        face->info().depth, face->neighbor(edge->second)->info().depth);
+      const auto loop =
+        static_cast<std::size_t>(face->vertex(Triangulation::cw(edge->second))->info().loop);
+      depths[loop] = std::min(face->info().depth, face->neighbor(edge->second)->info().depth);
     }
   }
   return depths;
@@ -396,7 +395,8 @@ try
 }
 catch (const CGAL::Failure_exception&) // its text is of several lines about CGAL's source
 {
-  throw Error("The triangulation of the domain broke down; simplify the boundary where it is finest "
-              "or nearly touches itself.");
+  throw Error(
+    "The triangulation of the domain broke down; simplify the boundary where it is finest "
+    "or nearly touches itself.");
 }
 }

@@ -15,7 +15,8 @@ namespace
 Point Midpoint(const TriangleMesh& mesh, const std::array<int, 2>& ends)
 {
   return 0.5 *
-    (mesh.points[static_cast<std::size_t>(ends[0])] + mesh.points[static_cast<std::size_t>(ends[1])]);
+    (mesh.points[static_cast<std::size_t>(ends[0])] +
+      mesh.points[static_cast<std::size_t>(ends[1])]);
 }
 
 const TriangleMesh& WithoutHoles(const TriangleMesh& mesh)
@@ -24,8 +25,9 @@ const TriangleMesh& WithoutHoles(const TriangleMesh& mesh)
   {
     if (edge.kind == BoundaryKind::Hole)
     {
-      throw Error("The mesh has holes; singularities that are points need a mesh without any, drill "
-                  "the domain without singularities.");
+      throw Error(
+        "The mesh has holes; singularities that are points need a mesh without any, drill "
+        "the domain without singularities.");
     }
   }
   return mesh;
@@ -90,9 +92,9 @@ double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
     this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)].steps)
   {
     const auto& v = mesh.triangles[static_cast<std::size_t>(step.triangle)];
-    const Point centre = (mesh.points[static_cast<std::size_t>(v[0])] +
-                           mesh.points[static_cast<std::size_t>(v[1])] +
-                           mesh.points[static_cast<std::size_t>(v[2])]) /
+    const Point centre =
+      (mesh.points[static_cast<std::size_t>(v[0])] + mesh.points[static_cast<std::size_t>(v[1])] +
+        mesh.points[static_cast<std::size_t>(v[2])]) /
       3.0;
     turn += log.Turn(here, centre);
     here = centre;
@@ -140,8 +142,8 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     const LogSource& log = result.logs[m];
     for (const BoundaryHalf& half : this->Halves)
     {
-      const bool own = m >= configuration.size() &&
-        half.vertex == this->CornerVertices[m - configuration.size()];
+      const bool own =
+        m >= configuration.size() && half.vertex == this->CornerVertices[m - configuration.size()];
       const double angle = own ? 0.0 : log.Turn(half.from, half.to);
       result.sources[half.vertex] -= log.strength * angle;
     }

@@ -29,18 +29,19 @@ public:
   /// What one configuration leads to.
   struct Solution
   {
-    std::vector<LogSource> logs;   ///< The singularities in their order, then the corners.
-    Eigen::VectorXd sources;       ///< Of R; rows of PotentialSolver.
-    Eigen::VectorXd regular;       ///< R, single-valued.
-    Eigen::VectorXd aligned;       ///< R with the periods that align inner loops.
+    std::vector<LogSource> logs;        ///< The singularities in their order, then the corners.
+    Eigen::VectorXd sources;            ///< Of R; rows of PotentialSolver.
+    Eigen::VectorXd regular;            ///< R, single-valued.
+    Eigen::VectorXd aligned;            ///< R with the periods that align inner loops.
     std::vector<double> holonomyDefect; ///< See AlignedPotential.
-    Eigen::VectorXd offsets;       ///< The same with the turns that were chosen.
-    Eigen::VectorXd periods;       ///< Of R around inner loops, zero where the offsets are.
+    Eigen::VectorXd offsets;            ///< The same with the turns that were chosen.
+    Eigen::VectorXd periods;            ///< Of R around inner loops, zero where the offsets are.
   };
 
   /// `pointQuarters`: sum of the quarter indices of every configuration to come. Throws Error when it
   /// violates Poincaré-Hopf, or when the mesh has holes.
-  PointPotential(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
+  PointPotential(
+    const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
 
   /// Throws Error when a singularity is not inside the domain, or nearer to its boundary than 1e-6 of
   /// the diagonal or to another one, or the sum of the quarter indices is another one.

@@ -32,8 +32,8 @@ std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<Bounda
 }
 
 /// The P1 matrix bordered by the periods.
-Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<LoopStrip>& strips)
+Eigen::SparseMatrix<double> BorderedMatrix(
+  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<LoopStrip>& strips)
 {
   Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, edges);
   const Eigen::Index vertexCount = matrix.rows();
@@ -47,7 +47,8 @@ Eigen::SparseMatrix<double> BorderedMatrix(const TriangleMesh& mesh, const EdgeN
     std::vector<std::pair<int, Eigen::Vector3d>> products;
     for (const LoopStrip::Step& step : strips[k].steps)
     {
-      const Eigen::Vector3d product = P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
+      const Eigen::Vector3d product =
+        P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
         Eigen::Map<const Eigen::Vector3d>(step.left.data());
       products.emplace_back(step.triangle, product);
       for (std::size_t i = 0; i < 3; ++i)
@@ -152,12 +153,12 @@ Eigen::MatrixXd PotentialSolver::Substitute(
   const Eigen::Index columnsToCheck = this->OnLoops == Boundary::Natural ? addedSources.cols() : 0;
   for (Eigen::Index column = 0; column < columnsToCheck; ++column)
   {
-    const auto atVertices = addedSources.col(column).head(addedSources.rows() - this->PeriodCount());
+    const auto atVertices =
+      addedSources.col(column).head(addedSources.rows() - this->PeriodCount());
     const double sum = eliminated.sums[column] + atVertices.sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
-      std::numeric_limits<double>::epsilon() *
-      (eliminated.sizes[column] + atVertices.lpNorm<1>());
+      std::numeric_limits<double>::epsilon() * (eliminated.sizes[column] + atVertices.lpNorm<1>());
     if (!(std::abs(sum) <= rounding))
     {
       throw Error("The sources of the potential add up to " + std::to_string(sum) +
@@ -196,8 +197,8 @@ Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) cons
   {
     for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
     {
-      const Point cut =
-        gradientOf(static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
+      const Point cut = gradientOf(
+        static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
       for (Eigen::Index c = 0; c < solutions.cols(); ++c)
       {
         gradient.block<2, 1>(2 * c, step.triangle) += solutions(this->PeriodRow(k), c) * cut;
@@ -232,7 +233,8 @@ Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        sources[this->PeriodRow(k)] += step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
+        sources[this->PeriodRow(k)] +=
+          step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
       }
     }
   }

@@ -18,7 +18,10 @@ public:
   using Callback = std::function<bool(double)>;
 
   Progress() = default;
-  explicit Progress(Callback callback) : Function(std::move(callback)) {}
+  explicit Progress(Callback callback)
+    : Function(std::move(callback))
+  {
+  }
 
   /// Throws Aborted when the callback returns false.
   void Report(double fraction) const

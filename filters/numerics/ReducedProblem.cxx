@@ -47,8 +47,8 @@ ReducedSolution SolveReduced(
   const bool nowhere = low.onBorder && low.residual > MissingModes;
   if (!nowhere)
   {
-    point = MaximiseNearby(
-      full, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
+    point =
+      MaximiseNearby(full, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
     if (point.residual > options.tolerance && solution.iterations < options.maximumIterations)
     {
       point = MaximiseFromZero(full, options, progress.Part(0.5, 1.0), solution.iterations);

@@ -70,8 +70,8 @@ ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
   const PhaseProblem phases{ turning.adjoint() * problem.matrix.cast<Complex>() * turning,
     turning.adjoint() * problem.load };
   const ComplexVector nearest = turning.adjoint() * start;
-  PhasePoint point(phases,
-    nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }));
+  PhasePoint point(
+    phases, nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }));
 
   bool stalled = false;
   bool minimum = false;
@@ -79,9 +79,8 @@ ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
   {
     progress.Report(static_cast<double>(solution.iterations) / options.maximumIterations);
     // Re(conj(a_i) M_ik a_k)
-    const Eigen::MatrixXd elastic = (point.factors.conjugate().asDiagonal() * phases.matrix *
-      point.factors.asDiagonal())
-                                      .real();
+    const Eigen::MatrixXd elastic =
+      (point.factors.conjugate().asDiagonal() * phases.matrix * point.factors.asDiagonal()).real();
     Eigen::MatrixXd hessian = elastic;
     hessian.diagonal() -= point.radial;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
@@ -94,15 +93,15 @@ ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
     ++solution.iterations;
     // Directions of negative curvature are followed downhill; flat ones not to infinity.
     const double flat = 1e-8 * curvatures.lpNorm<Eigen::Infinity>();
-    const Eigen::VectorXd step = -(spectrum.eigenvectors() *
-      curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
-      spectrum.eigenvectors().transpose() * point.tangential);
+    const Eigen::VectorXd step =
+      -(spectrum.eigenvectors() * curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
+        spectrum.eigenvectors().transpose() * point.tangential);
     const double slope = point.tangential.dot(step);
     stalled = true;
     for (double length = 1.0; stalled && length > 1e-10; length *= 0.5)
     {
-      const ComplexVector turn = step.unaryExpr(
-        [length](double angle) { return Complex(std::polar(1.0, length * angle)); });
+      const ComplexVector turn =
+        step.unaryExpr([length](double angle) { return Complex(std::polar(1.0, length * angle)); });
       PhasePoint trial(phases, point.factors.cwiseProduct(turn));
       // Near the minimum the objective no longer resolves the progress that the residual shows.
       if (trial.objective <= point.objective + 1e-4 * length * slope ||

@@ -10,14 +10,14 @@ namespace
 {
 /// Mean of Λ over a half of a boundary edge, as its vertex stands for it. A corner's own logarithm is
 /// integrated: the mean of log t over (0, l) is log l − 1.
-double ValueOnHalf(const std::vector<LogSource>& logs, const BoundaryHalf& half, const Point& vertex)
+double ValueOnHalf(
+  const std::vector<LogSource>& logs, const BoundaryHalf& half, const Point& vertex)
 {
   double value = 0.0;
   for (const LogSource& log : logs)
   {
-    value += log.position == vertex
-      ? log.strength * (std::log((half.to - half.from).norm()) - 1.0)
-      : log.Value(vertex);
+    value += log.position == vertex ? log.strength * (std::log((half.to - half.from).norm()) - 1.0)
+                                    : log.Value(vertex);
   }
   return value;
 }

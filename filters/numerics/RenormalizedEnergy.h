@@ -14,7 +14,7 @@ struct RenormalizedEnergyValue
   double energy = 0.0;             ///< W, with the harmonic field of the holonomy defects.
   double singleValuedEnergy = 0.0; ///< W without it.
   double logarithmCoefficient = 0.0;
-  Eigen::Matrix2Xd gradient;            ///< dW / db_j, one column per singularity,
+  Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity,
   Eigen::Matrix2Xd singleValuedGradient; ///< and of W without the harmonic field.
   std::vector<double> holonomyDefect;
   std::vector<Eigen::Matrix2Xd> defectGradient; ///< Of each holonomy defect.

@@ -63,8 +63,8 @@ public:
     result.place = place;
     result.energy = value.singleValuedEnergy;
     result.fullEnergy = value.energy;
-    result.gradient =
-      this->Unit * Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
+    result.gradient = this->Unit *
+      Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
     const auto defects = static_cast<Eigen::Index>(value.holonomyDefect.size());
     result.defects.resize(defects);
     result.defectGradient.resize(defects, place.size());
@@ -171,7 +171,8 @@ void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen:
     const double theta = 0.8 * curvature / (curvature - step.dot(change));
     change = theta * change + (1.0 - theta) * product;
   }
-  hessian += change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
+  hessian +=
+    change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
 }
 
 double LongestMove(const Eigen::VectorXd& step)
@@ -330,9 +331,8 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
 
   OptimizerResult result;
   const Objective objective(potential, placed.interior);
-  const Evaluation last =
-    Iterate(objective, options, 0.5 * ResolveMeshSize(drill, refined) / refined.Diagonal(), progress,
-      result);
+  const Evaluation last = Iterate(objective, options,
+    0.5 * ResolveMeshSize(drill, refined) / refined.Diagonal(), progress, result);
   result.energyAfter = last.fullEnergy;
   result.holonomyDefect.assign(last.defects.begin(), last.defects.end());
   // The moved ones back among those on the boundary.

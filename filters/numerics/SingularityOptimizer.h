@@ -5,7 +5,6 @@
 
 #include <string>
 
-
 namespace crossfield
 {
 struct OptimizerOptions
@@ -21,8 +20,9 @@ struct OptimizerOptions
 /// One configuration on the way.
 struct OptimizerStep
 {
-  double energy = 0.0;         ///< W.
-  double gradientNorm = 0.0;   ///< Of the Lagrangian, times the diagonal of the domain; largest entry.
+  double energy = 0.0; ///< W.
+  double gradientNorm =
+    0.0; ///< Of the Lagrangian, times the diagonal of the domain; largest entry.
   double holonomyDefect = 0.0; ///< Largest.
   double stepLength = 0.0;     ///< Longest way that a singularity went to here.
 };

@@ -51,8 +51,7 @@ double SizeField::Evaluate(const Point& point, const std::array<int, 2>& range) 
   return size;
 }
 
-void SizeField::Split(
-  int cell, const Square& square, const std::vector<int>& candidates, int depth)
+void SizeField::Split(int cell, const Square& square, const std::vector<int>& candidates, int depth)
 {
   std::vector<double> values;
   double centreSize = this->Maximum;
@@ -100,7 +99,8 @@ double SizeField::operator()(const Point& point) const
     const int child =
       (point.x() >= square.centre.x() ? 1 : 0) + (point.y() >= square.centre.y() ? 2 : 0);
     square = square.Child(child);
-    cell = &this->Cells[static_cast<std::size_t>(cell->firstChild) + static_cast<std::size_t>(child)];
+    cell =
+      &this->Cells[static_cast<std::size_t>(cell->firstChild) + static_cast<std::size_t>(child)];
   }
   return this->Evaluate(point, cell->range);
 }

@@ -45,8 +45,8 @@ SparseCholesky::SparseCholesky(
   const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
   : Data(std::make_unique<Factor>())
 {
-  if (matrix.rows() != matrix.cols() ||
-    order.size() != static_cast<std::size_t>(matrix.rows()) || !matrix.isCompressed())
+  if (matrix.rows() != matrix.cols() || order.size() != static_cast<std::size_t>(matrix.rows()) ||
+    !matrix.isCompressed())
   {
     throw Error("A factorisation needs a square compressed matrix and an order of all unknowns.");
   }
@@ -73,8 +73,7 @@ SparseCholesky::SparseCholesky(
 
   const SerialBlas serial;
   cholmod_common* common = &this->Data->common;
-  this->Data->factor =
-    cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
+  this->Data->factor = cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
   if (this->Data->factor != nullptr)
   {
     const cholmod_factor& factor = *this->Data->factor;

@@ -54,8 +54,7 @@ void CheckPoint(const PlanarDomain& domain, std::size_t row, const Singularity& 
   }
   if (SignedDistance(singularity.position, domain) < 0.0)
   {
-    throw Error(
-      "The " + Name(row, singularity) + " lies outside the domain; move it inside.");
+    throw Error("The " + Name(row, singularity) + " lies outside the domain; move it inside.");
   }
 }
 }

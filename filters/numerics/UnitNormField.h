@@ -9,8 +9,8 @@ namespace crossfield
 /// singularity location").
 struct UnitNormField
 {
-  ComplexVector u;       ///< Per edge; exactly unit and exactly aligned.
-  double energy = 0.0;   ///< ½ ∫ |∇φ|² = ½ ∫ |∇Φ|² of its conjugate potential.
+  ComplexVector u;     ///< Per edge; exactly unit and exactly aligned.
+  double energy = 0.0; ///< ½ ∫ |∇φ|² = ½ ∫ |∇Φ|² of its conjugate potential.
   /// Largest |u − e^{4iτ}| over the aligned edges before they were set: what rounding and the
   /// linear solver left of the boundary condition.
   double residual = 0.0;

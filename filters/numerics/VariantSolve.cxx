@@ -35,8 +35,8 @@ std::vector<bool> FindUnitLoops(
   std::vector<bool> unit(loops.size(), options.unitHoles);
   for (const int row : options.unitHoleRows)
   {
-    const auto found = std::find_if(loops.begin(), loops.end(),
-      [row](const BoundaryLoop& loop) { return loop.id == row; });
+    const auto found = std::find_if(
+      loops.begin(), loops.end(), [row](const BoundaryLoop& loop) { return loop.id == row; });
     if (found == loops.end())
     {
       throw Error("Unit norm was asked for on hole " + std::to_string(row) +
@@ -85,7 +85,8 @@ public:
       DegreeConstraint moved = constraint;
       for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
       {
-        entries.emplace_back(constraint.unknowns[j], unknowns, unit[i] ? constraint.turning[j] : 1.0);
+        entries.emplace_back(
+          constraint.unknowns[j], unknowns, unit[i] ? constraint.turning[j] : 1.0);
         moved.unknowns[j] = unknowns;
         unknowns += unit[i] ? 0 : 1;
       }
@@ -194,12 +195,12 @@ public:
   {
     switch (this->Options.start)
     {
-      case PerforatedStart::Harmonic:
-        return this->FromHarmonic(progress);
-      case PerforatedStart::UnitNorm:
-        return this->FromUnitCrosses(progress);
-      case PerforatedStart::Best:
-        break;
+    case PerforatedStart::Harmonic:
+      return this->FromHarmonic(progress);
+    case PerforatedStart::UnitNorm:
+      return this->FromUnitCrosses(progress);
+    case PerforatedStart::Best:
+      break;
     }
     // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
     // the harmonic field.

@@ -26,6 +26,6 @@ bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options);
 ///
 /// Throws Error as SolvePerforated does; an inconsistent sum is an error only where the domain is
 /// perforated and there is no penalty.
-CrossField SolveVariant(const TriangleMesh& mesh, const PerforatedOptions& options = {},
-  const Progress& progress = {});
+CrossField SolveVariant(
+  const TriangleMesh& mesh, const PerforatedOptions& options = {}, const Progress& progress = {});
 }

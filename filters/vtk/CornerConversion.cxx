@@ -155,8 +155,8 @@ std::vector<crossfield::CornerChoice> ReadChoices(
   {
     const int quarterIndex = crossfield::RequireQuarterIndex(
       quarters->GetTuple1(i), "The quarter index of corner " + std::to_string(i), "1 or 0");
-    choices.push_back({ plane.RequireInPlane(Eigen::Vector3d(input->GetPoint(i)),
-                          "The corner " + std::to_string(i)),
+    choices.push_back({ plane.RequireInPlane(
+                          Eigen::Vector3d(input->GetPoint(i)), "The corner " + std::to_string(i)),
       quarterIndex });
   }
   return choices;

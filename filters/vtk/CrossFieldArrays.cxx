@@ -48,8 +48,7 @@ public:
     const crossfield::Point branch = crossfield::CrossBranch(u);
     this->Representation->SetTuple3(tuple, u.real(), u.imag(), 0.0);
     this->Cross->SetTuple(tuple, this->Plane.DirectionToSpace(branch).data());
-    this->Cross2->SetTuple(
-      tuple, this->Plane.DirectionToSpace({ -branch.y(), branch.x() }).data());
+    this->Cross2->SetTuple(tuple, this->Plane.DirectionToSpace({ -branch.y(), branch.x() }).data());
     this->CrossNorm->SetTuple1(tuple, std::abs(u));
   }
 
@@ -227,8 +226,8 @@ void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
 }
 
 //------------------------------------------------------------------------------
-Eigen::VectorXd ReadOnTriangles(const DomainConversion::DrilledMesh& cells, const std::string& name,
-  vtkUnstructuredGrid* input)
+Eigen::VectorXd ReadOnTriangles(
+  const DomainConversion::DrilledMesh& cells, const std::string& name, vtkUnstructuredGrid* input)
 {
   Eigen::VectorXd values;
   if (name.empty())

@@ -36,8 +36,8 @@ void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output);
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when
  * the array is missing or does not have one component.
  */
-Eigen::VectorXd ReadOnTriangles(const DomainConversion::DrilledMesh& cells, const std::string& name,
-  vtkUnstructuredGrid* input);
+Eigen::VectorXd ReadOnTriangles(
+  const DomainConversion::DrilledMesh& cells, const std::string& name, vtkUnstructuredGrid* input);
 }
 
 #endif

@@ -53,26 +53,26 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
     input->GetCellPoints(cell, ids);
     switch (type)
     {
-      case VTK_EMPTY_CELL:
-      case VTK_VERTEX:
-      case VTK_POLY_VERTEX:
-        break;
-      case VTK_LINE:
-      case VTK_POLY_LINE:
-        lines->InsertNextCell(ids);
-        break;
-      case VTK_TRIANGLE:
-      case VTK_QUAD:
-      case VTK_POLYGON:
-        surfaces->InsertNextCell(ids);
-        break;
-      case VTK_PIXEL: // its points go row by row, not around
-        surfaces->InsertNextCell({ ids->GetId(0), ids->GetId(1), ids->GetId(3), ids->GetId(2) });
-        break;
-      default:
-        throw Error("The domain has cells of type " +
-          std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
-          "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
+    case VTK_EMPTY_CELL:
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+      break;
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+      lines->InsertNextCell(ids);
+      break;
+    case VTK_TRIANGLE:
+    case VTK_QUAD:
+    case VTK_POLYGON:
+      surfaces->InsertNextCell(ids);
+      break;
+    case VTK_PIXEL: // its points go row by row, not around
+      surfaces->InsertNextCell({ ids->GetId(0), ids->GetId(1), ids->GetId(3), ids->GetId(2) });
+      break;
+    default:
+      throw Error("The domain has cells of type " +
+        std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
+        "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -138,7 +138,8 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
     {
       corners.push_back(covered.plane.ToPlane(Eigen::Vector3d(surface->GetPoint(id))));
     }
-    area += std::abs(crossfield::SignedArea(corners)); // neighbours may be oriented against each other
+    area +=
+      std::abs(crossfield::SignedArea(corners)); // neighbours may be oriented against each other
   }
   const double enclosed = covered.domain.Area();
   const double diagonal = covered.domain.Diagonal();
@@ -163,8 +164,9 @@ std::vector<crossfield::Loop> ChainCurves(vtkPolyData* cells, const crossfield::
   }
   if (curves->GetNumberOfLines() == 0)
   {
-    throw Error("The domain has no boundary lines and no surface cells, or only such as shrink to a "
-                "point; give closed curves or a mesh.");
+    throw Error(
+      "The domain has no boundary lines and no surface cells, or only such as shrink to a "
+      "point; give closed curves or a mesh.");
   }
 
   std::vector<Point> points;
@@ -197,8 +199,9 @@ void RequireChainsWhenMerged(vtkPolyData* cells, const crossfield::DomainPlane& 
   {
     return;
   }
-  throw Error("The boundary has points nearer to each other than 1e-9 of its diagonal, which count as "
-              "one, and then its curves are not closed; move them apart or remove what is so narrow.");
+  throw Error(
+    "The boundary has points nearer to each other than 1e-9 of its diagonal, which count as "
+    "one, and then its curves are not closed; move them apart or remove what is so narrow.");
 }
 
 vtkDataArray* RequireCellArray(vtkUnstructuredGrid* grid, const char* name)
@@ -250,8 +253,8 @@ Domain ReadDomain(vtkDataSet* input)
   }
   double bounds[6]; // of no points, the lower ones are above the upper ones
   input->GetBounds(bounds);
-  crossfield::RequireExtent(std::max(
-    { 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
+  crossfield::RequireExtent(
+    std::max({ 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
   const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesAndSurfaces(input);
   const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, OnePoint);
   Domain result;
@@ -296,8 +299,7 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 }
 
 //------------------------------------------------------------------------------
-crossfield::Configuration ReadConfiguration(
-  vtkDataSet* input, const crossfield::DomainPlane& plane)
+crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   // The array is asked for even when there are no points: a source that failed gives no points and
   // no array, and must not pass for the empty configuration.
@@ -395,8 +397,7 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::Do
   }
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
-  cells->AllocateExact(
-    static_cast<vtkIdType>(mesh.triangles.size() + lines.size()),
+  cells->AllocateExact(static_cast<vtkIdType>(mesh.triangles.size() + lines.size()),
     static_cast<vtkIdType>(3 * mesh.triangles.size() + 2 * lines.size()));
   for (const auto& triangle : mesh.triangles)
   {

@@ -54,9 +54,8 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
   const auto add = [&](const char* name, auto value)
   {
     AddColumn<vtkDoubleArray>(data, name, energies,
-      [&value](const ConfigurationEnergy& energy) {
-        return energy.consistent ? value(energy) : std::numeric_limits<double>::quiet_NaN();
-      });
+      [&value](const ConfigurationEnergy& energy)
+      { return energy.consistent ? value(energy) : std::numeric_limits<double>::quiet_NaN(); });
   };
   using Energy = ConfigurationEnergy;
   add(names::Energy, [](const Energy& e) { return e.perforated.aligned; });
@@ -70,7 +69,8 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
   add(names::LogarithmCoefficient,
     [](const Energy& e) { return e.renormalized.logarithmCoefficient; });
   add(names::RenormalizedEnergy, [](const Energy& e) { return e.renormalized.energy; });
-  add(names::HolonomyDefect, [](const Energy& e) { return Largest(e.renormalized.holonomyDefect); });
+  add(
+    names::HolonomyDefect, [](const Energy& e) { return Largest(e.renormalized.holonomyDefect); });
 }
 
 //------------------------------------------------------------------------------
@@ -82,9 +82,9 @@ void WriteGradients(const std::vector<ConfigurationEnergy>& energies,
   {
     for (std::size_t i = 0; energy.consistent && i < energy.interior.size(); ++i)
     {
-      rows.push_back({ energy.interior[i].position, energy.configuration,
-        energy.interior[i].quarterIndex,
-        energy.renormalized.gradient.col(static_cast<Eigen::Index>(i)) });
+      rows.push_back(
+        { energy.interior[i].position, energy.configuration, energy.interior[i].quarterIndex,
+          energy.renormalized.gradient.col(static_cast<Eigen::Index>(i)) });
     }
   }
   ColumnWriting::WritePlaces(rows, plane, output);

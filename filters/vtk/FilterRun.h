@@ -80,7 +80,8 @@ unsigned long Run(Algorithm* self, Work work)
   catch (const std::exception& error) // of a library, and no sentence: it may have several lines
   {
     const std::string text = error.what();
-    vtkErrorWithObjectMacro(self, << "The computation broke down (" << text.substr(0, text.find('\n'))
+    vtkErrorWithObjectMacro(self, << "The computation broke down ("
+                                  << text.substr(0, text.find('\n'))
                                   << "); simplify the domain, or report it with this message.");
     return vtkErrorCode::UserError;
   }

@@ -42,17 +42,17 @@ vtkIdType PointsOf(int type)
 {
   switch (type)
   {
-    case VTK_VERTEX:
-      return 1;
-    case VTK_LINE:
-      return 2;
-    case VTK_TRIANGLE:
-      return 3;
-    case VTK_QUAD:
-    case VTK_PIXEL:
-      return 4;
-    default:
-      return 0;
+  case VTK_VERTEX:
+    return 1;
+  case VTK_LINE:
+    return 2;
+  case VTK_TRIANGLE:
+    return 3;
+  case VTK_QUAD:
+  case VTK_PIXEL:
+    return 4;
+  default:
+    return 0;
   }
 }
 
@@ -71,9 +71,8 @@ void RequirePoints(vtkIdType cell, vtkIdList* ids, vtkIdType count)
 /** Cell by cell in the lists: VTK 9.1 crashes when it is asked for the points of an empty polygon. */
 void RequireCells(vtkPolyData* input)
 {
-  const std::array<std::pair<vtkCellArray*, vtkIdType>, 4> lists = { {
-    { input->GetVerts(), 1 }, { input->GetLines(), 1 }, { input->GetPolys(), 3 },
-    { input->GetStrips(), 3 } } };
+  const std::array<std::pair<vtkCellArray*, vtkIdType>, 4> lists = { { { input->GetVerts(), 1 },
+    { input->GetLines(), 1 }, { input->GetPolys(), 3 }, { input->GetStrips(), 3 } } };
   vtkNew<vtkIdList> ids;
   vtkIdType cell = 0;
   for (const auto& [list, least] : lists)
@@ -130,7 +129,8 @@ void Require(vtkDataSet* input)
 {
   if (!HasValidLists(input))
   {
-    throw Error("The list of cells ends before the last of them; the data is damaged, make it again.");
+    throw Error(
+      "The list of cells ends before the last of them; the data is damaged, make it again.");
   }
   if (auto* surface = vtkPolyData::SafeDownCast(input))
   {

@@ -71,8 +71,7 @@ void vtkBoundaryCornerClassifier::RemoveAllOverrides()
 }
 
 //------------------------------------------------------------------------------
-void vtkBoundaryCornerClassifier::SetPointOverride(
-  int row, vtkIdType pointId, double quarterIndex)
+void vtkBoundaryCornerClassifier::SetPointOverride(int row, vtkIdType pointId, double quarterIndex)
 {
   if (row < 0)
   {
@@ -145,9 +144,8 @@ int vtkBoundaryCornerClassifier::RequestData(
             " but the domain has no such point; give a point id below " +
             std::to_string(domain->GetNumberOfPoints()) + ".");
         }
-        options.overrides.push_back(
-          { input.plane.ToPlane(Eigen::Vector3d(domain->GetPoint(id))),
-            RequireInteger(quarterIndex) });
+        options.overrides.push_back({ input.plane.ToPlane(Eigen::Vector3d(domain->GetPoint(id))),
+          RequireInteger(quarterIndex) });
       }
       const crossfield::CornerClassification classification =
         crossfield::ClassifyCorners(input.domain, options);

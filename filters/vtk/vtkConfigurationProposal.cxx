@@ -61,9 +61,8 @@ int vtkConfigurationProposal::RequestData(
         options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
       }
       CornerConversion::WriteConfiguration(
-        crossfield::ProposeConfiguration(
-          input.domain, options, progress),
-        input.plane, vtkPolyData::GetData(outputVector));
+        crossfield::ProposeConfiguration(input.domain, options, progress), input.plane,
+        vtkPolyData::GetData(outputVector));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

@@ -59,8 +59,8 @@ int vtkDrillHoles::RequestData(
       options.meshSize = this->MeshSize;
       options.minimumHoleEdges = this->MinimumHoleEdges;
       options.gradation = this->Gradation;
-      const crossfield::TriangleMesh mesh = crossfield::DrillHoles(
-        input.domain, configuration, options, progress);
+      const crossfield::TriangleMesh mesh =
+        crossfield::DrillHoles(input.domain, configuration, options, progress);
       DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;

@@ -63,7 +63,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Connects port 1, the singularities. */
-  void SetSingularitiesConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(1, output);
+  }
   /** Sets port 1 to a data object. */
   void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
 

@@ -40,11 +40,9 @@ void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& c
   options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
   if (this->Start == StartGiven)
   {
-    options.given =
-      CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
+    options.given = CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
   }
-  options.pinning.norm =
-    CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
+  options.pinning.norm = CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
   options.pinning.gradientWeight =
     CrossFieldArrays::ReadOnTriangles(cells, this->GradientWeightArrayName, input);
   options.maximumIterations = this->GetMaximumIterations();

@@ -90,9 +90,8 @@ int vtkHField::RequestData(
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-        DomainConversion::WriteDrilledMesh(
-          crossfield::MeshForPoints(input.domain, configuration,
-            this->MeshSize, progress.Part(0.0, 0.4)),
+        DomainConversion::WriteDrilledMesh(crossfield::MeshForPoints(input.domain, configuration,
+                                             this->MeshSize, progress.Part(0.0, 0.4)),
           plane, mesh);
       }
       const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(mesh);
@@ -105,8 +104,8 @@ int vtkHField::RequestData(
         if (std::abs(defect) > 1e-2) // below it may come from the mesh, as in Verdict
         {
           vtkWarningMacro("H is not single-valued: at inner loop "
-            << k + 1 << " there is a holonomy defect of " << defect
-            << " radians, and H jumps by " << field.periods[k]
+            << k + 1 << " there is a holonomy defect of " << defect << " radians, and H jumps by "
+            << field.periods[k]
             << " along a way to it. Move singularities until the defect vanishes.");
         }
       }

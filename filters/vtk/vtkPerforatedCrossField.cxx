@@ -17,8 +17,8 @@ vtkStandardNewMacro(vtkPerforatedCrossField);
 static_assert(static_cast<int>(crossfield::PerforatedMethod::UnitNorm) ==
     vtkPerforatedCrossField::MethodUnitNorm,
   "methods are numbered as in the numerics");
-static_assert(static_cast<int>(crossfield::PerforatedStart::UnitNorm) ==
-    vtkPerforatedCrossField::StartUnitNorm,
+static_assert(
+  static_cast<int>(crossfield::PerforatedStart::UnitNorm) == vtkPerforatedCrossField::StartUnitNorm,
   "starts are numbered as in the numerics");
 static_assert(FilterRun::Inconsistent == vtkPerforatedCrossField::InconsistentError,
   "the code that FilterRun returns is the one that the header promises");
@@ -76,8 +76,7 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   options.epsilon = this->Epsilon;
   options.reduced.maximumIterations = this->GetMaximumIterations();
   options.reduced.tolerance = this->GetTolerance();
-  options.corners = 
-    CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]), cells.plane);
+  options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]), cells.plane);
   this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), output);

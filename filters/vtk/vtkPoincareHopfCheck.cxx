@@ -75,8 +75,8 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
   result.consistent = result.count.Consistent();
   if (result.consistent && holonomy)
   {
-    result.holonomyDefects = crossfield::HolonomyDefects(
-      domain, configuration, corners, progress.Part(0.1, 1.0));
+    result.holonomyDefects =
+      crossfield::HolonomyDefects(domain, configuration, corners, progress.Part(0.1, 1.0));
   }
   result.reason = crossfield::Verdict(result.count, result.holonomyDefects);
   return result;

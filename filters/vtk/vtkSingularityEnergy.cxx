@@ -69,17 +69,17 @@ int vtkSingularityEnergy::RequestData(
       configurations.reserve(static_cast<std::size_t>(count));
       for (int i = 0; i < count; ++i)
       {
-        configurations.push_back(DomainConversion::ReadConfiguration(
-          vtkDataSet::GetData(inputVector[1], i), input.plane));
+        configurations.push_back(
+          DomainConversion::ReadConfiguration(vtkDataSet::GetData(inputVector[1], i), input.plane));
       }
       crossfield::ConfigurationEnergyOptions options;
       options.meshSize = this->MeshSize;
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies =
-        crossfield::CompareConfigurations(
-          input.domain, configurations, options, progress);
+        crossfield::CompareConfigurations(input.domain, configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
-      EnergyConversion::WriteGradients(energies, input.plane, vtkPolyData::GetData(outputVector, 1));
+      EnergyConversion::WriteGradients(
+        energies, input.plane, vtkPolyData::GetData(outputVector, 1));
     });
   return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }

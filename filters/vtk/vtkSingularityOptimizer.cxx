@@ -66,9 +66,8 @@ int vtkSingularityOptimizer::RequestData(
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
       options.maximumIterations = this->MaximumIterations;
       options.tolerance = this->Tolerance;
-      const crossfield::OptimizerResult result =
-        crossfield::OptimizeSingularities(input.domain,
-          DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
+      const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
+        DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
       {
         vtkWarningMacro(<< result.reason);

@@ -1,8 +1,8 @@
 #include "vtkSingularitySource.h"
 
 #include "Error.h"
-#include "QuarterIndexRange.h"
 #include "FilterRun.h"
+#include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -91,8 +91,8 @@ RowTable ReadRows(const std::string& fileName)
       numbers[i] = columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
       if (!valid)
       {
-        throw Error("Row " + std::to_string(row) + " of '" + fileName + "' has no number in column '" +
-          names[i] + "'; correct it.");
+        throw Error("Row " + std::to_string(row) + " of '" + fileName +
+          "' has no number in column '" + names[i] + "'; correct it.");
       }
     }
     table.rows.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });

@@ -65,7 +65,10 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
   /** As above; what ParaView calls. */
-  void SetFileName(const char* fileName) { this->SetFileName(std::string(fileName ? fileName : "")); }
+  void SetFileName(const char* fileName)
+  {
+    this->SetFileName(std::string(fileName ? fileName : ""));
+  }
 
   ///@{
   /** Whether the handles say where the rows are. Default: off. */

@@ -181,8 +181,7 @@ void FurtherConfiguration(benchmark::State& state)
   const PointPotential potential(MeshOf(state.range(0), false), {}, 4);
   for (auto _ : state)
   {
-    const auto value =
-      EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
+    const auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
     benchmark::DoNotOptimize(value.energy);
   }
 }

@@ -107,7 +107,8 @@ Problem MakeProblem(FuzzedDataProvider& bytes)
   }
   // Far from the origin and of another unit, which must not matter, or be refused.
   const double scale = std::pow(10.0, bytes.ConsumeIntegralInRange<int>(-8, 8));
-  const Point shift = scale * bytes.PickValueInArray({ 0.0, 0.0, 1.0, 1e3, 1e6, 1e9 }) * Point(1.0, 2.0);
+  const Point shift =
+    scale * bytes.PickValueInArray({ 0.0, 0.0, 1.0, 1e3, 1e6, 1e9 }) * Point(1.0, 2.0);
   for (Loop& loop : problem.loops)
   {
     for (Point& point : loop)
@@ -193,7 +194,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<ConfigurationEnergy> energies;
   ConfigurationEnergyOptions energyOptions;
   energyOptions.meshSize = options.meshSize;
-  if (Succeeds([&] { energies = CompareConfigurations(domain, { problem.configuration }, energyOptions); }))
+  if (Succeeds([&]
+        { energies = CompareConfigurations(domain, { problem.configuration }, energyOptions); }))
   {
     Require(energies.size() == 1, "an energy for each configuration");
     Require(!energies.front().consistent || std::isfinite(energies.front().renormalized.energy),

@@ -72,8 +72,8 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const std::string file = Folder + "/file." + Format;
-  std::ofstream(file, std::ios::binary).write(
-    reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  std::ofstream(file, std::ios::binary)
+    .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   try
   {
     Format.compare(0, 6, "points") == 0 ? ReadPoints(file) : ReadDomain(file);

@@ -99,8 +99,9 @@ std::vector<DegreeConstraint> MakeConstraints(
     for (std::size_t i = 0; i < loop.edges.size(); ++i, ++position)
     {
       positions.push_back(position);
-      midpoints.push_back(unknowns.midpoint[static_cast<std::size_t>(
-        unknowns.holes[static_cast<std::size_t>(position)])]);
+      midpoints.push_back(
+        unknowns
+          .midpoint[static_cast<std::size_t>(unknowns.holes[static_cast<std::size_t>(position)])]);
     }
     constraints.push_back(MakeDegreeConstraint(
       std::move(positions), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
@@ -152,12 +153,10 @@ CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOption
     }
   }
 
-  const SparseCholesky factor(
-    matrix, NestedDissection(matrix, unknowns.midpoint, unknowns.holes));
+  const SparseCholesky factor(matrix, NestedDissection(matrix, unknowns.midpoint, unknowns.holes));
 
   const ComplexVector harmonic = SolveComplex(factor, rightHandSide);
-  const Eigen::MatrixXd root =
-    factor.TrailingFactor(static_cast<int>(unknowns.holes.size()));
+  const Eigen::MatrixXd root = factor.TrailingFactor(static_cast<int>(unknowns.holes.size()));
   ReducedProblem problem;
   problem.matrix = root * root.transpose();
   problem.load = problem.matrix * Gather(harmonic, unknowns.holes);

@@ -69,8 +69,8 @@ std::vector<HardCase> NamedHardCases()
         { { 1.5, -0.25 }, 1, 0.05 } },
       0.06),
     Drill("ring", ring, Join(OnCircle(4, 0.8, 0.0, 1, 0.05), OnCircle(4, 0.55, Pi / 4, -1, 0.05))),
-    Drill("ring in rays", ring,
-      Join(OnCircle(4, 0.8, 0.0, 1, 0.05), OnCircle(4, 0.55, 0.0, -1, 0.05))),
+    Drill(
+      "ring in rays", ring, Join(OnCircle(4, 0.8, 0.0, 1, 0.05), OnCircle(4, 0.55, 0.0, -1, 0.05))),
     Drill("two islands", Islands({ right, left }), OnCircle(4, 0.75, 0.4, -1, 0.04)),
     Drill("three islands", Islands({ right, left, below }), OnCircle(8, 0.75, 0.4, -1, 0.04)),
     Drill("two islands, both signs", Islands({ right, left }),
@@ -97,8 +97,7 @@ HardCase RandomHardCase(int number)
     bool free = SignedDistance(place, domain) > 2.0 * radius + 0.1;
     for (const Singularity& other : holes)
     {
-      free = free &&
-        (other.position - place).norm() > 1.5 * (other.radius + radius) + 0.05;
+      free = free && (other.position - place).norm() > 1.5 * (other.radius + radius) + 0.05;
     }
     if (free)
     {

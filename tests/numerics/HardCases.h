@@ -1,7 +1,7 @@
 #pragma once
 
-#include "TriangleMesh.h"
 #include "Singularity.h"
+#include "TriangleMesh.h"
 
 #include <string>
 #include <vector>

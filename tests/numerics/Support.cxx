@@ -142,7 +142,8 @@ Configuration RandomHoles(Random& random, const PlanarDomain& domain, int count)
     hole.quarterIndex = random.Integer(-2, 2);
     const bool fits = DistanceToLoop(hole.position, outer) > 2.0 * hole.radius &&
       std::all_of(holes.begin(), holes.end(),
-        [&](const Singularity& other) {
+        [&](const Singularity& other)
+        {
           return (other.position - hole.position).norm() >
             other.radius + hole.radius + std::min(other.radius, hole.radius);
         });
@@ -162,8 +163,8 @@ PlanarDomain Builtin(const std::string& name, double edgeLength)
   return MakePlanarDomain(MakeBuiltinDomain(domain));
 }
 
-TriangleMesh DrillMesh(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize, DrillMode mode)
+TriangleMesh DrillMesh(
+  const PlanarDomain& domain, const Configuration& configuration, double meshSize, DrillMode mode)
 {
   DrillOptions options;
   options.meshSize = meshSize;
@@ -176,8 +177,7 @@ double DistanceToLoop(const Point& point, const Loop& loop)
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    distance =
-      std::min(distance, DistanceToSegment(point, loop[i], loop[(i + 1) % loop.size()]));
+    distance = std::min(distance, DistanceToSegment(point, loop[i], loop[(i + 1) % loop.size()]));
   }
   return distance;
 }
@@ -189,8 +189,8 @@ Configuration OnCircle(
   for (int i = 0; i < count; ++i)
   {
     const double angle = firstAngle + 2.0 * Pi * i / count;
-    result.push_back({ circleRadius * Point(std::cos(angle), std::sin(angle)), quarterIndex,
-      holeRadius });
+    result.push_back(
+      { circleRadius * Point(std::cos(angle), std::sin(angle)), quarterIndex, holeRadius });
   }
   return result;
 }

@@ -100,7 +100,10 @@ TEST(BoundaryLoops, PointsWithoutSegmentsCountForNothing)
 TEST(BoundaryLoops, RefusesAnOpenCurveAndNamesItsEnd)
 {
   const std::vector<Point> points = { { 0.5, 0.25 }, { 1.0, 0.0 }, { 1.0, 1.0 } };
-  EXPECT_TRUE(Refuses([&] { ChainLoops(points, { { 0, 1 }, { 1, 2 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      ChainLoops(points, { { 0, 1 }, { 1, 2 } });
+    },
     { "open curve", "(0.5, 0.25)", "join" }));
   // Going there and back is not a loop.
   EXPECT_TRUE(Refuses([&] { ChainLoops(points, { { 0, 1 }, { 1, 0 } }); }, { "open curve" }));
@@ -130,7 +133,10 @@ TEST(BoundaryLoops, RefusesCoordinatesThatAreNotFinite)
       std::vector<Point> points = RegularPolygon(3);
       points[1][axis] = bad;
       EXPECT_TRUE(Refuses(
-        [&] { ChainLoops(points, { { 0, 1 }, { 1, 2 }, { 2, 0 } }); }, { "not finite" }));
+        [&] {
+          ChainLoops(points, { { 0, 1 }, { 1, 2 }, { 2, 0 } });
+        },
+        { "not finite" }));
     }
   }
 }

@@ -155,8 +155,8 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
   const std::vector<CornerChoice> corners = { { Point(0.0, 0.0), 0 } };
   const Configuration one = { { Point(0.4, 0.4), 1, 0.05 } };
   const TriangleMesh mesh = DrillHoles(square, one);
-  EXPECT_TRUE(Refuses([&] { SolveUnitNormOn(mesh); }, { "add up to 1", "asks for 0" },
-    Error::Kind::Inconsistent));
+  EXPECT_TRUE(Refuses(
+    [&] { SolveUnitNormOn(mesh); }, { "add up to 1", "asks for 0" }, Error::Kind::Inconsistent));
   PerforatedOptions options;
   options.method = PerforatedMethod::UnitNorm;
   options.corners = corners;
@@ -175,8 +175,8 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
 
   // With the indices of the smallest rotation nothing changes.
   options.corners = { { Point(0.0, 0.0), 1 }, { Point(1.0, 0.0), 1 } };
-  const TriangleMesh pair = DrillHoles(
-    square, { { Point(0.3, 0.4), 1, 0.05 }, { Point(0.7, 0.6), -1, 0.05 } });
+  const TriangleMesh pair =
+    DrillHoles(square, { { Point(0.3, 0.4), 1, 0.05 }, { Point(0.7, 0.6), -1, 0.05 } });
   EXPECT_EQ(SolvePerforated(pair, options).energy, SolveUnitNormOn(pair).energy);
   options.corners = { { Point(0.5, 0.5), 1 } };
   EXPECT_TRUE(Refuses([&] { SolvePerforated(mesh, options); }, { "not a vertex" }));
@@ -206,9 +206,10 @@ TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
     energy[k] = SolvePerforated(mesh, options).energy;
   }
   EXPECT_LT(energy[1], energy[0]);
-  EXPECT_EQ(std::min_element(best.corners.begin(), best.corners.end(),
-              [](const Corner& a, const Corner& b) { return a.position.norm() < b.position.norm(); })
-              ->quarterIndex,
+  EXPECT_EQ(
+    std::min_element(best.corners.begin(), best.corners.end(),
+      [](const Corner& a, const Corner& b) { return a.position.norm() < b.position.norm(); })
+      ->quarterIndex,
     1);
 }
 
@@ -233,8 +234,8 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
     {
       PerforatedOptions options;
       options.method = method;
-      EXPECT_TRUE(Refuses([&] { SolvePerforated(mesh, options); }, { verdict },
-        Error::Kind::Inconsistent));
+      EXPECT_TRUE(
+        Refuses([&] { SolvePerforated(mesh, options); }, { verdict }, Error::Kind::Inconsistent));
     }
   }
 }
@@ -261,8 +262,8 @@ TEST(HolonomyCheck, IsThatOfTheUnitNormField)
   bare[0].radius = bare[1].radius = 0.0;
   EXPECT_NEAR(HolonomyDefects(ring, bare).at(0), found, 0.05);
   const Configuration one = { { Point(0.7, 0.0), 1, 0.05 } };
-  EXPECT_TRUE(Refuses(
-    [&] { HolonomyDefects(ring, one); }, { "asks for" }, Error::Kind::Inconsistent));
+  EXPECT_TRUE(
+    Refuses([&] { HolonomyDefects(ring, one); }, { "asks for" }, Error::Kind::Inconsistent));
 }
 
 TEST(HolonomyCheck, RefusesPlacesOutside)
@@ -270,9 +271,14 @@ TEST(HolonomyCheck, RefusesPlacesOutside)
   const PlanarDomain ring = Builtin("ring");
   EXPECT_NO_THROW(RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 } }));
   EXPECT_TRUE(Refuses(
-    [&] { RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 }, { Point(0.0, 0.1), 1, 0.0 } }); },
+    [&] {
+      RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 }, { Point(0.0, 0.1), 1, 0.0 } });
+    },
     { "singularity 1", "(0, 0.1)", "outside" }));
-  EXPECT_TRUE(Refuses([&] { RequireInside(ring, { { Point(std::nan(""), 0.0), 1, 0.0 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      RequireInside(ring, { { Point(std::nan(""), 0.0), 1, 0.0 } });
+    },
     { "Row 0", "finite" }));
 }
 
@@ -314,8 +320,8 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   for (std::size_t i = 0; i < whole.boundary.size(); ++i)
   {
     const auto& ends = whole.boundary[i].vertices;
-    own[edges.ofBoundary[i]] =
-      AlignedRepresentation(whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
+    own[edges.ofBoundary[i]] = AlignedRepresentation(
+      whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
   }
   const FieldCheck free = CheckField(whole, own);
   EXPECT_TRUE(free.asPrescribed) << free.verdict;

@@ -74,8 +74,8 @@ std::vector<double> Angles(const CornerClassification& result)
 /// A triangle whose first corner, at the origin, has this angle; below π.
 CornerClassification WithCorner(double angle)
 {
-  return ClassifyCorners(MakePlanarDomain(
-    { { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } }));
+  return ClassifyCorners(
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } }));
 }
 
 /// A corner of this angle, whatever it is, at the tip of a wedge cut out of a square or left of it.
@@ -301,8 +301,8 @@ TEST(CornerClassification, SplittingHalvesMovesAQuarterInside)
   EXPECT_TRUE(plain.split.empty());
   ClassificationOptions options;
   options.splitHalves = true;
-  const PlanarDomain domain = MakePlanarDomain(
-    { { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } });
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } });
   const CornerClassification result = ClassifyCorners(domain, options);
   EXPECT_EQ(CornerAtOrigin(result).quarterIndex, 1);
   ASSERT_EQ(result.split.size(), 1u);

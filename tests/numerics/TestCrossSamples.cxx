@@ -35,8 +35,7 @@ std::pair<double, double> Errors(const TriangleMesh& mesh, const Function& f)
   std::pair<double, double> errors(0.0, 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    errors.first =
-      std::max(errors.first, std::abs(samples.atTriangles[t] - f(Centroid(mesh, t))));
+    errors.first = std::max(errors.first, std::abs(samples.atTriangles[t] - f(Centroid(mesh, t))));
   }
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
@@ -64,8 +63,8 @@ TEST(CrossSamples, SmoothFieldsAreOfSecondOrderUpToTheBoundary)
   std::vector<double> atVertices;
   for (int level = 0; level < 4; ++level)
   {
-    const auto errors = Errors(mesh,
-      [](const Point& x) { return std::exp(Complex(x.x() - x.y(), 2.0 * x.x() * x.y())); });
+    const auto errors = Errors(
+      mesh, [](const Point& x) { return std::exp(Complex(x.x() - x.y(), 2.0 * x.x() * x.y())); });
     sizes.push_back(std::pow(0.5, level));
     atTriangles.push_back(errors.first);
     atVertices.push_back(errors.second);

@@ -102,8 +102,8 @@ TEST(DegreeTarget, OfARegularPolygonIsClosedForm)
     const Loop midpoints = RegularPolygon(m, random.Uniform(0.1, 2.0), centre);
     for (int degree = -((m - 1) / 2); 2 * degree < m; ++degree)
     {
-      EXPECT_NEAR(DegreeTarget(midpoints, centre, degree), m * std::sin(2.0 * Pi * degree / m),
-        1e-11 * m);
+      EXPECT_NEAR(
+        DegreeTarget(midpoints, centre, degree), m * std::sin(2.0 * Pi * degree / m), 1e-11 * m);
     }
   }
 }

@@ -59,7 +59,8 @@ void ExpectRight(const System& system, const std::vector<int>& last, int ground,
 {
   const DissectedCholesky factor(system.matrix, system.places, last, { ground });
   const Eigen::MatrixXd dense = Grounded(system.matrix, ground);
-  const Eigen::MatrixXd inverse = dense.llt().solve(Eigen::MatrixXd::Identity(dense.rows(), dense.cols()));
+  const Eigen::MatrixXd inverse =
+    dense.llt().solve(Eigen::MatrixXd::Identity(dense.rows(), dense.cols()));
   Eigen::MatrixXd load = RandomMatrix(random, dense.rows(), 3);
   const DissectedCholesky::Eliminated eliminated = factor.Eliminate(load);
   load.row(ground).setZero();
@@ -146,8 +147,9 @@ TEST(DissectedCholesky, RefusesWhatIsSingularOrNotFinite)
 {
   Random random(204);
   const System system = RandomLaplacian(random, 0.2);
-  const auto factor = [&](const SparseMatrix& matrix)
-  { DissectedCholesky(matrix, system.places, { 3, 4 }, { 0 }); };
+  const auto factor = [&](const SparseMatrix& matrix) {
+    DissectedCholesky(matrix, system.places, { 3, 4 }, { 0 });
+  };
   EXPECT_FALSE(Refuses([&] { factor(system.matrix); }, {}));
   for (const int unknown : { 1, 4, static_cast<int>(system.matrix.rows()) - 1 })
   {

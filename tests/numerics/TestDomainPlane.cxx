@@ -74,7 +74,8 @@ TEST(DomainPlane, IsTheNearestCoordinatePlaneTurnedTheShortestWay)
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 200; ++trial)
   {
-    const Vector3d direction = Vector3d(normal(random), normal(random), normal(random)).normalized();
+    const Vector3d direction =
+      Vector3d(normal(random), normal(random), normal(random)).normalized();
     const Vector3d shift(normal(random), normal(random), normal(random));
     const Matrix3d turn = Shortest(Vector3d::UnitZ(), direction);
     const DomainPlane plane = DomainPlane::Find((turn * Grid()).colwise() + shift);
@@ -180,8 +181,8 @@ TEST(DomainPlane, PointsThatAreNotFiniteAreLeftToOthers)
 {
   Matrix3Xd points = Grid();
   points.row(2).setLinSpaced(0.0, 1.0);
-  for (double bad : { std::numeric_limits<double>::quiet_NaN(),
-         std::numeric_limits<double>::infinity() })
+  for (double bad :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     points(0, 3) = bad;
     EXPECT_TRUE(DomainPlane::Find(points).IsHorizontal());

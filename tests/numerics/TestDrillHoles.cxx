@@ -276,14 +276,20 @@ TEST(DrillHoles, RefusesNumbersThatMakeNoSense)
   constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   const PlanarDomain disk = Builtin("disk");
-  EXPECT_TRUE(Refuses([&] { DrillHoles(disk, { { { 0.0, 0.0 }, 1, -0.1 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      DrillHoles(disk, { { { 0.0, 0.0 }, 1, -0.1 } });
+    },
     { "singularity 0", "radius", "not positive" }));
   for (const double bad : { NotANumber, Infinity })
   {
     for (const Singularity& hole : { Singularity{ { bad, 0.0 }, 1, 0.1 },
            Singularity{ { 0.0, bad }, 1, 0.1 }, Singularity{ { 0.0, 0.0 }, 1, bad } })
     {
-      EXPECT_TRUE(Refuses([&] { DrillHoles(disk, { { { 0.5, 0.0 }, 1, 0.1 }, hole }); },
+      EXPECT_TRUE(Refuses(
+        [&] {
+          DrillHoles(disk, { { { 0.5, 0.0 }, 1, 0.1 }, hole });
+        },
         { "Row 1", "not a finite number" }));
     }
   }
@@ -309,7 +315,10 @@ TEST(DrillHoles, RefusesHolesWithFewerThanThreeEdges)
     DrillOptions options;
     options.minimumHoleEdges = few;
     // An index of zero asks for no edges of its own, and a small radius for one.
-    EXPECT_TRUE(Refuses([&] { DrillHoles(disk, { { { 0.0, 0.0 }, 0, 1e-3 } }, options); },
+    EXPECT_TRUE(Refuses(
+      [&] {
+        DrillHoles(disk, { { { 0.0, 0.0 }, 0, 1e-3 } }, options);
+      },
       { "edges" }));
   }
 }

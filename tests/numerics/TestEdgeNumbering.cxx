@@ -42,15 +42,16 @@ TEST(EdgeNumbering, NumbersEveryEdgeOnceAndKnowsItsEnds)
       EXPECT_LT(ends[0], ends[1]);
       EXPECT_TRUE(distinct.insert(ends).second);
     }
-    const auto joins = [&](int edge, int a, int b)
-    { return edges.vertices[edge] == std::array<int, 2>{ std::min(a, b), std::max(a, b) }; };
+    const auto joins = [&](int edge, int a, int b) {
+      return edges.vertices[edge] == std::array<int, 2>{ std::min(a, b), std::max(a, b) };
+    };
     ASSERT_EQ(edges.ofTriangle.size(), mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
       for (std::size_t i = 0; i < 3; ++i)
       {
-        ASSERT_TRUE(joins(
-          edges.ofTriangle[t][i], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]));
+        ASSERT_TRUE(
+          joins(edges.ofTriangle[t][i], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]));
       }
     }
     ASSERT_EQ(edges.triangles.size(), edges.vertices.size());
@@ -66,15 +67,14 @@ TEST(EdgeNumbering, NumbersEveryEdgeOnceAndKnowsItsEnds)
       // Two different ones, or one on the boundary.
       EXPECT_GE(edges.triangles[e][0], 0);
       EXPECT_NE(edges.triangles[e][0], edges.triangles[e][1]);
-      const bool onBoundary =
-        std::count(edges.ofBoundary.begin(), edges.ofBoundary.end(), e) > 0;
+      const bool onBoundary = std::count(edges.ofBoundary.begin(), edges.ofBoundary.end(), e) > 0;
       EXPECT_EQ(edges.triangles[e][1] < 0, onBoundary);
     }
     ASSERT_EQ(edges.ofBoundary.size(), mesh.boundary.size());
     for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
     {
-      ASSERT_TRUE(joins(
-        edges.ofBoundary[i], mesh.boundary[i].vertices[0], mesh.boundary[i].vertices[1]));
+      ASSERT_TRUE(
+        joins(edges.ofBoundary[i], mesh.boundary[i].vertices[0], mesh.boundary[i].vertices[1]));
     }
     // Every triangle has three edges; inside two triangles share one.
     EXPECT_EQ(2 * edges.vertices.size(), 3 * mesh.triangles.size() + mesh.boundary.size());
@@ -115,8 +115,8 @@ TEST(EdgeNumbering, RefusesBoundaryLinesThatDoNotFitTheTriangles)
 TEST(FindBoundaryLoops, WalksEveryLoopCounterClockwise)
 {
   Random random(8);
-  const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(4, 2.0), RegularPolygon(5, 0.2),
-    RegularPolygon(3, 0.2, Point(0.7, 0.7)) });
+  const PlanarDomain domain = MakePlanarDomain(
+    { RegularPolygon(4, 2.0), RegularPolygon(5, 0.2), RegularPolygon(3, 0.2, Point(0.7, 0.7)) });
   const Configuration holes = { { { -0.6, -0.6 }, 3, 0.1 }, { { 0.6, -0.5 }, -2, 0.2 } };
   const TriangleMesh mesh = Renumber(DrillHoles(domain, holes), random);
   const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);

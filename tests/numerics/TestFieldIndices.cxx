@@ -115,8 +115,7 @@ TEST(FieldIndices, CornersTakeTheirQuarters)
   {
     const TriangleMesh mesh = DrillHoles(Builtin(name), {});
     const EdgeNumbering edges = NumberEdges(mesh);
-    const FieldIndices indices =
-      ReadIndices(mesh, edges, ComplexVector::Ones(edges.Count()));
+    const FieldIndices indices = ReadIndices(mesh, edges, ComplexVector::Ones(edges.Count()));
     EXPECT_EQ(Sum(indices.ofTriangle), 0);
     EXPECT_EQ(Sum(indices.ofVertex), 4);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -124,8 +123,8 @@ TEST(FieldIndices, CornersTakeTheirQuarters)
       const Point& p = mesh.points[v];
       const auto at = [&](double x, double y) { return p == Point(x, y); };
       const bool isLShape = std::string(name) == "l-shape";
-      const bool convex = at(0, 0) || at(1, 0) || at(0, 1) ||
-        (isLShape ? at(1, 0.5) || at(0.5, 1) : at(1, 1));
+      const bool convex =
+        at(0, 0) || at(1, 0) || at(0, 1) || (isLShape ? at(1, 0.5) || at(0.5, 1) : at(1, 1));
       const bool reentrant = isLShape && at(0.5, 0.5);
       EXPECT_EQ(indices.ofVertex[v], (convex ? 1 : 0) - (reentrant ? 1 : 0)) << p.transpose();
     }
@@ -176,8 +175,7 @@ TEST(FieldIndices, DoNotDependOnNormOrFrame)
   }
   // Turning everything by an angle turns the representation by four times as much.
   const Similarity turn{ 0.7, 2.0, Point(1.0, 1.0) };
-  const FieldIndices turned =
-    ReadIndices(turn(mesh), edges, u * std::polar(1.0, 4.0 * turn.angle));
+  const FieldIndices turned = ReadIndices(turn(mesh), edges, u * std::polar(1.0, 4.0 * turn.angle));
   EXPECT_EQ(turned.ofTriangle, plain.ofTriangle);
   EXPECT_EQ(turned.ofVertex, plain.ofVertex);
 }

@@ -206,8 +206,8 @@ TEST(FieldSingularities, SingularityInTheBoundaryIsSaidToBeThere)
   const Disk disk(0.1);
   Configuration singularities = OnCircle(3, 0.4, 0.8, 1, 0.0);
   singularities.push_back({ { 1.0, 0.0 }, 1, 0.0 });
-  const auto found = FindFieldSingularities(
-    disk.mesh, disk.edges, disk.Aligned(disk.Sample(singularities)));
+  const auto found =
+    FindFieldSingularities(disk.mesh, disk.edges, disk.Aligned(disk.Sample(singularities)));
   int atOne = 0;
   for (const FieldSingularity& singularity : found)
   {
@@ -277,8 +277,7 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
   Disk shuffled = disk;
   shuffled.mesh = Renumber(disk.mesh, random);
   shuffled.edges = NumberEdges(shuffled.mesh);
-  const auto found =
-    FindFieldSingularities(shuffled.mesh, shuffled.edges, shuffled.Sample(exact));
+  const auto found = FindFieldSingularities(shuffled.mesh, shuffled.edges, shuffled.Sample(exact));
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -290,13 +289,12 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
 TEST(FieldSingularities, RefusesWhatIsNoField)
 {
   const Disk disk(0.3);
-  EXPECT_TRUE(Refuses(
-    [&] { FindFieldSingularities(disk.mesh, disk.edges, ComplexVector::Ones(2)); },
-    { "2 values", "edges" }));
+  EXPECT_TRUE(
+    Refuses([&] { FindFieldSingularities(disk.mesh, disk.edges, ComplexVector::Ones(2)); },
+      { "2 values", "edges" }));
   ComplexVector u = ComplexVector::Ones(disk.edges.Count());
   u[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(
-    Refuses([&] { FindFieldSingularities(disk.mesh, disk.edges, u); }, { "not finite" }));
+  EXPECT_TRUE(Refuses([&] { FindFieldSingularities(disk.mesh, disk.edges, u); }, { "not finite" }));
 }
 }
 }

@@ -24,8 +24,7 @@ TriangleMesh Mesh(const std::string& name, double meshSize)
   return Mesh(Builtin(name, meshSize), meshSize);
 }
 
-GinzburgLandauField Solve(
-  const TriangleMesh& mesh, double epsilon, GinzburgLandauStart start = {})
+GinzburgLandauField Solve(const TriangleMesh& mesh, double epsilon, GinzburgLandauStart start = {})
 {
   GinzburgLandauOptions options;
   options.epsilon = epsilon;
@@ -279,8 +278,8 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
   EXPECT_EQ(field.iterations, 2);
   EXPECT_GT(field.residual, 1e-10);
   int calls = 0;
-  EXPECT_THROW(SolveGinzburgLandau(Mesh("disk", 0.1), {},
-                 Progress([&calls](double) { return ++calls < 5; })),
+  EXPECT_THROW(
+    SolveGinzburgLandau(Mesh("disk", 0.1), {}, Progress([&calls](double) { return ++calls < 5; })),
     Aborted);
   EXPECT_EQ(calls, 5);
 }

@@ -47,8 +47,8 @@ public:
   Eigen::VectorXd RandomValues(Eigen::Index count, double lower, double upper)
   {
     Eigen::VectorXd values(count);
-    std::generate(values.begin(), values.end(),
-      [&] { return this->Numbers.Uniform(lower, upper); });
+    std::generate(
+      values.begin(), values.end(), [&] { return this->Numbers.Uniform(lower, upper); });
     return values;
   }
 
@@ -69,8 +69,8 @@ public:
   Random Numbers{ 41 };
 };
 
-ComplexVector Moved(const GinzburgLandauEnergy& energy, ComplexVector u, Eigen::Index unknown,
-  double by)
+ComplexVector Moved(
+  const GinzburgLandauEnergy& energy, ComplexVector u, Eigen::Index unknown, double by)
 {
   const int edge = energy.FreeEdges()[static_cast<std::size_t>(unknown / 2)];
   u[edge] += unknown % 2 == 0 ? Complex(by, 0.0) : Complex(0.0, by);
@@ -184,8 +184,7 @@ TEST_F(GinzburgLandauEnergyTest, PenaltyOfASmoothFieldConvergesWithTheSecondOrde
       u[e] = std::pow(Midpoint(mesh, edges, e).x(), 2);
     }
     sizes.push_back(size);
-    errors.push_back(
-      std::abs(GinzburgLandauEnergy(mesh, edges, Epsilon).PenaltyPart(u) - exact));
+    errors.push_back(std::abs(GinzburgLandauEnergy(mesh, edges, Epsilon).PenaltyPart(u) - exact));
   }
   EXPECT_GT(ConvergenceRate(sizes, errors), 1.8);
 }
@@ -206,8 +205,8 @@ TEST_F(GinzburgLandauEnergyTest, HarmonicFieldHasTheLeastGradientPart)
     for (int trial = 0; trial < 5; ++trial)
     {
       const ComplexVector change = this->RandomField(energy) - this->RandomField(energy);
-      const double both = 0.5 *
-        (energy.GradientPart(harmonic + change) + energy.GradientPart(harmonic - change));
+      const double both =
+        0.5 * (energy.GradientPart(harmonic + change) + energy.GradientPart(harmonic - change));
       EXPECT_NEAR(both - least, energy.GradientPart(change), 1e-9 * both);
       EXPECT_NEAR(energy.GradientPart(harmonic + change), both, 1e-9 * both);
     }

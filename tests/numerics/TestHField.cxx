@@ -94,8 +94,7 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Point& point = mesh.points[v];
-      const double here =
-        std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(Five, point));
+      const double here = std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(Five, point));
       error = std::max(error, here);
       const bool away = std::all_of(Five.begin(), Five.end(),
         [&](const Singularity& s) { return (s.position - point).norm() > 0.1; });
@@ -129,11 +128,11 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
 
 TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
 {
-  const std::vector<TriangleMesh> meshes = {
-    Mesh(Builtin("disk", 0.05), 0.05, OnCircle(4, 0.6, 0.3, 1, 0.1)),
-    Mesh(Builtin("ring", 0.05), 0.05, { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }),
-    Mesh(Builtin("l-shape"), 0.04, { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } })
-  };
+  const std::vector<TriangleMesh> meshes = { Mesh(Builtin("disk", 0.05), 0.05,
+                                               OnCircle(4, 0.6, 0.3, 1, 0.1)),
+    Mesh(
+      Builtin("ring", 0.05), 0.05, { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }),
+    Mesh(Builtin("l-shape"), 0.04, { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } }) };
   for (const TriangleMesh& mesh : meshes)
   {
     const HField field = SolveHField(mesh, {});
@@ -186,7 +185,8 @@ TEST(HField, OnARingItIsTheLogarithm)
   const double mean = 2.0 * (primitive(1.0) - primitive(0.4)) / (1.0 - 0.16);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
-    EXPECT_NEAR(field.h[static_cast<Eigen::Index>(v)], std::log(mesh.points[v].norm()) - mean, 2e-3);
+    EXPECT_NEAR(
+      field.h[static_cast<Eigen::Index>(v)], std::log(mesh.points[v].norm()) - mean, 2e-3);
   }
   ASSERT_EQ(field.field.holonomyDefect.size(), 1u);
   EXPECT_NEAR(field.field.holonomyDefect[0], 0.0, 1e-4);
@@ -235,8 +235,8 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
     const HField field = SolveHField(mesh, pair);
     const auto away = [&](const Point& point)
     {
-      return (point - pair[0].position).norm() > 0.12 &&
-        (point - pair[1].position).norm() > 0.12 && (point - Point(0.5, 0.5)).norm() > 0.12;
+      return (point - pair[0].position).norm() > 0.12 && (point - pair[1].position).norm() > 0.12 &&
+        (point - Point(0.5, 0.5)).norm() > 0.12;
     };
     double largestTurn = 0.0;
     double largestFlux = 0.0;
@@ -245,8 +245,7 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
       const auto [potential, phase] = Slopes(mesh, field, t);
       if (away(mesh.points[static_cast<std::size_t>(mesh.triangles[t][0])]))
       {
-        largestTurn =
-          std::max(largestTurn, (phase - Point(-potential.y(), potential.x())).norm());
+        largestTurn = std::max(largestTurn, (phase - Point(-potential.y(), potential.x())).norm());
       }
     }
     for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
@@ -255,8 +254,8 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
       const Point from = mesh.points[static_cast<std::size_t>(ends[0])];
       const Point along = (mesh.points[static_cast<std::size_t>(ends[1])] - from).normalized();
       const int edge = field.field.edges.ofBoundary[i];
-      const auto triangle = static_cast<std::size_t>(
-        field.field.edges.triangles[static_cast<std::size_t>(edge)][0]);
+      const auto triangle =
+        static_cast<std::size_t>(field.field.edges.triangles[static_cast<std::size_t>(edge)][0]);
       if (away(from))
       {
         const Point slope = Slopes(mesh, field, triangle)[0];
@@ -281,8 +280,8 @@ TEST(HField, TurningScalingAndRenumberingChangeNothing)
     EXPECT_LT((field.h - plain.h).cwiseAbs().maxCoeff(), 1e-7);
     EXPECT_EQ(field.field.unwantedSingularities, 0);
     // W changes by the logarithm of the scale.
-    EXPECT_NEAR(field.renormalizedEnergy,
-      plain.renormalizedEnergy + Pi * 8.0 * std::log(scale), 1e-6);
+    EXPECT_NEAR(
+      field.renormalizedEnergy, plain.renormalizedEnergy + Pi * 8.0 * std::log(scale), 1e-6);
   }
   const HField renumbered = SolveHField(Renumber(mesh, random), Five);
   EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
@@ -303,12 +302,14 @@ TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
   for (int e = 0; e < edges.Count(); ++e)
   {
     const Point target(0.5, 0.3);
-    edge = (Midpoint(mesh, edges, e) - target).norm() < (Midpoint(mesh, edges, edge) - target).norm()
+    edge =
+      (Midpoint(mesh, edges, e) - target).norm() < (Midpoint(mesh, edges, edge) - target).norm()
       ? e
       : edge;
   }
   const Configuration on = { { mesh.points[static_cast<std::size_t>(vertex)], 1, 0.0 },
-    { Midpoint(mesh, edges, edge), 1, 0.0 }, { { -0.5, 0.4 }, 1, 0.0 }, { { -0.2, -0.5 }, 1, 0.0 } };
+    { Midpoint(mesh, edges, edge), 1, 0.0 }, { { -0.5, 0.4 }, 1, 0.0 },
+    { { -0.2, -0.5 }, 1, 0.0 } };
   const HField field = SolveHField(mesh, on);
   EXPECT_TRUE(field.h.allFinite());
   EXPECT_TRUE(field.field.u.allFinite());
@@ -318,19 +319,33 @@ TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
 TEST(HField, RefusesWhatHasNoSolution)
 {
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
-  EXPECT_TRUE(Refuses([&] { SolveHField(mesh, { { { 0.1, 0.2 }, 3, 0.0 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { 0.1, 0.2 }, 3, 0.0 } });
+    },
     { "add up to 3", "asks for 4" }, Error::Kind::Inconsistent));
-  EXPECT_TRUE(Refuses([&] { SolveHField(mesh, { { { 1.3, 0.2 }, 4, 0.0 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { 1.3, 0.2 }, 4, 0.0 } });
+    },
     { "singularity 0", "outside the domain" }));
-  EXPECT_TRUE(Refuses([&] { SolveHField(mesh, { { { std::nan(""), 0.2 }, 4, 0.0 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { std::nan(""), 0.2 }, 4, 0.0 } });
+    },
     { "Row 0", "not a finite number" }));
   EXPECT_TRUE(Refuses(
-    [&] { SolveHField(mesh, { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } }); },
+    [&] {
+      SolveHField(mesh, { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } });
+    },
     { "Singularities 0 and 1", "same place", "(0.1, 0.2)" }));
   const Configuration holes = OnCircle(4, 0.6, 0.3, 1, 0.1);
   const TriangleMesh drilled = Mesh(Builtin("disk", 0.1), 0.1, holes);
   EXPECT_NO_THROW(SolveHField(drilled, holes));
-  EXPECT_TRUE(Refuses([&] { SolveHField(drilled, { { { 0.0, 0.0 }, 1, 0.0 } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(drilled, { { { 0.0, 0.0 }, 1, 0.0 } });
+    },
     { "has holes", "(0, 0)" }));
 }
 }

@@ -46,8 +46,8 @@ void ExpectSolved(const HardCase& hard)
   EXPECT_EQ(unitNorm.wrongDegrees, 0);
   EXPECT_EQ(unitNorm.unwantedSingularities, 0);
   // The phase of the Crouzeix-Raviart field and the P1 potential have one energy (METHOD §2).
-  EXPECT_NEAR(PhaseEnergy(hard.mesh, unitNorm.edges, unitNorm.u), unitNorm.energy,
-    1e-10 * unitNorm.energy);
+  EXPECT_NEAR(
+    PhaseEnergy(hard.mesh, unitNorm.edges, unitNorm.u), unitNorm.energy, 1e-10 * unitNorm.energy);
   // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because
   // 2 − 2 cos δ ≤ δ² for every step of the phase.
   if (!constrained.unitHoles)

@@ -77,10 +77,8 @@ TEST(ImprintedCircles, AreEdgesOfAMeshOfTheWholeDomain)
       }
       EXPECT_NEAR(turned, -2.0 * Pi, 1e-9);
     }
-    EXPECT_EQ(
-      CountMeshQuarters(mesh, FindBoundaryLoops(mesh)).givenInteriorQuarters, quarters);
-    EXPECT_TRUE(
-      Identical(mesh, DrillHoles(domain, circles, Options(DrillMode::Imprint, 0.1))));
+    EXPECT_EQ(CountMeshQuarters(mesh, FindBoundaryLoops(mesh)).givenInteriorQuarters, quarters);
+    EXPECT_TRUE(Identical(mesh, DrillHoles(domain, circles, Options(DrillMode::Imprint, 0.1))));
   }
 }
 
@@ -89,12 +87,13 @@ TEST(ImprintedCircles, AreRefusedWhereHolesAre)
   const PlanarDomain disk = Builtin("disk", 0.1);
   const DrillOptions options = Options(DrillMode::Imprint, 0.1);
   EXPECT_TRUE(Refuses(
-    [&] { DrillHoles(disk, { { Point(0.95, 0.0), 1, 0.1 } }, options); }, { "cuts the boundary" }));
+    [&] {
+      DrillHoles(disk, { { Point(0.95, 0.0), 1, 0.1 } }, options);
+    },
+    { "cuts the boundary" }));
   EXPECT_TRUE(Refuses(
-    [&]
-    {
-      DrillHoles(
-        disk, { { Point(0.1, 0.0), 1, 0.2 }, { Point(-0.1, 0.0), 1, 0.2 } }, options);
+    [&] {
+      DrillHoles(disk, { { Point(0.1, 0.0), 1, 0.2 }, { Point(-0.1, 0.0), 1, 0.2 } }, options);
     },
     { "overlap" }));
 }
@@ -128,8 +127,7 @@ TEST(SingleTriangles, ContainTheirPoints)
       configuration.push_back({ random.Uniform(0.3, 0.8) * Point(std::cos(angle), std::sin(angle)),
         random.Integer(0, 1) == 0 ? -1 : 1 });
     }
-    const TriangleMesh mesh =
-      DrillHoles(disk, configuration, Options(DrillMode::Triangle, 0.1));
+    const TriangleMesh mesh = DrillHoles(disk, configuration, Options(DrillMode::Triangle, 0.1));
     EXPECT_EQ(mesh.points, plain.points);
     EXPECT_EQ(mesh.triangles, plain.triangles);
     const auto loops = FindImprintedLoops(mesh);

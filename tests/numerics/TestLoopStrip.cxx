@@ -11,8 +11,7 @@ TEST(LoopStrip, LeadsFromTheOuterLoopToEveryOtherWithOneSideLeft)
   Random random(100);
   const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(24),
     RegularPolygon(3, 0.2, Point(0.4, 0.1)), RegularPolygon(12, 0.2, Point(-0.4, 0.1)) });
-  const TriangleMesh mesh =
-    Renumber(DrillHoles(domain, { { { 0.0, -0.5 }, 1, 0.1 } }), random);
+  const TriangleMesh mesh = Renumber(DrillHoles(domain, { { { 0.0, -0.5 }, 1, 0.1 } }), random);
   const EdgeNumbering edges = NumberEdges(mesh);
   const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
   EXPECT_EQ(FindLoopStrips(mesh, edges, loops, false).size(), 2u);
@@ -64,8 +63,7 @@ TEST(LoopStrip, ThereIsNoneWithoutAnotherLoop)
   const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
   EXPECT_TRUE(FindLoopStrips(mesh, NumberEdges(mesh), loops, false).empty());
   const TriangleMesh whole = DrillHoles(Builtin("disk"), {});
-  EXPECT_TRUE(
-    FindLoopStrips(whole, NumberEdges(whole), FindBoundaryLoops(whole), true).empty());
+  EXPECT_TRUE(FindLoopStrips(whole, NumberEdges(whole), FindBoundaryLoops(whole), true).empty());
 }
 }
 }

@@ -133,7 +133,8 @@ TEST(MeshBudget, RefusesAMeshBeforeItIsMade)
   const PlanarDomain disk = Disk(0.05);
   DrillOptions options;
   options.meshSize = 1e-6;
-  for (const Configuration& configuration : { Configuration(), Configuration{ { { 0.0, 0.0 }, 4, 0.1 } } })
+  for (const Configuration& configuration :
+    { Configuration(), Configuration{ { { 0.0, 0.0 }, 4, 0.1 } } })
   {
     const std::string sentence = Sentence([&] { DrillHoles(disk, configuration, options); });
     EXPECT_EQ(sentence.find("A mesh with edge length 1e-06 would have about 7.2"), 0u) << sentence;
@@ -169,8 +170,10 @@ TEST(MeshBudget, RefusesAHoleWithTooManyEdges)
 {
   for (const int quarterIndex : { 2147483647, -2147483647 - 1, 2000000000 })
   {
-    const std::string sentence =
-      Sentence([&] { DrillHoles(Disk(0.05), { { { 0.0, 0.0 }, quarterIndex, 0.1 } }); });
+    const std::string sentence = Sentence(
+      [&] {
+        DrillHoles(Disk(0.05), { { { 0.0, 0.0 }, quarterIndex, 0.1 } });
+      });
     EXPECT_NE(sentence.find("edges"), std::string::npos) << quarterIndex << ": " << sentence;
   }
 }

@@ -116,8 +116,7 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
   std::iota(rowByRow.begin(), rowByRow.end(), 0);
   const auto band = static_cast<double>(FactorEntries(grid, rowByRow));
   EXPECT_GT(band, 0.9 * Side * Side * Side);
-  const auto separated =
-    static_cast<double>(FactorEntries(grid, NestedDissection(grid, places)));
+  const auto separated = static_cast<double>(FactorEntries(grid, NestedDissection(grid, places)));
   EXPECT_LT(separated, 8.0 * Side * Side * std::log2(Side));
   EXPECT_LT(separated, 0.4 * band);
 }

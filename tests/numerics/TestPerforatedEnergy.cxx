@@ -90,9 +90,9 @@ TEST(PerforatedEnergy, BoundsOfAnEccentricHole)
     ExpectBracket(
       [&](double size)
       {
-        const PerforatedEnergy energy = Compute(Builtin("disk", size),
-          { { { s * std::cos(0.7), s * std::sin(0.7) }, 4, rho } }, size,
-          static_cast<int>(2.4 / size));
+        const PerforatedEnergy energy =
+          Compute(Builtin("disk", size), { { { s * std::cos(0.7), s * std::sin(0.7) }, 4, rho } },
+            size, static_cast<int>(2.4 / size));
         const double middle = 0.5 * (energy.degreeOnlyLower + energy.degreeOnlyUpper);
         EXPECT_NEAR(middle, exact, 0.005 * exact);
         return std::array<double, 2>{ energy.degreeOnlyLower, energy.degreeOnlyUpper };
@@ -109,9 +109,10 @@ TEST(PerforatedEnergy, BoundsCloseInWhereTheFieldHasPeriods)
     PlanarDomain domain;
     Configuration holes;
   };
-  const PlanarDomain two = MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } },
-    { { 0.6, 0.6 }, { 1.2, 0.6 }, { 1.2, 1.1 }, { 0.6, 1.1 } },
-    { { 2.0, 0.9 }, { 2.5, 0.9 }, { 2.5, 1.5 }, { 2.0, 1.5 } } });
+  const PlanarDomain two =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } },
+      { { 0.6, 0.6 }, { 1.2, 0.6 }, { 1.2, 1.1 }, { 0.6, 1.1 } },
+      { { 2.0, 0.9 }, { 2.5, 0.9 }, { 2.5, 1.5 }, { 2.0, 1.5 } } });
   const std::vector<Case> cases = {
     { Builtin("ring", 0.05), { { { 0.75, 0.05 }, 1, 0.06 }, { { -0.1, 0.65 }, -1, 0.06 } } },
     { two, { { { 1.6, 1.3 }, -1, 0.1 }, { { 1.6, 0.4 }, 1, 0.1 } } }
@@ -172,7 +173,9 @@ TEST(ConfigurationEnergy, SortsTheBestFirst)
       Pi * static_cast<double>(energies[i].interior.size()), 1e-9);
   }
   EXPECT_TRUE(Refuses(
-    [&] { CompareConfigurations(Builtin("disk", 0.1), { { { { 2.0, 0.0 }, 4, 0.1 } } }); },
+    [&] {
+      CompareConfigurations(Builtin("disk", 0.1), { { { { 2.0, 0.0 }, 4, 0.1 } } });
+    },
     { "outside the domain" }));
 }
 }

@@ -53,8 +53,7 @@ TEST(PerforatedSolveReference, OtherConfigurationsOnTheDisk)
       EXPECT_EQ(field.holes[i].degree, holes[i].quarterIndex);
     }
   };
-  expectEnergy(
-    Joined(OnCircle(5, 0.6, 0.0, 1, 0.05), { { { 0.0, 0.0 }, -1, 0.05 } }), 28.05);
+  expectEnergy(Joined(OnCircle(5, 0.6, 0.0, 1, 0.05), { { { 0.0, 0.0 }, -1, 0.05 } }), 28.05);
   expectEnergy(Joined(OnCircle(6, 0.7, 0.0, 1, 0.05),
                  { { { 0.2, 0.0 }, -1, 0.05 }, { { -0.2, 0.0 }, -1, 0.05 } }),
     32.04);
@@ -76,8 +75,8 @@ TEST(PerforatedSolveReference, CentralHoleConvergesAtSecondOrder)
     DrillOptions options;
     options.meshSize = 2.0 * Pi * Radius / sides;
     options.minimumHoleEdges = sides;
-    const TriangleMesh mesh = DrillHoles(
-      Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
+    const TriangleMesh mesh =
+      DrillHoles(Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
     const CrossField field = SolvePerforated(mesh);
     ASSERT_TRUE(field.converged);
     ASSERT_EQ(field.holes.size(), 1u);

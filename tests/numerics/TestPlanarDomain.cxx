@@ -87,8 +87,8 @@ TEST(PlanarDomain, TheSameCurvesGiveTheSameDomain)
   std::vector<Loop> loops = { RegularPolygon(12, 5.0) };
   for (int i = 0; i < 6; ++i)
   {
-    loops.push_back(RegularPolygon(
-      4 + i, 0.5, 3.0 * Point(std::cos(Pi * i / 3.0), std::sin(Pi * i / 3.0))));
+    loops.push_back(
+      RegularPolygon(4 + i, 0.5, 3.0 * Point(std::cos(Pi * i / 3.0), std::sin(Pi * i / 3.0))));
   }
   const PlanarDomain expected = MakePlanarDomain(loops);
   for (int trial = 0; trial < 30; ++trial)
@@ -108,8 +108,7 @@ TEST(PlanarDomain, TouchingIsExactNotAMatterOfTolerance)
 {
   // One unit in the last place between an inner loop and the outer one is enough.
   const double gap = std::nextafter(10.0, 0.0);
-  EXPECT_NO_THROW(
-    MakePlanarDomain({ Box(0.0, 0.0, 10.0, 10.0), Box(gap - 1.0, 4.0, gap, 5.0) }));
+  EXPECT_NO_THROW(MakePlanarDomain({ Box(0.0, 0.0, 10.0, 10.0), Box(gap - 1.0, 4.0, gap, 5.0) }));
 }
 
 TEST(PlanarDomain, RefusesLoopsThatCross)
@@ -129,31 +128,50 @@ TEST(PlanarDomain, RefusesLoopsThatTouch)
 {
   const Loop outer = Box(0.0, 0.0, 10.0, 10.0);
   // In a common vertex, on either kind of loop.
-  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, { { 0, 0 }, { 3, 1 }, { 1, 3 } } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MakePlanarDomain({ outer, { { 0, 0 }, { 3, 1 }, { 1, 3 } } });
+    },
     { "touches", "(0, 0)" }));
-  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, Box(2, 2, 4, 4), Box(4, 4, 6, 6) }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MakePlanarDomain({ outer, Box(2, 2, 4, 4), Box(4, 4, 6, 6) });
+    },
     { "touches", "(4, 4)" }));
   // A vertex on a segment of another loop.
-  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, { { 5, 0 }, { 6, 1 }, { 4, 1 } } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MakePlanarDomain({ outer, { { 5, 0 }, { 6, 1 }, { 4, 1 } } });
+    },
     { "touches", "(5, 0)" }));
-  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ { { 5, 0 }, { 6, 1 }, { 4, 1 } }, outer }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MakePlanarDomain({ { { 5, 0 }, { 6, 1 }, { 4, 1 } }, outer });
+    },
     { "touches", "(5, 0)" }));
   // A common piece of a segment, and the same loop twice.
-  EXPECT_TRUE(
-    Refuses([&] { MakePlanarDomain({ outer, Box(10, 2, 12, 4) }); }, { "touches" }));
+  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, Box(10, 2, 12, 4) }); }, { "touches" }));
   EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, outer }); }, { "touches" }));
   // A repeated point within one loop.
-  EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ { { 0, 0 }, { 1, 0 }, { 1, 0 }, { 0, 1 } } }); },
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MakePlanarDomain({ { { 0, 0 }, { 1, 0 }, { 1, 0 }, { 0, 1 } } });
+    },
     { "touches", "(1, 0)" }));
 }
 
 TEST(PlanarDomain, RefusesWhatIsNotOneConnectedDomain)
 {
   EXPECT_TRUE(Refuses([] { MakePlanarDomain({}); }, { "no boundary" }));
-  EXPECT_TRUE(Refuses([] { MakePlanarDomain({ Box(0, 0, 1, 1), Box(2, 0, 3, 1) }); },
+  EXPECT_TRUE(Refuses(
+    [] {
+      MakePlanarDomain({ Box(0, 0, 1, 1), Box(2, 0, 3, 1) });
+    },
     { "several outer loops" }));
   EXPECT_TRUE(Refuses(
-    [] { MakePlanarDomain({ Box(3, 3, 4, 4), Box(0, 0, 9, 9), Box(2, 2, 6, 6) }); },
+    [] {
+      MakePlanarDomain({ Box(3, 3, 4, 4), Box(0, 0, 9, 9), Box(2, 2, 6, 6) });
+    },
     { "inner loop lies inside another" }));
 }
 
@@ -161,11 +179,17 @@ TEST(PlanarDomain, RefusesLoopsThatEncloseNothing)
 {
   EXPECT_TRUE(Refuses([] { MakePlanarDomain({ Loop{} }); }, { "fewer than three points" }));
   EXPECT_TRUE(Refuses(
-    [] { MakePlanarDomain({ Box(0, 0, 9, 9), { { 1, 1 }, { 2, 2 } } }); }, { "fewer than three" }));
+    [] {
+      MakePlanarDomain({ Box(0, 0, 9, 9), { { 1, 1 }, { 2, 2 } } });
+    },
+    { "fewer than three" }));
   // On a line, alone and inside another loop.
   EXPECT_TRUE(Refuses([] { MakePlanarDomain({ { { 0, 0 }, { 1, 1 }, { 2, 2 } } }); }, {}));
   EXPECT_TRUE(Refuses(
-    [] { MakePlanarDomain({ Box(0, 0, 9, 9), { { 1, 1 }, { 3, 3 }, { 2, 2 } } }); }, {}));
+    [] {
+      MakePlanarDomain({ Box(0, 0, 9, 9), { { 1, 1 }, { 3, 3 }, { 2, 2 } } });
+    },
+    {}));
 }
 
 TEST(PlanarDomain, RefusesCoordinatesThatAreNotFinite)

@@ -18,8 +18,8 @@ std::vector<BoundaryEdge> PlainMarks(const PlanarDomain& domain)
   std::vector<BoundaryEdge> marks;
   for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
-    marks.push_back({ { 0, 0 }, l == 0 ? BoundaryKind::Outer : BoundaryKind::Inner,
-      static_cast<int>(l), 0 });
+    marks.push_back(
+      { { 0, 0 }, l == 0 ? BoundaryKind::Outer : BoundaryKind::Inner, static_cast<int>(l), 0 });
   }
   return marks;
 }
@@ -49,8 +49,8 @@ struct NamedDomain
 std::vector<NamedDomain> BluntDomains()
 {
   std::vector<NamedDomain> domains;
-  for (const char* name : { "disk", "ring", "ellipse", "quarter-disk", "square", "rectangle",
-         "l-shape" })
+  for (const char* name :
+    { "disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape" })
   {
     domains.push_back({ name, Builtin(name) });
   }
@@ -124,8 +124,7 @@ TEST(PlanarMesher, BoundaryEdgesLieOnTheLoopTheyAreMarkedWith)
       {
         const Point& corner = domain.loops[l][i];
         expected += (domain.loops[l][(i + 1) % domain.loops[l].size()] - corner).norm();
-        EXPECT_NE(
-          std::find(mesh.points.begin(), mesh.points.end(), corner), mesh.points.end());
+        EXPECT_NE(std::find(mesh.points.begin(), mesh.points.end(), corner), mesh.points.end());
       }
       EXPECT_NEAR(length[l], expected, 1e-12 * expected);
     }
@@ -204,8 +203,8 @@ TEST(PlanarMesher, OnlySharpCornersHaveSmallAngles)
   {
     SCOPED_TRACE(degrees);
     const double angle = degrees * Pi / 180.0;
-    const PlanarDomain domain = MakePlanarDomain(
-      { { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } });
+    const PlanarDomain domain =
+      MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } });
     const double h = 0.05;
     const TriangleMesh mesh = Triangulate(domain, SizeOver(domain, h, {}));
     EXPECT_NEAR(MeshArea(mesh), domain.Area(), 1e-12 * domain.Area());
@@ -216,8 +215,8 @@ TEST(PlanarMesher, OnlySharpCornersHaveSmallAngles)
       if (SmallestAngle(mesh, t) < GuaranteedAngle)
       {
         const auto& [a, b, c] = mesh.triangles[t];
-        const double distance = std::min(
-          { mesh.points[a].norm(), mesh.points[b].norm(), mesh.points[c].norm() });
+        const double distance =
+          std::min({ mesh.points[a].norm(), mesh.points[b].norm(), mesh.points[c].norm() });
         EXPECT_LT(distance, h) << SmallestAngle(mesh, t) << " " << distance;
       }
     }
@@ -248,9 +247,8 @@ TEST(PlanarMesher, RefusesGapsThatWouldTakeMillionsOfTriangles)
 {
   const auto withGap = [](double gap)
   {
-    const PlanarDomain domain =
-      MakePlanarDomain({ { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
-        { { -0.5, -1.0 + gap }, { 0.5, -1.0 + gap }, { 0.5, 0.0 }, { -0.5, 0.0 } } });
+    const PlanarDomain domain = MakePlanarDomain({ { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
+      { { -0.5, -1.0 + gap }, { 0.5, -1.0 + gap }, { 0.5, 0.0 }, { -0.5, 0.0 } } });
     return Triangulate(domain, SizeOver(domain, 0.1, {}));
   };
   // One row of triangles about as wide as the gap, which is 1 long.

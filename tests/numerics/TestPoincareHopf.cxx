@@ -46,8 +46,7 @@ PlanarDomain Skyline(Random& random, int towers, int islands)
   std::vector<Loop> loops = { outline };
   for (int i = 0; i < islands; ++i)
   {
-    loops.push_back(
-      { { i + 0.2, 0.2 }, { i + 0.2, 0.7 }, { i + 0.8, 0.7 }, { i + 0.8, 0.2 } });
+    loops.push_back({ { i + 0.2, 0.2 }, { i + 0.2, 0.7 }, { i + 0.8, 0.7 }, { i + 0.8, 0.2 } });
   }
   return MakePlanarDomain(loops);
 }
@@ -226,8 +225,7 @@ TEST(PoincareHopf, RefusesAnInconsistentSumWithBothNumbers)
 {
   PoincareHopfCount count = CountQuarters(Builtin("disk").loops, -3);
   EXPECT_TRUE(Refuses([&] { RequireConsistent(count); },
-    { "add up to -3", "Poincaré-Hopf", "asks for 4", "total 7" },
-    Error::Kind::Inconsistent));
+    { "add up to -3", "Poincaré-Hopf", "asks for 4", "total 7" }, Error::Kind::Inconsistent));
   count.givenInteriorQuarters = 4;
   EXPECT_NO_THROW(RequireConsistent(count));
 }

@@ -19,8 +19,7 @@ Loop RandomPolygon(Random& random, int corners, const Point& centre, double leas
   for (int i = 0; i < corners; ++i)
   {
     const double angle = 2.0 * Pi * (i + random.Uniform(0.0, 0.8)) / corners;
-    loop.push_back(
-      centre + random.Uniform(least, most) * Point(std::cos(angle), std::sin(angle)));
+    loop.push_back(centre + random.Uniform(least, most) * Point(std::cos(angle), std::sin(angle)));
   }
   return loop;
 }
@@ -74,8 +73,8 @@ void ExpectIdentities(const PlanarDomain& domain)
     const LoopCount& part = count.loops[l];
     valence += part.valence;
     turning += part.tangentTurning;
-    EXPECT_NEAR(4.0 * (part.valence + part.tangentTurning),
-      (l == 0 ? 4 : -4) - part.cornerQuarters, 1e-9);
+    EXPECT_NEAR(
+      4.0 * (part.valence + part.tangentTurning), (l == 0 ? 4 : -4) - part.cornerQuarters, 1e-9);
   }
   EXPECT_NEAR(valence, count.valence, 1e-12);
   EXPECT_NEAR(turning, count.tangentTurning, 1e-12);
@@ -120,8 +119,8 @@ TEST(PoincareHopfInvariance, RandomPolygonsWithIslands)
     // Reversal and renumbering.
     for (Loop& loop : other)
     {
-      std::rotate(loop.begin(),
-        loop.begin() + random.Integer(0, static_cast<int>(loop.size()) - 1), loop.end());
+      std::rotate(loop.begin(), loop.begin() + random.Integer(0, static_cast<int>(loop.size()) - 1),
+        loop.end());
       if (random.Integer(0, 1) == 1)
       {
         std::reverse(loop.begin(), loop.end());
@@ -209,8 +208,7 @@ TEST(PoincareHopfInvariance, ChosenIndicesReplaceTheSmallestRotations)
       sum += choices.back().quarterIndex;
     }
     random.Shuffle(choices);
-    const PoincareHopfCount count =
-      CountQuarters(domain.loops, 0, DefaultCornerAngle, choices);
+    const PoincareHopfCount count = CountQuarters(domain.loops, 0, DefaultCornerAngle, choices);
     EXPECT_EQ(count.requiredInteriorQuarters, 4 - sum);
     EXPECT_EQ(count.corners.size(), 6u);
     EXPECT_NEAR(4.0 * (count.valence + count.tangentTurning), 4 - sum, 1e-9);
@@ -223,10 +221,16 @@ TEST(PoincareHopfInvariance, RefusesChoicesThatAreNotOnTheBoundary)
   const PlanarDomain square = Builtin("square");
   const auto count = [&](const std::vector<CornerChoice>& choices)
   { CountQuarters(square.loops, 0, DefaultCornerAngle, choices); };
-  EXPECT_TRUE(
-    Refuses([&] { count({ { Point(0.5, 0.5), 1 } }); }, { "(0.5, 0.5)", "not a vertex" }));
   EXPECT_TRUE(Refuses(
-    [&] { count({ { Point(1.0, 1.0), 1 }, { Point(1.0, 1.0), 0 } }); }, { "two chosen" }));
+    [&] {
+      count({ { Point(0.5, 0.5), 1 } });
+    },
+    { "(0.5, 0.5)", "not a vertex" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      count({ { Point(1.0, 1.0), 1 }, { Point(1.0, 1.0), 0 } });
+    },
+    { "two chosen" }));
   const double none = std::nan("");
   EXPECT_TRUE(Refuses([&] { count({ { Point(none, 0.0), 1 } }); }, { "not a vertex" }));
 }
@@ -237,8 +241,9 @@ TEST(PoincareHopfInvariance, VerdictSaysWhatToAddOrRemove)
   EXPECT_NE(Verdict(count).find("add singularities of total -2 or remove some of total 2."),
     std::string::npos);
   count.givenInteriorQuarters = 4;
-  EXPECT_EQ(Verdict(count), "The quarter indices of the singularities add up to 4, as the "
-                            "Poincaré-Hopf theorem asks on this domain.");
+  EXPECT_EQ(Verdict(count),
+    "The quarter indices of the singularities add up to 4, as the "
+    "Poincaré-Hopf theorem asks on this domain.");
 }
 }
 }

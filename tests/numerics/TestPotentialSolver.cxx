@@ -34,8 +34,7 @@ struct Prepared
     DrillOptions options;
     options.meshSize = 0.15;
     options.minimumHoleEdges = 12;
-    return DrillHoles(
-      domain, { { { 0.0, 0.55 }, 1, 0.1 }, { { 0.1, -0.5 }, -1, 0.08 } }, options);
+    return DrillHoles(domain, { { { 0.0, 0.55 }, 1, 0.1 }, { { 0.1, -0.5 }, -1, 0.08 } }, options);
   }
 };
 
@@ -53,8 +52,8 @@ PlanarDomain WithIslands()
 /// Random sources with sum zero over the vertices, and random periods.
 Eigen::VectorXd RandomSources(Random& random, const Prepared& prepared)
 {
-  Eigen::VectorXd sources = Eigen::VectorXd::NullaryExpr(
-    prepared.solver.Rows(), [&] { return random.Uniform(-1.0, 1.0); });
+  Eigen::VectorXd sources =
+    Eigen::VectorXd::NullaryExpr(prepared.solver.Rows(), [&] { return random.Uniform(-1.0, 1.0); });
   auto atVertices = sources.head(static_cast<Eigen::Index>(prepared.mesh.points.size()));
   atVertices.array() -= atVertices.mean();
   return sources;
@@ -101,8 +100,8 @@ TEST(PotentialSolver, ApplyGivesBackTheSources)
 TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
 {
   Random random(114);
-  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles,
-    PotentialSolver::Boundary::Given);
+  const Prepared prepared(
+    WithIslands(), PotentialSolver::Periods::IslandsAndHoles, PotentialSolver::Boundary::Given);
   const PotentialSolver& solver = prepared.solver;
   const auto isGiven = [&](Eigen::Index row)
   {
@@ -250,8 +249,8 @@ TEST(PotentialSolver, RefusesSourcesWithASum)
   const Prepared prepared(Plain());
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
   sources[3] = 0.5;
-  EXPECT_TRUE(Refuses(
-    [&] { prepared.solver.Solve(sources); }, { "add up to 0.5", "Poincaré-Hopf" }));
+  EXPECT_TRUE(
+    Refuses([&] { prepared.solver.Solve(sources); }, { "add up to 0.5", "Poincaré-Hopf" }));
 }
 }
 }

@@ -51,8 +51,8 @@ void ExpectOptimalityConditions(const ReducedProblem& problem, const ReducedSolu
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
     const DegreeConstraint& constraint = problem.constraints[i];
-    gradient += solution.multipliers[static_cast<Eigen::Index>(i)] *
-      constraint.Gradient(solution.x);
+    gradient +=
+      solution.multipliers[static_cast<Eigen::Index>(i)] * constraint.Gradient(solution.x);
     EXPECT_NEAR(constraint.Value(solution.x), constraint.target, 1e-8);
   }
   EXPECT_LE(gradient.norm(), 1e-8 * problem.load.norm());

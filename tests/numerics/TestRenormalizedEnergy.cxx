@@ -19,7 +19,8 @@ TriangleMesh Mesh(const PlanarDomain& domain, double meshSize)
   return DrillHoles(domain, {}, options);
 }
 
-RenormalizedEnergyValue Evaluate(const PointPotential& potential, const Configuration& configuration)
+RenormalizedEnergyValue Evaluate(
+  const PointPotential& potential, const Configuration& configuration)
 {
   return EvaluateRenormalizedEnergy(potential, potential.Solve(configuration));
 }
@@ -87,14 +88,14 @@ struct GradientCase
 
 TEST(RenormalizedEnergy, GradientIsTheDerivative)
 {
-  const std::vector<GradientCase> cases = {
-    { "disk", Builtin("disk", 0.1), OnCircle(4, 0.6, 0.3, 1, 0.0), {} },
+  const std::vector<GradientCase> cases = { { "disk", Builtin("disk", 0.1),
+                                              OnCircle(4, 0.6, 0.3, 1, 0.0), {} },
     { "l-shape", Builtin("l-shape"), { { { 0.3, 0.3 }, 1, 0.0 }, { { 0.2, 0.2 }, -1, 0.0 } }, {} },
     { "l-shape with a chosen corner", Builtin("l-shape"), { { { 0.3, 0.3 }, 1, 0.0 } },
       { { { 1.0, 0.5 }, 0 } } },
-    { "ring", Builtin("ring", 0.1), { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } }, {} },
-    { "two islands", TwoIslands(0.1), OnCircle(4, 0.8, 0.3, 1, 0.0), {} }
-  };
+    { "ring", Builtin("ring", 0.1), { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } },
+      {} },
+    { "two islands", TwoIslands(0.1), OnCircle(4, 0.8, 0.3, 1, 0.0), {} } };
   for (const GradientCase& test : cases)
   {
     SCOPED_TRACE(test.name);
@@ -113,8 +114,8 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
         const RenormalizedEnergyValue below = Evaluate(potential, moved);
         const auto column = static_cast<Eigen::Index>(j);
         const double tolerance = 1e-7 * (1.0 + value.gradient.norm());
-        EXPECT_NEAR((above.energy - below.energy) / (2.0 * step), value.gradient(axis, column),
-          tolerance);
+        EXPECT_NEAR(
+          (above.energy - below.energy) / (2.0 * step), value.gradient(axis, column), tolerance);
         EXPECT_NEAR((above.singleValuedEnergy - below.singleValuedEnergy) / (2.0 * step),
           value.singleValuedGradient(axis, column), tolerance);
         for (std::size_t k = 0; k < value.holonomyDefect.size(); ++k)
@@ -157,8 +158,8 @@ TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
       const TriangleMesh drilled = DrillHoles(test.domain, holes, options);
       const PerforatedEnergy bounds = ComputePerforatedEnergy(drilled);
       const double energy = 0.5 * (bounds.alignedLower + bounds.alignedUpper);
-      differences.push_back(std::abs(
-        energy - value.logarithmCoefficient * std::log(1.0 / radius) - value.energy));
+      differences.push_back(
+        std::abs(energy - value.logarithmCoefficient * std::log(1.0 / radius) - value.energy));
     }
     EXPECT_LT(differences[1], 0.5 * differences[0]);
     EXPECT_LT(differences[2], 0.15); // of about 50
@@ -195,7 +196,8 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
       for (int level = 0; level < 4; ++level)
       {
         energies.push_back(
-          SolveUnitNorm(PerforatedProblem(mesh, PotentialSolver::Periods::Islands, corners)).energy);
+          SolveUnitNorm(PerforatedProblem(mesh, PotentialSolver::Periods::Islands, corners))
+            .energy);
         mesh = Refine(mesh);
       }
       // Refine halves polygons' edges too, whose vertices are corners of small angle, 2π/n: their
@@ -213,8 +215,8 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
 
 TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
 {
-  const auto corners = [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices,
-                         int quarters)
+  const auto corners =
+    [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
   {
     const TriangleMesh mesh = Mesh(domain, 0.1);
     return PointPotential(mesh, choices, quarters).GetCorners();

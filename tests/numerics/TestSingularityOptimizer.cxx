@@ -125,7 +125,8 @@ TEST(SingularityOptimizer, OnRingsWithTheirHolonomyAsAConstraint)
     Optimize(ring, { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } }, 0.05);
   ExpectStationary(pair);
   // Without a defect the two are on one ray.
-  EXPECT_NEAR(AngleBetween(pair.configuration[0].position, pair.configuration[1].position), 0.0, 0.02);
+  EXPECT_NEAR(
+    AngleBetween(pair.configuration[0].position, pair.configuration[1].position), 0.0, 0.02);
   ExpectConsistentGradient(ring, pair.configuration, 0.05);
 
   // Four of either sign, as the Ginzburg-Landau field has them.
@@ -137,15 +138,16 @@ TEST(SingularityOptimizer, OnRingsWithTheirHolonomyAsAConstraint)
   ExpectStationary(result);
   for (std::size_t i = 1; i < 4; ++i)
   {
-    EXPECT_NEAR(result.configuration[i].position.norm(), result.configuration[0].position.norm(), 2e-3);
+    EXPECT_NEAR(
+      result.configuration[i].position.norm(), result.configuration[0].position.norm(), 2e-3);
   }
 }
 
 TEST(SingularityOptimizer, OnADomainWithTwoIslands)
 {
-  const PlanarDomain domain = MakePlanarDomain({ Builtin("disk", 0.05).loops[0],
-    { { 0.3, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.3, 0.1 } },
-    { { -0.5, -0.1 }, { -0.3, -0.1 }, { -0.3, 0.15 }, { -0.5, 0.15 } } });
+  const PlanarDomain domain = MakePlanarDomain(
+    { Builtin("disk", 0.05).loops[0], { { 0.3, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.3, 0.1 } },
+      { { -0.5, -0.1 }, { -0.3, -0.1 }, { -0.3, 0.15 }, { -0.5, 0.15 } } });
   const OptimizerResult result = Optimize(domain, OnCircle(4, 0.7, 0.4, 1, 0.0), 0.05);
   ExpectStationary(result);
   ASSERT_EQ(result.holonomyDefect.size(), 2u);

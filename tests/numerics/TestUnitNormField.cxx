@@ -31,12 +31,11 @@ Configuration PairOnRing()
 
 TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
 {
-  const std::vector<TriangleMesh> meshes = {
-    Drill(Builtin("disk", 0.05), OnCircle(4, 0.6, 0.3, 1, 0.1)),
+  const std::vector<TriangleMesh> meshes = { Drill(Builtin("disk", 0.05),
+                                               OnCircle(4, 0.6, 0.3, 1, 0.1)),
     Drill(Builtin("ring", 0.05), PairOnRing()),
     Drill(Builtin("square"), { { { 0.3, 0.35 }, 1, 0.06 }, { { 0.7, 0.6 }, -1, 0.06 } }, 0.04),
-    Drill(Builtin("disk", 0.05), { { { 0.2, 0.0 }, 4, 0.1 } })
-  };
+    Drill(Builtin("disk", 0.05), { { { 0.2, 0.0 }, 4, 0.1 } }) };
   for (const TriangleMesh& mesh : meshes)
   {
     const PerforatedProblem problem(mesh);
@@ -95,8 +94,8 @@ TEST(UnitNormField, CentralHoleConvergesAtSecondOrderToTheLogarithm)
     DrillOptions options;
     options.meshSize = 2.0 * Pi * Radius / sides;
     options.minimumHoleEdges = sides;
-    const TriangleMesh mesh = DrillHoles(
-      Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
+    const TriangleMesh mesh =
+      DrillHoles(Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
     const PerforatedProblem problem(mesh);
     const UnitNormField field = SolveUnitNorm(problem);
     sizes.push_back(options.meshSize);

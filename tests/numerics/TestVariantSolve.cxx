@@ -309,8 +309,7 @@ TEST(VariantSolve, RefusesWhatCannotBeCombined)
   EXPECT_TRUE(Refuses([&] { SolvePerforated(holes, Penalty(-1.0)); }, { "must be positive" }));
   PerforatedOptions global;
   global.globalConstraint = true;
-  const TriangleMesh five =
-    DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
+  const TriangleMesh five = DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
   EXPECT_TRUE(Refuses([&] { SolvePerforated(five, global); }, { "add up to 5", "asks for 4" },
     Error::Kind::Inconsistent));
 }

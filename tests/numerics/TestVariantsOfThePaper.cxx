@@ -82,8 +82,8 @@ TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
   for (const double distance : { 0.85, 0.7, 0.3 })
   {
     SCOPED_TRACE(distance);
-    const TriangleMesh mesh = DrillMesh(Builtin("disk", Size),
-      OnCircle(4, distance, Pi / 4.0, 1, 0.0), Size, DrillMode::Triangle);
+    const TriangleMesh mesh = DrillMesh(
+      Builtin("disk", Size), OnCircle(4, distance, Pi / 4.0, 1, 0.0), Size, DrillMode::Triangle);
     const CrossField field = SolvePerforated(mesh, options);
     EXPECT_TRUE(field.converged);
     const bool isNear = distance > 0.5;
@@ -198,8 +198,8 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
   constexpr double Size = 0.07;
   const PlanarDomain disk = Builtin("disk", Size);
   const TriangleMesh five = DrillMesh(disk, OnCircle(5, 0.6, 0.3, 1, 0.1), Size);
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(five); }, { "add up to 5", "asks for 4" },
-    Error::Kind::Inconsistent));
+  EXPECT_TRUE(Refuses(
+    [&] { SolvePerforated(five); }, { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
   PerforatedOptions options;
   options.epsilon = Size;
   const CrossField field = SolvePerforated(five, options);

@@ -69,8 +69,7 @@ double FieldReading::PhaseEnergy(std::size_t triangle) const
   const Sides u = this->At(this->triangles[triangle].cell);
   // A linear function grows from corner to corner twice as much as between the midpoints of the
   // other two sides.
-  return this->Dirichlet(
-    triangle, 2.0 * std::arg(u[1] / u[2]), 2.0 * std::arg(u[1] / u[0]));
+  return this->Dirichlet(triangle, 2.0 * std::arg(u[1] / u[2]), 2.0 * std::arg(u[1] / u[0]));
 }
 
 //------------------------------------------------------------------------------
@@ -94,8 +93,9 @@ int FieldReading::Singular() const
   {
     around[static_cast<std::size_t>(line.points[0])] = 0.0;
   }
-  return count + static_cast<int>(std::count_if(around.begin(), around.end(),
-                   [](double sum) { return std::abs(sum) > 1.0; }));
+  return count +
+    static_cast<int>(
+      std::count_if(around.begin(), around.end(), [](double sum) { return std::abs(sum) > 1.0; }));
 }
 
 //------------------------------------------------------------------------------

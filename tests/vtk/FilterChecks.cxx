@@ -38,10 +38,7 @@ public:
   static StrictOutputWindow* New();
   vtkTypeMacro(StrictOutputWindow, vtkOutputWindow);
 
-  void DisplayText(const char* text) override
-  {
-    ADD_FAILURE() << "VTK printed: " << text;
-  }
+  void DisplayText(const char* text) override { ADD_FAILURE() << "VTK printed: " << text; }
   void DisplayErrorText(const char* text) override { this->DisplayText(text); }
   void DisplayWarningText(const char* text) override { this->DisplayText(text); }
   void DisplayGenericWarningText(const char* text) override { this->DisplayText(text); }
@@ -71,8 +68,7 @@ std::string Sentence(std::string text)
 
 void KeepMessage(vtkObject*, unsigned long, void* list, void* text)
 {
-  static_cast<std::vector<std::string>*>(list)->push_back(
-    Sentence(static_cast<const char*>(text)));
+  static_cast<std::vector<std::string>*>(list)->push_back(Sentence(static_cast<const char*>(text)));
 }
 
 void DropMessage(vtkObject*, unsigned long, void*, void*) {}
@@ -134,8 +130,7 @@ public:
   {
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void*)
+    command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
       { static_cast<ProgressWatch*>(self)->Notice(); });
     this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
   }
@@ -289,8 +284,8 @@ void CheckInputUntouched(vtkAlgorithm* filter)
 }
 
 //------------------------------------------------------------------------------
-void CheckRunTwice(vtkAlgorithm* filter, const std::function<void()>& setA,
-  const std::function<void()>& setB)
+void CheckRunTwice(
+  vtkAlgorithm* filter, const std::function<void()>& setA, const std::function<void()>& setB)
 {
   std::vector<std::string> outputs;
   for (const auto& set : { setA, setB, setA })
@@ -353,7 +348,8 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
   filter->SetAbortExecute(0);
   filter->Modified();
   UpdateWithoutError(filter);
-  EXPECT_TRUE(Fingerprint(filter->GetOutputDataObject(0)) == full) << "an aborted run spoils the next one";
+  EXPECT_TRUE(Fingerprint(filter->GetOutputDataObject(0)) == full)
+    << "an aborted run spoils the next one";
 }
 
 //------------------------------------------------------------------------------

@@ -64,8 +64,8 @@ void CheckInputUntouched(vtkAlgorithm* filter);
  * Sets A, B and A again, which must give different outputs, and expects the third output to be the
  * first one bit for bit: nothing of a run stays in the filter.
  */
-void CheckRunTwice(vtkAlgorithm* filter, const std::function<void()>& setA,
-  const std::function<void()>& setB);
+void CheckRunTwice(
+  vtkAlgorithm* filter, const std::function<void()>& setA, const std::function<void()>& setB);
 
 /** Replaces the input of port 0 by an empty one of its class; the output is empty, no error. */
 void CheckEmptyInput(vtkAlgorithm* filter);

@@ -71,10 +71,10 @@ TEST_F(CrossFieldSingularities, KeepsThePromisesOfEveryFilter)
   const auto larger = FieldOn({ Circle(42, 1.1) }, 0.15);
   this->Filter->SetInputData(disk);
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckRunTwice(this->Filter, [&] { this->Filter->SetInputData(disk); },
+  FilterChecks::CheckRunTwice(
+    this->Filter, [&] { this->Filter->SetInputData(disk); },
     [&] { this->Filter->SetInputData(larger); });
-  FilterChecks::CheckPrintSelf(
-    this->Filter, { "IncludeCorners", "IncludeHoles", "CornerAngle" });
+  FilterChecks::CheckPrintSelf(this->Filter, { "IncludeCorners", "IncludeHoles", "CornerAngle" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

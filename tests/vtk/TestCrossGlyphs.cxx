@@ -160,8 +160,7 @@ TEST_F(CrossGlyphs, OneCrossPerTriangleByDefault)
     {
       const Stroke& stroke = strokes[2 * i + branch];
       const Vector expected = this->Value(branch == 0 ? "Cross" : "Cross2", cells[i]);
-      EXPECT_NEAR(
-        Length(Combine(1.0, stroke.middle, -1.0, this->Centre(cells[i]))), 0.0, 1e-14);
+      EXPECT_NEAR(Length(Combine(1.0, stroke.middle, -1.0, this->Centre(cells[i]))), 0.0, 1e-14);
       EXPECT_NEAR(Length(Combine(1.0, stroke.along, -length, expected)), 0.0, 1e-14);
       EXPECT_EQ(stroke.norm, this->Value("CrossNorm", cells[i])[0]);
     }

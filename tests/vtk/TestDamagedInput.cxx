@@ -40,7 +40,8 @@ vtkSmartPointer<vtkUnstructuredGrid> Grid(
   int type, const std::vector<vtkIdType>& ends, const std::vector<vtkIdType>& ids)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }) })->GetPoints());
+  grid->SetPoints(
+    TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }) })->GetPoints());
   vtkNew<vtkCellArray> cells;
   cells->SetData(Ids(ends), Ids(ids));
   grid->SetCells(type, cells);
@@ -73,7 +74,8 @@ TEST(DamagedInput, PointsOfCells)
 {
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 6 }, { 0, 1, 2, 0, 2, 4 }), "Cell 1 uses point 4 of 4");
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 6 }, { 0, -1, 2, 0, 2, 3 }), "Cell 0 uses point -1");
-  ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 5 }, { 0, 1, 2, 0, 2 }), "Cell 1 has 2 points instead of 3");
+  ExpectDamaged(
+    Grid(VTK_TRIANGLE, { 0, 3, 5 }, { 0, 1, 2, 0, 2 }), "Cell 1 has 2 points instead of 3");
   ExpectDamaged(Grid(VTK_PIXEL, { 0, 2 }, { 0, 1 }), "2 points instead of 4");
   ExpectDamaged(Grid(VTK_LINE, { 0, 1, 3 }, { 0, 1, 2 }), "Cell 0 has 1 points instead of 2");
 }
@@ -92,8 +94,8 @@ TEST(DamagedInput, ShortArrays)
   mesh->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind)->SetNumberOfTuples(5);
   vtkNew<vtkPerforatedCrossField> solver;
   solver->SetInputData(mesh);
-  EXPECT_EQ(CaptureError(solver, { "'BoundaryKind' has 5 entries", "damaged" }),
-    vtkErrorCode::UserError);
+  EXPECT_EQ(
+    CaptureError(solver, { "'BoundaryKind' has 5 entries", "damaged" }), vtkErrorCode::UserError);
 
   vtkNew<vtkCrossGlyphs> glyphs;
   glyphs->SetInputData(mesh);
@@ -101,11 +103,13 @@ TEST(DamagedInput, ShortArrays)
 
   auto singularities =
     TestInputs::Singularities({ { 1.0, 1.0, 1.0, 0.2 }, { 3.0, 3.0, 1.0, 0.2 } });
-  singularities->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex)->SetNumberOfTuples(1);
+  singularities->GetPointData()
+    ->GetArray(vtkCrossFieldArrayNames::QuarterIndex)
+    ->SetNumberOfTuples(1);
   vtkNew<vtkDrillHoles> filter;
   filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }) }));
   filter->SetSingularitiesData(singularities);
-  EXPECT_EQ(CaptureError(filter, { "'QuarterIndex' has 1 entries for 2 points" }),
-    vtkErrorCode::UserError);
+  EXPECT_EQ(
+    CaptureError(filter, { "'QuarterIndex' has 1 entries for 2 points" }), vtkErrorCode::UserError);
 }
 }

@@ -113,8 +113,7 @@ TEST_F(DrillHolesRefusals, CrossingLoops)
 
 TEST_F(DrillHolesRefusals, SeveralOuterLoops)
 {
-  this->SetCurves(
-    { Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 5.0, 0.0 }, { 6.0, 1.0 }) });
+  this->SetCurves({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 5.0, 0.0 }, { 6.0, 1.0 }) });
   this->ExpectError({ "several outer loops" });
 }
 
@@ -289,8 +288,8 @@ TEST_F(DrillHolesRefusals, DomainTooFarFromTheOrigin)
 TEST_F(DrillHolesRefusals, PointsThatCountAsOne)
 {
   // A slit of width 1e-10: its ends fall together, and it is no loop any more.
-  this->SetDomain(
-    Loops({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 2.0 + 1e-10 }) }));
+  this->SetDomain(Loops(
+    { Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 2.0 + 1e-10 }) }));
   this->ExpectError({ "count as one" });
 }
 

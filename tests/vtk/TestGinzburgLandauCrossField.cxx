@@ -36,8 +36,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Disk()
 
 vtkSmartPointer<vtkUnstructuredGrid> Ring()
 {
-  return TestInputs::Drill(
-    TestInputs::Loops({ Circle(60, 1.0), Circle(24, 0.4) }), {}, 0.1);
+  return TestInputs::Drill(TestInputs::Loops({ Circle(60, 1.0), Circle(24, 0.4) }), {}, 0.1);
 }
 
 /** Adds a cell array with one value everywhere, but `inside` on triangles in a disk. */
@@ -80,7 +79,8 @@ TEST_F(GinzburgLandauCrossField, KeepsThePromisesOfEveryFilter)
 {
   this->Filter->SetInputData(Disk());
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckRunTwice(this->Filter, [this] { this->Filter->SetInputData(Disk()); },
+  FilterChecks::CheckRunTwice(
+    this->Filter, [this] { this->Filter->SetInputData(Disk()); },
     [this] { this->Filter->SetInputData(Ring()); });
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,

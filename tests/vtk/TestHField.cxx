@@ -45,7 +45,8 @@ TEST_F(HField, KeepsTheRulesOfAFilter)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Domain->SetDomainName("disk"); },
-    [this] {
+    [this]
+    {
       this->Domain->SetDomainName("ellipse");
       this->Domain->SetWidth(2.4);
       this->Domain->SetHeight(1.8);
@@ -78,7 +79,8 @@ TEST_F(HField, ArraysHaveTheirNamesTypesAndShapes)
   }
   for (vtkIdType i = 0; i < pointCount; ++i)
   {
-    EXPECT_EQ(points->GetArray("SizeMap")->GetTuple1(i), std::exp(points->GetArray("H")->GetTuple1(i)));
+    EXPECT_EQ(
+      points->GetArray("SizeMap")->GetTuple1(i), std::exp(points->GetArray("H")->GetTuple1(i)));
   }
   for (const char* name : { "Energy", "RenormalizedEnergy", "Residual" })
   {
@@ -184,8 +186,8 @@ TEST_F(HField, WarnsThatHIsMultivalued)
 
 TEST_F(HField, Refusals)
 {
-  const auto refuse = [this](const std::vector<TestInputs::Row>& rows,
-                        const std::vector<std::string>& parts)
+  const auto refuse =
+    [this](const std::vector<TestInputs::Row>& rows, const std::vector<std::string>& parts)
   {
     this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
     return FilterChecks::CaptureError(this->Filter, parts);

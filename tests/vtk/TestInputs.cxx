@@ -44,8 +44,7 @@ Curve Circle(int count, double radius, Place centre)
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2.0 * 3.14159265358979323846 * i / count;
-    curve.push_back(
-      { centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle) });
+    curve.push_back({ centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle) });
   }
   return curve;
 }

@@ -13,7 +13,7 @@ class vtkUnstructuredGrid;
 namespace TestInputs
 {
 using Place = std::array<double, 2>;
-using Curve = std::vector<Place>; ///< Closed: the last place is joined to the first.
+using Curve = std::vector<Place>;  ///< Closed: the last place is joined to the first.
 using Row = std::array<double, 4>; ///< x, y, quarter index, radius.
 
 Curve Circle(int count, double radius, Place centre = { 0.0, 0.0 });

@@ -32,8 +32,7 @@ TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckEmptyInput(this->Filter);
-  FilterChecks::CheckPrintSelf(
-    this->Filter,
+  FilterChecks::CheckPrintSelf(this->Filter,
     { "Method", "Start", "UnitHoles", "MaximumIterations", "Tolerance", "StageSeconds" });
 }
 

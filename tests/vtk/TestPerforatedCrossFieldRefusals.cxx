@@ -109,13 +109,13 @@ TEST_F(PerforatedCrossFieldRefusals, CellsThatAreNoDrilledMesh)
   const vtkIdType last = mesh->GetNumberOfCells() - 1;
   const auto withoutLastLine = this->Keep([last](vtkIdType cell) { return cell != last; });
   this->ExpectError(withoutLastLine, {});
-  const auto withoutLines = this->Keep(
-    [&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_TRIANGLE; });
+  const auto withoutLines =
+    this->Keep([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_TRIANGLE; });
   this->ExpectError(withoutLines, {});
   const auto withoutTriangle = this->Keep([](vtkIdType cell) { return cell != 0; });
   this->ExpectError(withoutTriangle, {});
-  const auto onlyLines = this->Keep(
-    [&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_LINE; });
+  const auto onlyLines =
+    this->Keep([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_LINE; });
   this->ExpectError(onlyLines, {});
 
   const auto quadrilateral = this->Keep([](vtkIdType) { return true; });

@@ -87,8 +87,8 @@ TEST_F(PlanarDomainSource, KeepsTheRulesOfAFilter)
     this->Source, [this] { this->Source->SetDomainName("ring"); },
     [this] { this->Source->SetDomainName("l-shape"); });
   FilterChecks::CheckProgressAndAbort(this->Source, false);
-  FilterChecks::CheckPrintSelf(this->Source,
-    { "DomainName", "Radius", "InnerRadius", "Width", "Height", "EdgeLength" });
+  FilterChecks::CheckPrintSelf(
+    this->Source, { "DomainName", "Radius", "InnerRadius", "Width", "Height", "EdgeLength" });
 }
 
 TEST_F(PlanarDomainSource, DefaultIsTheUnitDisk)
@@ -167,8 +167,8 @@ TEST_F(PlanarDomainSource, StraightSidesAreSingleSegments)
   EXPECT_EQ(this->Read("rectangle"),
     std::vector<Loop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } } }));
   EXPECT_EQ(this->Read("l-shape"),
-    std::vector<Loop>({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.5 }, { 1.5, 1.5 }, { 1.5, 3.0 },
-      { 0.0, 3.0 } } }));
+    std::vector<Loop>(
+      { { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.5 }, { 1.5, 1.5 }, { 1.5, 3.0 }, { 0.0, 3.0 } } }));
 }
 
 TEST_F(PlanarDomainSource, HexagonAndStar)
@@ -236,9 +236,8 @@ TEST_F(PlanarDomainSource, EdgeLengthIsThatOfTheCurves)
     for (const Loop& loop : this->Read(name))
     {
       // The straight sides of the quarter disk are longer.
-      const double longest = std::string(name) == "quarter-disk"
-        ? std::abs(loop[1] - loop[0])
-        : LongestSegment(loop);
+      const double longest =
+        std::string(name) == "quarter-disk" ? std::abs(loop[1] - loop[0]) : LongestSegment(loop);
       EXPECT_LE(longest, 0.05) << name;
       EXPECT_GT(longest, 0.03) << name;
     }

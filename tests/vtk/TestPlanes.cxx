@@ -148,11 +148,12 @@ TEST_P(Planes, MeshAndField)
     vtkIdType found = 0;
     for (vtkIdType j = 1; j < turned->GetNumberOfPoints(); ++j)
     {
-      found = Distance(place, turned->GetPoint(j)) < Distance(place, turned->GetPoint(found)) ? j
-                                                                                           : found;
+      found =
+        Distance(place, turned->GetPoint(j)) < Distance(place, turned->GetPoint(found)) ? j : found;
     }
     ASSERT_LT(Distance(place, turned->GetPoint(found)), 1e-12);
-    EXPECT_LT(std::abs(complex(flat, i) - complex(turned, found)), 1e-10) << "u in the plane's frame";
+    EXPECT_LT(std::abs(complex(flat, i) - complex(turned, found)), 1e-10)
+      << "u in the plane's frame";
 
     Vector crosses[2];
     turned->GetPointData()->GetArray("Cross")->GetTuple(found, crosses[0].data());
@@ -247,17 +248,18 @@ TEST_P(Planes, SingularitiesOfAField)
   for (int i = 0; i < 2; ++i)
   {
     Chain& chain = i == 0 ? this->Flat : this->Turned;
-    chain.Drill->SetInputData(Moved(
-      TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
-      i == 0 ? Identity : GetParam()));
+    chain.Drill->SetInputData(
+      Moved(TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
+        i == 0 ? Identity : GetParam()));
     chain.Drill->SetSingularitiesData(TestInputs::Singularities({}));
     references[i]->SetInputConnection(chain.Drill->GetOutputPort());
     references[i]->SetEpsilon(4.0); // a weak penalty has one minimum; for others rounding chooses
     FilterChecks::UpdateWithoutError(references[i]);
   }
   EXPECT_GT(Value(references[0]->GetOutput(), "Energy"), 1.0);
-  EXPECT_NEAR(Value(references[1]->GetOutput(), "Energy") /
-      Value(references[0]->GetOutput(), "Energy"), 1.0, 1e-10);
+  EXPECT_NEAR(
+    Value(references[1]->GetOutput(), "Energy") / Value(references[0]->GetOutput(), "Energy"), 1.0,
+    1e-10);
 }
 
 TEST_P(Planes, Glyphs)

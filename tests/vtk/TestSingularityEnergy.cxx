@@ -110,6 +110,6 @@ TEST_F(SingularityEnergy, Refusals)
     vtkErrorCode::UserError);
   this->Filter->RemoveAllConfigurations();
   this->Filter->AddConfigurationData(TestInputs::Singularities({ { 0.9, 0.0, 4.0, 0.2 } }));
-  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "cuts the boundary" }),
-    vtkErrorCode::UserError);
+  EXPECT_EQ(
+    FilterChecks::CaptureError(this->Filter, { "cuts the boundary" }), vtkErrorCode::UserError);
 }

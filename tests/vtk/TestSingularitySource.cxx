@@ -146,7 +146,8 @@ TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
   this->Source->SetHandle(2, -1.0, -2.0, 0.0);
   EXPECT_EQ(this->Source->GetNumberOfHandles(), 3);
   EXPECT_EQ(this->Rows(),
-    std::vector<Row>({ { 0.5, 0.25, 3.0, 0.4 }, { 0.0, 0.0, -7.0, 0.8 }, { -1.0, -2.0, 1.0, 0.8 } }));
+    std::vector<Row>(
+      { { 0.5, 0.25, 3.0, 0.4 }, { 0.0, 0.0, -7.0, 0.8 }, { -1.0, -2.0, 1.0, 0.8 } }));
   this->Source->SetHandle(2, -1.0, -2.0, 3.0);
   this->Source->Update();
   EXPECT_EQ(this->Source->GetOutput()->GetPoint(2)[2], 3.0);
@@ -210,17 +211,14 @@ TEST_F(SingularitySource, RefusesFilesItCannotUse)
     const char* text;
     const char* complaint;
   };
-  const Case cases[] = { { "", "no column 'x'" },
-    { "x,quarter_index\n0,1\n", "no column 'y'" },
-    { "x,y\n0,0\n", "no column 'quarter_index'" },
-    { "0.5,0.5,1,0.1\n", "no column 'x'" },
+  const Case cases[] = { { "", "no column 'x'" }, { "x,quarter_index\n0,1\n", "no column 'y'" },
+    { "x,y\n0,0\n", "no column 'quarter_index'" }, { "0.5,0.5,1,0.1\n", "no column 'x'" },
     { "x,y,quarter_index\n0,zero,1\n", "no number in column 'y'" },
     { "x,y,quarter_index\n0,,1\n", "no number in column 'y'" },
     { "x,y,quarter_index\n0,1.5m,1\n", "no number in column 'y'" },
     { "x,y,quarter_index\n0,0\n", "no number in column 'quarter_index'" },
     { "x,y,quarter_index,radius\n0,0,1\n", "no number in column 'radius'" },
-    { "x,y,quarter_index\n0,nan,1\n", "Row 0" },
-    { "x,y,quarter_index\n0,0,1\n0,inf,1\n", "Row 1" },
+    { "x,y,quarter_index\n0,nan,1\n", "Row 0" }, { "x,y,quarter_index\n0,0,1\n0,inf,1\n", "Row 1" },
     { "x,y,quarter_index,radius\n0,0,1,nan\n", "Row 0" },
     { "x,y,quarter_index\n0,0,0.25\n", "not an integer" },
     { "x,y,quarter_index\n0,0,nan\n", "quarter" } };

@@ -198,7 +198,8 @@ void ExpectSameBytesAtOnce(const std::vector<Pipeline>& pipelines, int repetitio
   }
 }
 
-const Pipeline Constrained = [] { return Perforated(false, vtkPerforatedCrossField::MethodConstrained); };
+const Pipeline Constrained = []
+{ return Perforated(false, vtkPerforatedCrossField::MethodConstrained); };
 const Pipeline UnitNorm = [] { return Perforated(true, vtkPerforatedCrossField::MethodUnitNorm); };
 
 /** More than a few repetitions find rare races; how many is up to who looks for them. */
@@ -220,7 +221,8 @@ TEST(ThreadSafety, FourPipelinesAtOnce)
 
 TEST(ThreadSafety, TheSamePipelineTwice)
 {
-  ExpectSameBytesAtOnce({ Constrained, Constrained, GinzburgLandau, GinzburgLandau }, Repetitions());
+  ExpectSameBytesAtOnce(
+    { Constrained, Constrained, GinzburgLandau, GinzburgLandau }, Repetitions());
 }
 
 TEST(ThreadSafety, AnErrorBesideASuccess)

@@ -117,7 +117,8 @@ TEST_F(Variants, KeepTheRulesOfAFilter)
   this->Filter->SetEpsilon(0.2);
   this->Filter->SetInputData(Imprinted());
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckRunTwice(this->Filter, [this] { this->Filter->SetInputData(Imprinted()); },
+  FilterChecks::CheckRunTwice(
+    this->Filter, [this] { this->Filter->SetInputData(Imprinted()); },
     [this] { this->Filter->SetInputData(TestInputs::DrilledDisk()); });
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckEmptyInput(this->Filter);
@@ -150,8 +151,7 @@ TEST_F(Variants, TheFieldGoesOnInsideImprintedCircles)
   FilterChecks::UpdateWithoutError(check);
   vtkFieldData* checked = check->GetOutput()->GetFieldData();
   EXPECT_EQ(FilterChecks::RequireArray(checked, "Consistent")->GetComponent(0, 0), 1.0);
-  EXPECT_EQ(
-    FilterChecks::RequireArray(checked, "UnwantedSingularities")->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(FilterChecks::RequireArray(checked, "UnwantedSingularities")->GetComponent(0, 0), 0.0);
 }
 
 TEST_F(Variants, ImprintedCirclesAreNoHolesForTheReference)
@@ -169,12 +169,12 @@ TEST_F(Variants, UnitHolesAreChosenByRow)
   this->Filter->AddUnitHole(0);
   this->Solve(Imprinted());
   EXPECT_EQ(this->Value("UnitHoles"), 1.0);
-  vtkDataArray* norms = FilterChecks::RequireArray(
-    this->Filter->GetOutput()->GetFieldData(), "HoleNormRange");
+  vtkDataArray* norms =
+    FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), "HoleNormRange");
   for (int row = 0; row < 4; ++row)
   {
-    const bool unit = norms->GetComponent(row, 0) > 1.0 - 1e-9 &&
-      norms->GetComponent(row, 1) < 1.0 + 1e-9;
+    const bool unit =
+      norms->GetComponent(row, 0) > 1.0 - 1e-9 && norms->GetComponent(row, 1) < 1.0 + 1e-9;
     EXPECT_EQ(unit, row == 0 || row == 2) << row;
   }
   this->Filter->RemoveAllUnitHoles();
