@@ -3,6 +3,7 @@
 #include "BoundaryLoops.h"
 #include "DomainExtent.h"
 #include "Error.h"
+#include "MakePlanarDomain.h"
 #include "QuarterIndexRange.h"
 #include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"

@@ -6,6 +6,7 @@
 #include "DomainConversion.h"
 #include "FilterRun.h"
 #include "HField.h"
+#include "MeshForPoints.h"
 #include "Stopwatch.h"
 #include "vtkCrossFieldArrayNames.h"
 

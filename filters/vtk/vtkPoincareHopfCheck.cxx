@@ -3,6 +3,7 @@
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "DomainQueries.h"
 #include "FieldCheck.h"
 #include "FilterRun.h"
 #include "HolonomyCheck.h"

@@ -9,6 +9,7 @@
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
 #include "HField.h"
+#include "MakePlanarDomain.h"
 #include "PerforatedSolve.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
@@ -32,7 +33,7 @@ namespace
 {
 using namespace crossfield;
 
-/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (METHOD §9).
+/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (docs/method.md §9).
 Configuration EightHoles()
 {
   Configuration configuration;

@@ -9,6 +9,7 @@
 #include "Error.h"
 #include "FieldCheck.h"
 #include "HField.h"
+#include "MakePlanarDomain.h"
 #include "PerforatedSolve.h"
 #include "PoincareHopf.h"
 

@@ -1,5 +1,6 @@
 #include "DirectPerforatedSolve.h"
 
+#include "DualSolve.h"
 #include "NestedDissection.h"
 #include "SparseCholesky.h"
 

@@ -5,7 +5,7 @@
 
 namespace crossfield
 {
-/// The constrained problem of ConstrainedField.h in its direct form (METHOD §3): the oracle that the
+/// The constrained problem of ConstrainedField.h in its direct form (docs/method.md §3): the oracle that the
 /// reduced form is compared with.
 ///
 /// The Crouzeix-Raviart stiffness matrix itself is factored with the hole edges last; its trailing

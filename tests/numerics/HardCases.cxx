@@ -3,6 +3,7 @@
 #include "BuiltinDomains.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
+#include "MakePlanarDomain.h"
 #include "Support.h"
 
 #include <cmath>

@@ -15,7 +15,7 @@ struct HardCase
   TriangleMesh mesh;
 };
 
-/// The configurations of METHOD §3 and §9 and of the issue of the reduced solve.
+/// The configurations of docs/method.md §3 and §9 and of the issue of the reduced solve.
 std::vector<HardCase> NamedHardCases();
 
 /// A random smooth domain with 4 + n singularities k = +1 and n of k = −1 at random places, n up to

@@ -1,6 +1,7 @@
 #include "Support.h"
 
 #include "BuiltinDomains.h"
+#include "MakePlanarDomain.h"
 
 #include <algorithm>
 #include <cmath>

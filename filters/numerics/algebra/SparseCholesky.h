@@ -1,0 +1,56 @@
+#pragma once
+
+#include "Error.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace crossfield
+{
+/// Thrown for a matrix that is not positive definite.
+class NotPositiveDefinite : public Error
+{
+public:
+  NotPositiveDefinite()
+    : Error("The matrix is not positive definite; the mesh may be in several parts or have "
+            "degenerate triangles, remesh the domain.")
+  {
+  }
+};
+
+/// Supernodal Cholesky factorisation A = Pᵀ L Lᵀ P of a symmetric positive definite matrix by
+/// CHOLMOD, in exactly the elimination order given.
+class SparseCholesky
+{
+public:
+  /// Only the lower half of `matrix` is read, `order[i]` is the unknown eliminated i-th. Throws Error when
+  /// an entry is not finite, and NotPositiveDefinite when the matrix is not.
+  SparseCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order);
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Solves A X = B column by column. Throws Error when the result is not finite.
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// The two halves of Solve: L⁻¹ P B and Pᵀ L⁻ᵀ B. Rows of the result of the first, and of the
+  /// argument of the second, are in elimination order.
+  Eigen::MatrixXd SolveLower(const Eigen::MatrixXd& rightHandSides) const;
+  Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
+
+  /// Lower triangular L_tt of the last `count` unknowns of the order, in that order. L_tt L_ttᵀ is
+  /// the Schur complement of A on them, which therefore costs no solve (docs/method.md §3).
+  Eigen::MatrixXd TrailingFactor(int count) const;
+
+private:
+  struct Factor;
+
+  /// cholmod_solve with one of its kinds of system.
+  Eigen::MatrixXd Solve(int system, const Eigen::MatrixXd& rightHandSides) const;
+
+  std::unique_ptr<Factor> Data;
+};
+}

@@ -1,0 +1,156 @@
+#include "MemoryBudget.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
+namespace crossfield
+{
+namespace
+{
+constexpr double GiB = 1024.0 * 1024.0 * 1024.0;
+
+void Lower(std::optional<double>& least, double bytes)
+{
+  least = std::max(0.0, least.has_value() ? std::min(*least, bytes) : bytes);
+}
+
+/// The number that is all of a file; nothing for "max", the word for no limit, or without a file.
+std::optional<double> NumberIn(const std::string& file)
+{
+  std::ifstream stream(file);
+  double number = 0.0;
+  return stream >> number ? std::optional<double>(number) : std::nullopt;
+}
+
+/// The number behind a key at the beginning of a line.
+std::optional<double> NumberBehind(const std::string& file, const std::string& key)
+{
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+  {
+    std::istringstream words(line);
+    std::string word;
+    double number = 0.0;
+    if (words >> word >> number && word == key)
+    {
+      return number;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What the limit of one control group leaves. Page cache is given back when memory is needed.
+void LowerToGroup(std::optional<double>& least, const std::string& folder, const std::string& limit,
+  const std::string& usage, const std::string& cachePrefix)
+{
+  const std::optional<double> most = NumberIn(folder + "/" + limit);
+  const std::optional<double> used = NumberIn(folder + "/" + usage);
+  if (most.has_value() && used.has_value())
+  {
+    const auto cache = [&](const char* key)
+    { return NumberBehind(folder + "/memory.stat", cachePrefix + key).value_or(0.0); };
+    Lower(least, *most - (*used - cache("inactive_file") - cache("active_file")));
+  }
+}
+
+/// A group and all above it: in a container the path is often not visible, but its root is.
+void LowerToGroups(std::optional<double>& least, const std::string& root, std::string path,
+  const std::string& limit, const std::string& usage, const std::string& cachePrefix)
+{
+  while (true)
+  {
+    LowerToGroup(least, root + path, limit, usage, cachePrefix);
+    if (path.empty())
+    {
+      return;
+    }
+    path.erase(path.find_last_of('/'));
+  }
+}
+
+void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& files)
+{
+  std::ifstream groups(files.process + "/self/cgroup");
+  for (std::string line; std::getline(groups, line);) // number:controllers:/path
+  {
+    const auto first = line.find(':');
+    const auto second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos)
+    {
+      continue;
+    }
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    std::string path = line.substr(second + 1);
+    path.erase(0, path.find('/') == 0 ? 0 : path.size());
+    path.erase(path.find_last_not_of('/') + 1);
+    if (controllers == ",,")
+    {
+      LowerToGroups(least, files.controlGroups, path, "memory.max", "memory.current", "");
+    }
+    else if (controllers.find(",memory,") != std::string::npos)
+    {
+      LowerToGroups(least, files.controlGroups + "/memory", path, "memory.limit_in_bytes",
+        "memory.usage_in_bytes", "total_");
+    }
+  }
+}
+
+/// OpenBLAS takes a buffer for each of the two threads that call it, and when a limit on the address
+/// space denies it, asks for ever. The threads have stacks of the default size, too.
+constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
+
+void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& files)
+{
+#ifdef RLIMIT_AS
+  rlimit limit = {};
+  const std::optional<double> pages = NumberIn(files.process + "/self/statm");
+  if (pages.has_value() && getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+  {
+    Lower(least,
+      static_cast<double>(limit.rlim_cur) - *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) -
+        ThreadReserve);
+  }
+#else
+  (void)least;
+  (void)files;
+#endif
+}
+}
+
+const char* const OutOfMemory =
+  "There is not enough memory for this mesh; use a larger mesh size or fewer holes.";
+
+std::optional<double> AvailableMemory(const MemoryLimitFiles& files)
+{
+  std::optional<double> least;
+  if (const auto kilobytes = NumberBehind(files.process + "/meminfo", "MemAvailable:"))
+  {
+    Lower(least, *kilobytes * 1024.0);
+  }
+  LowerToControlGroups(least, files);
+  LowerToAddressSpace(least, files);
+  return least;
+}
+
+void RequireMemory(double bytes, const std::string& what, const std::string& mend)
+{
+  const std::optional<double> available = AvailableMemory();
+  if (available.has_value() && !(bytes <= *available))
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << what << " would need about " << bytes / GiB << " GiB of memory, more than the "
+         << *available / GiB << " GiB available; " << mend << ".";
+    throw Error(text.str());
+  }
+}
+}

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "PerforatedProblem.h"
+#include "ReducedProblem.h"
+
+namespace crossfield
+{
+/// A minimiser of ½ ∫ |∇u|² over Crouzeix-Raviart fields with aligned outer and inner loops and one
+/// degree constraint per hole (docs/method.md §3; paper, "Singularity placements via perforation strategy").
+struct ConstrainedField
+{
+  ComplexVector u; ///< Per edge; exactly aligned.
+  double energy = 0.0;
+  ReducedSolution reduced;
+  /// Largest |u − e^{4iτ}| over the aligned edges before they were set.
+  double alignmentResidual = 0.0;
+};
+
+/// The problem on the hole edges, reduced to the P1 Laplacian (docs/method.md §3, reduced form).
+///
+/// With x the values on the hole edges, x_j on edge j counter-clockwise and vertex j between edges j
+/// and j + 1, the conjugate potentials of Re u and Im u have sources s_j = x_j − x_{j+1} at the hole
+/// vertices, s = ∇ᵀx, and the forces of the constraints on the hole edges are f_j = Ψ_j − Ψ_{j−1},
+/// f = ∇Ψ. So the Schur complement of the Crouzeix-Raviart matrix on the hole edges is
+/// S = ∇ T⁻¹ ∇ᵀ with the trailing Schur complement T of PotentialSolver. The degree constraints do
+/// not change when a constant is added to x on a hole: the energy is minimised over these constants,
+/// and S is completed by the gauge that makes the mean of x on every hole zero.
+///
+/// If the potential has periods around holes, the constants count: hole period k has the source
+/// u(first edge of its strip) − x_last and acts on the last edge, so ∇ᵀ gets a row −x_last for it.
+class ConstrainedSolver
+{
+public:
+  /// Throws Error when a hole has too few edges for its degree.
+  explicit ConstrainedSolver(const PerforatedProblem& problem);
+
+  const ReducedProblem& GetReducedProblem() const { return this->Reduced; }
+
+  /// Values of a field on the hole edges, in the order and gauge of the reduced problem.
+  ComplexVector HoleValues(const ComplexVector& u) const;
+
+  /// The field that belongs to a solution of the reduced problem.
+  ConstrainedField Recover(const ReducedSolution& solution) const;
+
+private:
+  const PerforatedProblem& Problem;
+  std::vector<int> HoleEdges;  ///< Edge numbers, hole by hole, counter-clockwise.
+  std::vector<int> NextOnHole; ///< Position in HoleEdges of the next edge of the same hole.
+  bool ConstantsCount = false; ///< The potential has periods around holes.
+  /// The potentials with the sources of the aligned loops only, columns Re and Im.
+  PotentialSolver::Eliminated Aligned;
+  Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.
+  ReducedProblem Reduced;
+};
+}

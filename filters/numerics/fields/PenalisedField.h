@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ConstrainedMinimiser.h"
+#include "GinzburgLandauEnergy.h"
+
+namespace crossfield
+{
+/// A local minimiser of the Ginzburg-Landau energy under quadratic constraints on some edges
+/// (docs/method.md §3, variant 6; paper: "add to our method the non-linear penalty").
+///
+/// By ConstrainedMinimiser.h with one sparse factorisation for each step. M is D, the metric of the
+/// penalty, which makes up for all of its negative curvature, and on the constrained edges the mean
+/// diagonal of the stiffness matrix besides, which some multiple makes up for that of Σ λ_i A_i. The unknowns of `constraints` are positions in
+/// energy.FreeEdges(); `start` has one value per edge of the mesh, and so has the result.
+MinimiserResult SolvePenalised(const GinzburgLandauEnergy& energy,
+  const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
+  const MinimiserOptions& options = {}, const Progress& progress = {});
+}

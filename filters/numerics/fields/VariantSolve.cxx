@@ -1,0 +1,364 @@
+#include "VariantSolve.h"
+
+#include "DualSolve.h"
+#include "EdgeReduction.h"
+#include "Error.h"
+#include "PenalisedField.h"
+#include "LocalSolve.h"
+#include "Stopwatch.h"
+#include "UnitNormField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Holes, then imprinted circles: everything that carries a constraint.
+std::vector<BoundaryLoop> ConstrainedLoops(
+  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& boundaryLoops)
+{
+  std::vector<BoundaryLoop> loops;
+  std::copy_if(boundaryLoops.begin(), boundaryLoops.end(), std::back_inserter(loops),
+    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Hole; });
+  const std::vector<BoundaryLoop> imprinted = FindImprintedLoops(mesh);
+  loops.insert(loops.end(), imprinted.begin(), imprinted.end());
+  return loops;
+}
+
+/// Whether each loop has unit norm. Throws Error for a row that is none of them.
+std::vector<bool> FindUnitLoops(
+  const std::vector<BoundaryLoop>& loops, const PerforatedOptions& options)
+{
+  std::vector<bool> unit(loops.size(), options.unitHoles);
+  for (const int row : options.unitHoleRows)
+  {
+    const auto found = std::find_if(
+      loops.begin(), loops.end(), [row](const BoundaryLoop& loop) { return loop.id == row; });
+    if (found == loops.end())
+    {
+      throw Error("Unit norm was asked for on hole " + std::to_string(row) +
+        ", which the mesh does not have; give rows of the configuration, counted from 0.");
+    }
+    unit[static_cast<std::size_t>(found - loops.begin())] = true;
+  }
+  return unit;
+}
+
+void CheckCombination(const TriangleMesh& mesh, const PerforatedOptions& options)
+{
+  if (options.method == PerforatedMethod::UnitNorm)
+  {
+    throw Error(mesh.imprinted.empty()
+        ? "The global constraint, unit norms and the penalty belong to the constrained method; "
+          "choose it, or leave them out."
+        : "The unit-norm method needs holes, but the mesh has imprinted circles, inside which a "
+          "field of norm one cannot exist; perforate it, or choose the constrained method.");
+  }
+  if (options.epsilon < 0.0 || !std::isfinite(options.epsilon))
+  {
+    throw Error("The length epsilon of the penalty must be positive, or 0 for no penalty.");
+  }
+  if (options.epsilon > 0.0 && (options.unitHoles || !options.unitHoleRows.empty()))
+  {
+    throw Error("Unit norms on holes and the penalty cannot be combined, and the penalty alone "
+                "keeps the norm near one; leave one of them out.");
+  }
+}
+
+/// The reduced problem with some of its loops replaced by one unknown, the factor e^{iφ}.
+class VariantProblem
+{
+public:
+  VariantProblem(const ReducedProblem& reduced, const std::vector<bool>& unit, bool global)
+    : Reduced(reduced)
+    , Unit(unit)
+  {
+    std::vector<Eigen::Triplet<Complex>> entries;
+    std::vector<DegreeConstraint> degrees;
+    int unknowns = 0;
+    for (std::size_t i = 0; i < reduced.constraints.size(); ++i)
+    {
+      const DegreeConstraint& constraint = reduced.constraints[i];
+      DegreeConstraint moved = constraint;
+      for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
+      {
+        entries.emplace_back(
+          constraint.unknowns[j], unknowns, unit[i] ? constraint.turning[j] : 1.0);
+        moved.unknowns[j] = unknowns;
+        unknowns += unit[i] ? 0 : 1;
+      }
+      if (unit[i])
+      {
+        this->Problem.constraints.push_back(UnitNorm(unknowns++));
+      }
+      else if (global)
+      {
+        degrees.push_back(moved);
+      }
+      else
+      {
+        this->Problem.constraints.push_back(SumOfDegrees({ moved }));
+      }
+    }
+    if (!degrees.empty())
+    {
+      this->Problem.constraints.push_back(SumOfDegrees(degrees));
+    }
+    this->Expansion.resize(reduced.matrix.rows(), unknowns);
+    this->Expansion.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::MatrixXcd product = reduced.matrix.cast<Complex>() * this->Expansion;
+    this->Problem.matrix = this->Expansion.adjoint() * product;
+    this->Problem.load = this->Expansion.adjoint() * reduced.load;
+  }
+
+  /// From values on the edges; those with unit norm count by the phase nearest to them.
+  MinimiserResult Solve(
+    const ComplexVector& start, const ReducedOptions& options, const Progress& progress) const
+  {
+    ComplexVector x = start;
+    for (std::size_t i = 0; i < this->Unit.size(); ++i)
+    {
+      if (this->Unit[i])
+      {
+        TurnEvenly(this->Reduced.constraints[i], x);
+      }
+    }
+    // The columns of loops with unit norm have m entries of size one.
+    ComplexVector y = this->Expansion.adjoint() * x;
+    for (Eigen::Index k = 0; k < y.size(); ++k)
+    {
+      y[k] /= static_cast<double>(this->Expansion.col(k).nonZeros());
+    }
+    MinimiserResult result = SolveQuadratic(this->Problem, y, options, progress);
+    result.x = this->Expansion * result.x;
+    return result;
+  }
+
+  /// Replaces the values on a loop by the nearest unit values that turn evenly.
+  static void TurnEvenly(const DegreeConstraint& constraint, ComplexVector& x)
+  {
+    Complex sum = 0.0;
+    for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
+    {
+      sum += std::conj(constraint.turning[j]) * x[constraint.unknowns[j]];
+    }
+    for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
+    {
+      x[constraint.unknowns[j]] = std::polar(1.0, std::arg(sum)) * constraint.turning[j];
+    }
+  }
+
+private:
+  const ReducedProblem& Reduced;
+  std::vector<bool> Unit;
+  Eigen::SparseMatrix<Complex> Expansion; ///< Edges from unknowns.
+  QuadraticProblem Problem;
+};
+
+MinimiserResult SolveDual(
+  const ReducedProblem& reduced, const ReducedOptions& options, const Progress& progress)
+{
+  ReducedSolution solution = SolveReduced(reduced, options, progress);
+  return { std::move(solution.x), std::move(solution.multipliers), solution.iterations,
+    solution.residual, solution.converged };
+}
+
+/// One variant on one mesh; `field` is what all of its solutions begin with.
+class VariantSolver
+{
+public:
+  VariantSolver(const TriangleMesh& mesh, const PerforatedOptions& options,
+    const std::vector<BoundaryLoop>& boundaryLoops, const CrossField& field)
+    : Mesh(mesh)
+    , Options(options)
+    , BoundaryLoops(boundaryLoops)
+    , Blank(field)
+    , Loops(ConstrainedLoops(mesh, boundaryLoops))
+    , Unit(FindUnitLoops(this->Loops, options))
+    , Dual(!options.globalConstraint &&
+        std::none_of(this->Unit.begin(), this->Unit.end(), [](bool unit) { return unit; }))
+    , Reduction(mesh, field.edges, this->Loops)
+    , Problem(this->Reduction.GetReducedProblem(), this->Unit, options.globalConstraint)
+  {
+    if (mesh.imprinted.empty() && field.count.Consistent() &&
+      options.start != PerforatedStart::Harmonic)
+    {
+      const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
+      this->UnitNormField = SolveUnitNorm(problem).u;
+    }
+  }
+
+  CrossField Run(const Progress& progress) const
+  {
+    switch (this->Options.start)
+    {
+    case PerforatedStart::Harmonic:
+      return this->FromHarmonic(progress);
+    case PerforatedStart::UnitNorm:
+      return this->FromUnitCrosses(progress);
+    case PerforatedStart::Best:
+      break;
+    }
+    // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
+    // the harmonic field.
+    const bool harmonicFirst =
+      this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormField.size() > 0);
+    CrossField first = harmonicFirst ? this->FromHarmonic(progress.Part(0.0, 0.5))
+                                     : this->FromUnitCrosses(progress.Part(0.0, 0.5));
+    if (first.converged && first.wrongDegrees == 0 && first.unwantedSingularities == 0)
+    {
+      return first;
+    }
+    CrossField second = harmonicFirst ? this->FromUnitCrosses(progress.Part(0.5, 1.0))
+                                      : this->FromHarmonic(progress.Part(0.5, 1.0));
+    return IsBetter(second, first) ? second : first;
+  }
+
+private:
+  CrossField FromHarmonic(const Progress& progress) const
+  {
+    const Progress part = progress.Part(0.0, 0.3);
+    const ReducedOptions& options = this->Options.reduced;
+    return this->Finish(this->Dual
+        ? SolveDual(this->Reduction.GetReducedProblem(), options, part)
+        : this->Problem.Solve(this->Reduction.HarmonicValues(), options, part),
+      progress.Part(0.3, 1.0));
+  }
+
+  /// From the unit-norm field or, where there is none, from unit crosses on the holes.
+  CrossField FromUnitCrosses(const Progress& progress) const
+  {
+    CrossField field = this->Blank;
+    if (this->UnitNormField.size() > 0 && this->Options.epsilon > 0.0)
+    {
+      field.u = this->UnitNormField;
+      this->AddPenalty(progress, field);
+      ReadReport(this->Mesh, this->BoundaryLoops, field);
+    }
+    else
+    {
+      ComplexVector start = this->Reduction.HarmonicValues();
+      if (this->UnitNormField.size() > 0)
+      {
+        start = this->Reduction.ValuesOf(this->UnitNormField);
+      }
+      for (const DegreeConstraint& constraint : this->Reduction.GetReducedProblem().constraints)
+      {
+        VariantProblem::TurnEvenly(constraint, start);
+      }
+      field =
+        this->Finish(this->Problem.Solve(start, this->Options.reduced, progress.Part(0.0, 0.3)),
+          progress.Part(0.3, 1.0));
+    }
+    field.startedFromUnitNorm = true;
+    return field;
+  }
+
+  /// The field of a solution on the holes, with the penalty if there is one, and its report.
+  CrossField Finish(const MinimiserResult& onHoles, const Progress& progress) const
+  {
+    CrossField field = this->Blank;
+    field.u = this->Reduction.Recover(onHoles.x);
+    field.iterations = onHoles.iterations;
+    field.residual = onHoles.residual;
+    field.converged = onHoles.converged;
+    if (this->Options.epsilon > 0.0)
+    {
+      this->AddPenalty(progress, field);
+    }
+    else
+    {
+      const ComplexVector elastic = this->Reduction.GetAligned().stiffness * field.u;
+      field.energy = 0.5 * field.u.dot(elastic).real();
+    }
+    ReadReport(this->Mesh, this->BoundaryLoops, field);
+    return field;
+  }
+
+  void AddPenalty(const Progress& progress, CrossField& field) const
+  {
+    const GinzburgLandauEnergy energy(this->Mesh, field.edges, this->Options.epsilon);
+    std::vector<DegreeConstraint> degrees = this->Reduction.GetReducedProblem().constraints;
+    std::vector<QuadraticConstraint> constraints;
+    for (DegreeConstraint& constraint : degrees)
+    {
+      for (int& unknown : constraint.unknowns)
+      {
+        unknown = this->Reduction.FreePositions()[static_cast<std::size_t>(unknown)];
+      }
+      if (!this->Options.globalConstraint)
+      {
+        constraints.push_back(SumOfDegrees({ constraint }));
+      }
+    }
+    if (this->Options.globalConstraint && !degrees.empty())
+    {
+      constraints.push_back(SumOfDegrees(degrees));
+    }
+    MinimiserOptions options;
+    options.maximumIterations = this->Options.reduced.maximumIterations;
+    options.tolerance = this->Options.reduced.tolerance;
+    options.leavesSaddles = true;
+    MinimiserResult result = SolvePenalised(energy, constraints, field.u, options, progress);
+    field.u = std::move(result.x);
+    field.iterations += result.iterations;
+    field.residual = result.residual;
+    field.converged = result.converged;
+    field.epsilon = this->Options.epsilon;
+    field.gradientEnergy = energy.GradientPart(field.u);
+    field.penaltyEnergy = energy.PenaltyPart(field.u);
+    field.energy = field.gradientEnergy + field.penaltyEnergy;
+  }
+
+  const TriangleMesh& Mesh;
+  const PerforatedOptions& Options;
+  const std::vector<BoundaryLoop>& BoundaryLoops;
+  const CrossField& Blank;
+  std::vector<BoundaryLoop> Loops;
+  std::vector<bool> Unit;
+  bool Dual; ///< One degree constraint for each hole and nothing else.
+  EdgeReduction Reduction;
+  VariantProblem Problem;
+  ComplexVector UnitNormField; ///< Empty where there is none, or it is not asked for.
+};
+}
+
+bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options)
+{
+  return !mesh.imprinted.empty() || options.globalConstraint || !options.unitHoleRows.empty() ||
+    options.epsilon != 0.0;
+}
+
+CrossField SolveVariant(
+  const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
+{
+  Stopwatch stopwatch;
+  CheckCombination(mesh, options);
+  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
+  CrossField blank;
+  blank.count = CountMeshQuarters(mesh, loops, options.corners);
+  if (mesh.imprinted.empty() && options.epsilon == 0.0)
+  {
+    RequireConsistent(blank.count);
+  }
+  blank.edges = NumberEdges(mesh);
+  blank.unitHoles = options.unitHoles || !options.unitHoleRows.empty();
+  blank.globalConstraint = options.globalConstraint;
+  const double assemble = stopwatch.Lap();
+  progress.Report(0.1);
+
+  const VariantSolver solver(mesh, options, loops, blank);
+  const double factor = stopwatch.Lap();
+  progress.Report(0.3);
+  CrossField field = solver.Run(progress.Part(0.3, 1.0));
+  field.seconds.assemble = assemble;
+  field.seconds.factor = factor;
+  field.seconds.solve = stopwatch.Lap();
+  progress.Report(1.0);
+  return field;
+}
+}

@@ -1,0 +1,86 @@
+#include "DomainQueries.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace crossfield
+{
+namespace
+{
+double DistanceToSegment(const Point& point, const Point& from, const Point& to)
+{
+  const Point along = to - from;
+  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - from - t * along).norm();
+}
+}
+
+double SignedDistance(const Point& point, const PlanarDomain& domain)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  double winding = 0.0;
+  for (const Loop& loop : domain.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Point& from = loop[i];
+      const Point& to = loop[(i + 1) % loop.size()];
+      distance = std::min(distance, DistanceToSegment(point, from, to));
+      winding += AngleBetween(from - point, to - point);
+    }
+  }
+  // The loops wind once around a point of the domain and not at all around any other.
+  return winding > Pi ? distance : -distance;
+}
+
+double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction)
+{
+  // The segments that start or end here are not met again.
+  const double nearby = 1e-9 * domain.Diagonal();
+  double clear = std::numeric_limits<double>::infinity();
+  for (const Loop& loop : domain.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Point start = loop[i] - from;
+      const Point along = loop[(i + 1) % loop.size()] - loop[i];
+      const double slope = Cross(direction, along);
+      if (slope == 0.0)
+      {
+        continue;
+      }
+      const double distance = Cross(start, along) / slope;
+      const double t = Cross(start, direction) / slope;
+      if (distance > nearby && t >= 0.0 && t <= 1.0)
+      {
+        clear = std::min(clear, distance);
+      }
+    }
+  }
+  return std::isfinite(clear) ? clear : 0.0;
+}
+
+void RequireInside(const PlanarDomain& domain, const Configuration& configuration)
+{
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const Point& place = configuration[i].position;
+    if (!place.allFinite())
+    {
+      throw Error("Row " + std::to_string(i) +
+        " of the singularities has a coordinate that is not a finite number; correct it.");
+    }
+    if (!(SignedDistance(place, domain) > 0.0))
+    {
+      std::ostringstream text;
+      text.precision(9);
+      text << "The singularity " << i << " at (" << place.x() << ", " << place.y()
+           << ") lies outside the domain; move it inside.";
+      throw Error(text.str());
+    }
+  }
+}
+}

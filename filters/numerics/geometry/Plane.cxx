@@ -1,0 +1,46 @@
+#include "Plane.h"
+
+#include <Eigen/Geometry>
+
+#include <sstream>
+
+namespace crossfield
+{
+std::string Describe(const Point& point)
+{
+  std::ostringstream text;
+  text.precision(9);
+  text << "(" << point.x() << ", " << point.y() << ")";
+  return text.str();
+}
+
+double SignedArea(const Loop& loop)
+{
+  double twice = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    // Relative to the first point, so that a small loop far from the origin keeps its area.
+    twice += Cross(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
+  }
+  return 0.5 * twice;
+}
+
+double BoundingDiagonal(const std::vector<Loop>& loops)
+{
+  Eigen::AlignedBox2d box;
+  for (const Loop& loop : loops)
+  {
+    for (const Point& point : loop)
+    {
+      box.extend(point);
+    }
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+double WrapAngle(double angle)
+{
+  const double wrapped = std::remainder(angle, 2.0 * Pi);
+  return wrapped == -Pi ? Pi : wrapped;
+}
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "Progress.h"
+#include "Singularity.h"
+#include "TriangleMesh.h"
+
+namespace crossfield
+{
+/// Triangulates a domain without holes for SolveHField: four times finer at the singularities, and
+/// fine enough to tell them from each other and from the boundary. `meshSize` 0: 1/40 of the diagonal.
+TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize = 0.0, const Progress& progress = {});
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "Progress.h"
+#include "SizeField.h"
+#include "TriangleMesh.h"
+
+namespace crossfield
+{
+/// Checks with exact predicates that no two segments of the loops cross, overlap or touch, and
+/// returns for every loop how many other loops enclose it. Throws Error that names the place.
+std::vector<int> NestingDepths(const std::vector<Loop>& loops);
+
+/// Triangulates a domain: every segment of its loops becomes one edge or several, edges are about
+/// as long as `size` asks, and no angle is below 20.7° except where the input has sharper corners.
+/// The bulk of the points is a graded lattice, inserted at once; Delaunay refinement mends what is
+/// left near the boundary (docs/method.md §10).
+///
+/// Loops marked as imprinted circles, convex ones, become edges inside the domain, which are given
+/// once, in the direction of their loop. `loopMarks[l]` says what loop l is part of; its kind, id and quarter index are copied to the
+/// edges that loop becomes. Throws Error where loops touch, or come so close that the gap between
+/// them takes many more triangles than the size asks for. Two runs on the same input give the same mesh.
+TriangleMesh TriangulateDomain(const PlanarDomain& domain,
+  const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {});
+}

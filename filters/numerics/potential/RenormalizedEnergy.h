@@ -1,0 +1,31 @@
+#pragma once
+
+#include "PointPotential.h"
+
+namespace crossfield
+{
+/// The renormalised energy of a configuration: what remains of the energy ½ ∫ |∇φ|² of the aligned
+/// unit-norm field when the logarithms of its singularities are taken out (docs/method.md §5, §6; paper, "The
+/// unifying renormalized Ginzburg-Landau energy"),
+///   E = Σ_j π d_j² log(1/ρ) + Σ_c 16 e(α_c, k_c) log(1/ρ) + W + o(1)
+/// on the domain without disks of radius ρ around singularities and corners.
+struct RenormalizedEnergyValue
+{
+  double energy = 0.0;             ///< W, with the harmonic field of the holonomy defects.
+  double singleValuedEnergy = 0.0; ///< W without it.
+  double logarithmCoefficient = 0.0;
+  Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity,
+  Eigen::Matrix2Xd singleValuedGradient; ///< and of W without the harmonic field.
+  std::vector<double> holonomyDefect;
+  std::vector<Eigen::Matrix2Xd> defectGradient; ///< Of each holonomy defect.
+};
+
+/// W of a configuration, from its solution. With Λ the sum of the logarithms a_m log|x − x_m| and ω_m
+/// the angle of the domain around x_m, Green's identity turns the formula of the paper into
+///   W = −½ Σ_{m≠n} ω_m a_m a_n log|x_m − x_n| + ½ ∮ R ∂R/∂ν + ∮ Λ ∂R/∂ν + ½ ∮ Λ ∂Λ/∂ν,
+/// plus ½ offsetᵀ S⁻¹ offset for inner loops that are off by an offset. The integrals are sums over
+/// halves of boundary edges; R enters as ½ fᵀK⁺f, so that the discrete W is a smooth function of the
+/// positions wherever they are in the mesh, and its gradient is exact and needs no further solve.
+RenormalizedEnergyValue EvaluateRenormalizedEnergy(
+  const PointPotential& potential, const PointPotential::Solution& solution);
+}

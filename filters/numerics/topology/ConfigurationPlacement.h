@@ -1,0 +1,24 @@
+#pragma once
+
+#include "BoundaryCorners.h"
+#include "EdgeNumbering.h"
+#include "Progress.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+/// What SolveHField makes of a configuration.
+struct PlacedConfiguration
+{
+  Configuration interior;
+  std::vector<std::size_t> rows; ///< Of the interior ones in the configuration.
+  std::vector<CornerChoice>
+    corners; ///< Given ones, then those of the cheapest assignment, if used.
+};
+
+/// Tells singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from those
+/// inside, and completes the corners; see SolveHField.
+PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
+  const std::vector<BoundaryLoop>& loops, const Configuration& configuration,
+  const std::vector<CornerChoice>& corners);
+}

@@ -1,0 +1,352 @@
+#include "HField.h"
+
+#include "DrillHoles.h"
+#include "PerforatedProblem.h"
+#include "Support.h"
+#include "UnitNormField.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// Five singularities of mixed sign off the centre, of sum 4.
+const Configuration Five = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
+  { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
+
+/// docs/method.md §9, with area mean 0: log|z − b| has the mean (|b|² − 1) / 2, the images have 0.
+double ExactH(const Configuration& configuration, const Point& point)
+{
+  const Complex z(point.x(), point.y());
+  double value = 0.0;
+  for (const Singularity& singularity : configuration)
+  {
+    const Complex b(singularity.position.x(), singularity.position.y());
+    value += 0.25 * singularity.quarterIndex *
+      (std::log(std::abs(z - b)) + std::log(std::abs(1.0 - std::conj(b) * z)) -
+        0.5 * (std::norm(b) - 1.0));
+  }
+  return value;
+}
+
+Complex ExactCross(const Configuration& configuration, const Point& point)
+{
+  const Complex z(point.x(), point.y());
+  Complex u = 1.0;
+  for (const Singularity& singularity : configuration)
+  {
+    const Complex b(singularity.position.x(), singularity.position.y());
+    const Complex turn = (z - b) * (1.0 - std::conj(b) * z);
+    u *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
+  }
+  // Aligned at z = 1, where the tangent is vertical.
+  Complex atOne = 1.0;
+  for (const Singularity& singularity : configuration)
+  {
+    const Complex b(singularity.position.x(), singularity.position.y());
+    const Complex turn = (1.0 - b) * (1.0 - std::conj(b));
+    atOne *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
+  }
+  return u / atOne;
+}
+
+TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configuration& holes = {})
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  return DrillHoles(domain, holes, options);
+}
+
+/// Slopes on a triangle of 4H, from its vertices, and of the phase of u, from its midpoints.
+std::array<Point, 2> Slopes(const TriangleMesh& mesh, const HField& field, std::size_t t)
+{
+  const auto& v = mesh.triangles[t];
+  const auto& e = field.field.edges.ofTriangle[t];
+  const Point a =
+    mesh.points[static_cast<std::size_t>(v[1])] - mesh.points[static_cast<std::size_t>(v[0])];
+  const Point b =
+    mesh.points[static_cast<std::size_t>(v[2])] - mesh.points[static_cast<std::size_t>(v[0])];
+  // Of the linear function that grows by da along a and by db along b.
+  const auto slope = [&](double da, double db)
+  { return Point(Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b)); };
+  const auto step = [&](int from, int to)
+  { return std::arg(field.field.u[to] / field.field.u[from]); };
+  // The midpoints of p0p1, p1p2, p2p0 are b / 2 and −a / 2 apart.
+  return { slope(4.0 * (field.h[v[1]] - field.h[v[0]]), 4.0 * (field.h[v[2]] - field.h[v[0]])),
+    slope(-2.0 * step(e[1], e[2]), 2.0 * step(e[0], e[1])) };
+}
+
+TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
+{
+  std::vector<double> sizes;
+  std::vector<double> errors;
+  std::vector<double> awayErrors;
+  std::vector<double> crossErrors;
+  for (const double size : { 0.08, 0.056, 0.04, 0.028 })
+  {
+    const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
+    const HField field = SolveHField(mesh, Five);
+    double error = 0.0;
+    double awayError = 0.0;
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      const Point& point = mesh.points[v];
+      const double here = std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(Five, point));
+      error = std::max(error, here);
+      const bool away = std::all_of(Five.begin(), Five.end(),
+        [&](const Singularity& s) { return (s.position - point).norm() > 0.1; });
+      awayError = std::max(awayError, away ? here : 0.0);
+    }
+    double crossError = 0.0;
+    for (int e = 0; e < field.field.edges.Count(); ++e)
+    {
+      // The boundary's edges have the directions of the polygon, not of the circle.
+      if (field.field.edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
+      {
+        crossError = std::max(crossError,
+          std::abs(field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.edges, e))));
+      }
+    }
+    sizes.push_back(size);
+    errors.push_back(error);
+    awayErrors.push_back(awayError);
+    crossErrors.push_back(crossError);
+    EXPECT_EQ(field.field.unwantedSingularities, 0);
+    EXPECT_LT(field.field.residual, 1e-9);
+    if (size == 0.04)
+    {
+      EXPECT_LT(error, 1e-3);
+    }
+  }
+  EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
+  EXPECT_GE(ConvergenceRate(sizes, awayErrors), 1.8);
+  EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
+}
+
+TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
+{
+  const std::vector<TriangleMesh> meshes = { Mesh(Builtin("disk", 0.05), 0.05,
+                                               OnCircle(4, 0.6, 0.3, 1, 0.1)),
+    Mesh(
+      Builtin("ring", 0.05), 0.05, { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }),
+    Mesh(Builtin("l-shape"), 0.04, { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } }) };
+  for (const TriangleMesh& mesh : meshes)
+  {
+    const HField field = SolveHField(mesh, {});
+    const PerforatedProblem problem(mesh);
+    const UnitNormField unit = SolveUnitNorm(problem);
+    EXPECT_LT((field.field.u - unit.u).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_EQ(field.field.energy, unit.energy);
+    EXPECT_EQ(field.field.holonomyDefect, unit.holonomyDefect);
+    // H is one constant on every hole.
+    for (const BoundaryLoop& loop : problem.loops)
+    {
+      if (loop.kind == BoundaryKind::Hole)
+      {
+        double least = 1e300;
+        double most = -1e300;
+        for (int vertex : WalkedVertices(mesh, loop))
+        {
+          least = std::min(least, field.h[vertex]);
+          most = std::max(most, field.h[vertex]);
+        }
+        EXPECT_LT(most - least, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(HField, ConjugateEnergiesAgree)
+{
+  // docs/method.md §2: the phase energy from CR values against the potential energy from P1 values.
+  const TriangleMesh mesh = Mesh(Builtin("disk", 0.05), 0.05, OnCircle(4, 0.6, 0.3, 1, 0.1));
+  const HField field = SolveHField(mesh, {});
+  double phaseEnergy = 0.0;
+  double potentialEnergy = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto [potential, phase] = Slopes(mesh, field, t);
+    potentialEnergy += 0.5 * TriangleArea(mesh, t) * potential.squaredNorm();
+    phaseEnergy += 0.5 * TriangleArea(mesh, t) * phase.squaredNorm();
+  }
+  EXPECT_NEAR(phaseEnergy, potentialEnergy, 1e-10 * potentialEnergy);
+  EXPECT_NEAR(field.field.energy, potentialEnergy, 1e-10 * potentialEnergy);
+}
+
+TEST(HField, OnARingItIsTheLogarithm)
+{
+  const TriangleMesh mesh = Mesh(Builtin("ring", 0.03), 0.03);
+  const HField field = SolveHField(mesh, {});
+  // ∫ log r over the ring by its area.
+  const auto primitive = [](double r) { return r * r * (0.5 * std::log(r) - 0.25); };
+  const double mean = 2.0 * (primitive(1.0) - primitive(0.4)) / (1.0 - 0.16);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    EXPECT_NEAR(
+      field.h[static_cast<Eigen::Index>(v)], std::log(mesh.points[v].norm()) - mean, 2e-3);
+  }
+  ASSERT_EQ(field.field.holonomyDefect.size(), 1u);
+  EXPECT_NEAR(field.field.holonomyDefect[0], 0.0, 1e-4);
+  EXPECT_NEAR(field.periods[0], 0.0, 1e-4);
+}
+
+TEST(HField, CornersCarryIndicesLikePointsInside)
+{
+  // The quarter of a disk around a corner of angle α with k has H = c log r, c = −(turning − kπ/2)/α.
+  const PlanarDomain square = Builtin("square");
+  const TriangleMesh mesh = Mesh(square, 0.03);
+  const Configuration given = { { { 0.0, 0.0 }, 0, 0.0 }, { { 0.7, 0.6 }, 1, 0.0 } };
+  const HField field = SolveHField(mesh, given);
+  EXPECT_EQ(field.field.unwantedSingularities, 0);
+  int chosen = 0;
+  for (const CountedCorner& corner : field.field.count.corners)
+  {
+    if (corner.position.norm() < 1e-9)
+    {
+      EXPECT_EQ(corner.quarterIndex, 0);
+      chosen += corner.chosen ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(chosen, 1);
+  // H + log r tends to a constant at the corner: (π/2)/(π/2) = 1.
+  std::vector<double> remainders;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const double r = mesh.points[v].norm();
+    if (r > 1e-9 && r < 0.1)
+    {
+      remainders.push_back(field.h[static_cast<Eigen::Index>(v)] + std::log(r));
+    }
+  }
+  const auto [least, most] = std::minmax_element(remainders.begin(), remainders.end());
+  EXPECT_GT(remainders.size(), 5u);
+  EXPECT_LT(*most - *least, 0.1);
+}
+
+TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients)
+{
+  const Configuration pair = { { { 0.25, 0.3 }, 1, 0.0 }, { { 0.7, 0.22 }, -1, 0.0 } };
+  for (const double size : { 0.03, 0.015 })
+  {
+    const TriangleMesh mesh = Mesh(Builtin("l-shape"), size);
+    const HField field = SolveHField(mesh, pair);
+    const auto away = [&](const Point& point)
+    {
+      return (point - pair[0].position).norm() > 0.12 && (point - pair[1].position).norm() > 0.12 &&
+        (point - Point(0.5, 0.5)).norm() > 0.12;
+    };
+    double largestTurn = 0.0;
+    double largestFlux = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      const auto [potential, phase] = Slopes(mesh, field, t);
+      if (away(mesh.points[static_cast<std::size_t>(mesh.triangles[t][0])]))
+      {
+        largestTurn = std::max(largestTurn, (phase - Point(-potential.y(), potential.x())).norm());
+      }
+    }
+    for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+    {
+      const auto& ends = mesh.boundary[i].vertices;
+      const Point from = mesh.points[static_cast<std::size_t>(ends[0])];
+      const Point along = (mesh.points[static_cast<std::size_t>(ends[1])] - from).normalized();
+      const int edge = field.field.edges.ofBoundary[i];
+      const auto triangle =
+        static_cast<std::size_t>(field.field.edges.triangles[static_cast<std::size_t>(edge)][0]);
+      if (away(from))
+      {
+        const Point slope = Slopes(mesh, field, triangle)[0];
+        largestFlux = std::max(largestFlux, std::abs(Cross(along, slope)));
+      }
+    }
+    // Both vanish with the size; the slopes themselves are up to 10 there.
+    EXPECT_LT(largestTurn, 40.0 * size);
+    EXPECT_LT(largestFlux, 60.0 * size);
+  }
+}
+
+TEST(HField, TurningScalingAndRenumberingChangeNothing)
+{
+  Random random(7);
+  const TriangleMesh mesh = Mesh(Builtin("disk", 0.08), 0.08);
+  const HField plain = SolveHField(mesh, Five);
+  for (const double scale : { 1e-6, 1.0, 1e6 })
+  {
+    const Similarity move{ random.Uniform(-Pi, Pi), scale, scale * Point(1.0, -2.0) };
+    const HField field = SolveHField(move(mesh), move(Five));
+    EXPECT_LT((field.h - plain.h).cwiseAbs().maxCoeff(), 1e-7);
+    EXPECT_EQ(field.field.unwantedSingularities, 0);
+    // W changes by the logarithm of the scale.
+    EXPECT_NEAR(
+      field.renormalizedEnergy, plain.renormalizedEnergy + Pi * 8.0 * std::log(scale), 1e-6);
+  }
+  const HField renumbered = SolveHField(Renumber(mesh, random), Five);
+  EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
+}
+
+TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
+{
+  const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
+  const EdgeNumbering edges = NumberEdges(mesh);
+  int vertex = 0;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    vertex = mesh.points[v].norm() < mesh.points[static_cast<std::size_t>(vertex)].norm()
+      ? static_cast<int>(v)
+      : vertex;
+  }
+  int edge = 0;
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    const Point target(0.5, 0.3);
+    edge =
+      (Midpoint(mesh, edges, e) - target).norm() < (Midpoint(mesh, edges, edge) - target).norm()
+      ? e
+      : edge;
+  }
+  const Configuration on = { { mesh.points[static_cast<std::size_t>(vertex)], 1, 0.0 },
+    { Midpoint(mesh, edges, edge), 1, 0.0 }, { { -0.5, 0.4 }, 1, 0.0 },
+    { { -0.2, -0.5 }, 1, 0.0 } };
+  const HField field = SolveHField(mesh, on);
+  EXPECT_TRUE(field.h.allFinite());
+  EXPECT_TRUE(field.field.u.allFinite());
+  EXPECT_EQ(field.field.unwantedSingularities, 0);
+}
+
+TEST(HField, RefusesWhatHasNoSolution)
+{
+  const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { 0.1, 0.2 }, 3, 0.0 } });
+    },
+    { "add up to 3", "asks for 4" }, Error::Kind::Inconsistent));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { 1.3, 0.2 }, 4, 0.0 } });
+    },
+    { "singularity 0", "outside the domain" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { std::nan(""), 0.2 }, 4, 0.0 } });
+    },
+    { "Row 0", "not a finite number" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(mesh, { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } });
+    },
+    { "Singularities 0 and 1", "same place", "(0.1, 0.2)" }));
+  const Configuration holes = OnCircle(4, 0.6, 0.3, 1, 0.1);
+  const TriangleMesh drilled = Mesh(Builtin("disk", 0.1), 0.1, holes);
+  EXPECT_NO_THROW(SolveHField(drilled, holes));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      SolveHField(drilled, { { { 0.0, 0.0 }, 1, 0.0 } });
+    },
+    { "has holes", "(0, 0)" }));
+}
+}
+}

@@ -1,0 +1,127 @@
+#include "ConjugateField.h"
+#include "ConstrainedField.h"
+#include "DirectPerforatedSolve.h"
+#include "DualSolve.h"
+#include "HardCases.h"
+#include "PerforatedSolve.h"
+#include "Support.h"
+#include "UnitNormField.h"
+
+namespace crossfield::test
+{
+namespace
+{
+/// ½ ∫ |∇φ|² of the phase in the Crouzeix-Raviart space, from differences of arg u along triangles.
+double PhaseEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u)
+{
+  // Differences between the edges of a triangle determine its gradient; the branch of φ on each
+  // triangle does not matter.
+  double energy = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    const auto& [e0, e1, e2] = edges.ofTriangle[t];
+    const double d1 = std::arg(u[e1] * std::conj(u[e0]));
+    const double d2 = std::arg(u[e2] * std::conj(u[e0]));
+    const Point m0 = Midpoint(mesh, edges, e0);
+    const Point a = Midpoint(mesh, edges, e1) - m0;
+    const Point b = Midpoint(mesh, edges, e2) - m0;
+    const Point gradient = Point(d1 * b.y() - d2 * a.y(), d2 * a.x() - d1 * b.x()) / Cross(a, b);
+    energy += 0.5 * TriangleArea(mesh, t) * gradient.squaredNorm();
+  }
+  return energy;
+}
+
+/// The field that a user gets has the degrees, and whatever it is called is what it is.
+void ExpectSolved(const HardCase& hard)
+{
+  SCOPED_TRACE(hard.name);
+  const CrossField constrained = SolvePerforated(hard.mesh);
+  EXPECT_TRUE(constrained.converged) << constrained.residual;
+  EXPECT_EQ(constrained.wrongDegrees, 0);
+  EXPECT_LE(constrained.residual, 1e-10);
+
+  PerforatedOptions options;
+  options.method = PerforatedMethod::UnitNorm;
+  const CrossField unitNorm = SolvePerforated(hard.mesh, options);
+  EXPECT_TRUE(unitNorm.converged) << unitNorm.residual;
+  EXPECT_EQ(unitNorm.wrongDegrees, 0);
+  EXPECT_EQ(unitNorm.unwantedSingularities, 0);
+  // The phase of the Crouzeix-Raviart field and the P1 potential have one energy (docs/method.md §2).
+  EXPECT_NEAR(
+    PhaseEnergy(hard.mesh, unitNorm.edges, unitNorm.u), unitNorm.energy, 1e-10 * unitNorm.energy);
+  // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because
+  // 2 − 2 cos δ ≤ δ² for every step of the phase.
+  if (!constrained.unitHoles)
+  {
+    EXPECT_LT(constrained.energy, unitNorm.energy);
+  }
+}
+
+/// The reduced form is the direct form, in field and energy.
+void ExpectSameAsDirect(const HardCase& hard)
+{
+  SCOPED_TRACE(hard.name);
+  const PerforatedProblem problem(hard.mesh);
+  const ConstrainedSolver solver(problem);
+  // As far as rounding goes: the comparison is of the two forms, not of where iterations stop.
+  ReducedOptions options;
+  options.tolerance = 1e-14;
+  const ReducedSolution solution = SolveReduced(solver.GetReducedProblem(), options);
+  const ConstrainedField reduced = solver.Recover(solution);
+  const CrossField direct = SolvePerforatedDirectly(hard.mesh, options);
+  if (solution.residual > 1e-10 || direct.residual > 1e-10)
+  {
+    // The dual has no maximum: both must find that out.
+    EXPECT_GT(solution.residual, 1e-10);
+    EXPECT_GT(direct.residual, 1e-10);
+    return;
+  }
+  EXPECT_NEAR(reduced.energy, direct.energy, 1e-10 * direct.energy);
+  EXPECT_LE((reduced.u - direct.u).norm(), 1e-10 * direct.u.norm());
+}
+
+TEST(HardCases, NamedOnesAreSolved)
+{
+  for (const HardCase& hard : NamedHardCases())
+  {
+    ExpectSolved(hard);
+  }
+}
+
+TEST(HardCases, NamedOnesAreTheSameInDirectForm)
+{
+  for (const HardCase& hard : NamedHardCases())
+  {
+    ExpectSameAsDirect(hard);
+  }
+}
+
+/// 200 random ones, in portions that ctest can run side by side. Where all takes long, the build asks
+/// for the first few of each portion.
+class RandomHardCases : public testing::TestWithParam<int>
+{
+public:
+  static constexpr int PortionSize = 25;
+  template <typename Function>
+  void ForEach(const Function& function)
+  {
+    for (int i = 0; i < CROSSFIELD_RANDOM_PORTION; ++i)
+    {
+      function(RandomHardCase(PortionSize * this->GetParam() + i));
+    }
+  }
+};
+
+TEST_P(RandomHardCases, AreSolved)
+{
+  this->ForEach(ExpectSolved);
+}
+
+TEST_P(RandomHardCases, AreTheSameInDirectForm)
+{
+  this->ForEach(ExpectSameAsDirect);
+}
+
+INSTANTIATE_TEST_SUITE_P(TwoHundred, RandomHardCases, testing::Range(0, 8));
+}
+}

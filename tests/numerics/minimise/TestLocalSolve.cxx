@@ -1,0 +1,142 @@
+#include "DualSolve.h"
+#include "LocalSolve.h"
+#include "Support.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// Holes of degrees ±1 .. ±3 and a random positive definite matrix; unit values that turn evenly
+/// are off the constrained minimum by about `noise`.
+ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
+{
+  ReducedProblem problem;
+  int size = 0;
+  std::vector<Complex> turning;
+  for (int h = 0; h < holeCount; ++h)
+  {
+    const int m = random.Integer(12, 24);
+    const int degree = random.Integer(1, 3) * (random.Integer(0, 1) == 0 ? 1 : -1);
+    DegreeConstraint constraint;
+    constraint.degree = degree;
+    constraint.target = m * std::sin(2.0 * Pi * degree / m);
+    for (int j = 0; j < m; ++j)
+    {
+      constraint.unknowns.push_back(size++);
+      turning.push_back(std::polar(1.0, 2.0 * Pi * degree * j / m));
+    }
+    problem.constraints.push_back(constraint);
+  }
+  const Eigen::MatrixXd root =
+    Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
+  problem.matrix = root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size);
+  ComplexVector harmonic = Eigen::Map<ComplexVector>(turning.data(), size);
+  for (Complex& value : harmonic)
+  {
+    value += noise * random.Square();
+  }
+  problem.load = problem.matrix * harmonic;
+  return problem;
+}
+
+double Objective(const ReducedProblem& problem, const ComplexVector& x)
+{
+  return 0.5 * x.dot(problem.matrix * x).real() - problem.load.dot(x).real();
+}
+
+/// Makes x feasible hole by hole, which scaling does where C has the sign of its target.
+bool Restore(const ReducedProblem& problem, ComplexVector& x)
+{
+  for (const DegreeConstraint& constraint : problem.constraints)
+  {
+    const double ratio = constraint.target / constraint.Value(x);
+    if (!(ratio > 0.0))
+    {
+      return false;
+    }
+    for (int unknown : constraint.unknowns)
+    {
+      x[unknown] *= std::sqrt(ratio);
+    }
+  }
+  return true;
+}
+
+TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
+{
+  Random random(130);
+  int converged = 0;
+  for (int trial = 0; trial < 40; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.8);
+    ComplexVector start = problem.matrix.llt().solve(problem.load);
+    for (Complex& value : start)
+    {
+      value += 0.5 * random.Square();
+    }
+    const ReducedSolution solution = SolveReducedFrom(problem, start);
+    if (!solution.converged)
+    {
+      continue;
+    }
+    ++converged;
+    const ComplexVector gradient =
+      problem.matrix * solution.x - problem.load - solution.Forces(problem);
+    EXPECT_LE(gradient.norm(), 1e-8 * problem.load.norm());
+    for (const DegreeConstraint& constraint : problem.constraints)
+    {
+      EXPECT_NEAR(constraint.Value(solution.x), constraint.target, 1e-8);
+    }
+    const double best = Objective(problem, solution.x);
+    for (int attempt = 0; attempt < 200; ++attempt)
+    {
+      ComplexVector x = solution.x;
+      for (Complex& value : x)
+      {
+        value += 1e-3 * random.Square();
+      }
+      ASSERT_TRUE(Restore(problem, x));
+      EXPECT_GE(Objective(problem, x), best - 1e-9 * std::abs(best));
+    }
+  }
+  EXPECT_GE(converged, 38);
+}
+
+TEST(LocalSolve, TheGlobalMinimumStaysAndIsNeverBeaten)
+{
+  Random random(131);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.4);
+    const ReducedSolution global = SolveReduced(problem);
+    ASSERT_TRUE(global.converged);
+    const ReducedSolution stayed = SolveReducedFrom(problem, global.x);
+    ASSERT_TRUE(stayed.converged);
+    EXPECT_LE((stayed.x - global.x).norm(), 1e-6 * global.x.norm());
+    const ComplexVector elsewhere =
+      global.x.unaryExpr([&](const Complex&) { return random.Square(); });
+    const ReducedSolution local = SolveReducedFrom(problem, elsewhere);
+    if (local.converged)
+    {
+      const double best = Objective(problem, global.x);
+      EXPECT_GE(Objective(problem, local.x), best - 1e-9 * std::abs(best));
+    }
+  }
+}
+
+TEST(LocalSolve, StopsWhenAsked)
+{
+  Random random(132);
+  const ReducedProblem problem = RandomProblem(random, 2, 0.5);
+  const ComplexVector start = ComplexVector::Ones(problem.load.size());
+  EXPECT_THROW(
+    SolveReducedFrom(problem, start, {}, Progress([](double) { return false; })), Aborted);
+}
+}
+}

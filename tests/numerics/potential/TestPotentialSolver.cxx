@@ -1,0 +1,257 @@
+#include "ConjugateField.h"
+#include "DrillHoles.h"
+#include "MakePlanarDomain.h"
+#include "P1Laplacian.h"
+#include "PotentialSolver.h"
+#include "Support.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace crossfield::test
+{
+namespace
+{
+/// A mesh with its solver: two holes, and two islands unless it is said otherwise.
+struct Prepared
+{
+  TriangleMesh mesh;
+  EdgeNumbering edges;
+  std::vector<BoundaryLoop> loops;
+  PotentialSolver solver;
+
+  explicit Prepared(const PlanarDomain& domain,
+    PotentialSolver::Periods periods = PotentialSolver::Periods::Islands,
+    PotentialSolver::Boundary boundary = PotentialSolver::Boundary::Natural)
+    : mesh(MakeMesh(domain))
+    , edges(NumberEdges(mesh))
+    , loops(FindBoundaryLoops(mesh))
+    , solver(mesh, edges, loops, periods, boundary)
+  {
+  }
+  static TriangleMesh MakeMesh(const PlanarDomain& domain)
+  {
+    DrillOptions options;
+    options.meshSize = 0.15;
+    options.minimumHoleEdges = 12;
+    return DrillHoles(domain, { { { 0.0, 0.55 }, 1, 0.1 }, { { 0.1, -0.5 }, -1, 0.08 } }, options);
+  }
+};
+
+PlanarDomain Plain()
+{
+  return MakePlanarDomain({ RegularPolygon(40) });
+}
+
+PlanarDomain WithIslands()
+{
+  return MakePlanarDomain({ RegularPolygon(40), RegularPolygon(4, 0.2, Point(0.4, 0.1)),
+    RegularPolygon(9, 0.15, Point(-0.4, 0.1)) });
+}
+
+/// Random sources with sum zero over the vertices, and random periods.
+Eigen::VectorXd RandomSources(Random& random, const Prepared& prepared)
+{
+  Eigen::VectorXd sources =
+    Eigen::VectorXd::NullaryExpr(prepared.solver.Rows(), [&] { return random.Uniform(-1.0, 1.0); });
+  auto atVertices = sources.head(static_cast<Eigen::Index>(prepared.mesh.points.size()));
+  atVertices.array() -= atVertices.mean();
+  return sources;
+}
+
+TEST(PotentialSolver, SolvesTheLaplacianForAnySourcesOfSumZero)
+{
+  Random random(110);
+  const Prepared prepared(Plain());
+  ASSERT_EQ(prepared.solver.PeriodCount(), 0);
+  const SparseMatrix stiffness = P1Stiffness(prepared.mesh, prepared.edges);
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const Eigen::VectorXd sources = RandomSources(random, prepared);
+    const Eigen::VectorXd potential = prepared.solver.Solve(sources);
+    EXPECT_LE((stiffness * potential - sources).lpNorm<Eigen::Infinity>(), 1e-11);
+  }
+}
+
+TEST(PotentialSolver, EnergyOfTheSolutionIsHalfItsWork)
+{
+  // ½ ∫ |∇Ψ + Σ q_k ∇η_k|² is the quadratic form of the matrix, and so ½ bᵀ x where A x = b.
+  Random random(111);
+  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles);
+  ASSERT_EQ(prepared.solver.PeriodCount(), 4);
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const Eigen::VectorXd sources = RandomSources(random, prepared);
+    const Eigen::VectorXd solution = prepared.solver.Solve(sources);
+    const double energy = GradientEnergy(prepared.mesh, prepared.solver.Gradient(solution));
+    EXPECT_NEAR(energy, 0.5 * sources.dot(solution), 1e-10 * energy);
+  }
+}
+
+TEST(PotentialSolver, ApplyGivesBackTheSources)
+{
+  Random random(113);
+  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles);
+  const Eigen::VectorXd sources = RandomSources(random, prepared);
+  const Eigen::VectorXd applied = prepared.solver.Apply(prepared.solver.Solve(sources));
+  EXPECT_LE((applied - sources).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
+TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
+{
+  Random random(114);
+  const Prepared prepared(
+    WithIslands(), PotentialSolver::Periods::IslandsAndHoles, PotentialSolver::Boundary::Given);
+  const PotentialSolver& solver = prepared.solver;
+  const auto isGiven = [&](Eigen::Index row)
+  {
+    return row >= solver.PeriodRow(0) ||
+      std::any_of(prepared.mesh.boundary.begin(), prepared.mesh.boundary.end(),
+        [row](const BoundaryEdge& edge)
+        { return edge.kind != BoundaryKind::Hole && edge.vertices[0] == row; });
+  };
+  Eigen::VectorXd given = Eigen::VectorXd::Zero(solver.Rows());
+  for (Eigen::Index row = 0; row < given.size(); ++row)
+  {
+    given[row] = isGiven(row) ? random.Uniform(-1.0, 1.0) : 0.0;
+  }
+  const Eigen::VectorXd solution = given + solver.Solve(-solver.Apply(given));
+  const Eigen::VectorXd sources = solver.Apply(solution);
+  for (Eigen::Index row = 0; row < given.size(); ++row)
+  {
+    if (isGiven(row))
+    {
+      EXPECT_EQ(solution[row], given[row]);
+    }
+    else
+    {
+      EXPECT_NEAR(sources[row], 0.0, 1e-11);
+    }
+  }
+  // The hole vertices alone are last.
+  EXPECT_EQ(solver.TrailingRows().size(), 24u);
+  EXPECT_EQ(solver.TrailingFactor().rows(), 24);
+}
+
+TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)
+{
+  const Prepared prepared(WithIslands());
+  const Point slope(1.5, -0.25);
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(prepared.solver.Rows());
+  for (std::size_t v = 0; v < prepared.mesh.points.size(); ++v)
+  {
+    solution[v] = slope.dot(prepared.mesh.points[v]);
+  }
+  const Eigen::Matrix2Xd gradient = prepared.solver.Gradient(solution);
+  for (const auto column : gradient.colwise())
+  {
+    ASSERT_LE((column - slope).norm(), 1e-12);
+  }
+}
+
+TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
+{
+  // docs/method.md §2: sources at the vertices of boundary loops and periods, none inside and none in sum
+  // around any loop, give a single-valued φ; its differences are the right-hand side.
+  Random random(112);
+  const Prepared prepared(WithIslands(), PotentialSolver::Periods::IslandsAndHoles);
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
+  for (const BoundaryLoop& loop : prepared.loops)
+  {
+    const std::vector<int> vertices = WalkedVertices(prepared.mesh, loop);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      const double jump = random.Uniform(-1.0, 1.0);
+      sources[vertices[i]] += jump;
+      sources[vertices[(i + 1) % vertices.size()]] -= jump;
+    }
+  }
+  for (Eigen::Index k = 0; k < 4; ++k)
+  {
+    sources[prepared.solver.PeriodRow(k)] = random.Uniform(-1.0, 1.0);
+  }
+  const Eigen::Matrix2Xd gradient = prepared.solver.Gradient(prepared.solver.Solve(sources));
+  const Eigen::VectorXd phase = IntegrateConjugate(prepared.mesh, prepared.edges, gradient,
+    prepared.edges.ofBoundary[0], Eigen::VectorXd::Constant(1, 0.7))
+                                  .transpose();
+  EXPECT_EQ(phase[prepared.edges.ofBoundary[0]], 0.7);
+
+  std::vector<int> ending(prepared.mesh.points.size(), -1);
+  for (std::size_t i = 0; i < prepared.mesh.boundary.size(); ++i)
+  {
+    ending[prepared.mesh.boundary[i].vertices[1]] = prepared.edges.ofBoundary[i];
+  }
+  for (std::size_t i = 0; i < prepared.mesh.boundary.size(); ++i)
+  {
+    const int vertex = prepared.mesh.boundary[i].vertices[0];
+    EXPECT_NEAR(
+      phase[prepared.edges.ofBoundary[i]] - phase[ending[vertex]], sources[vertex], 1e-10);
+  }
+  for (Eigen::Index k = 0; k < 4; ++k)
+  {
+    const auto& strip = prepared.solver.GetStrips()[k];
+    EXPECT_NEAR(phase[prepared.edges.ofBoundary[strip.firstBoundaryEdge]] -
+        phase[prepared.edges.ofBoundary[strip.lastBoundaryEdge]],
+      sources[prepared.solver.PeriodRow(k)], 1e-10);
+  }
+  // Discrete conjugacy: φ has the same energy in the other space, and is harmonic inside.
+  const SparseMatrix stiffness = CrouzeixRaviartStiffness(prepared.mesh, prepared.edges);
+  Eigen::VectorXd residual = stiffness * phase;
+  const double energy = GradientEnergy(prepared.mesh, gradient);
+  EXPECT_NEAR(0.5 * phase.dot(residual), energy, 1e-10 * energy);
+  for (int edge : prepared.edges.ofBoundary)
+  {
+    residual[edge] = 0.0;
+  }
+  EXPECT_LE(residual.lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
+TEST(PotentialSolver, TrailingFactorBelongsToTheSchurComplement)
+{
+  // Unit forces on trailing unknowns, the ground taking what is missing: T⁻¹ is what they do there.
+  for (const PlanarDomain& domain : { Plain(), WithIslands() })
+  {
+    const Prepared prepared(domain);
+    const std::vector<int>& trailing = prepared.solver.TrailingRows();
+    const auto count = static_cast<Eigen::Index>(trailing.size());
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(prepared.solver.Rows(), count);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      forces(trailing[i], i) = 1.0;
+    }
+    const Eigen::MatrixXd inverse = prepared.solver.Eliminate(forces).trailing;
+    const Eigen::MatrixXd& lower = prepared.solver.TrailingFactor();
+    const Eigen::MatrixXd identity = lower * (lower.transpose() * inverse);
+    EXPECT_LE((identity - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-9);
+  }
+}
+
+TEST(PotentialSolver, TrailingRowsFollowTheHoles)
+{
+  const Prepared prepared(WithIslands());
+  std::size_t row = 0;
+  for (const BoundaryLoop& loop : prepared.loops)
+  {
+    for (std::size_t j = 0; loop.kind == BoundaryKind::Hole && j < loop.edges.size(); ++j)
+    {
+      // Vertex j joins edges j and j + 1.
+      const int vertex = prepared.solver.TrailingRows()[row++];
+      const auto& after = prepared.mesh.boundary[loop.edges[(j + 1) % loop.edges.size()]].vertices;
+      EXPECT_EQ(vertex, prepared.mesh.boundary[loop.edges[j]].vertices[0]);
+      EXPECT_EQ(vertex, after[1]);
+    }
+  }
+  EXPECT_EQ(prepared.solver.TrailingRows().size(), row + 2);
+}
+
+TEST(PotentialSolver, RefusesSourcesWithASum)
+{
+  const Prepared prepared(Plain());
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
+  sources[3] = 0.5;
+  EXPECT_TRUE(
+    Refuses([&] { prepared.solver.Solve(sources); }, { "add up to 0.5", "Poincaré-Hopf" }));
+}
+}
+}

@@ -1,0 +1,272 @@
+#include "MakePlanarDomain.h"
+#include "RenormalizedEnergy.h"
+
+#include "CornerEnergy.h"
+#include "DrillHoles.h"
+#include "PerforatedEnergy.h"
+#include "Support.h"
+#include "UnitNormField.h"
+
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+TriangleMesh Mesh(const PlanarDomain& domain, double meshSize)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  return DrillHoles(domain, {}, options);
+}
+
+RenormalizedEnergyValue Evaluate(
+  const PointPotential& potential, const Configuration& configuration)
+{
+  return EvaluateRenormalizedEnergy(potential, potential.Solve(configuration));
+}
+
+/// docs/method.md §5.
+double ExactOnDisk(const Configuration& configuration)
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const Complex b(configuration[i].position.x(), configuration[i].position.y());
+    for (std::size_t j = 0; j < configuration.size(); ++j)
+    {
+      const Complex c(configuration[j].position.x(), configuration[j].position.y());
+      const double degrees = configuration[i].quarterIndex * configuration[j].quarterIndex;
+      energy -= Pi * degrees * (i == j ? 0.0 : std::log(std::abs(b - c)));
+      energy -= Pi * degrees * std::log(std::abs(1.0 - b * std::conj(c)));
+    }
+  }
+  return energy;
+}
+
+/// A disk of radius 1 with a square and a rectangle cut out.
+PlanarDomain TwoIslands(double edgeLength)
+{
+  return MakePlanarDomain({ Builtin("disk", edgeLength).loops[0],
+    { { 0.3, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.3, 0.1 } },
+    { { -0.5, -0.1 }, { -0.3, -0.1 }, { -0.3, 0.15 }, { -0.5, 0.15 } } });
+}
+
+TEST(RenormalizedEnergy, ExactValuesOnTheDisk)
+{
+  const double optimum = std::pow(3.0 / 11.0, 0.125);
+  EXPECT_NEAR(ExactOnDisk(OnCircle(4, 0.6, 0.3, 1, 0.0)), 2.0498, 1e-4);
+  EXPECT_NEAR(ExactOnDisk(OnCircle(4, optimum, 0.3, 1, 0.0)), -7.2962, 1e-4);
+  const std::vector<Configuration> cases = { OnCircle(4, 0.6, 0.3, 1, 0.0),
+    OnCircle(4, optimum, 0.3, 1, 0.0),
+    { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 }, { { -0.11, -0.61 }, 1, 0.0 },
+      { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } },
+    { { { 0.2, -0.4 }, 4, 0.0 } } };
+  for (const Configuration& configuration : cases)
+  {
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    for (const double size : { 0.1, 0.05, 0.025, 0.0125 })
+    {
+      const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
+      const PointPotential potential(mesh, {}, 4);
+      sizes.push_back(size);
+      errors.push_back(
+        std::abs(Evaluate(potential, configuration).energy - ExactOnDisk(configuration)));
+    }
+    EXPECT_LT(errors.back(), 1e-3);
+    EXPECT_GE(ConvergenceRate(sizes, errors), 1.5);
+  }
+}
+
+struct GradientCase
+{
+  const char* name;
+  PlanarDomain domain;
+  Configuration configuration;
+  std::vector<CornerChoice> corners;
+};
+
+TEST(RenormalizedEnergy, GradientIsTheDerivative)
+{
+  const std::vector<GradientCase> cases = { { "disk", Builtin("disk", 0.1),
+                                              OnCircle(4, 0.6, 0.3, 1, 0.0), {} },
+    { "l-shape", Builtin("l-shape"), { { { 0.3, 0.3 }, 1, 0.0 }, { { 0.2, 0.2 }, -1, 0.0 } }, {} },
+    { "l-shape with a chosen corner", Builtin("l-shape"), { { { 0.3, 0.3 }, 1, 0.0 } },
+      { { { 1.0, 0.5 }, 0 } } },
+    { "ring", Builtin("ring", 0.1), { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } },
+      {} },
+    { "two islands", TwoIslands(0.1), OnCircle(4, 0.8, 0.3, 1, 0.0), {} } };
+  for (const GradientCase& test : cases)
+  {
+    SCOPED_TRACE(test.name);
+    const TriangleMesh mesh = Mesh(test.domain, 0.1);
+    const PointPotential potential(mesh, test.corners, TotalQuarters(test.configuration));
+    const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
+    const double step = 1e-5;
+    for (std::size_t j = 0; j < test.configuration.size(); ++j)
+    {
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        Configuration moved = test.configuration;
+        moved[j].position[axis] += step;
+        const RenormalizedEnergyValue above = Evaluate(potential, moved);
+        moved[j].position[axis] -= 2.0 * step;
+        const RenormalizedEnergyValue below = Evaluate(potential, moved);
+        const auto column = static_cast<Eigen::Index>(j);
+        const double tolerance = 1e-7 * (1.0 + value.gradient.norm());
+        EXPECT_NEAR(
+          (above.energy - below.energy) / (2.0 * step), value.gradient(axis, column), tolerance);
+        EXPECT_NEAR((above.singleValuedEnergy - below.singleValuedEnergy) / (2.0 * step),
+          value.singleValuedGradient(axis, column), tolerance);
+        for (std::size_t k = 0; k < value.holonomyDefect.size(); ++k)
+        {
+          EXPECT_NEAR((above.holonomyDefect[k] - below.holonomyDefect[k]) / (2.0 * step),
+            value.defectGradient[k](axis, column), tolerance);
+        }
+      }
+    }
+  }
+}
+
+TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
+{
+  // On the disk, and on a ring with a holonomy defect, whose harmonic field belongs to both.
+  struct Case
+  {
+    PlanarDomain domain;
+    Configuration configuration;
+  };
+  const double size = 0.03;
+  const std::vector<Case> cases = { { Builtin("disk", size), OnCircle(4, 0.6, 0.3, 1, 0.0) },
+    { Builtin("ring", size), { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } } } };
+  for (const Case& test : cases)
+  {
+    const TriangleMesh mesh = Mesh(test.domain, size);
+    const PointPotential potential(mesh, {}, TotalQuarters(test.configuration));
+    const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
+    std::vector<double> differences;
+    for (const double radius : { 0.08, 0.04, 0.02 })
+    {
+      Configuration holes = test.configuration;
+      for (Singularity& hole : holes)
+      {
+        hole.radius = radius;
+      }
+      DrillOptions options;
+      options.meshSize = size;
+      options.minimumHoleEdges = 64;
+      const TriangleMesh drilled = DrillHoles(test.domain, holes, options);
+      const PerforatedEnergy bounds = ComputePerforatedEnergy(drilled);
+      const double energy = 0.5 * (bounds.alignedLower + bounds.alignedUpper);
+      differences.push_back(
+        std::abs(energy - value.logarithmCoefficient * std::log(1.0 / radius) - value.energy));
+    }
+    EXPECT_LT(differences[1], 0.5 * differences[0]);
+    EXPECT_LT(differences[2], 0.15); // of about 50
+  }
+}
+
+TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
+{
+  // A wedge of angle α carrying k: the energy ½ ∫ |∇φ|² of the discrete field grows by
+  // 16 e(α, k) log 2 when the triangles at the corner are halved.
+  for (const double angle : { 0.3 * Pi, 0.5 * Pi, 0.8 * Pi, 1.2 * Pi, 1.5 * Pi, 1.8 * Pi })
+  {
+    for (const int index : { -2, -1, 0, 1, 2 })
+    {
+      SCOPED_TRACE(std::to_string(angle / Pi) + " pi, k = " + std::to_string(index));
+      // A sector: the centre is the corner, the others are right angles of k = 1.
+      Loop sector = { { 0.0, 0.0 } };
+      const int steps = static_cast<int>(std::ceil(angle / 0.05));
+      for (int i = 0; i <= steps; ++i)
+      {
+        sector.emplace_back(std::cos(angle * i / steps), std::sin(angle * i / steps));
+      }
+      const PlanarDomain domain = MakePlanarDomain({ sector });
+      const int interior = 4 - 2 - index;
+      const std::vector<CornerChoice> corners = { { { 0.0, 0.0 }, index } };
+      const double middle = 0.5 * angle;
+      const Configuration inside = { { 0.6 * Point(std::cos(middle), std::sin(middle)), interior,
+        interior == 0 ? 0.05 : 0.1 } };
+      DrillOptions options;
+      options.meshSize = 0.08;
+      options.minimumHoleEdges = 16;
+      TriangleMesh mesh = DrillHoles(domain, inside, options);
+      std::vector<double> energies;
+      for (int level = 0; level < 4; ++level)
+      {
+        energies.push_back(
+          SolveUnitNorm(PerforatedProblem(mesh, PotentialSolver::Periods::Islands, corners))
+            .energy);
+        mesh = Refine(mesh);
+      }
+      // Refine halves polygons' edges too, whose vertices are corners of small angle, 2π/n: their
+      // slopes are part of the sum.
+      double coefficient = 16.0 * CornerEnergy(angle, index);
+      const double turn = angle / steps;
+      coefficient += (steps - 1) * 16.0 * CornerEnergy(Pi - turn, 0);
+      // At the ends of the arc the angle is not quite right.
+      coefficient += 2.0 * 16.0 * CornerEnergy(0.5 * (Pi - turn), 1);
+      const double slope = (energies[3] - energies[2]) / std::log(2.0);
+      EXPECT_NEAR(slope, coefficient, 0.02 * coefficient + 0.06);
+    }
+  }
+}
+
+TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
+{
+  const auto corners =
+    [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
+  {
+    const TriangleMesh mesh = Mesh(domain, 0.1);
+    return PointPotential(mesh, choices, quarters).GetCorners();
+  };
+  EXPECT_TRUE(corners(Builtin("l-shape"), {}, 0).empty());
+  const std::vector<LogSource> chosen = corners(Builtin("l-shape"), { { { 0.5, 0.5 }, 0 } }, -1);
+  ASSERT_EQ(chosen.size(), 1u);
+  EXPECT_NEAR(chosen[0].angle, 1.5 * Pi, 1e-12);
+  EXPECT_NEAR(0.5 * chosen[0].angle * chosen[0].strength * chosen[0].strength,
+    16.0 * CornerEnergy(1.5 * Pi, 0), 1e-12);
+  // Between a straight side and a curve: the jump of the polygon is the curve's.
+  for (const LogSource& corner : corners(Builtin("quarter-disk", 0.05), {}, 1))
+  {
+    EXPECT_LT(std::abs(corner.strength), 1e-12);
+  }
+}
+
+TEST(RenormalizedEnergy, AQuarterDiskThatIsAllCornerHasNothingElse)
+{
+  // The centre carries 2: Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4, zero on the arc.
+  for (const double size : { 0.1, 0.03 })
+  {
+    const TriangleMesh mesh = Mesh(Builtin("quarter-disk", size), size);
+    const PointPotential potential(mesh, { { { 0.0, 0.0 }, 2 } }, 0);
+    const RenormalizedEnergyValue value = Evaluate(potential, {});
+    EXPECT_NEAR(value.logarithmCoefficient, 4.0 * Pi, 1e-9);
+    EXPECT_NEAR(value.energy, 0.0, 1e-9);
+  }
+}
+
+TEST(RenormalizedEnergy, HolesCostPiTimesTheSquareOfTheIndex)
+{
+  for (const int index : { -2, -1, 1, 2, 3 })
+  {
+    Configuration configuration = { { { 0.1, 0.05 }, index, 0.0 },
+      { { -0.6, -0.3 }, 4 - index, 0.15 } };
+    std::vector<double> energies;
+    for (const double radius : { 0.008, 0.004 })
+    {
+      configuration[0].radius = radius;
+      DrillOptions options;
+      options.meshSize = 0.05;
+      options.minimumHoleEdges = 64;
+      const TriangleMesh mesh = DrillHoles(Builtin("disk", 0.05), configuration, options);
+      energies.push_back(SolveUnitNorm(PerforatedProblem(mesh)).energy);
+    }
+    const double slope = (energies[1] - energies[0]) / std::log(2.0);
+    EXPECT_NEAR(slope, Pi * index * index, 0.02 * Pi * index * index);
+  }
+}
+}
+}

@@ -1,0 +1,337 @@
+// Proposed configurations, and what the solver makes of them and of others.
+
+#include "BuiltinDomains.h"
+#include "ConfigurationProposal.h"
+#include "CornerClassification.h"
+#include "DomainQueries.h"
+#include "DrillHoles.h"
+#include "FieldCheck.h"
+#include "HolonomyCheck.h"
+#include "MakePlanarDomain.h"
+#include "PerforatedSolve.h"
+#include "PoincareHopf.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+int Required(const PlanarDomain& domain)
+{
+  return CountQuarters(domain.loops, 0).requiredInteriorQuarters;
+}
+
+CrossField SolveUnitNormOn(const TriangleMesh& mesh)
+{
+  PerforatedOptions options;
+  options.method = PerforatedMethod::UnitNorm;
+  return SolvePerforated(mesh, options);
+}
+
+TEST(DomainQueries, SignedDistance)
+{
+  const PlanarDomain ring = Builtin("ring", 0.001);
+  EXPECT_NEAR(SignedDistance({ 0.7, 0.0 }, ring), 0.3, 1e-5);
+  EXPECT_NEAR(SignedDistance({ 0.0, 0.0 }, ring), -0.4, 1e-5);
+  EXPECT_NEAR(SignedDistance({ 0.0, -2.0 }, ring), -1.0, 1e-5);
+}
+
+TEST(DomainQueries, ClearWay)
+{
+  const PlanarDomain square = Builtin("square");
+  EXPECT_NEAR(ClearWay(square, { 0.0, 0.0 }, Point(1.0, 1.0).normalized()), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(ClearWay(square, { 0.5, 0.0 }, { 0.0, 1.0 }), 1.0, 1e-12);
+  EXPECT_EQ(ClearWay(square, { 0.5, 0.0 }, { 0.0, -1.0 }), 0.0);
+}
+
+TEST(ConfigurationProposal, IsConsistentAndCanBeDrilledAndSolved)
+{
+  for (const std::string& name : BuiltinDomainNames())
+  {
+    for (const bool cancel : { false, true })
+    {
+      SCOPED_TRACE(name + (cancel ? " with pairs" : ""));
+      const PlanarDomain domain = Builtin(name);
+      ProposalOptions options;
+      options.cancelFlatCorners = cancel;
+      const Configuration proposal = ProposeConfiguration(domain, options);
+      EXPECT_EQ(TotalQuarters(proposal), Required(domain));
+      if (!cancel)
+      {
+        EXPECT_EQ(proposal.size(), static_cast<std::size_t>(std::abs(Required(domain))));
+      }
+      // What the check accepts, the solver turns into a field with nothing else in it.
+      const TriangleMesh mesh = DrillHoles(domain, proposal);
+      const CrossField field = SolveUnitNormOn(mesh);
+      EXPECT_TRUE(field.converged);
+      EXPECT_EQ(field.unwantedSingularities, 0);
+      const FieldCheck check = CheckField(mesh, field.u);
+      EXPECT_TRUE(check.asPrescribed) << check.verdict;
+    }
+  }
+}
+
+TEST(ConfigurationProposal, CancelsFlatAnglesAsInThePaper)
+{
+  ProposalOptions options;
+  options.cancelFlatCorners = true;
+  const auto signs = [&](const char* name)
+  {
+    std::vector<int> quarters;
+    for (const Singularity& singularity : ProposeConfiguration(Builtin(name), options))
+    {
+      quarters.push_back(singularity.quarterIndex);
+    }
+    return quarters;
+  };
+  // One +1/4 between the two flat angles and one −1/4.
+  EXPECT_EQ(signs("angular-balanced"), std::vector<int>({ 1, -1 }));
+  // Two +1/4 between the flat angles and four −1/4 around the hole.
+  EXPECT_EQ(signs("angular-hole"), std::vector<int>({ 1, 1, -1, -1, -1, -1 }));
+}
+
+TEST(ConfigurationProposal, SpreadsOverTheDisk)
+{
+  // Four equal disks fit into the unit disk with their centres at 2 − √2 from its own.
+  const Configuration proposal = ProposeConfiguration(Builtin("disk"));
+  ASSERT_EQ(proposal.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_NEAR(proposal[i].position.norm(), 2.0 - std::sqrt(2.0), 0.1);
+    EXPECT_GT(proposal[i].radius, 0.0);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      EXPECT_GT((proposal[i].position - proposal[j].position).norm(), 0.7);
+    }
+  }
+}
+
+TEST(ConfigurationProposal, CompletesWhatIsGiven)
+{
+  ProposalOptions options;
+  options.given = { { Point(0.3, 0.0), -1, 0.05 }, { Point(-0.3, 0.0), 2, 0.1 } };
+  const PlanarDomain disk = Builtin("disk");
+  const Configuration proposal = ProposeConfiguration(disk, options);
+  ASSERT_EQ(proposal.size(), 5u);
+  EXPECT_EQ(proposal[1].quarterIndex, 2);
+  EXPECT_EQ(proposal[0].position, options.given[0].position);
+  EXPECT_EQ(TotalQuarters(proposal), 4);
+  EXPECT_NO_THROW(DrillHoles(disk, proposal));
+  options.given[0].position = Point(3.0, 0.0);
+  EXPECT_TRUE(Refuses([&] { ProposeConfiguration(disk, options); }, { "outside" }));
+}
+
+TEST(ConfigurationProposal, FollowsChosenCorners)
+{
+  ProposalOptions options;
+  options.corners = { { Point(0.0, 0.0), 2 }, { Point(1.0, 1.0), 0 }, { Point(1.0, 0.0), 0 } };
+  EXPECT_EQ(TotalQuarters(ProposeConfiguration(Builtin("square"), options)), 1);
+}
+
+TEST(ConfigurationProposal, IsScaleInvariant)
+{
+  const PlanarDomain star = Builtin("star");
+  const Configuration plain = ProposeConfiguration(star);
+  for (const double scale : { 1e-6, 1e6 })
+  {
+    const Similarity move{ 0.0, scale, Point::Zero() };
+    const Configuration scaled = ProposeConfiguration(move(star));
+    ASSERT_EQ(scaled.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i)
+    {
+      EXPECT_NEAR((scaled[i].position / scale - plain[i].position).norm(), 0.0, 1e-9);
+      EXPECT_NEAR(scaled[i].radius / scale, plain[i].radius, 1e-9);
+    }
+  }
+}
+
+TEST(ChosenCorners, TheUnitNormFieldTakesThem)
+{
+  // A square whose corner at the origin keeps its cross and another that takes two quarters: the
+  // energies of the corners are moderate, so the field shows the indices that were chosen.
+  const PlanarDomain square = Builtin("square");
+  const std::vector<CornerChoice> corners = { { Point(0.0, 0.0), 0 } };
+  const Configuration one = { { Point(0.4, 0.4), 1, 0.05 } };
+  const TriangleMesh mesh = DrillHoles(square, one);
+  EXPECT_TRUE(Refuses(
+    [&] { SolveUnitNormOn(mesh); }, { "add up to 1", "asks for 0" }, Error::Kind::Inconsistent));
+  PerforatedOptions options;
+  options.method = PerforatedMethod::UnitNorm;
+  options.corners = corners;
+  const CrossField field = SolvePerforated(mesh, options);
+  EXPECT_TRUE(field.converged);
+  EXPECT_EQ(field.unwantedSingularities, 0);
+  EXPECT_EQ(field.count.requiredInteriorQuarters, 1);
+  const FieldCheck check = CheckField(mesh, field.u);
+  EXPECT_TRUE(check.asPrescribed);
+  ASSERT_EQ(check.count.corners.size(), 4u);
+  for (const CountedCorner& corner : check.count.corners)
+  {
+    EXPECT_EQ(corner.quarterIndex, corner.position.norm() < 1e-9 ? 0 : 1);
+  }
+  EXPECT_TRUE(check.count.Consistent());
+
+  // With the indices of the smallest rotation nothing changes.
+  options.corners = { { Point(0.0, 0.0), 1 }, { Point(1.0, 0.0), 1 } };
+  const TriangleMesh pair =
+    DrillHoles(square, { { Point(0.3, 0.4), 1, 0.05 }, { Point(0.7, 0.6), -1, 0.05 } });
+  EXPECT_EQ(SolvePerforated(pair, options).energy, SolveUnitNormOn(pair).energy);
+  options.corners = { { Point(0.5, 0.5), 1 } };
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(mesh, options); }, { "not a vertex" }));
+}
+
+TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
+{
+  // A sector of 70° = 0.389π: k = 1 against k = 2 and k = 0. The energy of the field follows the
+  // singular energies of corners and holes.
+  const double angle = 70.0 / 180.0 * Pi;
+  Loop sector = { { 0.0, 0.0 } };
+  for (int i = 0; i <= 24; ++i)
+  {
+    sector.emplace_back(std::cos(angle * i / 24.0), std::sin(angle * i / 24.0));
+  }
+  const PlanarDomain domain = MakePlanarDomain({ sector });
+  const CornerClassification best = ClassifyCorners(domain);
+  double energy[2];
+  for (const int k : { 0, 1 })
+  {
+    PerforatedOptions options;
+    options.method = PerforatedMethod::UnitNorm;
+    options.corners = { { Point(0.0, 0.0), k } };
+    ProposalOptions proposal;
+    proposal.corners = options.corners;
+    const TriangleMesh mesh = DrillHoles(domain, ProposeConfiguration(domain, proposal));
+    energy[k] = SolvePerforated(mesh, options).energy;
+  }
+  EXPECT_LT(energy[1], energy[0]);
+  EXPECT_EQ(
+    std::min_element(best.corners.begin(), best.corners.end(),
+      [](const Corner& a, const Corner& b) { return a.position.norm() < b.position.norm(); })
+      ->quarterIndex,
+    1);
+}
+
+TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
+{
+  for (const char* name : { "disk", "l-shape", "angular-hole", "quarter-disk" })
+  {
+    SCOPED_TRACE(name);
+    const PlanarDomain domain = Builtin(name);
+    Configuration wrong = ProposeConfiguration(domain);
+    if (wrong.empty())
+    {
+      wrong.push_back({ Point(0.25, 0.25), 1, 0.02 });
+    }
+    else
+    {
+      wrong.pop_back();
+    }
+    const TriangleMesh mesh = DrillHoles(domain, wrong);
+    const std::string verdict = Verdict(CountQuarters(domain.loops, TotalQuarters(wrong)));
+    for (const auto method : { PerforatedMethod::Constrained, PerforatedMethod::UnitNorm })
+    {
+      PerforatedOptions options;
+      options.method = method;
+      EXPECT_TRUE(
+        Refuses([&] { SolvePerforated(mesh, options); }, { verdict }, Error::Kind::Inconsistent));
+    }
+  }
+}
+
+TEST(HolonomyCheck, IsThatOfTheUnitNormField)
+{
+  const PlanarDomain ring = Builtin("ring");
+  EXPECT_TRUE(HolonomyDefects(Builtin("disk"), ProposeConfiguration(Builtin("disk"))).empty());
+  const std::vector<double> none = HolonomyDefects(ring, {});
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_NEAR(none[0], 0.0, 1e-3); // the mesh is not symmetric
+  // +1 and −1 on the same radius, symmetric about the x axis: the reflection turns the defect
+  // round.
+  const Configuration symmetric = { { Point(0.7, 0.0), 1, 0.05 }, { Point(-0.7, 0.0), -1, 0.05 } };
+  const double defect = HolonomyDefects(ring, symmetric).at(0);
+  EXPECT_NEAR(std::remainder(2.0 * defect, 2.0 * Pi), 0.0, 1e-2);
+  // Off the axis there is a defect, and it is that of the solver.
+  const Configuration skew = { { Point(0.7, 0.0), 1, 0.05 }, { Point(0.2, 0.65), -1, 0.05 } };
+  const double found = HolonomyDefects(ring, skew).at(0);
+  EXPECT_NEAR(found, SolveUnitNormOn(DrillHoles(ring, skew)).holonomyDefect.at(0), 1e-9);
+  EXPECT_GT(std::abs(found), 0.1);
+  // Without radii there is one that fits, and it hardly matters.
+  Configuration bare = skew;
+  bare[0].radius = bare[1].radius = 0.0;
+  EXPECT_NEAR(HolonomyDefects(ring, bare).at(0), found, 0.05);
+  const Configuration one = { { Point(0.7, 0.0), 1, 0.05 } };
+  EXPECT_TRUE(
+    Refuses([&] { HolonomyDefects(ring, one); }, { "asks for" }, Error::Kind::Inconsistent));
+}
+
+TEST(HolonomyCheck, RefusesPlacesOutside)
+{
+  const PlanarDomain ring = Builtin("ring");
+  EXPECT_NO_THROW(RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 } }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 }, { Point(0.0, 0.1), 1, 0.0 } });
+    },
+    { "singularity 1", "(0, 0.1)", "outside" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      RequireInside(ring, { { Point(std::nan(""), 0.0), 1, 0.0 } });
+    },
+    { "Row 0", "finite" }));
+}
+
+TEST(FieldCheck, CountsWhatTheFieldHas)
+{
+  const PlanarDomain disk = Builtin("disk");
+  const TriangleMesh mesh = DrillHoles(disk, OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1));
+  const CrossField field = SolveUnitNormOn(mesh);
+  const FieldCheck check = CheckField(mesh, field.u);
+  EXPECT_EQ(check.holes.size(), 4u);
+  EXPECT_EQ(check.prescribedDegrees, std::vector<int>({ 1, 1, 1, 1 }));
+  EXPECT_EQ(check.interiorQuarters, 0);
+  EXPECT_TRUE(check.asPrescribed);
+  EXPECT_TRUE(check.count.Consistent());
+  EXPECT_EQ(check.count.givenInteriorQuarters, 4);
+  EXPECT_NE(check.verdict.find("prescribed degrees"), std::string::npos);
+
+  // The same field on a mesh that asks for other degrees.
+  TriangleMesh other = mesh;
+  for (BoundaryEdge& edge : other.boundary)
+  {
+    edge.quarterIndex += edge.kind == BoundaryKind::Hole ? 1 - 2 * (edge.id % 2) : 0;
+  }
+  const FieldCheck wrong = CheckField(other, field.u);
+  EXPECT_FALSE(wrong.asPrescribed);
+  EXPECT_TRUE(wrong.count.Consistent()) << "the sums agree for every field";
+  EXPECT_NE(wrong.verdict.find("4 holes"), std::string::npos) << wrong.verdict;
+
+  // Without holes the singularities are where the field likes them, but there have to be four: here
+  // u = e^{4iφ} around the origin.
+  const TriangleMesh whole = DrillHoles(disk, {});
+  const EdgeNumbering edges = NumberEdges(whole);
+  ComplexVector own(edges.Count());
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    const Point middle = Midpoint(whole, edges, e);
+    own[e] = std::polar(1.0, 4.0 * std::atan2(middle.y(), middle.x()));
+  }
+  for (std::size_t i = 0; i < whole.boundary.size(); ++i)
+  {
+    const auto& ends = whole.boundary[i].vertices;
+    own[edges.ofBoundary[i]] = AlignedRepresentation(
+      whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
+  }
+  const FieldCheck free = CheckField(whole, own);
+  EXPECT_TRUE(free.asPrescribed) << free.verdict;
+  EXPECT_EQ(free.interiorQuarters, 4);
+  EXPECT_NE(free.verdict.find("total 4"), std::string::npos) << free.verdict;
+
+  ComplexVector bad = field.u;
+  bad[0] = std::nan("");
+  EXPECT_TRUE(Refuses([&] { CheckField(mesh, bad); }, { "finite" }));
+}
+}
+}
