@@ -166,7 +166,7 @@ void SolveH(benchmark::State& state)
   const TriangleMesh& mesh = MeshOf(state.range(0), false);
   for (auto _ : state)
   {
-    const HField result = SolveHField(mesh, EightHoles());
+    const HField result = SolveHField(ShareTopology(mesh), EightHoles());
     const StageSeconds& seconds = result.field.seconds;
     state.SetIterationTime(seconds.factor + seconds.solve);
     state.counters["assemble"] = seconds.assemble;
@@ -179,7 +179,9 @@ void SolveH(benchmark::State& state)
 /// W and its gradient of one more configuration on a mesh that is factored already.
 void FurtherConfiguration(benchmark::State& state)
 {
-  const PointPotential potential(MeshOf(state.range(0), false), {}, 4);
+  const auto solver =
+    std::make_shared<const PotentialSolver>(ShareTopology(MeshOf(state.range(0), false)));
+  const PointPotential potential(solver, AlignWithBoundary(solver->GetTopology(), {}, 4));
   for (auto _ : state)
   {
     const auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
@@ -195,7 +197,7 @@ void Solve(benchmark::State& state, PerforatedMethod method)
   options.method = method;
   for (auto _ : state)
   {
-    const CrossField field = SolvePerforated(mesh, options);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
     state.SetIterationTime(field.seconds.factor + field.seconds.solve);
     state.counters["assemble"] = field.seconds.assemble;
     state.counters["factor"] = field.seconds.factor;

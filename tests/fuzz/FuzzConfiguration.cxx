@@ -128,10 +128,10 @@ Problem MakeProblem(FuzzedDataProvider& bytes)
 /** What the two methods promise for the degrees of holes and the sum of all indices. */
 void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
 {
-  CrossField field;
+  SolvedField field;
   PerforatedOptions options;
   options.method = method;
-  if (!Succeeds([&] { field = SolvePerforated(mesh, options); }))
+  if (!Succeeds([&] { field = SolvePerforated(ShareTopology(mesh), options); }))
   {
     return;
   }
@@ -152,7 +152,7 @@ void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
   if (field.converged)
   {
     FieldCheck check;
-    Require(Succeeds([&] { check = CheckField(mesh, field.u); }), "a field can be checked");
+    Require(Succeeds([&] { check = CheckField({ ShareTopology(mesh), field.u }); }), "a field can be checked");
     Require(check.count.Consistent(), "the indices of a field add up to those that it needs");
   }
 }
@@ -188,7 +188,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     RequireSolved(mesh, PerforatedMethod::UnitNorm);
   }
   HField h;
-  if (Succeeds([&] { h = SolveHField(DrillHoles(domain, {}, options), problem.configuration); }))
+  if (Succeeds([&] { h = SolveHField(ShareTopology(DrillHoles(domain, {}, options)), problem.configuration); }))
   {
     Require(h.h.allFinite(), "H is finite");
   }

@@ -132,17 +132,29 @@ ComplexVector SolveComplex(const SparseCholesky& factor, const ComplexVector& ri
 }
 }
 
-CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOptions& options)
+ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution)
 {
-  CrossField field;
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  field.count = CountMeshQuarters(mesh, loops);
+  ComplexVector forces = ComplexVector::Zero(solution.x.size());
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    forces -= solution.multipliers[static_cast<Eigen::Index>(i)] *
+      problem.constraints[i].Gradient(solution.x);
+  }
+  return forces;
+}
+
+SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOptions& options)
+{
+  SolvedField field;
+  field.topology = ShareTopology(mesh);
+  const EdgeNumbering& edges = field.topology->edges;
+  const std::vector<BoundaryLoop>& loops = field.topology->loops;
+  field.count = CountMeshQuarters(*field.topology);
   RequireConsistent(field.count);
 
-  field.edges = NumberEdges(mesh);
-  const Unknowns unknowns = NumberUnknowns(mesh, field.edges, loops);
+  const Unknowns unknowns = NumberUnknowns(mesh, edges, loops);
   const std::vector<DegreeConstraint> constraints = MakeConstraints(mesh, loops, unknowns);
-  const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.edges);
+  const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, edges);
   const SparseMatrix matrix = Restrict(stiffness, unknowns);
   const ComplexVector load = -(stiffness * unknowns.aligned);
   ComplexVector rightHandSide(matrix.rows());
@@ -162,14 +174,14 @@ CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOption
   problem.matrix = root * root.transpose();
   problem.load = problem.matrix * Gather(harmonic, unknowns.holes);
   problem.constraints = constraints;
-  const ReducedSolution reduced = SolveReduced(problem, options);
+  const MinimiserResult reduced = SolveReduced(problem, options);
   field.iterations = reduced.iterations;
   field.residual = reduced.residual;
   field.converged = reduced.converged;
   field.multipliers.assign(reduced.multipliers.begin(), reduced.multipliers.end());
 
   // The multipliers act on the hole edges as forces.
-  const ComplexVector forces = reduced.Forces(problem);
+  const ComplexVector forces = ConstraintForces(problem, reduced);
   for (std::size_t i = 0; i < unknowns.holes.size(); ++i)
   {
     rightHandSide[unknowns.holes[i]] += forces[static_cast<Eigen::Index>(i)];
@@ -184,7 +196,7 @@ CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOption
     }
   }
   field.energy = 0.5 * field.u.dot(stiffness * field.u).real();
-  ReadReport(mesh, loops, field);
+  field.Read();
   return field;
 }
 }

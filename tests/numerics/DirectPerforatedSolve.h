@@ -1,14 +1,18 @@
 #pragma once
 
-#include "CrossFieldReport.h"
+#include "Minimisation.h"
 #include "ReducedProblem.h"
+#include "SolvedField.h"
 
 namespace crossfield
 {
-/// The constrained problem of ConstrainedField.h in its direct form (docs/method.md §3): the oracle that the
-/// reduced form is compared with.
+/// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S x − b when solved.
+ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution);
+
+/// The constrained problem of PotentialReduction.h in its direct form (docs/method.md §3.2): the oracle
+/// that the reduced form is compared with.
 ///
 /// The Crouzeix-Raviart stiffness matrix itself is factored with the hole edges last; its trailing
 /// block is the Schur complement S on them, and the energy is ½ uᴴ K u.
-CrossField SolvePerforatedDirectly(const TriangleMesh& mesh, const ReducedOptions& options = {});
+SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOptions& options = {});
 }

@@ -384,4 +384,17 @@ testing::AssertionResult Refuses(
   }
   return testing::AssertionFailure() << "threw nothing";
 }
+
+PotentialProblem ProblemOn(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners)
+{
+  const auto potential = std::make_shared<const PotentialSolver>(ShareTopology(mesh));
+  return { potential, AlignWithBoundary(potential->GetTopology(), corners) };
+}
+
+PointPotential PointPotentialOn(
+  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters)
+{
+  const auto potential = std::make_shared<const PotentialSolver>(ShareTopology(mesh));
+  return { potential, AlignWithBoundary(potential->GetTopology(), corners, pointQuarters) };
+}
 }

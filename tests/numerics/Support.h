@@ -3,10 +3,12 @@
 // What the tests of the numerics share: random inputs from a fixed seed, similarities, measures of
 // a mesh, and the check that a refusal says why.
 
+#include "Alignment.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
 #include "Error.h"
 #include "PlanarDomain.h"
+#include "PointPotential.h"
 #include "Singularity.h"
 #include "TriangleMesh.h"
 
@@ -109,4 +111,12 @@ double ConvergenceRate(const std::vector<double>& sizes, const std::vector<doubl
 /// Succeeds when `call` throws crossfield::Error of this kind, with all the parts in its sentence.
 testing::AssertionResult Refuses(const std::function<void()>& call,
   const std::vector<std::string>& parts, Error::Kind kind = Error::Kind::BadInput);
+
+/// The mesh with its factor, and its boundary aligned.
+PotentialProblem ProblemOn(
+  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
+
+/// The same for singularities that are points, of a given sum of quarter indices.
+PointPotential PointPotentialOn(
+  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
 }

@@ -9,50 +9,10 @@
 #include <cmath>
 #include <memory>
 #include <tuple>
+#include <utility>
 
 namespace crossfield
 {
-namespace
-{
-/// The potentials of points on one mesh, one for every choice of corners that turns up.
-class PotentialCache
-{
-public:
-  explicit PotentialCache(const TriangleMesh& mesh)
-    : Mesh(mesh)
-  {
-  }
-
-  const PointPotential& Get(const std::vector<CornerChoice>& corners, int quarters)
-  {
-    const auto same = [](const CornerChoice& a, const CornerChoice& b)
-    { return a.position == b.position && a.quarterIndex == b.quarterIndex; };
-    for (const Entry& entry : this->Entries)
-    {
-      if (entry.quarters == quarters &&
-        std::equal(
-          corners.begin(), corners.end(), entry.corners.begin(), entry.corners.end(), same))
-      {
-        return *entry.potential;
-      }
-    }
-    this->Entries.push_back(
-      { corners, quarters, std::make_unique<PointPotential>(this->Mesh, corners, quarters) });
-    return *this->Entries.back().potential;
-  }
-
-private:
-  struct Entry
-  {
-    std::vector<CornerChoice> corners;
-    int quarters;
-    std::unique_ptr<PointPotential> potential;
-  };
-  const TriangleMesh& Mesh;
-  std::vector<Entry> Entries;
-};
-}
-
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options,
   const Progress& progress)
@@ -65,9 +25,9 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
   const PlanarDomain refined = InsertBoundarySingularities(domain, all);
   DrillOptions drill;
   drill.meshSize = options.meshSize;
-  const TriangleMesh mesh = DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1));
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  PotentialCache potentials(mesh);
+  const auto potential = std::make_shared<const PotentialSolver>(
+    ShareTopology(DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1))));
+  const MeshTopology& topology = potential->GetTopology();
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)
   {
@@ -81,16 +41,16 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
     try
     {
       const PlacedConfiguration placed =
-        PlaceConfiguration(mesh, loops, configurations[i], options.corners);
+        PlaceConfiguration(topology, configurations[i], options.corners);
       energy.interior = placed.interior;
-      const PointPotential& potential =
-        potentials.Get(placed.corners, TotalQuarters(placed.interior));
-      energy.renormalized = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
-      const TriangleMesh drilled =
+      const PointPotential points(potential,
+        AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
+      energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
+      TriangleMesh drilled =
         DrillHoles(refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
-      energy.perforated = ComputePerforatedEnergy(drilled, placed.corners);
+      energy.perforated = ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
       energy.consistent = true;
-      energy.reason = Verdict(potential.GetProblem().count, energy.renormalized.holonomyDefect);
+      energy.reason = Verdict(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
     }
     catch (const Error& error)
     {

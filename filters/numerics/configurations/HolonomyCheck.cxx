@@ -5,6 +5,7 @@
 #include "UnitNormField.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace crossfield
 {
@@ -32,8 +33,12 @@ std::vector<double> HolonomyDefects(const PlanarDomain& domain, const Configurat
       holes[i].radius = std::min(ResolveMeshSize(options, domain), room / 3.0);
     }
   }
-  const TriangleMesh mesh = DrillHoles(domain, holes, options, progress.Part(0.0, 0.5));
-  const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, corners);
+  const SharedTopology topology =
+    ShareTopology(DrillHoles(domain, holes, options, progress.Part(0.0, 0.5)));
+  Alignment alignment = AlignWithBoundary(*topology, corners);
+  RequireConsistent(alignment.count);
+  const PotentialProblem problem(
+    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   progress.Report(0.9);
   return SolveUnitNorm(problem).holonomyDefect;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace crossfield
 {
@@ -17,7 +18,7 @@ namespace
 class ConformingPhase
 {
 public:
-  ConformingPhase(const PerforatedProblem& problem, const EdgePhases& phases)
+  ConformingPhase(const PotentialProblem& problem, const EdgePhases& phases)
     : Problem(problem)
     , Strips(problem.potential->GetStrips())
     , Value(Eigen::VectorXd::Zero(problem.potential->Rows()))
@@ -31,7 +32,7 @@ public:
     }
     const Eigen::VectorXd growth = phases.end - phases.start;
     this->SetPeriods(growth);
-    for (const BoundaryLoop& loop : problem.loops)
+    for (const BoundaryLoop& loop : problem.Topology().loops)
     {
       if (loop.kind != BoundaryKind::Hole)
       {
@@ -44,7 +45,7 @@ public:
   void ShiftInnerLoops(const Eigen::VectorXd& differences)
   {
     Eigen::Index k = 0;
-    for (const BoundaryLoop& loop : this->Problem.loops)
+    for (const BoundaryLoop& loop : this->Problem.Topology().loops)
     {
       if (loop.kind == BoundaryKind::Inner)
       {
@@ -63,11 +64,11 @@ public:
 private:
   const BoundaryEdge& Boundary(int edge) const
   {
-    return this->Problem.mesh.boundary[static_cast<std::size_t>(edge)];
+    return this->Problem.Topology().BoundaryAt(edge);
   }
   const std::array<int, 3>& Triangle(int t) const
   {
-    return this->Problem.mesh.triangles[static_cast<std::size_t>(t)];
+    return this->Problem.Topology().mesh.triangles[static_cast<std::size_t>(t)];
   }
 
   /// Going counter-clockwise around a loop one crosses its strip from the left to the right, which
@@ -75,7 +76,7 @@ private:
   void SetPeriods(const Eigen::VectorXd& growth)
   {
     Eigen::Index k = 0;
-    for (const BoundaryLoop& loop : this->Problem.loops)
+    for (const BoundaryLoop& loop : this->Problem.Topology().loops)
     {
       if (loop.kind == BoundaryKind::Outer)
       {
@@ -123,8 +124,8 @@ private:
     for (std::size_t i = 0; i + 1 < along.size(); ++i)
     {
       const auto [from, to] = this->Boundary(along[i]).vertices;
-      const int edge = this->Problem.edges.ofBoundary[static_cast<std::size_t>(along[i])];
-      const int triangle = this->Problem.edges.triangles[static_cast<std::size_t>(edge)][0];
+      const int edge = this->Problem.Topology().edges.ofBoundary[static_cast<std::size_t>(along[i])];
+      const int triangle = this->Problem.Topology().edges.triangles[static_cast<std::size_t>(edge)][0];
       this->Value[to] = this->Value[from] + growth[along[i]] - this->Jump(triangle, to) +
         this->Jump(triangle, from);
     }
@@ -159,7 +160,7 @@ private:
     return sum;
   }
 
-  const PerforatedProblem& Problem;
+  const PotentialProblem& Problem;
   const std::vector<LoopStrip>& Strips;
   std::map<int, std::vector<std::pair<Eigen::Index, const LoopStrip::Step*>>> StepsOf;
   Eigen::VectorXd Value;
@@ -167,10 +168,14 @@ private:
 }
 
 PerforatedEnergy ComputePerforatedEnergy(
-  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners)
+  const SharedTopology& topology, const std::vector<CornerChoice>& corners)
 {
   PerforatedEnergy result;
-  const PerforatedProblem problem(mesh, PotentialSolver::Periods::IslandsAndHoles, corners);
+  constexpr auto Everywhere = PotentialSolver::Periods::IslandsAndHoles;
+  Alignment alignment = AlignWithBoundary(*topology, corners);
+  RequireConsistent(alignment.count);
+  const PotentialProblem problem(
+    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   const AlignedPotential estimate = SolveAligned(problem, PiecewiseConstantPhase(problem));
   result.aligned = estimate.energy;
   result.holonomyDefect = estimate.holonomyDefect;
@@ -182,36 +187,35 @@ PerforatedEnergy ComputePerforatedEnergy(
     result.alignedLower = std::min(result.aligned, linear.energy);
   }
 
-  const PotentialSolver given(mesh, problem.edges, problem.loops,
-    PotentialSolver::Periods::IslandsAndHoles, PotentialSolver::Boundary::Given);
+  const PotentialSolver given(topology, PotentialSolver::Boundary::Given);
   ConformingPhase phase(problem, LinearEdgePhases(problem));
-  if (problem.IslandCount() > 0)
+  if (topology->LoopCount(BoundaryKind::Inner) > 0)
   {
     phase.ShiftInnerLoops(linear.carriedPhase);
   }
-  const Eigen::VectorXd inside = given.Solve(-given.Apply(phase.Get()));
-  result.alignedUpper = GradientEnergy(mesh, given.Gradient(phase.Get() + inside));
+  const Eigen::VectorXd inside = given.Solve(-given.Apply(phase.Get()), Everywhere);
+  result.alignedUpper = GradientEnergy(topology->mesh, given.Gradient(phase.Get() + inside));
 
   // Free along the boundary. Of Φ only the constants on the holes matter, of φ only the periods
   // around them, which come last: both are in the trailing blocks of the factors.
   const Eigen::MatrixXd merge = MergeHoles(problem);
-  const Eigen::Index holes = merge.cols() - problem.IslandCount();
+  const Eigen::Index holes = merge.cols() - topology->LoopCount(BoundaryKind::Inner);
   Eigen::VectorXd turns(holes);
   Eigen::Index hole = 0;
-  for (const BoundaryLoop& loop : problem.loops)
+  for (const BoundaryLoop& loop : problem.Topology().loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
       turns[hole++] = 2.0 * Pi * loop.quarterIndex;
     }
   }
-  const Eigen::MatrixXd& lower = given.TrailingFactor();
+  const Eigen::MatrixXd lower = given.TrailingFactor(Everywhere);
   const Eigen::MatrixXd root =
     lower.triangularView<Eigen::Lower>().transpose() * merge.topLeftCorner(lower.rows(), holes);
   result.degreeOnlyLower =
     0.5 * turns.dot(Eigen::LLT<Eigen::MatrixXd>(root.transpose() * root).solve(turns));
   const Eigen::MatrixXd periods =
-    problem.potential->TrailingFactor().bottomRightCorner(holes, holes);
+    problem.potential->TrailingFactor(Everywhere).bottomRightCorner(holes, holes);
   result.degreeOnlyUpper =
     0.5 * (periods.triangularView<Eigen::Lower>().transpose() * turns).squaredNorm();
   return result;

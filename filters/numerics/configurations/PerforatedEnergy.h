@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PerforatedProblem.h"
+#include "Alignment.h"
 
 namespace crossfield
 {
@@ -28,5 +28,5 @@ struct PerforatedEnergy
 ///
 /// Throws Error when the quarter indices violate Poincaré-Hopf.
 PerforatedEnergy ComputePerforatedEnergy(
-  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
+  const SharedTopology& topology, const std::vector<CornerChoice>& corners = {});
 }

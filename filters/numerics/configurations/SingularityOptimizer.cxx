@@ -324,10 +324,14 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   DrillOptions drill;
   drill.meshSize = options.meshSize;
   const PlanarDomain refined = InsertBoundarySingularities(domain, start);
-  const TriangleMesh mesh = DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1));
-  const PlacedConfiguration placed =
-    PlaceConfiguration(mesh, FindBoundaryLoops(mesh), start, options.corners);
-  const PointPotential potential(mesh, placed.corners, TotalQuarters(placed.interior));
+  const SharedTopology topology =
+    ShareTopology(DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1)));
+  const PlacedConfiguration placed = PlaceConfiguration(*topology, start, options.corners);
+  Alignment alignment =
+    AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
+  RequireConsistent(alignment.count); // before the mesh is factored
+  const PointPotential potential(
+    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   progress.Report(0.2);
 
   OptimizerResult result;

@@ -35,22 +35,21 @@ SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
 }
 }
 
-AlignedProblem::AlignedProblem(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const Eigen::VectorXd& weights)
-  : stiffness(CrouzeixRaviartStiffness(mesh, edges, weights))
+AlignedProblem::AlignedProblem(const MeshTopology& topology, const Eigen::VectorXd& weights)
+  : stiffness(CrouzeixRaviartStiffness(topology.mesh, topology.edges, weights))
 {
+  const EdgeNumbering& edges = topology.edges;
   std::vector<bool> aligned(static_cast<std::size_t>(edges.Count()), false);
   std::vector<Complex> values;
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    const BoundaryEdge& edge = mesh.boundary[i];
-    if (edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner)
+    const BoundaryEdge& edge = topology.mesh.boundary[i];
+    if (edge.IsAligned())
     {
       aligned[static_cast<std::size_t>(edges.ofBoundary[i])] = true;
       this->fixed.push_back(edges.ofBoundary[i]);
-      values.push_back(
-        AlignedRepresentation(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
-          mesh.points[static_cast<std::size_t>(edge.vertices[0])]));
+      values.push_back(AlignedRepresentation(
+        topology.PointAt(edge.vertices[1]) - topology.PointAt(edge.vertices[0])));
     }
   }
   this->prescribed =
@@ -59,10 +58,8 @@ AlignedProblem::AlignedProblem(
   {
     if (!aligned[static_cast<std::size_t>(edge)])
     {
-      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
       this->free.push_back(edge);
-      this->places.push_back(0.5 *
-        (mesh.points[static_cast<std::size_t>(from)] + mesh.points[static_cast<std::size_t>(to)]));
+      this->places.push_back(topology.Midpoint(edge));
     }
   }
   this->freeStiffness = Restrict(this->stiffness, this->free);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CrouzeixRaviart.h"
+#include "MeshTopology.h"
 
 namespace crossfield
 {
@@ -16,8 +17,7 @@ struct AlignedProblem
   std::vector<Point> places;  ///< Midpoints of the free edges.
 
   /// `weights`: see CrouzeixRaviartStiffness.
-  AlignedProblem(
-    const TriangleMesh& mesh, const EdgeNumbering& edges, const Eigen::VectorXd& weights = {});
+  explicit AlignedProblem(const MeshTopology& topology, const Eigen::VectorXd& weights = {});
 
   /// Sets the values on the fixed edges.
   void Align(ComplexVector& u) const;

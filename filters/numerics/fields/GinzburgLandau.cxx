@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -28,10 +27,9 @@ constexpr double SlowDescent = 1e-4;
 /// Energies that differ by less than this, relatively, differ by rounding.
 constexpr double EnergyRounding = 1e-13;
 
-void RequireNoHoles(const TriangleMesh& mesh)
+void RequireNoHoles(const MeshTopology& topology)
 {
-  if (std::any_of(mesh.boundary.begin(), mesh.boundary.end(),
-        [](const BoundaryEdge& edge) { return edge.kind == BoundaryKind::Hole; }))
+  if (topology.LoopCount(BoundaryKind::Hole) > 0)
   {
     throw Error("The mesh has holes for singularities, but the Ginzburg-Landau method places "
                 "singularities by itself; give the domain drilled without any.");
@@ -245,54 +243,36 @@ void Iterate(Minimiser& minimiser, const GinzburgLandauOptions& options, const P
   }
 }
 
-/// Holes, indices and counts of the field.
-void ReadField(
-  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops, GinzburgLandauField& field)
-{
-  ReadReport(mesh, loops, field);
-  int size = 0;
-  int sum = 0;
-  for (const FieldSingularity& singularity : FindFieldSingularities(mesh, field.edges, field.u))
-  {
-    size += std::abs(singularity.quarterIndex);
-    sum += singularity.quarterIndex;
-  }
-  field.count.givenInteriorQuarters = sum;
-  field.unwantedSingularities = std::max(0, size - std::abs(field.count.requiredInteriorQuarters));
-}
 }
 
-double ResolveEpsilon(
-  const GinzburgLandauOptions& options, const TriangleMesh& mesh, const EdgeNumbering& edges)
+double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& topology)
 {
   if (options.epsilon != 0.0)
   {
     return options.epsilon;
   }
   double sum = 0.0;
-  for (const auto& [from, to] : edges.vertices)
+  for (const auto& [from, to] : topology.edges.vertices)
   {
-    sum += (mesh.points[static_cast<std::size_t>(to)] - mesh.points[static_cast<std::size_t>(from)])
-             .norm();
+    sum += (topology.PointAt(to) - topology.PointAt(from)).norm();
   }
-  return sum / edges.Count();
+  return sum / topology.edges.Count();
 }
 
 GinzburgLandauField SolveGinzburgLandau(
-  const TriangleMesh& mesh, const GinzburgLandauOptions& options, const Progress& progress)
+  const SharedTopology& topology, const GinzburgLandauOptions& options, const Progress& progress)
 {
   Stopwatch stopwatch;
-  RequireNoHoles(mesh);
+  RequireNoHoles(*topology);
   GinzburgLandauField field;
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  field.count = CountMeshQuarters(mesh, loops);
-  field.edges = NumberEdges(mesh);
-  field.epsilon = ResolveEpsilon(options, mesh, field.edges);
-  const GinzburgLandauEnergy energy(mesh, field.edges, field.epsilon, options.pinning);
+  field.topology = topology;
+  field.count = CountMeshQuarters(*topology);
+  field.epsilon = ResolveEpsilon(options, *topology);
+  const GinzburgLandauEnergy energy(*topology, field.epsilon, options.pinning);
   field.seconds.assemble = stopwatch.Lap();
   progress.Report(0.05);
 
-  field.u = Start(options, energy, field.edges);
+  field.u = Start(options, energy, topology->edges);
   field.seconds.factor = stopwatch.Lap();
   progress.Report(0.1);
 
@@ -307,7 +287,12 @@ GinzburgLandauField SolveGinzburgLandau(
   field.gradientEnergy = energy.GradientPart(field.u);
   field.penaltyEnergy = energy.PenaltyPart(field.u);
   field.energy = field.gradientEnergy + field.penaltyEnergy;
-  ReadField(mesh, loops, field);
+  field.Read();
+  field.count.givenInteriorQuarters = 0;
+  for (const FieldSingularity& singularity : FindFieldSingularities(field))
+  {
+    field.count.givenInteriorQuarters += singularity.quarterIndex;
+  }
   field.seconds.solve = stopwatch.Lap();
   progress.Report(1.0);
   return field;

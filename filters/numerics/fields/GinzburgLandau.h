@@ -1,8 +1,8 @@
 #pragma once
 
-#include "CrossFieldReport.h"
 #include "GinzburgLandauEnergy.h"
 #include "Progress.h"
+#include "SolvedField.h"
 
 namespace crossfield
 {
@@ -30,17 +30,15 @@ struct GinzburgLandauOptions
 };
 
 /// The ε that options ask for on a mesh.
-double ResolveEpsilon(
-  const GinzburgLandauOptions& options, const TriangleMesh& mesh, const EdgeNumbering& edges);
+double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& topology);
 
 /// A local minimiser of GinzburgLandauEnergy, and what the solver has to say about it. In the
-/// report of CrossField:
+/// report:
 /// - energy = gradientEnergy + penaltyEnergy;
 /// - count.givenInteriorQuarters is the sum of the singularities found inside, so that the count
 ///   compares what the domain requires with what the field has;
-/// - unwantedSingularities is Σ |k| over them minus |required sum|: what the field has beyond the
-///   least that the Poincaré-Hopf theorem asks for.
-struct GinzburgLandauField : CrossField
+/// - unwantedSingularities is what the field has beyond the least that the Poincaré-Hopf theorem asks for.
+struct GinzburgLandauField : SolvedField
 {
   /// Of the start and after every iteration; never rises by more than rounding.
   std::vector<double> energies;
@@ -59,7 +57,7 @@ struct GinzburgLandauField : CrossField
 ///
 /// Any domain is allowed, since the singularities come by themselves. Throws Error when the mesh
 /// has holes, ε is not positive, or the given start does not fit the mesh. An iteration that does
-/// not converge is not an error: see CrossField::converged.
-GinzburgLandauField SolveGinzburgLandau(const TriangleMesh& mesh,
+/// not converge is not an error: see SolveReport::converged.
+GinzburgLandauField SolveGinzburgLandau(const SharedTopology& topology,
   const GinzburgLandauOptions& options = {}, const Progress& progress = {});
 }

@@ -79,11 +79,13 @@ std::ptrdiff_t PositionOf(SparseMatrix& matrix, Eigen::Index row, Eigen::Index c
 }
 }
 
-GinzburgLandauEnergy::GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  double epsilon, const GinzburgLandauPinning& pinning)
+GinzburgLandauEnergy::GinzburgLandauEnergy(
+  const MeshTopology& topology, double epsilon, const GinzburgLandauPinning& pinning)
   : InverseSquare(1.0 / (epsilon * epsilon))
-  , Aligned(mesh, edges, CheckPinning(pinning, mesh, edges).gradientWeight)
+  , Aligned(topology, CheckPinning(pinning, topology.mesh, topology.edges).gradientWeight)
 {
+  const TriangleMesh& mesh = topology.mesh;
+  const EdgeNumbering& edges = topology.edges;
   if (!(epsilon > 0.0) || !std::isfinite(epsilon))
   {
     throw Error("The length epsilon of the Ginzburg-Landau penalty must be positive; give a length "

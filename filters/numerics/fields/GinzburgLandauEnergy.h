@@ -26,8 +26,8 @@ class GinzburgLandauEnergy
 public:
   /// `epsilon` is a length. Throws Error when it is not positive, or the pinning has the wrong
   /// number of values or one out of range.
-  GinzburgLandauEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges, double epsilon,
-    const GinzburgLandauPinning& pinning = {});
+  GinzburgLandauEnergy(
+    const MeshTopology& topology, double epsilon, const GinzburgLandauPinning& pinning = {});
 
   /// Edges whose value is not prescribed, in increasing order: the unknowns.
   const std::vector<int>& FreeEdges() const { return this->Aligned.free; }

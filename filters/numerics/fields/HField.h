@@ -1,8 +1,8 @@
 #pragma once
 
-#include "CrossFieldReport.h"
+#include "PotentialSolver.h"
 #include "Progress.h"
-#include "Singularity.h"
+#include "SolvedField.h"
 
 namespace crossfield
 {
@@ -16,7 +16,7 @@ struct HField
   /// singularities are holes. Points have infinite energy: it is then the leading part of the energy
   /// with a hole of radius ρ_j at every singularity, Σ_j π k_j² log(1/ρ_j) + W, with 1/40 of the
   /// diagonal for radii not given and at corners that have a logarithm.
-  CrossField field;
+  SolvedField field;
   /// H at the vertices, area mean 0. At a vertex on a singularity, where H is infinite, the mean over
   /// the disk (sector) whose radius is half of the shortest edge there.
   Eigen::VectorXd h;
@@ -35,7 +35,11 @@ struct HField
 /// Corners without a given index make the smallest rotation; if the sum then is wrong, they take the
 /// indices of the cheapest assignment (CornerClassification.h), and if it is still wrong that is an
 /// Error, as is a singularity outside.
-HField SolveHField(const TriangleMesh& mesh, const Configuration& configuration,
+HField SolveHField(const SharedTopology& topology, const Configuration& configuration,
   const std::vector<CornerChoice>& corners = {}, const Progress& progress = {});
 
+/// The same on a mesh that is factored already: one back-substitution.
+HField SolveHField(const std::shared_ptr<const PotentialSolver>& potential,
+  const Configuration& configuration, const std::vector<CornerChoice>& corners = {},
+  const Progress& progress = {});
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
-#include "ReducedProblem.h"
+#include "Minimisation.h"
 
 namespace crossfield
 {
@@ -33,7 +33,7 @@ struct PerforatedOptions
   bool globalConstraint = false;
   /// Constrained method: ε of the penalty 1/(4ε²) ∫ (|u|² − 1)², a length; 0 for none.
   double epsilon = 0.0;
-  ReducedOptions reduced; ///< Of the constrained method.
+  MinimiserOptions reduced; ///< Of the constrained method.
   /// Quarter indices chosen for vertices of outer and inner loops instead of the smallest rotations.
   /// The unit-norm field takes them; the constrained one is only held to the sum that they leave to
   /// the holes.

@@ -1,14 +1,13 @@
 #include "PerforatedSolve.h"
 
-#include "ConstrainedField.h"
 #include "DualSolve.h"
 #include "LocalSolve.h"
-#include "UnitSolve.h"
+#include "PotentialReduction.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
+#include "UnitSolve.h"
 #include "VariantSolve.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace crossfield
@@ -18,119 +17,154 @@ namespace
 /// Alignment that is off by more than this is not rounding: the potential did not fit its boundary.
 constexpr double AlignmentTolerance = 1e-6;
 
-void UseUnitNorm(const PerforatedProblem& problem, CrossField& field)
+/// The methods on one drilled mesh; `blank` is what all of their fields begin with.
+class PerforatedSolver
 {
-  UnitNormField result = SolveUnitNorm(problem);
-  field.u = std::move(result.u);
-  field.energy = result.energy;
-  field.residual = result.residual;
-  field.converged = result.residual <= AlignmentTolerance;
-  field.holonomyDefect = std::move(result.holonomyDefect);
-  ReadReport(problem.mesh, problem.loops, field);
-}
+public:
+  PerforatedSolver(
+    const PotentialProblem& problem, const PerforatedOptions& options, const Progress& progress)
+    : Problem(problem)
+    , Options(options)
+    , Report(progress)
+  {
+    this->Blank.topology = problem.potential->ShareTopology();
+    this->Blank.count = problem.alignment.count;
+  }
 
-/// Puts one solution of the constrained problem into the field and reads the report.
-void UseSolution(const PerforatedProblem& problem, const ConstrainedSolver& solver,
-  const ReducedSolution& solution, CrossField& field)
-{
-  ConstrainedField result = solver.Recover(solution);
-  field.u = std::move(result.u);
-  field.energy = result.energy;
-  field.iterations = solution.iterations;
-  field.residual = solution.residual;
-  field.converged = solution.converged && result.alignmentResidual <= AlignmentTolerance;
-  field.multipliers.assign(solution.multipliers.begin(), solution.multipliers.end());
-  ReadReport(problem.mesh, problem.loops, field);
-}
+  SolvedField UnitNorm() const
+  {
+    UnitNormField result = SolveUnitNorm(this->Problem);
+    SolvedField field = this->Blank;
+    field.u = std::move(result.u);
+    field.energy = result.energy;
+    field.residual = result.residual;
+    field.converged = result.residual <= AlignmentTolerance;
+    field.holonomyDefect = std::move(result.holonomyDefect);
+    field.Read();
+    return field;
+  }
 
-void UseConstrained(const PerforatedProblem& problem, const PerforatedOptions& options,
-  const Progress& progress, CrossField& field)
-{
-  const ConstrainedSolver solver(problem);
-  progress.Report(0.2);
-  if (options.start != PerforatedStart::UnitNorm)
+  SolvedField Constrained() const
+  {
+    if (this->Options.unitHoles)
+    {
+      return this->WithUnitHoles();
+    }
+    const PotentialReduction reduction(this->Problem);
+    this->Report.Report(0.2);
+    double newton = 0.0;
+    const auto harmonic = [&] { return this->FromHarmonic(reduction, newton); };
+    const auto unitNorm = [&] { return this->FromUnitNorm(reduction); };
+    SolvedField field;
+    switch (this->Options.start)
+    {
+      case PerforatedStart::Harmonic:
+        field = harmonic();
+        break;
+      case PerforatedStart::UnitNorm:
+        field = unitNorm();
+        break;
+      case PerforatedStart::Best:
+        field = BestOfTwo(harmonic, unitNorm);
+        if (field.wrongDegrees > 0 || !field.converged)
+        {
+          field = this->WithUnitHoles();
+        }
+        break;
+    }
+    field.seconds.newton = newton;
+    return field;
+  }
+
+private:
+  SolvedField FromHarmonic(const PotentialReduction& reduction, double& newton) const
   {
     Stopwatch stopwatch;
-    const ReducedSolution solution =
-      SolveReduced(solver.GetReducedProblem(), options.reduced, progress.Part(0.2, 0.5));
-    field.seconds.newton = stopwatch.Lap();
-    UseSolution(problem, solver, solution, field);
-    const bool asWished =
-      field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
-    if (options.start == PerforatedStart::Harmonic || asWished)
-    {
-      return;
-    }
+    const MinimiserResult solution = SolveReduced(
+      reduction.GetReducedProblem(), this->Options.reduced, this->Report.Part(0.2, 0.5));
+    newton = stopwatch.Lap();
+    return this->Finish(reduction, solution);
   }
-  // A second opinion that takes longer than the paper's longest run would not settle either.
-  ReducedOptions patience = options.reduced;
-  patience.maximumIterations = std::min(patience.maximumIterations, 60);
-  const ComplexVector unitNorm = SolveUnitNorm(problem).u;
-  CrossField other = field;
-  other.startedFromUnitNorm = true;
-  UseSolution(problem, solver,
-    SolveReducedFrom(
-      solver.GetReducedProblem(), solver.HoleValues(unitNorm), patience, progress.Part(0.5, 0.8)),
-    other);
-  if (options.start == PerforatedStart::UnitNorm || IsBetter(other, field))
+
+  SolvedField FromUnitNorm(const PotentialReduction& reduction) const
   {
-    field = std::move(other);
+    const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(this->Problem).u);
+    SolvedField field = this->Finish(reduction,
+      SolveReducedFrom(reduction.GetReducedProblem(), start, this->Options.reduced,
+        this->Report.Part(0.5, 0.8)));
+    field.startedFromUnitNorm = true;
+    return field;
   }
-}
 
-/// |u| = 1 on the holes, from the unit-norm field.
-void UseUnitHoles(const PerforatedProblem& islandsOnly, const ReducedOptions& options,
-  const Progress& progress, CrossField& field)
-{
-  const PerforatedProblem problem(
-    islandsOnly.mesh, PotentialSolver::Periods::IslandsAndHoles, islandsOnly.corners);
-  const ConstrainedSolver solver(problem);
-  field.startedFromUnitNorm = true;
-  field.unitHoles = true;
-  UseSolution(problem, solver,
-    SolveReducedUnit(solver.GetReducedProblem(), solver.HoleValues(SolveUnitNorm(islandsOnly).u),
-      options, progress),
-    field);
-}
-}
-
-CrossField SolvePerforated(
-  const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
-{
-  if (IsVariant(mesh, options))
+  /// |u| = 1 on the holes, from the unit-norm field.
+  SolvedField WithUnitHoles() const
   {
-    return SolveVariant(mesh, options, progress);
+    const PotentialReduction reduction(this->Problem, PotentialSolver::Periods::IslandsAndHoles);
+    const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(this->Problem).u);
+    SolvedField field = this->Finish(reduction,
+      SolveReducedUnit(reduction.GetReducedProblem(), start, this->Options.reduced,
+        this->Report.Part(0.8, 1.0)));
+    field.startedFromUnitNorm = true;
+    field.unitHoles = true;
+    return field;
   }
-  CrossField field;
-  const PerforatedProblem problem(
-    mesh, PotentialSolver::Periods::Islands, options.corners, 0, progress.Part(0.0, 0.6));
-  field.count = problem.count;
-  field.seconds.assemble = problem.assembleSeconds;
-  field.seconds.factor = problem.factorSeconds;
-  progress.Report(0.6);
 
+  /// The field of a solution on the holes, and its report.
+  SolvedField Finish(const PotentialReduction& reduction, const MinimiserResult& solution) const
+  {
+    RecoveredField result = reduction.Recover(solution.x);
+    SolvedField field = this->Blank;
+    field.u = std::move(result.u);
+    field.energy = result.energy;
+    field.iterations = solution.iterations;
+    field.residual = solution.residual;
+    field.converged = solution.converged && result.alignmentResidual <= AlignmentTolerance;
+    field.multipliers.assign(solution.multipliers.begin(), solution.multipliers.end());
+    field.Read();
+    return field;
+  }
+
+  const PotentialProblem& Problem;
+  const PerforatedOptions& Options;
+  const Progress& Report;
+  SolvedField Blank;
+};
+}
+
+SolvedField SolvePerforated(const std::shared_ptr<const PotentialSolver>& potential,
+  const PerforatedOptions& options, const Progress& progress)
+{
+  if (IsVariant(potential->GetTopology(), options))
+  {
+    return SolveVariant(potential->ShareTopology(), options, progress);
+  }
   Stopwatch stopwatch;
-  // The report needs the edges of the mesh, which the problem refers to until it is solved.
-  field.edges = problem.edges;
-  if (options.method == PerforatedMethod::UnitNorm)
-  {
-    UseUnitNorm(problem, field);
-  }
-  else
-  {
-    if (!options.unitHoles)
-    {
-      UseConstrained(problem, options, progress.Part(0.6, 0.9), field);
-    }
-    const bool mend =
-      options.start == PerforatedStart::Best && (field.wrongDegrees > 0 || !field.converged);
-    if (options.unitHoles || mend)
-    {
-      UseUnitHoles(problem, options.reduced, progress.Part(0.9, 1.0), field);
-    }
-  }
+  const PotentialProblem problem(
+    potential, AlignWithBoundary(potential->GetTopology(), options.corners));
+  const PerforatedSolver solver(problem, options, progress);
+  SolvedField field = options.method == PerforatedMethod::UnitNorm ? solver.UnitNorm()
+                                                                   : solver.Constrained();
   field.seconds.solve = stopwatch.Lap();
   progress.Report(1.0);
+  return field;
+}
+
+SolvedField SolvePerforated(
+  const SharedTopology& topology, const PerforatedOptions& options, const Progress& progress)
+{
+  if (IsVariant(*topology, options))
+  {
+    return SolveVariant(topology, options, progress);
+  }
+  Stopwatch stopwatch;
+  RequireConsistent(AlignWithBoundary(*topology, options.corners).count);
+  const double assemble = stopwatch.Lap();
+  const auto potential = std::make_shared<const PotentialSolver>(
+    topology, PotentialSolver::Boundary::Natural, progress.Part(0.0, 0.6));
+  const double factor = stopwatch.Lap();
+  SolvedField field = SolvePerforated(potential, options, progress.Part(0.6, 1.0));
+  field.seconds.assemble = assemble;
+  field.seconds.factor = factor;
   return field;
 }
 }

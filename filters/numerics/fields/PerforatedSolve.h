@@ -1,8 +1,9 @@
 #pragma once
 
-#include "CrossFieldReport.h"
+#include "Alignment.h"
 #include "PerforatedOptions.h"
 #include "Progress.h"
+#include "SolvedField.h"
 
 namespace crossfield
 {
@@ -12,7 +13,12 @@ namespace crossfield
 /// Meshes with imprinted circles and the options for the variants go to VariantSolve.h.
 ///
 /// Throws Error when the quarter indices violate Poincaré-Hopf or a hole has too few edges for its
-/// degree. An iteration that does not converge is not an error: see CrossField::converged.
-CrossField SolvePerforated(
-  const TriangleMesh& mesh, const PerforatedOptions& options = {}, const Progress& progress = {});
+/// degree. An iteration that does not converge is not an error: see SolveReport::converged.
+SolvedField SolvePerforated(const SharedTopology& topology, const PerforatedOptions& options = {},
+  const Progress& progress = {});
+
+/// The same on a mesh that is factored already, but for the variants: any number of methods and corners
+/// for one factorisation.
+SolvedField SolvePerforated(const std::shared_ptr<const PotentialSolver>& potential,
+  const PerforatedOptions& options = {}, const Progress& progress = {});
 }

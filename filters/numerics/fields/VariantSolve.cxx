@@ -1,10 +1,10 @@
 #include "VariantSolve.h"
 
+#include "DirectReduction.h"
 #include "DualSolve.h"
-#include "EdgeReduction.h"
 #include "Error.h"
-#include "PenalisedField.h"
 #include "LocalSolve.h"
+#include "PenalisedField.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
 
@@ -18,14 +18,12 @@ namespace crossfield
 namespace
 {
 /// Holes, then imprinted circles: everything that carries a constraint.
-std::vector<BoundaryLoop> ConstrainedLoops(
-  const TriangleMesh& mesh, const std::vector<BoundaryLoop>& boundaryLoops)
+std::vector<BoundaryLoop> ConstrainedLoops(const MeshTopology& topology)
 {
   std::vector<BoundaryLoop> loops;
-  std::copy_if(boundaryLoops.begin(), boundaryLoops.end(), std::back_inserter(loops),
+  std::copy_if(topology.loops.begin(), topology.loops.end(), std::back_inserter(loops),
     [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Hole; });
-  const std::vector<BoundaryLoop> imprinted = FindImprintedLoops(mesh);
-  loops.insert(loops.end(), imprinted.begin(), imprinted.end());
+  loops.insert(loops.end(), topology.imprinted.begin(), topology.imprinted.end());
   return loops;
 }
 
@@ -117,7 +115,7 @@ public:
 
   /// From values on the edges; those with unit norm count by the phase nearest to them.
   MinimiserResult Solve(
-    const ComplexVector& start, const ReducedOptions& options, const Progress& progress) const
+    const ComplexVector& start, const MinimiserOptions& options, const Progress& progress) const
   {
     ComplexVector x = start;
     for (std::size_t i = 0; i < this->Unit.size(); ++i)
@@ -159,85 +157,72 @@ private:
   QuadraticProblem Problem;
 };
 
-MinimiserResult SolveDual(
-  const ReducedProblem& reduced, const ReducedOptions& options, const Progress& progress)
-{
-  ReducedSolution solution = SolveReduced(reduced, options, progress);
-  return { std::move(solution.x), std::move(solution.multipliers), solution.iterations,
-    solution.residual, solution.converged };
-}
-
-/// One variant on one mesh; `field` is what all of its solutions begin with.
+/// One variant on one mesh; `blank` is what all of its solutions begin with.
 class VariantSolver
 {
 public:
-  VariantSolver(const TriangleMesh& mesh, const PerforatedOptions& options,
-    const std::vector<BoundaryLoop>& boundaryLoops, const CrossField& field)
-    : Mesh(mesh)
-    , Options(options)
-    , BoundaryLoops(boundaryLoops)
-    , Blank(field)
-    , Loops(ConstrainedLoops(mesh, boundaryLoops))
+  VariantSolver(const PerforatedOptions& options, const SolvedField& blank)
+    : Options(options)
+    , Blank(blank)
+    , Topology(*blank.topology)
+    , Loops(ConstrainedLoops(this->Topology))
     , Unit(FindUnitLoops(this->Loops, options))
     , Dual(!options.globalConstraint &&
         std::none_of(this->Unit.begin(), this->Unit.end(), [](bool unit) { return unit; }))
-    , Reduction(mesh, field.edges, this->Loops)
+    , Reduction(this->Topology, this->Loops)
     , Problem(this->Reduction.GetReducedProblem(), this->Unit, options.globalConstraint)
   {
-    if (mesh.imprinted.empty() && field.count.Consistent() &&
+    if (this->Topology.imprinted.empty() && blank.count.Consistent() &&
       options.start != PerforatedStart::Harmonic)
     {
-      const PerforatedProblem problem(mesh, PotentialSolver::Periods::Islands, options.corners);
-      this->UnitNormField = SolveUnitNorm(problem).u;
+      this->UnitNormField =
+        SolveUnitNorm({ std::make_shared<const PotentialSolver>(blank.topology),
+                        AlignWithBoundary(this->Topology, options.corners) })
+          .u;
     }
   }
 
-  CrossField Run(const Progress& progress) const
+  SolvedField Run(const Progress& progress) const
   {
     switch (this->Options.start)
     {
-    case PerforatedStart::Harmonic:
-      return this->FromHarmonic(progress);
-    case PerforatedStart::UnitNorm:
-      return this->FromUnitCrosses(progress);
-    case PerforatedStart::Best:
-      break;
+      case PerforatedStart::Harmonic:
+        return this->FromHarmonic(progress);
+      case PerforatedStart::UnitNorm:
+        return this->FromUnitCrosses(progress);
+      case PerforatedStart::Best:
+        break;
     }
     // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
     // the harmonic field.
     const bool harmonicFirst =
       this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormField.size() > 0);
-    CrossField first = harmonicFirst ? this->FromHarmonic(progress.Part(0.0, 0.5))
-                                     : this->FromUnitCrosses(progress.Part(0.0, 0.5));
-    if (first.converged && first.wrongDegrees == 0 && first.unwantedSingularities == 0)
-    {
-      return first;
-    }
-    CrossField second = harmonicFirst ? this->FromUnitCrosses(progress.Part(0.5, 1.0))
-                                      : this->FromHarmonic(progress.Part(0.5, 1.0));
-    return IsBetter(second, first) ? second : first;
+    const auto from = [&](bool harmonic, const Progress& part)
+    { return harmonic ? this->FromHarmonic(part) : this->FromUnitCrosses(part); };
+    return BestOfTwo([&] { return from(harmonicFirst, progress.Part(0.0, 0.5)); },
+      [&] { return from(!harmonicFirst, progress.Part(0.5, 1.0)); });
   }
 
 private:
-  CrossField FromHarmonic(const Progress& progress) const
+  SolvedField FromHarmonic(const Progress& progress) const
   {
     const Progress part = progress.Part(0.0, 0.3);
-    const ReducedOptions& options = this->Options.reduced;
+    const MinimiserOptions& options = this->Options.reduced;
     return this->Finish(this->Dual
-        ? SolveDual(this->Reduction.GetReducedProblem(), options, part)
+        ? SolveReduced(this->Reduction.GetReducedProblem(), options, part)
         : this->Problem.Solve(this->Reduction.HarmonicValues(), options, part),
       progress.Part(0.3, 1.0));
   }
 
   /// From the unit-norm field or, where there is none, from unit crosses on the holes.
-  CrossField FromUnitCrosses(const Progress& progress) const
+  SolvedField FromUnitCrosses(const Progress& progress) const
   {
-    CrossField field = this->Blank;
+    SolvedField field = this->Blank;
     if (this->UnitNormField.size() > 0 && this->Options.epsilon > 0.0)
     {
       field.u = this->UnitNormField;
       this->AddPenalty(progress, field);
-      ReadReport(this->Mesh, this->BoundaryLoops, field);
+      field.Read();
     }
     else
     {
@@ -259,10 +244,12 @@ private:
   }
 
   /// The field of a solution on the holes, with the penalty if there is one, and its report.
-  CrossField Finish(const MinimiserResult& onHoles, const Progress& progress) const
+  SolvedField Finish(const MinimiserResult& onHoles, const Progress& progress) const
   {
-    CrossField field = this->Blank;
-    field.u = this->Reduction.Recover(onHoles.x);
+    SolvedField field = this->Blank;
+    RecoveredField recovered = this->Reduction.Recover(onHoles.x);
+    field.u = std::move(recovered.u);
+    field.energy = recovered.energy;
     field.iterations = onHoles.iterations;
     field.residual = onHoles.residual;
     field.converged = onHoles.converged;
@@ -270,18 +257,13 @@ private:
     {
       this->AddPenalty(progress, field);
     }
-    else
-    {
-      const ComplexVector elastic = this->Reduction.GetAligned().stiffness * field.u;
-      field.energy = 0.5 * field.u.dot(elastic).real();
-    }
-    ReadReport(this->Mesh, this->BoundaryLoops, field);
+    field.Read();
     return field;
   }
 
-  void AddPenalty(const Progress& progress, CrossField& field) const
+  void AddPenalty(const Progress& progress, SolvedField& field) const
   {
-    const GinzburgLandauEnergy energy(this->Mesh, field.edges, this->Options.epsilon);
+    const GinzburgLandauEnergy energy(this->Topology, this->Options.epsilon);
     std::vector<DegreeConstraint> degrees = this->Reduction.GetReducedProblem().constraints;
     std::vector<QuadraticConstraint> constraints;
     for (DegreeConstraint& constraint : degrees)
@@ -299,9 +281,7 @@ private:
     {
       constraints.push_back(SumOfDegrees(degrees));
     }
-    MinimiserOptions options;
-    options.maximumIterations = this->Options.reduced.maximumIterations;
-    options.tolerance = this->Options.reduced.tolerance;
+    MinimiserOptions options = this->Options.reduced;
     options.leavesSaddles = true;
     MinimiserResult result = SolvePenalised(energy, constraints, field.u, options, progress);
     field.u = std::move(result.x);
@@ -314,47 +294,45 @@ private:
     field.energy = field.gradientEnergy + field.penaltyEnergy;
   }
 
-  const TriangleMesh& Mesh;
   const PerforatedOptions& Options;
-  const std::vector<BoundaryLoop>& BoundaryLoops;
-  const CrossField& Blank;
+  const SolvedField& Blank;
+  const MeshTopology& Topology;
   std::vector<BoundaryLoop> Loops;
   std::vector<bool> Unit;
   bool Dual; ///< One degree constraint for each hole and nothing else.
-  EdgeReduction Reduction;
+  DirectReduction Reduction;
   VariantProblem Problem;
   ComplexVector UnitNormField; ///< Empty where there is none, or it is not asked for.
 };
 }
 
-bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options)
+bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options)
 {
-  return !mesh.imprinted.empty() || options.globalConstraint || !options.unitHoleRows.empty() ||
-    options.epsilon != 0.0;
+  return !topology.imprinted.empty() || options.globalConstraint ||
+    !options.unitHoleRows.empty() || options.epsilon != 0.0;
 }
 
-CrossField SolveVariant(
-  const TriangleMesh& mesh, const PerforatedOptions& options, const Progress& progress)
+SolvedField SolveVariant(
+  const SharedTopology& topology, const PerforatedOptions& options, const Progress& progress)
 {
   Stopwatch stopwatch;
-  CheckCombination(mesh, options);
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  CrossField blank;
-  blank.count = CountMeshQuarters(mesh, loops, options.corners);
-  if (mesh.imprinted.empty() && options.epsilon == 0.0)
+  CheckCombination(topology->mesh, options);
+  SolvedField blank;
+  blank.topology = topology;
+  blank.count = CountMeshQuarters(*topology, options.corners);
+  if (topology->imprinted.empty() && options.epsilon == 0.0)
   {
     RequireConsistent(blank.count);
   }
-  blank.edges = NumberEdges(mesh);
   blank.unitHoles = options.unitHoles || !options.unitHoleRows.empty();
   blank.globalConstraint = options.globalConstraint;
   const double assemble = stopwatch.Lap();
   progress.Report(0.1);
 
-  const VariantSolver solver(mesh, options, loops, blank);
+  const VariantSolver solver(options, blank);
   const double factor = stopwatch.Lap();
   progress.Report(0.3);
-  CrossField field = solver.Run(progress.Part(0.3, 1.0));
+  SolvedField field = solver.Run(progress.Part(0.3, 1.0));
   field.seconds.assemble = assemble;
   field.seconds.factor = factor;
   field.seconds.solve = stopwatch.Lap();

@@ -1,20 +1,20 @@
 #pragma once
 
-#include "CrossFieldReport.h"
 #include "PerforatedOptions.h"
 #include "Progress.h"
+#include "SolvedField.h"
 
 namespace crossfield
 {
 /// Whether a solve is one of the variants: the mesh has imprinted circles, or the options ask for the
 /// global constraint, unit norm on chosen holes, or the penalty.
-bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options);
+bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options);
 
 /// The variants of the constrained solve (docs/method.md §3, 2 to 6; paper, "Analysis of the numerical
 /// results"), in any combination but that of the penalty with unit norms. "Hole" stands for
 /// imprinted circles as well.
 ///
-/// 1. Everything but the edges of the holes is eliminated (EdgeReduction.h), and the quadratic
+/// 1. Everything but the edges of the holes is eliminated (DirectReduction.h), and the quadratic
 ///    problem on them is solved: by the dual method of ReducedProblem.h from the harmonic field, or
 ///    by ConstrainedMinimiser.h from unit crosses that turn evenly on every hole, each with the
 ///    phase nearest to the unit-norm field, or, where that does not exist, to the harmonic field.
@@ -28,6 +28,6 @@ bool IsVariant(const TriangleMesh& mesh, const PerforatedOptions& options);
 ///
 /// Throws Error as SolvePerforated does; an inconsistent sum is an error only where the domain is
 /// perforated and there is no penalty.
-CrossField SolveVariant(
-  const TriangleMesh& mesh, const PerforatedOptions& options = {}, const Progress& progress = {});
+SolvedField SolveVariant(const SharedTopology& topology, const PerforatedOptions& options = {},
+  const Progress& progress = {});
 }

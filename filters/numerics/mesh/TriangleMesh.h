@@ -22,6 +22,9 @@ struct BoundaryEdge
   BoundaryKind kind = BoundaryKind::Outer;
   int id = 0;           ///< Loop number; for holes and circles the row of the configuration.
   int quarterIndex = 0; ///< Prescribed on holes and circles, else 0.
+
+  /// On the outer or an inner loop, where crosses follow the boundary.
+  bool IsAligned() const { return kind == BoundaryKind::Outer || kind == BoundaryKind::Inner; }
 };
 
 /// A conforming triangulation of a planar domain, triangles counter-clockwise.

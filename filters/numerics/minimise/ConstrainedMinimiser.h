@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Minimisation.h"
 #include "Progress.h"
 #include "QuadraticConstraint.h"
 
@@ -30,24 +31,6 @@ public:
   /// Factors that sum; false when it is not positive definite.
   virtual bool Factor(const ComplexVector& x, const Additions& additions) = 0;
   virtual Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const = 0;
-};
-
-struct MinimiserOptions
-{
-  int maximumIterations = 100;
-  double tolerance = 1e-10; ///< Of the relative residual of the optimality conditions.
-  /// For functionals that are not convex by themselves and costly to factor: each step begins with
-  /// the shift that the last one needed, and saddles are left by their negative curvature.
-  bool leavesSaddles = false;
-};
-
-struct MinimiserResult
-{
-  ComplexVector x;
-  Eigen::VectorXd multipliers;
-  int iterations = 0;
-  double residual = 0.0;
-  bool converged = false;
 };
 
 /// A local minimiser near a start.

@@ -106,7 +106,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
   return point;
 }
 
-DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const ReducedOptions& options,
+DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const MinimiserOptions& options,
   const Progress& progress, int& iterations)
 {
   bool stalled = !point.positiveDefinite;
@@ -126,7 +126,7 @@ DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const Redu
   return point;
 }
 
-DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& options,
+DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& options,
   const Progress& progress, int& iterations)
 {
   DualPoint point = EvaluateDual(problem, Eigen::VectorXd::Zero(problem.targets.size()));

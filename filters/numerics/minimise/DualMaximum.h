@@ -2,6 +2,7 @@
 
 #include "DenseCholesky.h"
 #include "DualProblem.h"
+#include "Minimisation.h"
 #include "Progress.h"
 
 #include <limits>
@@ -31,7 +32,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers);
 /// Whole Newton steps on q from a point so close to the maximum that they converge quadratically.
 /// Ends at the first step that leads out of the region where H is positive definite, or that does not
 /// help. Adds its steps to `iterations`.
-DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const ReducedOptions& options,
+DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const MinimiserOptions& options,
   const Progress& progress, int& iterations);
 
 /// Newton's method on q + μ log det H with falling μ, from λ = 0; then MaximiseNearby.
@@ -40,6 +41,6 @@ DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const Redu
 /// orthogonal to the kernel of H: a line search would end there. The barrier keeps the path in the
 /// middle. Its maximum is within the gap μ dim H of that of q; where Newton's model of q promises far more
 /// than that, q has its maximum on the border, and the path ends with the residual that is left there.
-DualPoint MaximiseFromZero(const DualProblem& problem, const ReducedOptions& options,
+DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& options,
   const Progress& progress, int& iterations);
 }

@@ -8,10 +8,10 @@
 
 namespace crossfield
 {
-ReducedSolution SolveReduced(
-  const ReducedProblem& problem, const ReducedOptions& options, const Progress& progress)
+MinimiserResult SolveReduced(
+  const ReducedProblem& problem, const MinimiserOptions& options, const Progress& progress)
 {
-  ReducedSolution solution;
+  MinimiserResult solution;
   if (problem.constraints.empty())
   {
     solution.converged = true;
@@ -21,7 +21,7 @@ ReducedSolution SolveReduced(
 
   // 1. In the few modes that carry most of the field, where a step costs next to nothing.
   constexpr int LowModes = 4;
-  ReducedOptions rough = options;
+  MinimiserOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the missing modes change is larger
   const DualPoint low = MaximiseFromZero(
     InModes(problem, LowModes), rough, progress.Part(0.0, 0.3), solution.iterations);

@@ -78,25 +78,20 @@ private:
 }
 
 MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options, const Progress& progress)
+  const MinimiserOptions& options, const Progress& progress)
 {
   QuadraticFunctional functional(problem);
-  MinimiserOptions minimiser;
-  minimiser.maximumIterations = options.maximumIterations;
-  minimiser.tolerance = options.tolerance;
-  return MinimiseConstrained(functional, problem.constraints, start, minimiser, progress);
+  return MinimiseConstrained(functional, problem.constraints, start, options, progress);
 }
 
-ReducedSolution SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options, const Progress& progress)
+MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
+  const MinimiserOptions& options, const Progress& progress)
 {
   QuadraticProblem quadratic{ problem.matrix.cast<Complex>(), problem.load, {} };
   for (const DegreeConstraint& constraint : problem.constraints)
   {
     quadratic.constraints.push_back(SumOfDegrees({ constraint }));
   }
-  MinimiserResult result = SolveQuadratic(quadratic, start, options, progress);
-  return { std::move(result.x), std::move(result.multipliers), result.iterations, result.residual,
-    result.converged };
+  return SolveQuadratic(quadratic, start, options, progress);
 }
 }

@@ -15,10 +15,10 @@ struct QuadraticProblem
 
 /// A local minimiser near a given point, by ConstrainedMinimiser.h; M = S.
 MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options = {}, const Progress& progress = {});
+  const MinimiserOptions& options = {}, const Progress& progress = {});
 
 /// A local minimiser of the reduced problem near a given point, for example near the values of the
 /// unit-norm field; its degrees can be right where those of the global minimiser are not.
-ReducedSolution SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options = {}, const Progress& progress = {});
+MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
+  const MinimiserOptions& options = {}, const Progress& progress = {});
 }

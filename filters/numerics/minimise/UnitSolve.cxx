@@ -57,10 +57,10 @@ Eigen::MatrixXcd EvenTurning(const ReducedProblem& problem)
 }
 }
 
-ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options, const Progress& progress)
+MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
+  const MinimiserOptions& options, const Progress& progress)
 {
-  ReducedSolution solution;
+  MinimiserResult solution;
   if (problem.constraints.empty())
   {
     solution.converged = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Minimisation.h"
 #include "Progress.h"
 #include "ReducedProblem.h"
 
@@ -17,6 +18,6 @@ namespace crossfield
 /// example the values of the unit-norm field; negative curvatures of the Hessian count by their
 /// size. Multipliers are not computed and 0. S must be that of a potential with periods around holes
 /// (ConstrainedField.h).
-ReducedSolution SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
-  const ReducedOptions& options = {}, const Progress& progress = {});
+MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
+  const MinimiserOptions& options = {}, const Progress& progress = {});
 }

@@ -7,12 +7,12 @@
 
 namespace crossfield
 {
-Eigen::MatrixXd MergeHoles(const PerforatedProblem& problem)
+Eigen::MatrixXd MergeHoles(const PotentialProblem& problem)
 {
-  const auto rows = static_cast<Eigen::Index>(problem.potential->TrailingRows().size());
-  const Eigen::Index periods = problem.IslandCount();
+  const auto rows = problem.potential->TrailingCount(PotentialSolver::Periods::Islands);
+  const Eigen::Index periods = problem.potential->PeriodCount(PotentialSolver::Periods::Islands);
   std::vector<Eigen::Index> sizes;
-  for (const BoundaryLoop& loop : problem.loops)
+  for (const BoundaryLoop& loop : problem.Topology().loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
@@ -33,11 +33,11 @@ Eigen::MatrixXd MergeHoles(const PerforatedProblem& problem)
 }
 
 double AlignedDifference(
-  const PerforatedProblem& problem, const AlignedSources& sources, Eigen::Index k)
+  const PotentialProblem& problem, const AlignedSources& sources, Eigen::Index k)
 {
   const LoopStrip& strip = problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-  return std::arg(problem.aligned[strip.firstBoundaryEdge] *
-           std::conj(problem.aligned[strip.lastBoundaryEdge])) +
+  return std::arg(problem.alignment.crosses[strip.firstBoundaryEdge] *
+           std::conj(problem.alignment.crosses[strip.lastBoundaryEdge])) +
     sources.midpointShift[strip.firstBoundaryEdge] - sources.midpointShift[strip.lastBoundaryEdge];
 }
 
@@ -68,16 +68,18 @@ Eigen::VectorXd NearestOffsets(const Eigen::VectorXd& defects, const Eigen::Matr
   return offsets;
 }
 
-AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSources& sources)
+AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSources& sources)
 {
   const PotentialSolver& potential = *problem.potential;
-  const Eigen::Index periods = problem.IslandCount();
+  // φ is free on holes, so Φ has no periods around them.
+  constexpr auto Islands = PotentialSolver::Periods::Islands;
+  const Eigen::Index periods = potential.PeriodCount(Islands);
 
   // 1. The potential without hole sources: until they enter the dense problem below, the ground
   //    takes what is missing.
-  Eigen::VectorXd holeSources = Eigen::VectorXd::Zero(potential.TrailingFactor().rows());
+  Eigen::VectorXd holeSources = Eigen::VectorXd::Zero(potential.TrailingCount(Islands));
   Eigen::Index row = 0;
-  for (const BoundaryLoop& loop : problem.loops)
+  for (const BoundaryLoop& loop : problem.Topology().loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
@@ -85,12 +87,13 @@ AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSou
       row += static_cast<Eigen::Index>(loop.edges.size());
     }
   }
-  const PotentialSolver::Eliminated aligned = potential.Eliminate(sources.atRows);
+  const PotentialSolver::Eliminated aligned = potential.Eliminate(sources.atRows, Islands);
   const Eigen::VectorXd freeTrailing = aligned.trailing;
 
   // 2. The dense problem on hole constants and periods.
   const Eigen::MatrixXd merge = MergeHoles(problem);
-  const auto lower = potential.TrailingFactor().triangularView<Eigen::Lower>();
+  const auto trailingFactor = potential.TrailingFactor(Islands);
+  const auto lower = trailingFactor.triangularView<Eigen::Lower>();
   const Eigen::VectorXd reducedLoad = lower * (lower.transpose() * freeTrailing) + holeSources;
   const Eigen::MatrixXd root = lower.transpose() * merge;
   const Eigen::MatrixXd matrix = root.transpose() * root;
@@ -125,7 +128,7 @@ AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSou
   const Eigen::VectorXd forces = lower * (lower.transpose() * (merge * values - freeTrailing));
   result.solution = potential.Substitute(aligned, forces);
   result.gradient = potential.Gradient(result.solution);
-  result.energy = GradientEnergy(problem.mesh, result.gradient);
+  result.energy = GradientEnergy(problem.Topology().mesh, result.gradient);
   return result;
 }
 }

@@ -22,16 +22,16 @@ struct AlignedPotential
 /// unknown constant, and one period per inner loop so that the phase fits its alignment. How often
 /// the phase turns on the way to an inner loop is an integer to choose: the nearest to the
 /// single-valued potential, then improved one loop at a time while that lowers the energy.
-AlignedPotential SolveAligned(const PerforatedProblem& problem, const AlignedSources& sources);
+AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSources& sources);
 
 /// The trailing unknowns of the potential in terms of one constant per hole and the periods around
 /// islands; Φ has none around holes, on which φ is free.
-Eigen::MatrixXd MergeHoles(const PerforatedProblem& problem);
+Eigen::MatrixXd MergeHoles(const PotentialProblem& problem);
 
 /// Phase of the alignment at the first edge of the strip to inner loop k minus that at its last one,
 /// modulo 2π.
 double AlignedDifference(
-  const PerforatedProblem& problem, const AlignedSources& sources, Eigen::Index k);
+  const PotentialProblem& problem, const AlignedSources& sources, Eigen::Index k);
 
 /// The phase differences defect_k + 2π n_k, n_k integer, of least ½ offsetᵀ inverse offset, found by
 /// steps of one n_k at a time; `inverse` is the inverse of the periods' Schur complement.

@@ -6,29 +6,23 @@
 
 namespace crossfield
 {
-AlignedSources PiecewiseConstantPhase(const PerforatedProblem& problem)
+AlignedSources PiecewiseConstantPhase(const PotentialProblem& problem)
 {
   AlignedSources sources;
   sources.atRows = Eigen::VectorXd::Zero(problem.potential->Rows());
-  const auto& mesh = problem.mesh;
-  sources.midpointShift = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.boundary.size()));
-  const auto direction = [&mesh](const BoundaryEdge& edge)
+  const MeshTopology& topology = problem.Topology();
+  sources.midpointShift = Eigen::VectorXd::Zero(topology.turning.size());
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    return Point(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
-      mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
-  };
-  const std::vector<int> previous = problem.PreviousBoundaryEdges();
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-  {
-    const BoundaryEdge& edge = mesh.boundary[i];
-    if (edge.kind != BoundaryKind::Hole)
+    const BoundaryEdge& edge = topology.mesh.boundary[i];
+    if (edge.IsAligned())
     {
-      const BoundaryEdge& before = mesh.boundary[static_cast<std::size_t>(previous[i])];
-      const double turning = AngleBetween(direction(before), direction(edge));
-      const auto chosen = problem.chosenQuarters.find(edge.vertices[0]);
-      sources.atRows[edge.vertices[0]] = chosen == problem.chosenQuarters.end()
+      const double turning = topology.turning[static_cast<Eigen::Index>(i)];
+      const auto& chosen = problem.alignment.chosenQuarters;
+      const auto found = chosen.find(edge.vertices[0]);
+      sources.atRows[edge.vertices[0]] = found == chosen.end()
         ? 4.0 * SmallestRotation(turning)
-        : 4.0 * turning - 2.0 * Pi * chosen->second;
+        : 4.0 * turning - 2.0 * Pi * found->second;
     }
   }
   return sources;
@@ -56,7 +50,7 @@ constexpr double LargestRatio = 2.0;
 class SpreadLoop
 {
 public:
-  SpreadLoop(const PerforatedProblem& problem, const Eigen::VectorXd& jump, std::vector<int> edges)
+  SpreadLoop(const PotentialProblem& problem, const Eigen::VectorXd& jump, std::vector<int> edges)
     : Problem(problem)
     , Jump(jump)
     , Edges(std::move(edges))
@@ -128,7 +122,7 @@ private:
 
   const BoundaryEdge& Edge(std::size_t i) const
   {
-    return this->Problem.mesh.boundary[static_cast<std::size_t>(this->Edges[i])];
+    return this->Problem.Topology().BoundaryAt(this->Edges[i]);
   }
   int Start(std::size_t i) const { return this->Edge(i).vertices[0]; }
   std::size_t Before(std::size_t i) const
@@ -137,22 +131,14 @@ private:
   }
   bool IsFixed(std::size_t i) const
   {
-    const auto direction = [this](std::size_t e)
-    {
-      const auto& points = this->Problem.mesh.points;
-      const auto& ends = this->Edge(e).vertices;
-      return Point(
-        points[static_cast<std::size_t>(ends[1])] - points[static_cast<std::size_t>(ends[0])]);
-    };
-    return this->Problem.chosenQuarters.count(this->Start(i)) != 0 ||
-      IsCorner(AngleBetween(direction(this->Before(i)), direction(i)));
+    return this->Problem.alignment.chosenQuarters.count(this->Start(i)) != 0 ||
+      this->Problem.Topology().corners[static_cast<std::size_t>(this->Start(i))];
   }
   double Length(std::size_t i) const
   {
-    const auto& points = this->Problem.mesh.points;
-    const auto& ends = this->Edge(i).vertices;
-    return (points[static_cast<std::size_t>(ends[1])] - points[static_cast<std::size_t>(ends[0])])
-      .norm();
+    const auto& [from, to] = this->Edge(i).vertices;
+    const MeshTopology& topology = this->Problem.Topology();
+    return (topology.PointAt(to) - topology.PointAt(from)).norm();
   }
   /// Of the side from one turn to the next.
   double SideLength(std::size_t turn) const
@@ -168,18 +154,18 @@ private:
     return length;
   }
 
-  const PerforatedProblem& Problem;
+  const PotentialProblem& Problem;
   const Eigen::VectorXd& Jump;
   std::vector<int> Edges;
   std::vector<Turn> Turns;
 };
 
-SpreadPhases SpreadJumps(const PerforatedProblem& problem, const Eigen::VectorXd& jump)
+SpreadPhases SpreadJumps(const PotentialProblem& problem, const Eigen::VectorXd& jump)
 {
-  const auto count = static_cast<Eigen::Index>(problem.mesh.boundary.size());
+  const auto count = static_cast<Eigen::Index>(problem.Topology().mesh.boundary.size());
   SpreadPhases phases{ Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
     Eigen::VectorXd::Zero(count) };
-  for (const BoundaryLoop& loop : problem.loops)
+  for (const BoundaryLoop& loop : problem.Topology().loops)
   {
     std::vector<int> edges = loop.edges;
     if (loop.kind == BoundaryKind::Hole)
@@ -196,15 +182,15 @@ SpreadPhases SpreadJumps(const PerforatedProblem& problem, const Eigen::VectorXd
 }
 }
 
-AlignedSources CurvePhase(const PerforatedProblem& problem)
+AlignedSources CurvePhase(const PotentialProblem& problem)
 {
   AlignedSources sources = PiecewiseConstantPhase(problem);
   const SpreadPhases phases = SpreadJumps(problem, sources.atRows);
-  const std::vector<int> previous = problem.PreviousBoundaryEdges();
+  const std::vector<int>& previous = problem.Topology().previous;
   for (std::size_t i = 0; i < previous.size(); ++i)
   {
-    const BoundaryEdge& edge = problem.mesh.boundary[i];
-    if (edge.kind != BoundaryKind::Hole)
+    const BoundaryEdge& edge = problem.Topology().mesh.boundary[i];
+    if (edge.IsAligned())
     {
       sources.atRows[edge.vertices[0]] +=
         phases.middle[static_cast<Eigen::Index>(i)] - phases.middle[previous[i]];
@@ -214,16 +200,16 @@ AlignedSources CurvePhase(const PerforatedProblem& problem)
   return sources;
 }
 
-EdgePhases LinearEdgePhases(const PerforatedProblem& problem)
+EdgePhases LinearEdgePhases(const PotentialProblem& problem)
 {
   const Eigen::VectorXd jump = PiecewiseConstantPhase(problem).atRows;
   const SpreadPhases phases = SpreadJumps(problem, jump);
   EdgePhases result{ phases.start, phases.end };
-  const std::vector<int> previous = problem.PreviousBoundaryEdges();
+  const std::vector<int>& previous = problem.Topology().previous;
   for (std::size_t i = 0; i < previous.size(); ++i)
   {
-    const BoundaryEdge& edge = problem.mesh.boundary[i];
-    if (edge.kind != BoundaryKind::Hole)
+    const BoundaryEdge& edge = problem.Topology().mesh.boundary[i];
+    if (edge.IsAligned())
     {
       // What was not spread: corners.
       const auto here = static_cast<Eigen::Index>(i);
@@ -235,32 +221,32 @@ EdgePhases LinearEdgePhases(const PerforatedProblem& problem)
   return result;
 }
 
-Eigen::VectorXd CornerJumps(const PerforatedProblem& problem)
+Eigen::VectorXd CornerJumps(const PotentialProblem& problem)
 {
   Eigen::VectorXd jump = PiecewiseConstantPhase(problem).atRows;
   const SpreadPhases phases = SpreadJumps(problem, jump);
-  const std::vector<int> previous = problem.PreviousBoundaryEdges();
+  const std::vector<int>& previous = problem.Topology().previous;
   for (std::size_t i = 0; i < previous.size(); ++i)
   {
-    if (problem.mesh.boundary[i].kind != BoundaryKind::Hole)
+    if (problem.Topology().mesh.boundary[i].IsAligned())
     {
-      jump[problem.mesh.boundary[i].vertices[0]] +=
+      jump[problem.Topology().mesh.boundary[i].vertices[0]] +=
         phases.start[static_cast<Eigen::Index>(i)] - phases.end[previous[i]];
     }
   }
   return jump;
 }
 
-AlignedSources LinearPhase(const PerforatedProblem& problem)
+AlignedSources LinearPhase(const PotentialProblem& problem)
 {
   const EdgePhases phases = LinearEdgePhases(problem);
   AlignedSources sources;
   sources.atRows = Eigen::VectorXd::Zero(problem.potential->Rows());
   sources.midpointShift = 0.5 * (phases.start + phases.end);
-  for (std::size_t i = 0; i < problem.mesh.boundary.size(); ++i)
+  for (std::size_t i = 0; i < problem.Topology().mesh.boundary.size(); ++i)
   {
-    const BoundaryEdge& edge = problem.mesh.boundary[i];
-    if (edge.kind != BoundaryKind::Hole)
+    const BoundaryEdge& edge = problem.Topology().mesh.boundary[i];
+    if (edge.IsAligned())
     {
       const auto here = static_cast<Eigen::Index>(i);
       const double flux = phases.end[here] - phases.start[here];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PerforatedProblem.h"
+#include "Alignment.h"
 
 namespace crossfield
 {
@@ -17,7 +17,7 @@ struct AlignedSources
 /// φ = 4τ constant along every edge; at a vertex it jumps by 4 × the smallest rotation of the cross,
 /// or 4 (turning − k π/2) for a chosen quarter index k. With these sources the discrete conjugacy is
 /// exact: the phase of the Crouzeix-Raviart field.
-AlignedSources PiecewiseConstantPhase(const PerforatedProblem& problem);
+AlignedSources PiecewiseConstantPhase(const PotentialProblem& problem);
 
 /// The phase of the curves that a polygon stands for. Where the boundary turns by less than the corner
 /// angle the jump is spread evenly over half of the polygon's sides before and after; a side is not
@@ -26,17 +26,17 @@ AlignedSources PiecewiseConstantPhase(const PerforatedProblem& problem);
 /// twice as long as their neighbour, straight parts beside a curve, no more than that length takes
 /// part. The same as the former where no side was divided and all have one length. Corners and chosen
 /// vertices keep their jump, less what the tangent of a curve turns along half of a side next to them.
-AlignedSources CurvePhase(const PerforatedProblem& problem);
+AlignedSources CurvePhase(const PotentialProblem& problem);
 
 /// The jump of CurvePhase at each vertex, rows of PotentialSolver: zero but for rounding except at
 /// corners.
-Eigen::VectorXd CornerJumps(const PerforatedProblem& problem);
+Eigen::VectorXd CornerJumps(const PotentialProblem& problem);
 
 /// φ continuous and linear along every edge of the mesh, with the values of CurvePhase at vertices,
 /// at corners halfway between the two values: boundary values of finite energy, so that conforming
 /// functions bound it from both sides (docs/method.md §5). The flux through an edge goes to its ends in equal
 /// parts.
-AlignedSources LinearPhase(const PerforatedProblem& problem);
+AlignedSources LinearPhase(const PotentialProblem& problem);
 
 /// φ − 4τ at the start and end of every boundary edge for LinearPhase, in the order of mesh.boundary.
 struct EdgePhases
@@ -44,5 +44,5 @@ struct EdgePhases
   Eigen::VectorXd start;
   Eigen::VectorXd end;
 };
-EdgePhases LinearEdgePhases(const PerforatedProblem& problem);
+EdgePhases LinearEdgePhases(const PotentialProblem& problem);
 }

@@ -7,59 +7,50 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-Point Midpoint(const TriangleMesh& mesh, const std::array<int, 2>& ends)
+std::shared_ptr<const PotentialSolver> WithoutHoles(
+  std::shared_ptr<const PotentialSolver> potential)
 {
-  return 0.5 *
-    (mesh.points[static_cast<std::size_t>(ends[0])] +
-      mesh.points[static_cast<std::size_t>(ends[1])]);
+  if (potential->GetTopology().LoopCount(BoundaryKind::Hole) > 0)
+  {
+    throw Error("The mesh has holes; singularities that are points need a mesh without any, drill "
+                "the domain without singularities.");
+  }
+  return potential;
 }
 
-const TriangleMesh& WithoutHoles(const TriangleMesh& mesh)
-{
-  for (const BoundaryEdge& edge : mesh.boundary)
-  {
-    if (edge.kind == BoundaryKind::Hole)
-    {
-      throw Error(
-        "The mesh has holes; singularities that are points need a mesh without any, drill "
-        "the domain without singularities.");
-    }
-  }
-  return mesh;
-}
+constexpr auto Islands = PotentialSolver::Periods::Islands;
 }
 
 PointPotential::PointPotential(
-  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters)
-  : Problem(WithoutHoles(mesh), PotentialSolver::Periods::Islands, corners, pointQuarters)
-  , Domain{ AlignedLoops(mesh, Problem.loops) }
+  std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
+  : Problem(WithoutHoles(std::move(solver)), std::move(alignment))
+  , Domain{ Problem.Topology().AlignedLoops() }
   , Sources(CurvePhase(Problem))
   , Smooth(Sources.atRows)
 {
   const Eigen::VectorXd jump = CornerJumps(this->Problem);
-  const std::vector<int> previous = this->Problem.PreviousBoundaryEdges();
-  const auto point = [&mesh](int vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; };
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
+  const MeshTopology& topology = this->Problem.Topology();
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    const auto& ends = mesh.boundary[i].vertices;
-    const Point middle = Midpoint(mesh, ends);
-    this->Halves.push_back({ ends[0], point(ends[0]), middle });
-    this->Halves.push_back({ ends[1], middle, point(ends[1]) });
+    const auto& ends = topology.mesh.boundary[i].vertices;
+    const Point middle = topology.Midpoint(topology.edges.ofBoundary[i]);
+    this->Halves.push_back({ ends[0], topology.PointAt(ends[0]), middle });
+    this->Halves.push_back({ ends[1], middle, topology.PointAt(ends[1]) });
 
     const int vertex = ends[0];
-    const Point before =
-      point(vertex) - point(mesh.boundary[static_cast<std::size_t>(previous[i])].vertices[0]);
-    const double turning = AngleBetween(before, point(ends[1]) - point(vertex));
+    const double angle = Pi - topology.turning[static_cast<Eigen::Index>(i)];
     const double source = jump[vertex];
-    const bool corner = IsCorner(turning) || this->Problem.chosenQuarters.count(vertex) != 0;
+    const bool corner = topology.corners[static_cast<std::size_t>(vertex)] ||
+      this->Problem.alignment.chosenQuarters.count(vertex) != 0;
     if (corner && std::abs(source) > 4.0 * AngleRounding)
     {
-      this->Corners.push_back({ point(vertex), -source / (Pi - turning), Pi - turning });
+      this->Corners.push_back({ topology.PointAt(vertex), -source / angle, angle });
       this->CornerVertices.push_back(vertex);
       this->Smooth[vertex] -= source;
     }
@@ -69,23 +60,23 @@ PointPotential::PointPotential(
   const Eigen::Index periods = potential.PeriodCount();
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(potential.Rows(), periods);
   unit.bottomRows(periods).setIdentity();
-  this->PeriodBasis = periods > 0 ? potential.Solve(unit) : unit;
+  this->PeriodBasis = periods > 0 ? potential.Solve(unit, Islands) : unit;
   this->PeriodInverse = this->PeriodBasis.bottomRows(periods);
 }
 
 std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
 {
   const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-  const TriangleMesh& mesh = this->Problem.mesh;
-  const auto middle = [&mesh](int edge)
-  { return Midpoint(mesh, mesh.boundary[static_cast<std::size_t>(edge)].vertices); };
+  const MeshTopology& topology = this->Problem.Topology();
+  const auto middle = [&topology](int position)
+  { return topology.Midpoint(topology.EdgeOfBoundary(position)); };
   return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };
 }
 
 double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
 {
   const auto [first, last] = this->StripEnds(k);
-  const TriangleMesh& mesh = this->Problem.mesh;
+  const TriangleMesh& mesh = this->Problem.Topology().mesh;
   double turn = 0.0;
   Point here = first;
   for (const LoopStrip::Step& step :
@@ -104,9 +95,9 @@ double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
 
 PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
 {
-  if (TotalQuarters(configuration) != this->Problem.count.givenInteriorQuarters)
+  if (TotalQuarters(configuration) != this->Problem.alignment.count.givenInteriorQuarters)
   {
-    PoincareHopfCount count = this->Problem.count;
+    PoincareHopfCount count = this->Problem.alignment.count;
     count.givenInteriorQuarters = TotalQuarters(configuration);
     RequireConsistent(count);
   }
@@ -154,7 +145,7 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
   result.sources[this->Halves.front().vertex] -= result.sources.head(vertices).sum();
 
   // 2. R without periods: the sources at the periods that keep them zero are what R carries.
-  result.regular = this->Problem.potential->Solve(result.sources);
+  result.regular = this->Problem.potential->Solve(result.sources, Islands);
   result.aligned = result.regular;
   result.offsets = result.periods = Eigen::VectorXd::Zero(periods);
   if (periods > 0)

@@ -38,17 +38,16 @@ public:
     Eigen::VectorXd periods;            ///< Of R around inner loops, zero where the offsets are.
   };
 
-  /// `pointQuarters`: sum of the quarter indices of every configuration to come. Throws Error when it
-  /// violates Poincaré-Hopf, or when the mesh has holes.
-  PointPotential(
-    const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
+  /// `alignment` with the sum of the quarter indices of every configuration to come. Throws Error when
+  /// that violates Poincaré-Hopf, or when the mesh has holes.
+  PointPotential(std::shared_ptr<const PotentialSolver> potential, Alignment alignment);
 
   /// Throws Error when a singularity is not inside the domain, or nearer to its boundary than 1e-6 of
   /// the diagonal or to another one, or the sum of the quarter indices is another one.
   Solution Solve(const Configuration& configuration) const;
 
   const PlanarDomain& GetDomain() const { return this->Domain; }
-  const PerforatedProblem& GetProblem() const { return this->Problem; }
+  const PotentialProblem& GetProblem() const { return this->Problem; }
   const std::vector<BoundaryHalf>& GetHalves() const { return this->Halves; }
   /// The corners' logarithms.
   const std::vector<LogSource>& GetCorners() const { return this->Corners; }
@@ -67,7 +66,7 @@ private:
   /// Angle at which a log's position sees the way along strip k from its end to its start.
   double StripTurn(const LogSource& log, Eigen::Index k) const;
 
-  PerforatedProblem Problem;
+  PotentialProblem Problem;
   PlanarDomain Domain; ///< Polygons of the mesh.
   AlignedSources Sources;
   std::vector<BoundaryHalf> Halves;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace crossfield
 {
@@ -84,31 +85,26 @@ Eigen::SparseMatrix<double> BorderedMatrix(
 }
 }
 
-PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const std::vector<BoundaryLoop>& loops, Periods periods, Boundary boundary,
-  const Progress& progress)
-  : Mesh(mesh)
-  , VertexCount(static_cast<Eigen::Index>(mesh.points.size()))
-  , Strips(FindLoopStrips(mesh, edges, loops, periods == Periods::IslandsAndHoles))
+PotentialSolver::PotentialSolver(
+  SharedTopology topology, Boundary boundary, const Progress& progress)
+  : Topology(std::move(topology))
+  , VertexCount(static_cast<Eigen::Index>(this->Topology->mesh.points.size()))
+  , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
+  , Strips(FindLoopStrips(this->Topology->mesh, this->Topology->edges, this->Topology->loops, true))
   , OnLoops(boundary)
-  , Trailing(HoleVertices(mesh, loops))
+  , Trailing(HoleVertices(this->Topology->mesh, this->Topology->loops))
 {
-  const auto outer = std::find_if(loops.begin(), loops.end(),
-    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Outer; });
-  if (outer == loops.end())
+  const TriangleMesh& mesh = this->Topology->mesh;
+  std::vector<int> leftOut = { mesh
+                                 .boundary[static_cast<std::size_t>(
+                                   this->Topology->FirstOuterEdge())]
+                                 .vertices[0] };
+  if (boundary == Boundary::Given)
   {
-    throw Error("The mesh has no outer boundary loop; give a mesh made by the drill filter.");
-  }
-  std::vector<int> leftOut;
-  if (boundary == Boundary::Natural)
-  {
-    leftOut.push_back(mesh.boundary[static_cast<std::size_t>(outer->edges.front())].vertices[0]);
-  }
-  else
-  {
+    leftOut.clear();
     for (const BoundaryEdge& edge : mesh.boundary)
     {
-      if (edge.kind != BoundaryKind::Hole)
+      if (edge.IsAligned())
       {
         leftOut.push_back(edge.vertices[0]);
       }
@@ -122,24 +118,42 @@ PotentialSolver::PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& 
 
   std::vector<Point> places(mesh.points);
   places.resize(static_cast<std::size_t>(this->Rows()), Point::Zero()); // periods have no place
-  const Eigen::SparseMatrix<double> matrix = BorderedMatrix(mesh, edges, this->Strips);
+  const Eigen::SparseMatrix<double> matrix =
+    BorderedMatrix(mesh, this->Topology->edges, this->Strips);
   progress.Report(0.1);
   this->Factor = std::make_unique<DissectedCholesky>(
     matrix, places, this->Trailing, leftOut, progress.Part(0.1, 1.0));
 }
 
-Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides) const
+Eigen::Index PotentialSolver::TrailingCount(Periods periods) const
 {
-  return this->Substitute(this->Eliminate(rightHandSides),
-    Eigen::MatrixXd::Zero(this->TrailingFactor().rows(), rightHandSides.cols()));
+  const auto all = static_cast<Eigen::Index>(this->Trailing.size());
+  // Where the boundary is given no period is an unknown.
+  return periods == Periods::Islands && this->OnLoops == Boundary::Natural
+    ? all - (this->PeriodCount() - this->IslandCount)
+    : all;
 }
 
-PotentialSolver::Eliminated PotentialSolver::Eliminate(const Eigen::MatrixXd& rightHandSides) const
+Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const
+{
+  return this->Substitute(this->Eliminate(rightHandSides, periods),
+    Eigen::MatrixXd::Zero(this->TrailingCount(periods), rightHandSides.cols()));
+}
+
+PotentialSolver::Eliminated PotentialSolver::Eliminate(
+  const Eigen::MatrixXd& rightHandSides, Periods periods) const
 {
   Eliminated eliminated;
+  eliminated.periods = periods;
   eliminated.forward = this->Factor->Eliminate(rightHandSides);
-  eliminated.trailing = this->TrailingFactor().transpose().triangularView<Eigen::Upper>().solve(
-    eliminated.forward.border.bottomRows(this->TrailingFactor().rows()));
+  auto last =
+    eliminated.forward.border.bottomRows(static_cast<Eigen::Index>(this->Trailing.size()));
+  const Eigen::Index count = this->TrailingCount(periods);
+  // Zero here is zero after back substitution: the periods that the question does not have.
+  last.bottomRows(last.rows() - count).setZero();
+  eliminated.trailing =
+    this->TrailingFactor(periods).transpose().triangularView<Eigen::Upper>().solve(
+      last.topRows(count));
   const auto sources = rightHandSides.topRows(this->VertexCount);
   eliminated.sums = sources.colwise().sum();
   eliminated.sizes = sources.cwiseAbs().colwise().sum();
@@ -154,7 +168,7 @@ Eigen::MatrixXd PotentialSolver::Substitute(
   for (Eigen::Index column = 0; column < columnsToCheck; ++column)
   {
     const auto atVertices =
-      addedSources.col(column).head(addedSources.rows() - this->PeriodCount());
+      addedSources.col(column).head(addedSources.rows() - this->PeriodCount(eliminated.periods));
     const double sum = eliminated.sums[column] + atVertices.sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
@@ -165,8 +179,9 @@ Eigen::MatrixXd PotentialSolver::Substitute(
         " instead of zero, so it has no solution; the quarter indices violate Poincaré-Hopf.");
     }
   }
-  eliminated.forward.border.bottomRows(this->TrailingFactor().rows()) +=
-    this->TrailingFactor().triangularView<Eigen::Lower>().solve(addedSources);
+  eliminated.forward.border.bottomRows(static_cast<Eigen::Index>(this->Trailing.size()))
+    .topRows(addedSources.rows()) +=
+    this->TrailingFactor(eliminated.periods).triangularView<Eigen::Lower>().solve(addedSources);
   return this->Factor->Substitute(eliminated.forward);
 }
 
@@ -174,19 +189,19 @@ Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) cons
 {
   const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
   {
-    const auto& triangle = this->Mesh.triangles[t];
-    const Point& p0 = this->Mesh.points[static_cast<std::size_t>(triangle[0])];
-    const Point a = this->Mesh.points[static_cast<std::size_t>(triangle[1])] - p0;
-    const Point b = this->Mesh.points[static_cast<std::size_t>(triangle[2])] - p0;
+    const auto& triangle = this->Topology->mesh.triangles[t];
+    const Point& p0 = this->Topology->mesh.points[static_cast<std::size_t>(triangle[0])];
+    const Point a = this->Topology->mesh.points[static_cast<std::size_t>(triangle[1])] - p0;
+    const Point b = this->Topology->mesh.points[static_cast<std::size_t>(triangle[2])] - p0;
     const double da = f1 - f0;
     const double db = f2 - f0;
     return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
   };
   Eigen::MatrixXd gradient(
-    2 * solutions.cols(), static_cast<Eigen::Index>(this->Mesh.triangles.size()));
-  for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
+    2 * solutions.cols(), static_cast<Eigen::Index>(this->Topology->mesh.triangles.size()));
+  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
   {
-    const auto& v = this->Mesh.triangles[t];
+    const auto& v = this->Topology->mesh.triangles[t];
     for (Eigen::Index c = 0; c < solutions.cols(); ++c)
     {
       gradient.block<2, 1>(2 * c, static_cast<Eigen::Index>(t)) =
@@ -215,16 +230,16 @@ Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
   // ∫ ∇Φ · ∇λ_i over a triangle: the gradient turned by −90° times half the opposite edge.
   const auto load = [&](std::size_t t, std::size_t i)
   {
-    const auto& v = this->Mesh.triangles[t];
-    const Point opposite = this->Mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
-      this->Mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+    const auto& v = this->Topology->mesh.triangles[t];
+    const Point opposite = this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
+      this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
     return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
   };
-  for (std::size_t t = 0; t < this->Mesh.triangles.size(); ++t)
+  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      sources[this->Mesh.triangles[t][i]] += load(t, i);
+      sources[this->Topology->mesh.triangles[t][i]] += load(t, i);
     }
   }
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)

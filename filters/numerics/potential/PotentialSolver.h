@@ -1,8 +1,8 @@
 #pragma once
 
 #include "DissectedCholesky.h"
-#include "EdgeNumbering.h"
 #include "LoopStrip.h"
+#include "MeshTopology.h"
 #include "Progress.h"
 
 #include <Eigen/Core>
@@ -16,8 +16,11 @@ namespace crossfield
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
 /// constrained field and everything derived from a potential (docs/method.md §2, §3).
 ///
-/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop (and
-/// hole, if asked for): the amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
+/// It depends on the mesh alone: what is asked of it (corners, quarter indices, where the boundary is
+/// aligned) comes with the right-hand sides, so any number of questions share one factor.
+///
+/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop and
+/// hole: the amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
 /// cut functions η_k of LoopStrip, which have a gradient on their strips only. The matrix is
 ///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
 /// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
@@ -29,8 +32,9 @@ namespace crossfield
 ///   the domain on the left; at an interior vertex: −2π times the turns of φ around it;
 /// - at a period: φ on the strip's first edge minus φ on its last edge.
 ///
-/// The trailing unknowns, hole vertices then periods, come last in the factorisation, so their
-/// Schur complement T is at hand: any treatment of holes and islands is a small dense problem.
+/// The trailing unknowns, hole vertices, then periods of inner loops, then those of holes, come last in
+/// the factorisation, so their Schur complement T is at hand: any treatment of holes and islands is a
+/// small dense problem. A question without periods around holes takes the leading part of it.
 ///
 /// Where the boundary is given (Boundary::Given), the values at the vertices of outer and inner loops
 /// and the periods are no unknowns but zero in every solution; with inhomogeneous values x, solve for
@@ -38,8 +42,8 @@ namespace crossfield
 class PotentialSolver
 {
 public:
-  /// Which loops have a period. A hole needs one only where its edges are not free to shift by a
-  /// common constant.
+  /// Which loops have a period in a question; those of the others are zero. A hole needs one only where
+  /// its edges are not free to shift by a common constant.
   enum class Periods
   {
     Islands,
@@ -54,28 +58,43 @@ public:
   };
 
   /// Throws Error when the mesh is not connected or has degenerate triangles.
-  PotentialSolver(const TriangleMesh& mesh, const EdgeNumbering& edges,
-    const std::vector<BoundaryLoop>& loops, Periods periods = Periods::Islands,
-    Boundary boundary = Boundary::Natural, const Progress& progress = {});
+  explicit PotentialSolver(SharedTopology topology, Boundary boundary = Boundary::Natural,
+    const Progress& progress = {});
 
-  /// Vertices of the mesh plus periods: rows of every right-hand side and solution.
+  const MeshTopology& GetTopology() const { return *this->Topology; }
+  const SharedTopology& ShareTopology() const { return this->Topology; }
+
+  /// Vertices of the mesh plus periods, those of inner loops before those of holes: rows of every
+  /// right-hand side and solution.
   Eigen::Index Rows() const { return this->VertexCount + this->PeriodCount(); }
-  Eigen::Index PeriodCount() const { return static_cast<Eigen::Index>(this->Strips.size()); }
+  Eigen::Index PeriodCount(Periods periods = Periods::IslandsAndHoles) const
+  {
+    return periods == Periods::Islands ? this->IslandCount
+                                       : static_cast<Eigen::Index>(this->Strips.size());
+  }
   /// Row of the k-th period.
   Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount + k; }
+  /// One per period.
   const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
 
-  /// Rows of the trailing unknowns: per hole its vertices, counter-clockwise, where vertex j joins
+  /// Rows of all trailing unknowns: per hole its vertices, counter-clockwise, where vertex j joins
   /// edges j and j + 1 of the hole's BoundaryLoop; then the periods, islands before holes.
   const std::vector<int>& TrailingRows() const { return this->Trailing; }
+  /// How many of them a question has.
+  Eigen::Index TrailingCount(Periods periods) const;
 
-  /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns.
-  const Eigen::MatrixXd& TrailingFactor() const { return this->Factor->GetLastFactor(); }
+  /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns of a question.
+  Eigen::Ref<const Eigen::MatrixXd> TrailingFactor(Periods periods) const
+  {
+    const Eigen::Index count = this->TrailingCount(periods);
+    return this->Factor->GetLastFactor().topLeftCorner(count, count);
+  }
 
   /// A solution that is half done: sources of the trailing unknowns may still be added.
   struct Eliminated
   {
     DissectedCholesky::Eliminated forward;
+    Periods periods = Periods::Islands; ///< Of the question.
     Eigen::MatrixXd trailing; ///< The solution on the trailing unknowns, in their order.
     Eigen::RowVectorXd sums;  ///< Of the sources at vertices,
     Eigen::RowVectorXd sizes; ///< and of their absolute values.
@@ -83,7 +102,7 @@ public:
 
   /// Solves for the trailing unknowns only. What is missing for the sources of a column at vertices
   /// to add up to zero is taken by the ground until sources are added.
-  Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides) const;
+  Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides, Periods periods) const;
 
   /// The solution everywhere after sources, a row per trailing unknown, were added: half the work of
   /// Solve, and the same requirement.
@@ -92,7 +111,7 @@ public:
   /// Solves for any number of columns; the ground, or what is given, is 0 in the result. With a
   /// natural boundary the entries of a column at vertices must add up to zero, or there is no
   /// solution: throws Error with their sum.
-  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const;
 
   /// Gradient ∇Ψ + Σ q_k ∇η_k on every triangle: a column per triangle, two rows per column of the
   /// solution.
@@ -102,8 +121,9 @@ public:
   Eigen::VectorXd Apply(const Eigen::VectorXd& solution) const;
 
 private:
-  const TriangleMesh& Mesh;
+  SharedTopology Topology;
   Eigen::Index VertexCount;
+  Eigen::Index IslandCount;
   std::vector<LoopStrip> Strips;
   Boundary OnLoops;
   std::vector<int> Trailing;

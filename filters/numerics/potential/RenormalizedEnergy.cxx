@@ -29,7 +29,7 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const std::vector<LogSource>& logs = solution.logs;
   const auto count =
     static_cast<Eigen::Index>(logs.size() - potential.GetCorners().size()); // singularities
-  const TriangleMesh& mesh = potential.GetProblem().mesh;
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   const Eigen::VectorXd& regular = solution.regular;
   const auto periods = static_cast<Eigen::Index>(solution.holonomyDefect.size());
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PerforatedProblem.h"
+#include "Alignment.h"
 
 namespace crossfield
 {
@@ -22,5 +22,5 @@ struct UnitNormField
 
 /// Computed from the conjugate potential Φ of SolveAligned, with a phase that is constant along every
 /// edge of the boundary.
-UnitNormField SolveUnitNorm(const PerforatedProblem& problem);
+UnitNormField SolveUnitNorm(const PotentialProblem& problem);
 }

@@ -3,39 +3,34 @@
 #include "Error.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace crossfield
 {
 namespace
 {
-bool IsAligned(const BoundaryEdge& edge)
+/// Of every vertex, whether it is a corner or has a chosen index.
+std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCount& count)
 {
-  return edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner;
+  std::vector<bool> counted(topology.mesh.points.size(), false);
+  for (const CountedCorner& corner : count.corners)
+  {
+    counted[static_cast<std::size_t>(topology.VertexOf(corner))] = true;
+  }
+  return counted;
 }
 
-bool IsAmong(const std::vector<CountedCorner>& corners, const Point& place)
-{
-  return std::any_of(corners.begin(), corners.end(),
-    [&place](const Corner& corner) { return corner.position == place; });
-}
-
-/// The indices that the field takes at corners, and where else on the boundary they are not 0.
+/// The indices that the field takes at corners, and where else on aligned loops they are not 0.
 std::vector<CornerChoice> TakenIndices(
-  const TriangleMesh& mesh, const FieldIndices& indices, const std::vector<CountedCorner>& corners)
+  const MeshTopology& topology, const FieldIndices& indices, const std::vector<bool>& counted)
 {
   std::vector<CornerChoice> taken;
-  for (const BoundaryEdge& edge : mesh.boundary)
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
   {
-    if (!IsAligned(edge))
-    {
-      continue;
-    }
     const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
-    const Point& place = mesh.points[vertex];
-    const int index = indices.ofVertex[vertex];
-    if (index != 0 || IsAmong(corners, place))
+    if (edge.IsAligned() && (indices.ofVertex[vertex] != 0 || counted[vertex]))
     {
-      taken.push_back({ place, index });
+      taken.push_back({ topology.mesh.points[vertex], indices.ofVertex[vertex] });
     }
   }
   return taken;
@@ -51,7 +46,8 @@ int CountOtherCorners(
       return corner.chosen &&
         std::none_of(taken.begin(), taken.end(),
           [&corner](const CountedCorner& other) {
-            return other.position == corner.position && other.quarterIndex == corner.quarterIndex;
+            return other.loop == corner.loop && other.vertex == corner.vertex &&
+              other.quarterIndex == corner.quarterIndex;
           });
     }));
 }
@@ -97,75 +93,51 @@ std::string Describe(const FieldCheck& check, int otherCorners)
 }
 }
 
-FieldCheck CheckField(
-  const TriangleMesh& mesh, const ComplexVector& u, const std::vector<CornerChoice>& choices)
+FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices,
+  const Configuration& points)
 {
-  if (!u.allFinite())
+  if (!field.u.allFinite())
   {
     throw Error("The field has values that are not finite numbers; compute it again.");
   }
-  const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);
-  CrossField field;
-  field.edges = NumberEdges(mesh);
-  field.u = u;
-  field.count = CountMeshQuarters(mesh, loops, choices);
-  ReadReport(mesh, loops, field);
+  const MeshTopology& topology = *field.topology;
+  const PoincareHopfCount asked = CountMeshQuarters(topology, choices);
+  const FieldReading reading = ReadField(field, { asked, points, false });
 
   FieldCheck check;
-  check.holes = field.holes;
+  check.holes = reading.holes;
+  check.unwantedSingularities = reading.unwantedSingularities;
   int given = 0;
-  bool degrees = true;
-  for (const BoundaryLoop& loop : loops)
+  for (const BoundaryLoop& loop : topology.loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
-      const int degree = check.holes[check.prescribedDegrees.size()].degree;
+      given += check.holes[check.prescribedDegrees.size()].degree;
       check.prescribedDegrees.push_back(loop.quarterIndex);
-      degrees = degrees && degree == loop.quarterIndex;
-      given += degree;
     }
   }
-  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
+  for (const BoundaryLoop& circle : topology.imprinted)
   {
-    // What is inside is counted there.
-    const int degree = check.holes[check.prescribedDegrees.size()].degree;
-    check.prescribedDegrees.push_back(circle.quarterIndex);
-    degrees = degrees && degree == circle.quarterIndex;
+    check.prescribedDegrees.push_back(circle.quarterIndex); // what is inside is counted there
   }
-  FieldIndices indices = ReadIndices(mesh, field.edges, u);
-  std::vector<bool> aligned(mesh.points.size(), false);
-  std::vector<bool> corner(mesh.points.size(), false);
-  for (const BoundaryEdge& edge : mesh.boundary)
+  FieldIndices indices = ReadIndices(topology, field.u);
+  const std::vector<bool> counted = MarkCounted(topology, asked);
+  MergeAtVertices(topology.mesh, counted, indices);
+  check.interiorQuarters = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
+    std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0);
+  for (const std::vector<int>& loop : topology.alignedVertices)
   {
-    const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
-    aligned[vertex] = IsAligned(edge);
-    corner[vertex] = IsAligned(edge) && IsAmong(field.count.corners, mesh.points[vertex]);
-  }
-  MergeAtVertices(mesh, corner, indices);
-  const auto stray = [](int index) { return index != 0 ? 1 : 0; };
-  for (int index : indices.ofTriangle)
-  {
-    check.interiorQuarters += index;
-    check.unwantedSingularities += stray(index);
-  }
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
-    check.interiorQuarters += aligned[v] ? 0 : indices.ofVertex[v];
-    check.unwantedSingularities += corner[v] ? 0 : stray(indices.ofVertex[v]);
+    for (const int vertex : loop)
+    {
+      check.interiorQuarters -= indices.ofVertex[static_cast<std::size_t>(vertex)];
+    }
   }
 
-  check.count = CountMeshQuarters(mesh, loops, TakenIndices(mesh, indices, field.count.corners));
+  check.count = CountMeshQuarters(topology, TakenIndices(topology, indices, counted));
   check.count.givenInteriorQuarters = given + check.interiorQuarters;
-  if (check.holes.empty() && check.interiorQuarters != 0)
-  {
-    check.unwantedSingularities = 0; // the boundary asks for them, and nothing says where
-  }
-  if (!mesh.imprinted.empty())
-  {
-    check.unwantedSingularities = field.unwantedSingularities; // circles have theirs inside
-  }
-  const int otherCorners = CountOtherCorners(field.count.corners, check.count.corners);
-  check.asPrescribed = degrees && check.unwantedSingularities == 0 && otherCorners == 0;
+  const int otherCorners = CountOtherCorners(asked.corners, check.count.corners);
+  check.asPrescribed =
+    reading.wrongDegrees == 0 && check.unwantedSingularities == 0 && otherCorners == 0;
   check.verdict = Describe(check, otherCorners);
   return check;
 }

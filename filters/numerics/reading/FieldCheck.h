@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CrossFieldReport.h"
+#include "FieldReading.h"
 
 namespace crossfield
 {
@@ -13,17 +13,16 @@ struct FieldCheck
   std::vector<HoleReading> holes;     ///< In the order of the configuration.
   std::vector<int> prescribedDegrees; ///< Likewise.
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.
-  /// As in CrossField, but triangles at a corner belong to it, and on a mesh without holes the
-  /// singularities that the boundary asks for are nobody's fault.
+  /// As solvers count them (UnwantedSingularities.h).
   int unwantedSingularities = 0;
   /// Degrees and chosen corners are as prescribed, and there are no unwanted singularities.
   bool asPrescribed = false;
   std::string verdict; ///< One sentence.
 };
 
-/// Reads degrees of holes, interior indices and the indices of corners from a field on a drilled
-/// mesh; `u` has one value per edge, and `choices` are the quarter indices that it was asked to
-/// take. Throws Error when it has a value that is not finite, or is not aligned with the boundary.
-FieldCheck CheckField(
-  const TriangleMesh& mesh, const ComplexVector& u, const std::vector<CornerChoice>& choices = {});
+/// Reads degrees of holes, interior indices and the indices of corners from a field; `choices` are the
+/// quarter indices that it was asked to take, `points` its singularities that are not holes. Throws
+/// Error when it has a value that is not finite, or is not aligned with the boundary.
+FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices = {},
+  const Configuration& points = {});
 }

@@ -18,9 +18,10 @@ double WrappedStep(const Complex& from, const Complex& to)
 }
 }
 
-FieldIndices ReadIndices(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u)
+FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
 {
+  const TriangleMesh& mesh = topology.mesh;
+  const EdgeNumbering& edges = topology.edges;
   FieldIndices indices;
   indices.ofTriangle.reserve(mesh.triangles.size());
   // Change of arg u around each vertex, from midpoint to midpoint, inside the domain.
@@ -40,29 +41,13 @@ FieldIndices ReadIndices(
     indices.ofTriangle.push_back(Turns(sum));
   }
 
-  std::vector<int> incoming(mesh.points.size(), -1);
-  for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
-  {
-    incoming[static_cast<std::size_t>(mesh.boundary[i].vertices[1])] = static_cast<int>(i);
-  }
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const BoundaryEdge& after = mesh.boundary[i];
-    const auto vertex = static_cast<std::size_t>(after.vertices[0]);
-    const auto previous = static_cast<std::size_t>(incoming[vertex]);
-    const BoundaryEdge& before = mesh.boundary[previous];
-    if (after.kind == BoundaryKind::Hole)
-    {
-      around[vertex] -= WrappedStep(u[edges.ofBoundary[i]], u[edges.ofBoundary[previous]]);
-    }
-    else
-    {
-      const Point& here = mesh.points[vertex];
-      const Point directionBefore =
-        here - mesh.points[static_cast<std::size_t>(before.vertices[0])];
-      const Point directionAfter = mesh.points[static_cast<std::size_t>(after.vertices[1])] - here;
-      around[vertex] += 4.0 * AngleBetween(directionBefore, directionAfter);
-    }
+    double& here = around[static_cast<std::size_t>(after.vertices[0])];
+    here += after.IsAligned()
+      ? 4.0 * topology.turning[static_cast<Eigen::Index>(i)]
+      : -WrappedStep(u[edges.ofBoundary[i]], u[topology.EdgeOfBoundary(topology.previous[i])]);
   }
   indices.ofVertex.resize(mesh.points.size());
   std::transform(around.begin(), around.end(), indices.ofVertex.begin(), Turns);

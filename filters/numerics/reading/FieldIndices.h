@@ -1,13 +1,13 @@
 #pragma once
 
-#include "CrouzeixRaviart.h"
+#include "CrossField.h"
 
 namespace crossfield
 {
 /// Indices of a Crouzeix-Raviart cross field, read from wrapped differences of arg u between the
 /// midpoints of neighbouring edges (docs/method.md §8). Triangles of midpoints and polygons of midpoints
 /// around vertices tile the domain, so that
-///   Σ ofTriangle + Σ ofVertex over interior and aligned boundary vertices + Σ hole degrees = 4 χ,
+///   Σ ofTriangle + Σ ofVertex + Σ hole degrees = 4 χ,
 /// with χ that of the domain before the holes were drilled.
 struct FieldIndices
 {
@@ -18,8 +18,7 @@ struct FieldIndices
 };
 
 /// `u` has one value per edge.
-FieldIndices ReadIndices(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u);
+FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u);
 
 /// Moves the indices of the triangles at marked vertices to these vertices. Where the cross turns
 /// by more than π/4 within one triangle at a corner, a wrapped difference is taken for the shorter

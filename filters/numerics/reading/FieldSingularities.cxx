@@ -17,11 +17,6 @@ namespace
 {
 using Place = FieldSingularity::Place;
 
-bool IsAligned(const BoundaryEdge& edge)
-{
-  return edge.kind == BoundaryKind::Outer || edge.kind == BoundaryKind::Inner;
-}
-
 /// What the boundary makes of each vertex.
 struct VertexRole
 {
@@ -30,31 +25,25 @@ struct VertexRole
   bool corner = false;
 };
 
-std::vector<VertexRole> FindRoles(const TriangleMesh& mesh, double cornerAngle)
+std::vector<VertexRole> FindRoles(
+  const MeshTopology& topology, const FieldSingularityOptions& options)
 {
-  std::vector<VertexRole> roles(mesh.points.size());
-  std::vector<Point> arriving(mesh.points.size(), Point::Zero());
-  const auto direction = [&mesh](const BoundaryEdge& edge)
+  std::vector<VertexRole> roles(topology.mesh.points.size());
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    return Point(mesh.points[static_cast<std::size_t>(edge.vertices[1])] -
-      mesh.points[static_cast<std::size_t>(edge.vertices[0])]);
-  };
-  for (const BoundaryEdge& edge : mesh.boundary)
-  {
-    if (IsAligned(edge))
+    const BoundaryEdge& edge = topology.mesh.boundary[i];
+    if (edge.IsAligned())
     {
-      arriving[static_cast<std::size_t>(edge.vertices[1])] = direction(edge);
+      VertexRole& role = roles[static_cast<std::size_t>(edge.vertices[0])];
+      role.place = edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
+      role.id = edge.id;
+      role.corner =
+        IsCorner(topology.turning[static_cast<Eigen::Index>(i)], options.cornerAngle);
     }
   }
-  for (const BoundaryEdge& edge : mesh.boundary)
+  for (const int vertex : options.chosenVertices)
   {
-    if (IsAligned(edge))
-    {
-      const auto vertex = static_cast<std::size_t>(edge.vertices[0]);
-      roles[vertex].place = edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
-      roles[vertex].id = edge.id;
-      roles[vertex].corner = IsCorner(AngleBetween(arriving[vertex], direction(edge)), cornerAngle);
-    }
+    roles[static_cast<std::size_t>(vertex)].corner = true;
   }
   return roles;
 }
@@ -91,10 +80,12 @@ struct Cluster
   Point weighted = Point::Zero();
   VertexRole role; ///< Of its vertices as long as all are on a loop.
   bool onBoundary = true;
+  double edge = 0.0;        ///< Longest edge at its vertices and those of its triangles.
   std::vector<Point> zeros; ///< Of the piecewise linear field, with the sign of quarterIndex.
 
-  void Add(int index, const Point& place, const VertexRole& at)
+  void Add(int index, const Point& place, const VertexRole& at, double longestEdge)
   {
+    this->edge = std::max(this->edge, longestEdge);
     this->quarterIndex += index;
     this->weight += std::abs(index);
     this->weighted += std::abs(index) * place;
@@ -149,10 +140,28 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
   return sum / 3.0;
 }
 
-/// Merges what is singular off the corners.
-std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const ComplexVector& u, const FieldIndices& indices, const std::vector<VertexRole>& roles)
+/// Longest edge at each vertex.
+std::vector<double> LongestEdges(const MeshTopology& topology)
 {
+  std::vector<double> longest(topology.mesh.points.size(), 0.0);
+  for (const auto& [from, to] : topology.edges.vertices)
+  {
+    const double length = (topology.PointAt(to) - topology.PointAt(from)).norm();
+    for (const int vertex : { from, to })
+    {
+      double& here = longest[static_cast<std::size_t>(vertex)];
+      here = std::max(here, length);
+    }
+  }
+  return longest;
+}
+
+/// Merges what is singular off the corners.
+std::map<int, Cluster> FindClusters(const CrossField& field, const FieldIndices& indices,
+  const std::vector<VertexRole>& roles)
+{
+  const TriangleMesh& mesh = field.topology->mesh;
+  const EdgeNumbering& edges = field.topology->edges;
   const auto singular = [&](int vertex)
   {
     const auto v = static_cast<std::size_t>(vertex);
@@ -175,13 +184,16 @@ std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumberin
     }
   }
 
+  const std::vector<double> longest = LongestEdges(*field.topology);
   std::map<int, Cluster> clusters;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (indices.ofTriangle[t] != 0)
     {
-      clusters[sets.Find(mesh.triangles[t][0])].Add(
-        indices.ofTriangle[t], Centroid(mesh, t), VertexRole());
+      const auto [a, b, c] = mesh.triangles[t];
+      const double edge = std::max({ longest[static_cast<std::size_t>(a)],
+        longest[static_cast<std::size_t>(b)], longest[static_cast<std::size_t>(c)] });
+      clusters[sets.Find(a)].Add(indices.ofTriangle[t], Centroid(mesh, t), VertexRole(), edge);
     }
   }
   for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v)
@@ -189,7 +201,8 @@ std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumberin
     if (singular(v))
     {
       const auto vertex = static_cast<std::size_t>(v);
-      clusters[sets.Find(v)].Add(indices.ofVertex[vertex], mesh.points[vertex], roles[vertex]);
+      clusters[sets.Find(v)].Add(
+        indices.ofVertex[vertex], mesh.points[vertex], roles[vertex], longest[vertex]);
     }
   }
   // Zeros are looked for in the singular triangles and around the singular vertices.
@@ -202,7 +215,7 @@ std::map<int, Cluster> FindClusters(const TriangleMesh& mesh, const EdgeNumberin
       continue;
     }
     Cluster& cluster = clusters[sets.Find(indices.ofTriangle[t] != 0 ? triangle[0] : *around)];
-    if (const auto zero = LinearZero(mesh, edges, u, t, cluster.quarterIndex))
+    if (const auto zero = LinearZero(mesh, edges, field.u, t, cluster.quarterIndex))
     {
       cluster.zeros.push_back(*zero);
     }
@@ -215,6 +228,7 @@ FieldSingularity Describe(const Cluster& cluster)
   FieldSingularity singularity;
   singularity.quarterIndex = cluster.quarterIndex;
   singularity.position = cluster.weighted / cluster.weight;
+  singularity.edge = cluster.edge;
   if (cluster.onBoundary)
   {
     singularity.place = cluster.role.place;
@@ -254,17 +268,26 @@ FieldSingularity DescribeHole(
 }
 }
 
-std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
-  const EdgeNumbering& edges, const ComplexVector& u, const FieldSingularityOptions& options)
+std::vector<FieldSingularity> FindFieldSingularities(
+  const CrossField& field, const FieldSingularityOptions& options)
 {
-  if (u.size() != edges.Count() || !u.allFinite())
+  const int count = field.topology->edges.Count();
+  if (field.u.size() != count || !field.u.allFinite())
   {
-    throw Error("The field has " + std::to_string(u.size()) + " values for " +
-      std::to_string(edges.Count()) +
+    throw Error("The field has " + std::to_string(field.u.size()) + " values for " +
+      std::to_string(count) +
       " edges, or some that are not finite numbers; compute it again.");
   }
-  FieldIndices indices = ReadIndices(mesh, edges, u);
-  const std::vector<VertexRole> roles = FindRoles(mesh, options.cornerAngle);
+  return FindFieldSingularities(field, ReadIndices(*field.topology, field.u), options);
+}
+
+std::vector<FieldSingularity> FindFieldSingularities(const CrossField& field,
+  const FieldIndices& unmerged, const FieldSingularityOptions& options)
+{
+  const MeshTopology& topology = *field.topology;
+  const TriangleMesh& mesh = topology.mesh;
+  FieldIndices indices = unmerged;
+  const std::vector<VertexRole> roles = FindRoles(topology, options);
   std::vector<bool> corners;
   corners.reserve(roles.size());
   for (const VertexRole& role : roles)
@@ -275,7 +298,7 @@ std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
   std::vector<FieldSingularity> found;
   int sum = 0;
   int holes = 0;
-  for (const auto& [root, cluster] : FindClusters(mesh, edges, u, indices, roles))
+  for (const auto& [root, cluster] : FindClusters(field, indices, roles))
   {
     sum += cluster.quarterIndex;
     if (cluster.quarterIndex != 0)
@@ -291,15 +314,15 @@ std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
       if (options.corners && indices.ofVertex[v] != 0)
       {
         found.push_back(
-          { { mesh.points[v], indices.ofVertex[v], 0.0 }, roles[v].place, roles[v].id });
+          { { mesh.points[v], indices.ofVertex[v], 0.0 }, roles[v].place, roles[v].id, 0.0 });
       }
     }
   }
-  for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
+  for (const BoundaryLoop& loop : topology.loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
-      const HoleReading reading = ReadHole(loop, edges, u);
+      const HoleReading reading = ReadHole(loop, topology.edges, field.u);
       sum += reading.degree;
       ++holes;
       if (options.holes && reading.degree != 0)
@@ -308,7 +331,7 @@ std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
       }
     }
   }
-  const int required = 4 * (edges.EulerCharacteristic(mesh) + holes);
+  const int required = 4 * (topology.edges.EulerCharacteristic(mesh) + holes);
   if (sum != required)
   {
     throw Error("The indices of the field and of the boundary add up to " + std::to_string(sum) +

@@ -20,6 +20,8 @@ struct FieldSingularity : Singularity
   Place place = Place::Inside;
   /// Loop number on the boundary, row of the configuration for holes, −1 inside.
   int id = -1;
+  /// Longest edge at the vertices of its triangles: how well its place is known.
+  double edge = 0.0;
 };
 
 struct FieldSingularityOptions
@@ -30,10 +32,12 @@ struct FieldSingularityOptions
   bool holes = false;
   /// A vertex of an outer or inner loop that turns by more is a corner; radians.
   double cornerAngle = DefaultCornerAngle;
+  /// Further vertices of aligned loops that are read like corners: those with a chosen quarter index.
+  std::vector<int> chosenVertices;
 };
 
-/// Reads the singularities of a Crouzeix-Raviart field, one for each, from the indices of triangles
-/// and vertices (FieldIndices.h). `u` has one value per edge and may vanish.
+/// Reads the singularities of a field, one for each, from the indices of triangles and vertices
+/// (FieldIndices.h). The field may vanish.
 ///
 /// Wherever u turns by more than half a turn from one midpoint to the next, the index of one
 /// singularity is spread over neighbouring triangles and vertices, and for |k| ≥ 2 with both signs.
@@ -48,6 +52,10 @@ struct FieldSingularityOptions
 /// The result is sorted by place, then by x and y. Throws Error for values that are not finite, and
 /// if the indices inside, on the boundary and on holes do not add up to 4χ, as they do for every
 /// field that is aligned with outer and inner loops.
-std::vector<FieldSingularity> FindFieldSingularities(const TriangleMesh& mesh,
-  const EdgeNumbering& edges, const ComplexVector& u, const FieldSingularityOptions& options = {});
+std::vector<FieldSingularity> FindFieldSingularities(
+  const CrossField& field, const FieldSingularityOptions& options = {});
+
+/// The same where the indices are at hand.
+std::vector<FieldSingularity> FindFieldSingularities(const CrossField& field,
+  const FieldIndices& indices, const FieldSingularityOptions& options);
 }

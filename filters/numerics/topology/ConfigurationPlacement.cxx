@@ -7,13 +7,12 @@
 
 namespace crossfield
 {
-PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, const Configuration& configuration,
-  const std::vector<CornerChoice>& corners)
+PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
+  const Configuration& configuration, const std::vector<CornerChoice>& corners)
 {
   PlacedConfiguration placed;
   placed.corners = corners;
-  const PlanarDomain domain{ AlignedLoops(mesh, loops) };
+  const PlanarDomain domain{ topology.AlignedLoops() };
   const double reach = BoundaryReach * domain.Diagonal();
   for (std::size_t row = 0; row < configuration.size(); ++row)
   {
@@ -34,9 +33,8 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
       placed.rows.push_back(row);
     }
   }
-  PoincareHopfCount count = CountMeshQuarters(mesh, loops, placed.corners);
-  const bool holes = std::any_of(loops.begin(), loops.end(),
-    [](const BoundaryLoop& loop) { return loop.kind == BoundaryKind::Hole; });
+  PoincareHopfCount count = CountMeshQuarters(topology, placed.corners);
+  const bool holes = topology.LoopCount(BoundaryKind::Hole) > 0;
   const int interior = holes ? count.givenInteriorQuarters : TotalQuarters(placed.interior);
   count.givenInteriorQuarters = interior;
   if (count.Consistent())
@@ -68,7 +66,7 @@ PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
         completed.push_back({ corner.position, corner.quarterIndex });
       }
     }
-    PoincareHopfCount other = CountMeshQuarters(mesh, loops, completed);
+    PoincareHopfCount other = CountMeshQuarters(topology, completed);
     other.givenInteriorQuarters = interior;
     if (other.Consistent())
     {

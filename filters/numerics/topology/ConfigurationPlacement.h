@@ -1,8 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
-#include "EdgeNumbering.h"
-#include "Progress.h"
+#include "MeshTopology.h"
 #include "Singularity.h"
 
 namespace crossfield
@@ -18,7 +17,6 @@ struct PlacedConfiguration
 
 /// Tells singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from those
 /// inside, and completes the corners; see SolveHField.
-PlacedConfiguration PlaceConfiguration(const TriangleMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, const Configuration& configuration,
-  const std::vector<CornerChoice>& corners);
+PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
+  const Configuration& configuration, const std::vector<CornerChoice>& corners);
 }

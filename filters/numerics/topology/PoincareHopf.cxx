@@ -91,43 +91,19 @@ int SmallestRotationIndex(double turning)
   return static_cast<int>(std::lround((turning - SmallestRotation(turning)) / (0.5 * Pi)));
 }
 
-std::vector<Loop> AlignedLoops(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
-{
-  std::vector<Loop> aligned;
-  for (const BoundaryLoop& loop : loops)
-  {
-    if (loop.kind != BoundaryKind::Outer && loop.kind != BoundaryKind::Inner)
-    {
-      continue;
-    }
-    aligned.emplace_back();
-    for (int edge : loop.edges)
-    {
-      const int start = mesh.boundary[static_cast<std::size_t>(edge)].vertices[0];
-      aligned.back().push_back(mesh.points[static_cast<std::size_t>(start)]);
-    }
-    if (loop.kind == BoundaryKind::Inner)
-    {
-      // BoundaryLoop runs counter-clockwise around the island, the domain is then on the right.
-      std::reverse(aligned.back().begin(), aligned.back().end());
-    }
-  }
-  return aligned;
-}
-
-PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices)
+PoincareHopfCount CountMeshQuarters(
+  const MeshTopology& topology, const std::vector<CornerChoice>& choices)
 {
   int given = 0;
-  for (const BoundaryLoop& circle : FindImprintedLoops(mesh))
+  for (const BoundaryLoop& circle : topology.imprinted)
   {
     given += circle.quarterIndex;
   }
-  for (const BoundaryLoop& loop : loops)
+  for (const BoundaryLoop& loop : topology.loops)
   {
     given += loop.kind == BoundaryKind::Hole ? loop.quarterIndex : 0;
   }
-  return CountQuarters(AlignedLoops(mesh, loops), given, DefaultCornerAngle, choices);
+  return CountQuarters(topology.AlignedLoops(), given, DefaultCornerAngle, choices);
 }
 
 std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
-#include "EdgeNumbering.h"
+#include "MeshTopology.h"
 #include "Singularity.h"
 
 #include <string>
@@ -57,13 +57,9 @@ int SmallestRotationIndex(double turning);
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
-/// The outer and inner loops of a drilled mesh, with the domain on their left.
-std::vector<Loop> AlignedLoops(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops);
-
-/// Counts over the outer and inner loops of a drilled mesh, and the quarter indices of its holes and
-/// imprinted circles.
-PoincareHopfCount CountMeshQuarters(const TriangleMesh& mesh,
-  const std::vector<BoundaryLoop>& loops, const std::vector<CornerChoice>& choices = {});
+/// Counts over the aligned loops of a mesh, and the quarter indices of its holes and imprinted circles.
+PoincareHopfCount CountMeshQuarters(
+  const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
 
 /// One sentence: the sums agree, or by how much they differ and what to add or remove. When they
 /// agree it also names the first inner loop with a holonomy defect (HolonomyCheck.h) of more than a

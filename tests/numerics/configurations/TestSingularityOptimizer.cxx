@@ -31,7 +31,7 @@ void ExpectConsistentGradient(
   DrillOptions options;
   options.meshSize = meshSize;
   const TriangleMesh mesh = DrillHoles(domain, {}, options);
-  const PointPotential potential(mesh, {}, TotalQuarters(configuration));
+  const PointPotential potential = PointPotentialOn(mesh, {}, TotalQuarters(configuration));
   Random random(11);
   Configuration near = configuration;
   for (Singularity& singularity : near)

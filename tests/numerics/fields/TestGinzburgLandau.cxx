@@ -30,7 +30,7 @@ GinzburgLandauField Solve(const TriangleMesh& mesh, double epsilon, GinzburgLand
   GinzburgLandauOptions options;
   options.epsilon = epsilon;
   options.start = start;
-  return SolveGinzburgLandau(mesh, options);
+  return SolveGinzburgLandau(ShareTopology(mesh), options);
 }
 
 /// What every converged run promises.
@@ -76,7 +76,7 @@ TEST(GinzburgLandau, RingKeepsTheHarmonicFieldAndBreaksTheConstantOne)
   const GinzburgLandauField radial = Solve(mesh, 0.01, GinzburgLandauStart::Harmonic);
   ExpectMinimum(radial);
   EXPECT_NEAR(radial.energy, 45.9, 0.3);
-  EXPECT_TRUE(FindFieldSingularities(mesh, radial.edges, radial.u).empty());
+  EXPECT_TRUE(FindFieldSingularities({ ShareTopology(mesh), radial.u }).empty());
   EXPECT_EQ(radial.unwantedSingularities, 0);
   EXPECT_TRUE(radial.count.Consistent());
 
@@ -87,7 +87,7 @@ TEST(GinzburgLandau, RingKeepsTheHarmonicFieldAndBreaksTheConstantOne)
   EXPECT_EQ(broken.unwantedSingularities, 8);
   EXPECT_EQ(broken.count.requiredInteriorQuarters, 0);
   EXPECT_EQ(broken.count.givenInteriorQuarters, 0);
-  const auto singularities = FindFieldSingularities(mesh, broken.edges, broken.u);
+  const auto singularities = FindFieldSingularities({ ShareTopology(mesh), broken.u });
   const Count count = CountSingularities(singularities);
   EXPECT_EQ(count.positive, 4);
   EXPECT_EQ(count.negative, 4);
@@ -109,7 +109,7 @@ TEST(GinzburgLandau, FourSingularitiesOfTheDiskApproachTheBestRadius)
     const TriangleMesh mesh = Mesh("disk", size);
     const GinzburgLandauField field = Solve(mesh, size);
     ExpectMinimum(field);
-    const auto singularities = FindFieldSingularities(mesh, field.edges, field.u);
+    const auto singularities = FindFieldSingularities({ ShareTopology(mesh), field.u });
     const Count count = CountSingularities(singularities);
     ASSERT_EQ(count.positive, 4);
     EXPECT_EQ(count.negative, 0);
@@ -137,7 +137,7 @@ TEST(GinzburgLandau, FlatEllipsePutsThemOnALine)
   const TriangleMesh mesh = Mesh(MakePlanarDomain({ ellipse }), Size);
   const GinzburgLandauField field = Solve(mesh, Size);
   ExpectMinimum(field);
-  const auto singularities = FindFieldSingularities(mesh, field.edges, field.u);
+  const auto singularities = FindFieldSingularities({ ShareTopology(mesh), field.u });
   EXPECT_EQ(CountSingularities(singularities).positive, 4);
   EXPECT_EQ(singularities.size(), 4u);
   for (const FieldSingularity& singularity : singularities)
@@ -175,7 +175,7 @@ TEST(GinzburgLandau, LeavesASaddleThatSymmetryHolds)
       options.pinning.gradientWeight[static_cast<Eigen::Index>(t)] = 0.1;
     }
   }
-  const GinzburgLandauField field = SolveGinzburgLandau(mesh, options);
+  const GinzburgLandauField field = SolveGinzburgLandau(ShareTopology(mesh), options);
   EXPECT_TRUE(field.converged);
   EXPECT_GT(field.saddlesLeft, 0);
   EXPECT_NEAR(field.energy, 0.0, 1e-10);
@@ -193,7 +193,7 @@ TEST(GinzburgLandau, GivenStartThatIsASolutionStays)
   options.epsilon = 0.14;
   options.start = GinzburgLandauStart::Given;
   options.given = first.u;
-  const GinzburgLandauField again = SolveGinzburgLandau(mesh, options);
+  const GinzburgLandauField again = SolveGinzburgLandau(ShareTopology(mesh), options);
   ExpectMinimum(again);
   EXPECT_EQ(again.iterations, 0);
   EXPECT_EQ(again.u, first.u);
@@ -231,9 +231,9 @@ TEST(GinzburgLandau, PinningHoldsSingularitiesWhereItIsSmall)
     GinzburgLandauOptions options;
     options.epsilon = 0.05;
     (weight ? options.pinning.gradientWeight : options.pinning.norm) = small;
-    const GinzburgLandauField field = SolveGinzburgLandau(mesh, options);
+    const GinzburgLandauField field = SolveGinzburgLandau(ShareTopology(mesh), options);
     ExpectMinimum(field);
-    const auto found = FindFieldSingularities(mesh, field.edges, field.u);
+    const auto found = FindFieldSingularities({ ShareTopology(mesh), field.u });
     EXPECT_EQ(CountSingularities(found).positive, 4);
     for (const Singularity& place : wanted)
     {
@@ -248,12 +248,12 @@ TEST(GinzburgLandau, PinningHoldsSingularitiesWhereItIsSmall)
 TEST(GinzburgLandau, EpsilonIsALengthWithTheMeanEdgeLengthAsDefault)
 {
   const TriangleMesh mesh = Mesh("disk", 0.2);
-  const GinzburgLandauField field = SolveGinzburgLandau(mesh);
+  const GinzburgLandauField field = SolveGinzburgLandau(ShareTopology(mesh));
   EXPECT_GT(field.epsilon, 0.1);
   EXPECT_LT(field.epsilon, 0.25);
   Similarity scaling;
   scaling.scale = 1e-5;
-  const GinzburgLandauField scaled = SolveGinzburgLandau(scaling(mesh));
+  const GinzburgLandauField scaled = SolveGinzburgLandau(ShareTopology(scaling(mesh)));
   EXPECT_NEAR(scaled.epsilon, 1e-5 * field.epsilon, 1e-12 * field.epsilon);
   EXPECT_NEAR(scaled.energy, field.energy, 1e-6 * field.energy);
 }
@@ -274,13 +274,13 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
   GinzburgLandauOptions options;
   options.epsilon = 0.1;
   options.maximumIterations = 2;
-  const GinzburgLandauField field = SolveGinzburgLandau(Mesh("disk", 0.1), options);
+  const GinzburgLandauField field = SolveGinzburgLandau(ShareTopology(Mesh("disk", 0.1)), options);
   EXPECT_FALSE(field.converged);
   EXPECT_EQ(field.iterations, 2);
   EXPECT_GT(field.residual, 1e-10);
   int calls = 0;
   EXPECT_THROW(
-    SolveGinzburgLandau(Mesh("disk", 0.1), {}, Progress([&calls](double) { return ++calls < 5; })),
+    SolveGinzburgLandau(ShareTopology(Mesh("disk", 0.1)), {}, Progress([&calls](double) { return ++calls < 5; })),
     Aborted);
   EXPECT_EQ(calls, 5);
 }
@@ -288,15 +288,15 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
 TEST(GinzburgLandau, RefusesWhatMakesNoSense)
 {
   const TriangleMesh drilled = DrillHoles(Builtin("disk"), OnCircle(4, 0.6, 0.0, 1, 0.1));
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(drilled); }, { "has holes", "drilled without" }));
+  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(drilled)); }, { "has holes", "drilled without" }));
   const TriangleMesh mesh = Mesh("disk", 0.2);
   GinzburgLandauOptions options;
   options.start = GinzburgLandauStart::Given;
   options.given = ComplexVector::Ones(3);
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(mesh, options); }, { "start from", "3 values" }));
+  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "start from", "3 values" }));
   options = {};
   options.epsilon = -0.1;
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(mesh, options); }, { "epsilon", "positive" }));
+  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "epsilon", "positive" }));
 }
 }
 }

@@ -33,7 +33,7 @@ public:
 
   GinzburgLandauEnergy Energy(const GinzburgLandauPinning& pinning = {}) const
   {
-    return GinzburgLandauEnergy(this->Mesh, this->Edges, Epsilon, pinning);
+    return GinzburgLandauEnergy(MeshTopology(this->Mesh), Epsilon, pinning);
   }
 
   ComplexVector RandomField(const GinzburgLandauEnergy& energy)
@@ -184,7 +184,7 @@ TEST_F(GinzburgLandauEnergyTest, PenaltyOfASmoothFieldConvergesWithTheSecondOrde
       u[e] = std::pow(Midpoint(mesh, edges, e).x(), 2);
     }
     sizes.push_back(size);
-    errors.push_back(std::abs(GinzburgLandauEnergy(mesh, edges, Epsilon).PenaltyPart(u) - exact));
+    errors.push_back(std::abs(GinzburgLandauEnergy(MeshTopology(mesh), Epsilon).PenaltyPart(u) - exact));
   }
   EXPECT_GT(ConvergenceRate(sizes, errors), 1.8);
 }
@@ -220,7 +220,7 @@ TEST_F(GinzburgLandauEnergyTest, ScalingTheDomainWithEpsilonChangesNothing)
   Similarity scaling;
   scaling.scale = 1e4;
   const TriangleMesh large = scaling(this->Mesh);
-  const GinzburgLandauEnergy scaled(large, this->Edges, Epsilon * scaling.scale);
+  const GinzburgLandauEnergy scaled(MeshTopology(large), Epsilon * scaling.scale);
   EXPECT_NEAR(scaled.Value(u), energy.Value(u), 1e-9 * energy.Value(u));
   EXPECT_LT((scaled.Gradient(u) - energy.Gradient(u)).norm(), 1e-9 * energy.Gradient(u).norm());
 }
@@ -230,7 +230,7 @@ TEST_F(GinzburgLandauEnergyTest, RefusesWhatMakesNoSense)
   for (const double epsilon : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
     EXPECT_TRUE(Refuses(
-      [&] { GinzburgLandauEnergy(this->Mesh, this->Edges, epsilon); }, { "epsilon", "positive" }));
+      [&] { GinzburgLandauEnergy(MeshTopology(this->Mesh), epsilon); }, { "epsilon", "positive" }));
   }
   const auto triangles = static_cast<Eigen::Index>(this->Mesh.triangles.size());
   GinzburgLandauPinning pinning;

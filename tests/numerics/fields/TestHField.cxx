@@ -1,7 +1,7 @@
 #include "HField.h"
 
 #include "DrillHoles.h"
-#include "PerforatedProblem.h"
+#include "Alignment.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -64,7 +64,7 @@ TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configurati
 std::array<Point, 2> Slopes(const TriangleMesh& mesh, const HField& field, std::size_t t)
 {
   const auto& v = mesh.triangles[t];
-  const auto& e = field.field.edges.ofTriangle[t];
+  const auto& e = field.field.topology->edges.ofTriangle[t];
   const Point a =
     mesh.points[static_cast<std::size_t>(v[1])] - mesh.points[static_cast<std::size_t>(v[0])];
   const Point b =
@@ -88,7 +88,7 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
   for (const double size : { 0.08, 0.056, 0.04, 0.028 })
   {
     const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
-    const HField field = SolveHField(mesh, Five);
+    const HField field = SolveHField(ShareTopology(mesh), Five);
     double error = 0.0;
     double awayError = 0.0;
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -101,13 +101,13 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
       awayError = std::max(awayError, away ? here : 0.0);
     }
     double crossError = 0.0;
-    for (int e = 0; e < field.field.edges.Count(); ++e)
+    for (int e = 0; e < field.field.topology->edges.Count(); ++e)
     {
       // The boundary's edges have the directions of the polygon, not of the circle.
-      if (field.field.edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
+      if (field.field.topology->edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
       {
         crossError = std::max(crossError,
-          std::abs(field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.edges, e))));
+          std::abs(field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.topology->edges, e))));
       }
     }
     sizes.push_back(size);
@@ -135,14 +135,14 @@ TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
     Mesh(Builtin("l-shape"), 0.04, { { { 0.2, 0.3 }, 1, 0.05 }, { { 0.7, 0.2 }, -1, 0.05 } }) };
   for (const TriangleMesh& mesh : meshes)
   {
-    const HField field = SolveHField(mesh, {});
-    const PerforatedProblem problem(mesh);
+    const HField field = SolveHField(ShareTopology(mesh), {});
+    const PotentialProblem problem = ProblemOn(mesh);
     const UnitNormField unit = SolveUnitNorm(problem);
     EXPECT_LT((field.field.u - unit.u).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_EQ(field.field.energy, unit.energy);
     EXPECT_EQ(field.field.holonomyDefect, unit.holonomyDefect);
     // H is one constant on every hole.
-    for (const BoundaryLoop& loop : problem.loops)
+    for (const BoundaryLoop& loop : problem.Topology().loops)
     {
       if (loop.kind == BoundaryKind::Hole)
       {
@@ -163,7 +163,7 @@ TEST(HField, ConjugateEnergiesAgree)
 {
   // docs/method.md §2: the phase energy from CR values against the potential energy from P1 values.
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.05), 0.05, OnCircle(4, 0.6, 0.3, 1, 0.1));
-  const HField field = SolveHField(mesh, {});
+  const HField field = SolveHField(ShareTopology(mesh), {});
   double phaseEnergy = 0.0;
   double potentialEnergy = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -179,7 +179,7 @@ TEST(HField, ConjugateEnergiesAgree)
 TEST(HField, OnARingItIsTheLogarithm)
 {
   const TriangleMesh mesh = Mesh(Builtin("ring", 0.03), 0.03);
-  const HField field = SolveHField(mesh, {});
+  const HField field = SolveHField(ShareTopology(mesh), {});
   // ∫ log r over the ring by its area.
   const auto primitive = [](double r) { return r * r * (0.5 * std::log(r) - 0.25); };
   const double mean = 2.0 * (primitive(1.0) - primitive(0.4)) / (1.0 - 0.16);
@@ -199,7 +199,7 @@ TEST(HField, CornersCarryIndicesLikePointsInside)
   const PlanarDomain square = Builtin("square");
   const TriangleMesh mesh = Mesh(square, 0.03);
   const Configuration given = { { { 0.0, 0.0 }, 0, 0.0 }, { { 0.7, 0.6 }, 1, 0.0 } };
-  const HField field = SolveHField(mesh, given);
+  const HField field = SolveHField(ShareTopology(mesh), given);
   EXPECT_EQ(field.field.unwantedSingularities, 0);
   int chosen = 0;
   for (const CountedCorner& corner : field.field.count.corners)
@@ -232,7 +232,7 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
   for (const double size : { 0.03, 0.015 })
   {
     const TriangleMesh mesh = Mesh(Builtin("l-shape"), size);
-    const HField field = SolveHField(mesh, pair);
+    const HField field = SolveHField(ShareTopology(mesh), pair);
     const auto away = [&](const Point& point)
     {
       return (point - pair[0].position).norm() > 0.12 && (point - pair[1].position).norm() > 0.12 &&
@@ -253,9 +253,9 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
       const auto& ends = mesh.boundary[i].vertices;
       const Point from = mesh.points[static_cast<std::size_t>(ends[0])];
       const Point along = (mesh.points[static_cast<std::size_t>(ends[1])] - from).normalized();
-      const int edge = field.field.edges.ofBoundary[i];
+      const int edge = field.field.topology->edges.ofBoundary[i];
       const auto triangle =
-        static_cast<std::size_t>(field.field.edges.triangles[static_cast<std::size_t>(edge)][0]);
+        static_cast<std::size_t>(field.field.topology->edges.triangles[static_cast<std::size_t>(edge)][0]);
       if (away(from))
       {
         const Point slope = Slopes(mesh, field, triangle)[0];
@@ -272,18 +272,18 @@ TEST(HField, TurningScalingAndRenumberingChangeNothing)
 {
   Random random(7);
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.08), 0.08);
-  const HField plain = SolveHField(mesh, Five);
+  const HField plain = SolveHField(ShareTopology(mesh), Five);
   for (const double scale : { 1e-6, 1.0, 1e6 })
   {
     const Similarity move{ random.Uniform(-Pi, Pi), scale, scale * Point(1.0, -2.0) };
-    const HField field = SolveHField(move(mesh), move(Five));
+    const HField field = SolveHField(ShareTopology(move(mesh)), move(Five));
     EXPECT_LT((field.h - plain.h).cwiseAbs().maxCoeff(), 1e-7);
     EXPECT_EQ(field.field.unwantedSingularities, 0);
     // W changes by the logarithm of the scale.
     EXPECT_NEAR(
       field.renormalizedEnergy, plain.renormalizedEnergy + Pi * 8.0 * std::log(scale), 1e-6);
   }
-  const HField renumbered = SolveHField(Renumber(mesh, random), Five);
+  const HField renumbered = SolveHField(ShareTopology(Renumber(mesh, random)), Five);
   EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
 }
 
@@ -310,7 +310,7 @@ TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
   const Configuration on = { { mesh.points[static_cast<std::size_t>(vertex)], 1, 0.0 },
     { Midpoint(mesh, edges, edge), 1, 0.0 }, { { -0.5, 0.4 }, 1, 0.0 },
     { { -0.2, -0.5 }, 1, 0.0 } };
-  const HField field = SolveHField(mesh, on);
+  const HField field = SolveHField(ShareTopology(mesh), on);
   EXPECT_TRUE(field.h.allFinite());
   EXPECT_TRUE(field.field.u.allFinite());
   EXPECT_EQ(field.field.unwantedSingularities, 0);
@@ -321,30 +321,30 @@ TEST(HField, RefusesWhatHasNoSolution)
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
   EXPECT_TRUE(Refuses(
     [&] {
-      SolveHField(mesh, { { { 0.1, 0.2 }, 3, 0.0 } });
+      SolveHField(ShareTopology(mesh), { { { 0.1, 0.2 }, 3, 0.0 } });
     },
     { "add up to 3", "asks for 4" }, Error::Kind::Inconsistent));
   EXPECT_TRUE(Refuses(
     [&] {
-      SolveHField(mesh, { { { 1.3, 0.2 }, 4, 0.0 } });
+      SolveHField(ShareTopology(mesh), { { { 1.3, 0.2 }, 4, 0.0 } });
     },
     { "singularity 0", "outside the domain" }));
   EXPECT_TRUE(Refuses(
     [&] {
-      SolveHField(mesh, { { { std::nan(""), 0.2 }, 4, 0.0 } });
+      SolveHField(ShareTopology(mesh), { { { std::nan(""), 0.2 }, 4, 0.0 } });
     },
     { "Row 0", "not a finite number" }));
   EXPECT_TRUE(Refuses(
     [&] {
-      SolveHField(mesh, { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } });
+      SolveHField(ShareTopology(mesh), { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } });
     },
     { "Singularities 0 and 1", "same place", "(0.1, 0.2)" }));
   const Configuration holes = OnCircle(4, 0.6, 0.3, 1, 0.1);
   const TriangleMesh drilled = Mesh(Builtin("disk", 0.1), 0.1, holes);
-  EXPECT_NO_THROW(SolveHField(drilled, holes));
+  EXPECT_NO_THROW(SolveHField(ShareTopology(drilled), holes));
   EXPECT_TRUE(Refuses(
     [&] {
-      SolveHField(drilled, { { { 0.0, 0.0 }, 1, 0.0 } });
+      SolveHField(ShareTopology(drilled), { { { 0.0, 0.0 }, 1, 0.0 } });
     },
     { "has holes", "(0, 0)" }));
 }

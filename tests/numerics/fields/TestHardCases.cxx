@@ -1,5 +1,5 @@
 #include "ConjugateField.h"
-#include "ConstrainedField.h"
+#include "PotentialReduction.h"
 #include "DirectPerforatedSolve.h"
 #include "DualSolve.h"
 #include "HardCases.h"
@@ -35,20 +35,20 @@ double PhaseEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges, const C
 void ExpectSolved(const HardCase& hard)
 {
   SCOPED_TRACE(hard.name);
-  const CrossField constrained = SolvePerforated(hard.mesh);
+  const SolvedField constrained = SolvePerforated(ShareTopology(hard.mesh));
   EXPECT_TRUE(constrained.converged) << constrained.residual;
   EXPECT_EQ(constrained.wrongDegrees, 0);
   EXPECT_LE(constrained.residual, 1e-10);
 
   PerforatedOptions options;
   options.method = PerforatedMethod::UnitNorm;
-  const CrossField unitNorm = SolvePerforated(hard.mesh, options);
+  const SolvedField unitNorm = SolvePerforated(ShareTopology(hard.mesh), options);
   EXPECT_TRUE(unitNorm.converged) << unitNorm.residual;
   EXPECT_EQ(unitNorm.wrongDegrees, 0);
   EXPECT_EQ(unitNorm.unwantedSingularities, 0);
   // The phase of the Crouzeix-Raviart field and the P1 potential have one energy (docs/method.md §2).
   EXPECT_NEAR(
-    PhaseEnergy(hard.mesh, unitNorm.edges, unitNorm.u), unitNorm.energy, 1e-10 * unitNorm.energy);
+    PhaseEnergy(hard.mesh, unitNorm.topology->edges, unitNorm.u), unitNorm.energy, 1e-10 * unitNorm.energy);
   // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because
   // 2 − 2 cos δ ≤ δ² for every step of the phase.
   if (!constrained.unitHoles)
@@ -61,14 +61,14 @@ void ExpectSolved(const HardCase& hard)
 void ExpectSameAsDirect(const HardCase& hard)
 {
   SCOPED_TRACE(hard.name);
-  const PerforatedProblem problem(hard.mesh);
-  const ConstrainedSolver solver(problem);
+  const PotentialProblem problem = ProblemOn(hard.mesh);
+  const PotentialReduction solver(problem);
   // As far as rounding goes: the comparison is of the two forms, not of where iterations stop.
-  ReducedOptions options;
+  MinimiserOptions options;
   options.tolerance = 1e-14;
-  const ReducedSolution solution = SolveReduced(solver.GetReducedProblem(), options);
-  const ConstrainedField reduced = solver.Recover(solution);
-  const CrossField direct = SolvePerforatedDirectly(hard.mesh, options);
+  const MinimiserResult solution = SolveReduced(solver.GetReducedProblem(), options);
+  const RecoveredField reduced = solver.Recover(solution.x);
+  const SolvedField direct = SolvePerforatedDirectly(hard.mesh, options);
   if (solution.residual > 1e-10 || direct.residual > 1e-10)
   {
     // The dual has no maximum: both must find that out.

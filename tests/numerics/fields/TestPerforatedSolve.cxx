@@ -1,3 +1,4 @@
+#include "DegreeConstraint.h"
 #include "DrillHoles.h"
 #include "MakePlanarDomain.h"
 #include "PerforatedSolve.h"
@@ -46,14 +47,14 @@ TEST(PerforatedSolve, EveryBoundaryEdgeIsAlignedExactly)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    const CrossField field = SolvePerforated(mesh);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh));
     ASSERT_TRUE(field.converged) << field.residual;
     for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
     {
       const auto& [from, to] = mesh.boundary[i].vertices;
       if (mesh.boundary[i].kind != BoundaryKind::Hole)
       {
-        EXPECT_EQ(field.u[field.edges.ofBoundary[i]],
+        EXPECT_EQ(field.u[field.topology->edges.ofBoundary[i]],
           AlignedRepresentation(mesh.points[to] - mesh.points[from]));
       }
     }
@@ -67,14 +68,14 @@ TEST(PerforatedSolve, OptimalityConditionsHoldOnEveryEdge)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    const CrossField field = SolvePerforated(mesh);
-    const ComplexVector residual = CrouzeixRaviartStiffness(mesh, field.edges) * field.u;
+    const SolvedField field = SolvePerforated(ShareTopology(mesh));
+    const ComplexVector residual = CrouzeixRaviartStiffness(mesh, field.topology->edges) * field.u;
     ComplexVector expected = ComplexVector::Zero(residual.size());
     std::size_t hole = 0;
     for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
     {
       const auto m = static_cast<int>(loop.edges.size());
-      const auto number = [&](int j) { return field.edges.ofBoundary[loop.edges[(j + m) % m]]; };
+      const auto number = [&](int j) { return field.topology->edges.ofBoundary[loop.edges[(j + m) % m]]; };
       double sum = 0.0;
       Loop midpoints;
       for (int j = 0; j < m; ++j)
@@ -86,7 +87,7 @@ TEST(PerforatedSolve, OptimalityConditionsHoldOnEveryEdge)
         }
         const Complex difference = field.u[number(j + 1)] - field.u[number(j - 1)];
         sum += 0.5 * (std::conj(field.u[number(j)]) * difference).imag();
-        midpoints.push_back(Midpoint(mesh, field.edges, number(j)));
+        midpoints.push_back(Midpoint(mesh, field.topology->edges, number(j)));
         expected[number(j)] = Complex(0.0, field.multipliers[hole]) * difference;
       }
       if (loop.kind == BoundaryKind::Hole)
@@ -108,7 +109,7 @@ TEST(PerforatedSolve, HolesHaveTheirDegrees)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    const CrossField field = SolvePerforated(mesh);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh));
     std::vector<int> prescribed;
     for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
     {
@@ -127,7 +128,7 @@ TEST(PerforatedSolve, HolesHaveTheirDegrees)
   }
 }
 
-void ExpectSameField(const CrossField& moved, const CrossField& plain, double tolerance)
+void ExpectSameField(const SolvedField& moved, const SolvedField& plain, double tolerance)
 {
   EXPECT_NEAR(moved.energy, plain.energy, tolerance * (1.0 + plain.energy));
   ASSERT_EQ(moved.multipliers.size(), plain.multipliers.size());
@@ -147,11 +148,11 @@ TEST(PerforatedSolve, TurningAndScalingTheMeshTurnsTheField)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    const CrossField plain = SolvePerforated(mesh);
+    const SolvedField plain = SolvePerforated(ShareTopology(mesh));
     for (const double scale : { 1e-6, 1.0, 1e6 })
     {
       const Similarity move{ random.Uniform(-Pi, Pi), scale, scale * Point(0.3, -0.8) };
-      const CrossField moved = SolvePerforated(move(mesh));
+      const SolvedField moved = SolvePerforated(ShareTopology(move(mesh)));
       ExpectSameField(moved, plain, 1e-10);
       // The representation turns four times as far.
       const ComplexVector turned = std::polar(1.0, 4.0 * move.angle) * plain.u;
@@ -166,14 +167,14 @@ TEST(PerforatedSolve, TheNumberingOfTheMeshDoesNotMatter)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    ExpectSameField(SolvePerforated(Renumber(mesh, random)), SolvePerforated(mesh), 1e-10);
+    ExpectSameField(SolvePerforated(ShareTopology(Renumber(mesh, random))), SolvePerforated(ShareTopology(mesh)), 1e-10);
   }
 }
 
 TEST(PerforatedSolve, TwoRunsGiveTheSameFieldToTheLastBit)
 {
   const TriangleMesh mesh = Cases()[0].mesh;
-  EXPECT_EQ(SolvePerforated(mesh).u, SolvePerforated(mesh).u);
+  EXPECT_EQ(SolvePerforated(ShareTopology(mesh)).u, SolvePerforated(ShareTopology(mesh)).u);
 }
 
 TEST(PerforatedSolve, TurningDomainAndHolesChangesTheEnergyByMeshNoiseOnly)
@@ -182,7 +183,7 @@ TEST(PerforatedSolve, TurningDomainAndHolesChangesTheEnergyByMeshNoiseOnly)
   const PlanarDomain disk = Builtin("disk", 0.05);
   const Configuration holes = OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1);
   const auto energy = [](const PlanarDomain& domain, const Configuration& configuration)
-  { return SolvePerforated(Drill(domain, configuration, 0.05)).energy; };
+  { return SolvePerforated(ShareTopology(Drill(domain, configuration, 0.05))).energy; };
   const double plain = energy(disk, holes);
   for (int trial = 0; trial < 3; ++trial)
   {
@@ -195,12 +196,12 @@ TEST(PerforatedSolve, TurningDomainAndHolesChangesTheEnergyByMeshNoiseOnly)
 
 TEST(PerforatedSolve, WithoutHolesItIsTheHarmonicField)
 {
-  const CrossField field = SolvePerforated(Cases()[2].mesh);
+  const SolvedField field = SolvePerforated(ShareTopology(Cases()[2].mesh));
   EXPECT_TRUE(field.converged);
   EXPECT_EQ(field.iterations, 0);
   EXPECT_TRUE(field.multipliers.empty());
   // A square asks for the constant cross, of energy zero.
-  const CrossField constant = SolvePerforated(Drill(Builtin("square"), {}));
+  const SolvedField constant = SolvePerforated(ShareTopology(Drill(Builtin("square"), {})));
   EXPECT_NEAR(constant.energy, 0.0, 1e-12);
   EXPECT_LE((constant.u - ComplexVector::Ones(constant.u.size())).lpNorm<Eigen::Infinity>(), 1e-10);
 }
@@ -213,7 +214,7 @@ TEST(PerforatedSolve, PrintsNothing)
     SCOPED_TRACE(name);
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    SolvePerforated(mesh);
+    SolvePerforated(ShareTopology(mesh));
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   }
@@ -226,7 +227,7 @@ TEST(PerforatedSolve, RightAngledDomainsAreSolved)
   options.meshSize = 0.04;
   const TriangleMesh mesh = DrillHoles(
     Builtin("square"), { { { 0.3, 0.35 }, 1, 0.06 }, { { 0.7, 0.6 }, -1, 0.06 } }, options);
-  const CrossField field = SolvePerforated(mesh);
+  const SolvedField field = SolvePerforated(ShareTopology(mesh));
   EXPECT_TRUE(field.converged) << field.residual;
   ASSERT_EQ(field.holes.size(), 2u);
   EXPECT_EQ(field.holes[0].degree, 1);
@@ -240,14 +241,14 @@ TEST(PerforatedSolve, TheHarmonicStartLeadsToTheLowestEnergyAndUnitHolesToTheHig
     SCOPED_TRACE(name);
     PerforatedOptions options;
     options.start = PerforatedStart::Harmonic;
-    const CrossField harmonic = SolvePerforated(mesh, options);
+    const SolvedField harmonic = SolvePerforated(ShareTopology(mesh), options);
     options.start = PerforatedStart::UnitNorm;
-    const CrossField local = SolvePerforated(mesh, options);
+    const SolvedField local = SolvePerforated(ShareTopology(mesh), options);
     options.unitHoles = true;
-    const CrossField unit = SolvePerforated(mesh, options);
+    const SolvedField unit = SolvePerforated(ShareTopology(mesh), options);
     options.method = PerforatedMethod::UnitNorm;
-    const CrossField everywhere = SolvePerforated(mesh, options);
-    for (const CrossField* field : { &harmonic, &local, &unit, &everywhere })
+    const SolvedField everywhere = SolvePerforated(ShareTopology(mesh), options);
+    for (const SolvedField* field : { &harmonic, &local, &unit, &everywhere })
     {
       ASSERT_TRUE(field->converged) << field->residual;
     }
@@ -271,7 +272,7 @@ TEST(PerforatedSolve, RefusesASumAgainstPoincareHopfWithBothNumbers)
                          const std::string& given, const std::string& wanted)
   {
     const TriangleMesh mesh = Drill(domain, holes);
-    return Refuses([&] { SolvePerforated(mesh); },
+    return Refuses([&] { SolvePerforated(ShareTopology(mesh)); },
       { "add up to " + given, "Poincaré-Hopf", "asks for " + wanted }, Error::Kind::Inconsistent);
   };
   EXPECT_TRUE(refused(Builtin("disk"), OnCircle(3, 0.6, 0.0, 1, 0.1), "3", "4"));
@@ -291,14 +292,14 @@ TEST(PerforatedSolve, RefusesAHoleWithTooFewEdges)
     edge.quarterIndex = edge.kind == BoundaryKind::Hole ? 4 : 0;
   }
   ASSERT_EQ(FindBoundaryLoops(mesh).back().edges.size(), 8u);
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(mesh); }, { "8 edges", "at least 9 edges" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh)); }, { "8 edges", "at least 9 edges" }));
 }
 
 TEST(PerforatedSolve, ReportsWhatDidNotConvergeInsteadOfThrowing)
 {
   PerforatedOptions hurried;
   hurried.reduced.maximumIterations = 1;
-  const CrossField field = SolvePerforated(Cases()[0].mesh, hurried);
+  const SolvedField field = SolvePerforated(ShareTopology(Cases()[0].mesh), hurried);
   EXPECT_FALSE(field.converged);
   EXPECT_EQ(field.iterations, 1);
   EXPECT_GT(field.residual, hurried.reduced.tolerance);
@@ -308,7 +309,7 @@ TEST(PerforatedSolve, ReportsProgressUpwardsAndStopsWhenAsked)
 {
   const TriangleMesh mesh = Cases()[0].mesh;
   std::vector<double> fractions;
-  SolvePerforated(mesh, {},
+  SolvePerforated(ShareTopology(mesh), {},
     Progress(
       [&](double fraction)
       {
@@ -323,7 +324,7 @@ TEST(PerforatedSolve, ReportsProgressUpwardsAndStopsWhenAsked)
   {
     std::size_t reports = 0;
     const Progress stop([&](double) { return reports++ < last; });
-    EXPECT_THROW(SolvePerforated(mesh, {}, stop), Aborted);
+    EXPECT_THROW(SolvePerforated(ShareTopology(mesh), {}, stop), Aborted);
   }
 }
 }

@@ -10,11 +10,11 @@ namespace crossfield::test
 {
 namespace
 {
-CrossField SolveOnDisk(const Configuration& holes)
+SolvedField SolveOnDisk(const Configuration& holes)
 {
   DrillOptions options;
   options.meshSize = 0.05;
-  return SolvePerforated(DrillHoles(Builtin("disk", 0.05), holes, options));
+  return SolvePerforated(ShareTopology(DrillHoles(Builtin("disk", 0.05), holes, options)));
 }
 
 Configuration Joined(Configuration first, const Configuration& second)
@@ -25,7 +25,7 @@ Configuration Joined(Configuration first, const Configuration& second)
 
 TEST(PerforatedSolveReference, FourHolesOnTheDisk)
 {
-  const CrossField field = SolveOnDisk(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1));
+  const SolvedField field = SolveOnDisk(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1));
   EXPECT_TRUE(field.converged);
   EXPECT_NEAR(field.energy, 20.71, 0.02 * 20.71);
   EXPECT_LE(field.iterations, 13);
@@ -45,7 +45,7 @@ TEST(PerforatedSolveReference, OtherConfigurationsOnTheDisk)
 {
   const auto expectEnergy = [](const Configuration& holes, double energy)
   {
-    const CrossField field = SolveOnDisk(holes);
+    const SolvedField field = SolveOnDisk(holes);
     EXPECT_TRUE(field.converged);
     EXPECT_NEAR(field.energy, energy, 0.02 * energy);
     for (std::size_t i = 0; i < holes.size(); ++i)
@@ -77,7 +77,7 @@ TEST(PerforatedSolveReference, CentralHoleConvergesAtSecondOrder)
     options.minimumHoleEdges = sides;
     const TriangleMesh mesh =
       DrillHoles(Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
-    const CrossField field = SolvePerforated(mesh);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh));
     ASSERT_TRUE(field.converged);
     ASSERT_EQ(field.holes.size(), 1u);
     EXPECT_EQ(field.holes[0].degree, 4);
@@ -107,7 +107,7 @@ TEST(PerforatedSolveReference, RingWithoutHolesConvergesAtSecondOrder)
   {
     DrillOptions options;
     options.meshSize = size;
-    const CrossField field = SolvePerforated(DrillHoles(Builtin("ring", size), {}, options));
+    const SolvedField field = SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", size), {}, options)));
     sizes.push_back(size);
     errors.push_back(std::abs(field.energy - exact));
   }
@@ -122,7 +122,7 @@ TEST(PerforatedSolveReference, RingWithFourPairs)
   options.meshSize = 0.04;
   const Configuration holes =
     Joined(OnCircle(4, 0.7, 0.0, 1, 0.05), OnCircle(4, 0.7, 0.25 * Pi, -1, 0.05));
-  const CrossField field = SolvePerforated(DrillHoles(Builtin("ring", 0.04), holes, options));
+  const SolvedField field = SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", 0.04), holes, options)));
   ASSERT_TRUE(field.converged);
   EXPECT_EQ(field.count.requiredInteriorQuarters, 0);
   for (std::size_t i = 0; i < holes.size(); ++i)

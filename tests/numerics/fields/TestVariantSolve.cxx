@@ -1,10 +1,11 @@
 // The variants of the constrained solve, docs/method.md §3: identities and invariances.
-#include "ConstrainedField.h"
+#include "PotentialReduction.h"
 #include "DualSolve.h"
-#include "EdgeReduction.h"
+#include "DirectReduction.h"
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
 #include "PenalisedField.h"
+#include "PerforatedSolve.h"
 #include "Support.h"
 #include "VariantSolve.h"
 
@@ -28,14 +29,14 @@ PerforatedOptions Penalty(double epsilon)
 }
 
 /// ½ uᴴ K u.
-double Energy(const TriangleMesh& mesh, const CrossField& field)
+double Energy(const TriangleMesh& mesh, const SolvedField& field)
 {
-  const ComplexVector elastic = CrouzeixRaviartStiffness(mesh, field.edges) * field.u;
+  const ComplexVector elastic = CrouzeixRaviartStiffness(mesh, field.topology->edges) * field.u;
   return 0.5 * field.u.dot(elastic).real();
 }
 
 /// C of every constrained loop and its target.
-std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const CrossField& field)
+std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const SolvedField& field)
 {
   std::vector<BoundaryLoop> loops = FindImprintedLoops(mesh);
   for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
@@ -50,11 +51,11 @@ std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const C
   {
     double sum = 0.0;
     std::vector<Point> midpoints;
-    const std::vector<int> edges = EdgesOf(loop, field.edges);
+    const std::vector<int> edges = EdgesOf(loop, field.topology->edges);
     for (std::size_t j = 0; j < edges.size(); ++j)
     {
       sum += std::imag(std::conj(field.u[edges[j]]) * field.u[edges[(j + 1) % edges.size()]]);
-      midpoints.push_back(Midpoint(mesh, field.edges, edges[j]));
+      midpoints.push_back(Midpoint(mesh, field.topology->edges, edges[j]));
     }
     degrees.emplace_back(sum, DegreeTarget(midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
@@ -62,20 +63,19 @@ std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const C
 }
 }
 
-TEST(EdgeReduction, AgreesWithTheReductionToVertices)
+TEST(DirectReduction, AgreesWithTheReductionToVertices)
 {
   // docs/method.md §2: the conjugacy is exact, so both Schur complements have the same constrained minimum.
   const TriangleMesh mesh = FourHoles();
-  const CrossField reduced = SolvePerforated(mesh);
-  const EdgeNumbering edges = NumberEdges(mesh);
+  const SolvedField reduced = SolvePerforated(ShareTopology(mesh));
   std::vector<BoundaryLoop> holes = FindBoundaryLoops(mesh);
   holes.erase(std::remove_if(holes.begin(), holes.end(),
                 [](const BoundaryLoop& loop) { return loop.kind != BoundaryKind::Hole; }),
     holes.end());
-  const EdgeReduction reduction(mesh, edges, holes);
-  const ReducedSolution solution = SolveReduced(reduction.GetReducedProblem());
+  const DirectReduction reduction(MeshTopology(mesh), holes);
+  const MinimiserResult solution = SolveReduced(reduction.GetReducedProblem());
   ASSERT_TRUE(solution.converged);
-  const ComplexVector u = reduction.Recover(solution.x);
+  const ComplexVector u = reduction.Recover(solution.x).u;
   EXPECT_LT((u - reduced.u).lpNorm<Eigen::Infinity>(), 1e-7);
   for (std::size_t i = 0; i < reduction.FreePositions().size(); ++i)
   {
@@ -92,8 +92,8 @@ TEST(VariantSolve, UnitNormOnAllHolesIsThatOfThePerforatedSolve)
   all.unitHoles = true;
   PerforatedOptions rows;
   rows.unitHoleRows = { 3, 0, 2, 1 };
-  const CrossField one = SolvePerforated(mesh, all);
-  const CrossField other = SolvePerforated(mesh, rows);
+  const SolvedField one = SolvePerforated(ShareTopology(mesh), all);
+  const SolvedField other = SolvePerforated(ShareTopology(mesh), rows);
   EXPECT_TRUE(other.converged);
   EXPECT_TRUE(other.unitHoles);
   EXPECT_NEAR(other.energy, one.energy, 1e-8 * one.energy);
@@ -105,17 +105,17 @@ TEST(VariantSolve, EveryConstraintCostsEnergy)
   const TriangleMesh mesh = FourHoles();
   PerforatedOptions options;
   options.globalConstraint = true;
-  const CrossField global = SolvePerforated(mesh, options);
-  const CrossField each = SolvePerforated(mesh);
+  const SolvedField global = SolvePerforated(ShareTopology(mesh), options);
+  const SolvedField each = SolvePerforated(ShareTopology(mesh));
   options = PerforatedOptions();
   options.unitHoleRows = { 1 };
-  const CrossField oneUnit = SolvePerforated(mesh, options);
+  const SolvedField oneUnit = SolvePerforated(ShareTopology(mesh), options);
   options.unitHoleRows = { 1, 2 };
-  const CrossField twoUnit = SolvePerforated(mesh, options);
+  const SolvedField twoUnit = SolvePerforated(ShareTopology(mesh), options);
   EXPECT_LE(global.energy, each.energy * (1.0 + 1e-10));
   EXPECT_LT(each.energy, oneUnit.energy);
   EXPECT_LT(oneUnit.energy, twoUnit.energy);
-  for (const CrossField* field : { &global, &each, &oneUnit, &twoUnit })
+  for (const SolvedField* field : { &global, &each, &oneUnit, &twoUnit })
   {
     EXPECT_TRUE(field->converged);
     EXPECT_EQ(field->wrongDegrees, 0);
@@ -140,7 +140,7 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
 {
   Random random(421);
   const TriangleMesh mesh = FourHoles(0.1, DrillMode::Imprint);
-  const CrossField field = SolvePerforated(mesh);
+  const SolvedField field = SolvePerforated(ShareTopology(mesh));
   ASSERT_TRUE(field.converged);
   EXPECT_TRUE(field.degreesReached);
   EXPECT_EQ(field.unwantedSingularities, 0);
@@ -149,10 +149,10 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
   {
     EXPECT_NEAR(value, target, 1e-8);
   }
-  const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.edges);
+  const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.topology->edges);
   const ComplexVector forces = stiffness * field.u;
-  std::vector<bool> held(static_cast<std::size_t>(field.edges.Count()), false);
-  for (const auto* numbers : { &field.edges.ofBoundary, &field.edges.ofImprinted })
+  std::vector<bool> held(static_cast<std::size_t>(field.topology->edges.Count()), false);
+  for (const auto* numbers : { &field.topology->edges.ofBoundary, &field.topology->edges.ofImprinted })
   {
     for (const int edge : *numbers)
     {
@@ -160,21 +160,21 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
     }
   }
   double onCircles = 0.0;
-  for (int edge = 0; edge < field.edges.Count(); ++edge)
+  for (int edge = 0; edge < field.topology->edges.Count(); ++edge)
   {
     if (!held[static_cast<std::size_t>(edge)])
     {
       EXPECT_LT(std::abs(forces[edge]), 1e-9);
     }
   }
-  for (const int edge : field.edges.ofImprinted)
+  for (const int edge : field.topology->edges.ofImprinted)
   {
     onCircles = std::max(onCircles, std::abs(forces[edge]));
   }
   EXPECT_GT(onCircles, 1e-3);
 
   // Feasible fields nearby have more energy: a scaled perturbation of each circle.
-  const EdgeReduction reduction(mesh, field.edges, FindImprintedLoops(mesh));
+  const DirectReduction reduction(*field.topology, FindImprintedLoops(mesh));
   const ReducedProblem& reduced = reduction.GetReducedProblem();
   for (int trial = 0; trial < 20; ++trial)
   {
@@ -193,7 +193,7 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
         x[unknown] *= ratio;
       }
     }
-    const ComplexVector u = reduction.Recover(x);
+    const ComplexVector u = reduction.Recover(x).u;
     EXPECT_GT(0.5 * u.dot(ComplexVector(stiffness * u)).real(), field.energy);
   }
 }
@@ -201,12 +201,12 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
 TEST(VariantSolve, ThePenaltyIsAMinimumUnderTheConstraints)
 {
   const TriangleMesh mesh = FourHoles();
-  const double free = SolvePerforated(mesh).energy;
+  const double free = SolvePerforated(ShareTopology(mesh)).energy;
   double previous = free;
   for (const double epsilon : { 100.0, 0.4, 0.1, 0.05 })
   {
     SCOPED_TRACE(epsilon);
-    const CrossField field = SolvePerforated(mesh, Penalty(epsilon));
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), Penalty(epsilon));
     EXPECT_TRUE(field.converged);
     EXPECT_LT(field.residual, 1e-10);
     EXPECT_TRUE(field.degreesReached);
@@ -225,10 +225,10 @@ TEST(VariantSolve, ThePenaltyIsAMinimumUnderTheConstraints)
       EXPECT_NEAR(field.energy, free, 1e-3 * free);
     }
     // Stationary off the holes.
-    const GinzburgLandauEnergy energy(mesh, field.edges, epsilon);
+    const GinzburgLandauEnergy energy(*field.topology, epsilon);
     const Eigen::VectorXd gradient = energy.Gradient(field.u);
-    std::vector<bool> onHole(static_cast<std::size_t>(field.edges.Count()), false);
-    for (const int edge : field.edges.ofBoundary)
+    std::vector<bool> onHole(static_cast<std::size_t>(field.topology->edges.Count()), false);
+    for (const int edge : field.topology->edges.ofBoundary)
     {
       onHole[static_cast<std::size_t>(edge)] = true;
     }
@@ -249,7 +249,7 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
   {
     const TriangleMesh mesh = FourHoles(0.12, mode);
     const PerforatedOptions options = Penalty(mode == DrillMode::Perforate ? 0.1 : 0.0);
-    const CrossField field = SolvePerforated(mesh, options);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
     ASSERT_TRUE(field.converged);
     for (const double scale : { 1e-6, 1e6 })
     {
@@ -261,7 +261,7 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
       }
       PerforatedOptions scaled = options;
       scaled.epsilon *= scale;
-      const CrossField other = SolvePerforated(moved, scaled);
+      const SolvedField other = SolvePerforated(ShareTopology(moved), scaled);
       EXPECT_TRUE(other.converged);
       EXPECT_NEAR(other.energy, field.energy, 1e-7 * field.energy);
       EXPECT_EQ(other.unwantedSingularities, field.unwantedSingularities);
@@ -270,7 +270,7 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
     std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
     random.Shuffle(shuffled.imprinted);
     random.Shuffle(shuffled.boundary);
-    const CrossField other = SolvePerforated(shuffled, options);
+    const SolvedField other = SolvePerforated(ShareTopology(shuffled), options);
     EXPECT_NEAR(other.energy, field.energy, 1e-9 * field.energy);
   }
 }
@@ -279,14 +279,14 @@ TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
 {
   // Both minimise the same functional from the harmonic field, by engines of their own.
   const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.1), {}, 0.1);
-  const CrossField field = SolvePerforated(mesh, Penalty(0.1));
+  const SolvedField field = SolvePerforated(ShareTopology(mesh), Penalty(0.1));
   GinzburgLandauOptions options;
   options.epsilon = 0.1;
-  const GinzburgLandauField reference = SolveGinzburgLandau(mesh, options);
+  const GinzburgLandauField reference = SolveGinzburgLandau(ShareTopology(mesh), options);
   EXPECT_TRUE(field.converged && reference.converged);
   EXPECT_NEAR(field.energy, reference.energy, 1e-9 * reference.energy);
   EXPECT_LT((field.u - reference.u).lpNorm<Eigen::Infinity>(), 1e-6);
-  const CrossField disk = SolvePerforated(DrillMesh(Builtin("disk", 0.1), {}, 0.1), Penalty(0.1));
+  const SolvedField disk = SolvePerforated(ShareTopology(DrillMesh(Builtin("disk", 0.1), {}, 0.1)), Penalty(0.1));
   EXPECT_TRUE(disk.converged);
   EXPECT_EQ(disk.unwantedSingularities, 4);
 }
@@ -297,21 +297,21 @@ TEST(VariantSolve, RefusesWhatCannotBeCombined)
   const TriangleMesh circles = FourHoles(0.2, DrillMode::Imprint);
   PerforatedOptions unitNorm;
   unitNorm.method = PerforatedMethod::UnitNorm;
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(circles, unitNorm); }, { "needs holes", "imprinted" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(circles), unitNorm); }, { "needs holes", "imprinted" }));
   unitNorm.globalConstraint = true;
   EXPECT_TRUE(
-    Refuses([&] { SolvePerforated(holes, unitNorm); }, { "belong to the constrained method" }));
+    Refuses([&] { SolvePerforated(ShareTopology(holes), unitNorm); }, { "belong to the constrained method" }));
   PerforatedOptions missing;
   missing.unitHoleRows = { 4 };
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(holes, missing); }, { "hole 4", "does not have" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), missing); }, { "hole 4", "does not have" }));
   PerforatedOptions both = Penalty(0.1);
   both.unitHoles = true;
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(holes, both); }, { "cannot be combined" }));
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(holes, Penalty(-1.0)); }, { "must be positive" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), both); }, { "cannot be combined" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), Penalty(-1.0)); }, { "must be positive" }));
   PerforatedOptions global;
   global.globalConstraint = true;
   const TriangleMesh five = DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(five, global); }, { "add up to 5", "asks for 4" },
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(five), global); }, { "add up to 5", "asks for 4" },
     Error::Kind::Inconsistent));
 }
 }

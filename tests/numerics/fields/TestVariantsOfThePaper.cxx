@@ -2,6 +2,7 @@
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
 #include "MakePlanarDomain.h"
+#include "PerforatedSolve.h"
 #include "Support.h"
 #include "VariantSolve.h"
 
@@ -14,11 +15,11 @@ namespace crossfield::test
 namespace
 {
 std::vector<FieldSingularity> Find(
-  const TriangleMesh& mesh, const CrossField& field, bool corners = false)
+  const TriangleMesh& mesh, const SolvedField& field, bool corners = false)
 {
   FieldSingularityOptions options;
   options.corners = corners;
-  return FindFieldSingularities(mesh, field.edges, field.u, options);
+  return FindFieldSingularities({ ShareTopology(mesh), field.u }, options);
 }
 
 PlanarDomain Ring(double innerRadius, double meshSize)
@@ -39,7 +40,7 @@ TEST(VariantsOfThePaper, AMinusOneForcedOnTheQuarterDiskBringsTwoPlusOnes)
       DrillMesh(Builtin("quarter-disk", 0.04), { { place, -1, radius } }, 0.04, DrillMode::Imprint);
     PerforatedOptions options;
     options.unitHoles = true;
-    const CrossField field = SolvePerforated(mesh, options);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
     EXPECT_TRUE(field.converged);
     ASSERT_EQ(field.holes.size(), 1u);
     EXPECT_EQ(field.holes[0].degree, -1);
@@ -85,7 +86,7 @@ TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
     SCOPED_TRACE(distance);
     const TriangleMesh mesh = DrillMesh(
       Builtin("disk", Size), OnCircle(4, distance, Pi / 4.0, 1, 0.0), Size, DrillMode::Triangle);
-    const CrossField field = SolvePerforated(mesh, options);
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
     EXPECT_TRUE(field.converged);
     const bool isNear = distance > 0.5;
     EXPECT_EQ(field.degreesReached, isNear);
@@ -113,9 +114,9 @@ TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
     const TriangleMesh plain = DrillMesh(ring, {}, Size);
     GinzburgLandauOptions reference;
     reference.epsilon = Epsilon;
-    const GinzburgLandauField radial = SolveGinzburgLandau(plain, reference);
+    const GinzburgLandauField radial = SolveGinzburgLandau(ShareTopology(plain), reference);
     reference.start = GinzburgLandauStart::Constant;
-    const GinzburgLandauField broken = SolveGinzburgLandau(plain, reference);
+    const GinzburgLandauField broken = SolveGinzburgLandau(ShareTopology(plain), reference);
     EXPECT_TRUE(radial.converged && broken.converged);
     EXPECT_EQ(radial.unwantedSingularities, 0);
     EXPECT_EQ(broken.unwantedSingularities, 8);
@@ -133,11 +134,11 @@ TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
     const TriangleMesh drilled = DrillMesh(ring, eight, Size);
     PerforatedOptions options;
     options.unitHoles = true;
-    const CrossField imposed = SolvePerforated(drilled, options);
+    const SolvedField imposed = SolvePerforated(ShareTopology(drilled), options);
     options = PerforatedOptions();
     options.epsilon = Epsilon;
-    const CrossField penalised = SolvePerforated(drilled, options);
-    for (const CrossField* field : { &imposed, &penalised })
+    const SolvedField penalised = SolvePerforated(ShareTopology(drilled), options);
+    for (const SolvedField* field : { &imposed, &penalised })
     {
       EXPECT_TRUE(field->converged);
       EXPECT_EQ(field->wrongDegrees, 0);
@@ -162,7 +163,7 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
   const TriangleMesh plain = DrillMesh(domain, {}, Size);
   GinzburgLandauOptions reference;
   reference.epsilon = Size;
-  const GinzburgLandauField line = SolveGinzburgLandau(plain, reference);
+  const GinzburgLandauField line = SolveGinzburgLandau(ShareTopology(plain), reference);
   EXPECT_TRUE(line.converged);
   const auto onLine = Find(plain, line);
   ASSERT_EQ(onLine.size(), 4u);
@@ -181,13 +182,13 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
   }
   const TriangleMesh drilled = DrillMesh(domain, rectangle, Size);
   PerforatedOptions options;
-  const CrossField relaxed = SolvePerforated(drilled, options);
+  const SolvedField relaxed = SolvePerforated(ShareTopology(drilled), options);
   EXPECT_TRUE(relaxed.converged);
   EXPECT_EQ(relaxed.wrongDegrees, 0);
   // So far from the reference |u| vanishes beside the holes, unless it is held at one.
   EXPECT_GT(relaxed.unwantedSingularities, 0);
   options.method = PerforatedMethod::UnitNorm;
-  const CrossField field = SolvePerforated(drilled, options);
+  const SolvedField field = SolvePerforated(ShareTopology(drilled), options);
   EXPECT_TRUE(field.converged);
   EXPECT_EQ(field.wrongDegrees, 0);
   EXPECT_EQ(field.unwantedSingularities, 0);
@@ -200,10 +201,10 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
   const PlanarDomain disk = Builtin("disk", Size);
   const TriangleMesh five = DrillMesh(disk, OnCircle(5, 0.6, 0.3, 1, 0.1), Size);
   EXPECT_TRUE(Refuses(
-    [&] { SolvePerforated(five); }, { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
+    [&] { SolvePerforated(ShareTopology(five)); }, { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
   PerforatedOptions options;
   options.epsilon = Size;
-  const CrossField field = SolvePerforated(five, options);
+  const SolvedField field = SolvePerforated(ShareTopology(five), options);
   EXPECT_TRUE(field.converged);
   EXPECT_EQ(field.wrongDegrees, 0);
   EXPECT_EQ(field.unwantedSingularities, 1);
@@ -217,7 +218,7 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
     { Point(0.5, -0.62), -1, 0.05 }, { Point(0.6, 0.6), -1, 0.1 } };
   const TriangleMesh mesh = DrillMesh(disk, wrong, Size);
   options.reduced.maximumIterations = 300;
-  const CrossField made = SolvePerforated(mesh, options);
+  const SolvedField made = SolvePerforated(ShareTopology(mesh), options);
   EXPECT_TRUE(made.converged);
   EXPECT_EQ(made.wrongDegrees, 0);
   int sum = 0;

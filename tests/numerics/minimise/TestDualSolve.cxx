@@ -1,5 +1,6 @@
 #include "DualSolve.h"
 #include "ReducedProblem.h"
+#include "DirectPerforatedSolve.h"
 #include "Support.h"
 
 #include <Eigen/Cholesky>
@@ -45,10 +46,10 @@ double Objective(const ReducedProblem& problem, const ComplexVector& x)
   return 0.5 * x.dot(problem.matrix * x).real() - problem.load.dot(x).real();
 }
 
-void ExpectOptimalityConditions(const ReducedProblem& problem, const ReducedSolution& solution)
+void ExpectOptimalityConditions(const ReducedProblem& problem, const MinimiserResult& solution)
 {
   ComplexVector gradient = problem.matrix * solution.x - problem.load;
-  EXPECT_LE((gradient - solution.Forces(problem)).norm(), 1e-8 * problem.load.norm());
+  EXPECT_LE((gradient - ConstraintForces(problem, solution)).norm(), 1e-8 * problem.load.norm());
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
     const DegreeConstraint& constraint = problem.constraints[i];
@@ -66,7 +67,7 @@ TEST(ReducedProblem, SolutionSatisfiesTheOptimalityConditions)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 5, 0.4);
-    const ReducedSolution solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(problem);
     ASSERT_TRUE(solution.converged) << solution.residual;
     EXPECT_GT(solution.iterations, 0);
     ExpectOptimalityConditions(problem, solution);
@@ -82,7 +83,7 @@ TEST(ReducedProblem, OneConstraintIsSolvedFromAnyHarmonicField)
     SCOPED_TRACE(trial);
     ReducedProblem problem = RandomProblem(random, 1, 0.0);
     problem.load = problem.load.unaryExpr([&](const Complex&) { return random.Square(); });
-    const ReducedSolution solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(problem);
     ASSERT_TRUE(solution.converged) << solution.residual;
     ExpectOptimalityConditions(problem, solution);
   }
@@ -139,7 +140,7 @@ TEST(ReducedProblem, KnownSolutionsAreFoundAlsoNextToTheBorder)
     const double margin = std::pow(10.0, -1 - trial % 4);
     SCOPED_TRACE(testing::Message() << trial << ", margin " << margin);
     const KnownProblem known = RandomKnownProblem(random, 1 + trial % 7, margin);
-    const ReducedSolution solution = SolveReduced(known.problem);
+    const MinimiserResult solution = SolveReduced(known.problem);
     EXPECT_TRUE(solution.converged) << solution.residual;
     EXPECT_LE(solution.iterations, 60);
     // An error of 1e-10 in the forces is this much in x.
@@ -155,7 +156,7 @@ TEST(ReducedProblem, NoFeasiblePointIsBetter)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.5);
-    const ReducedSolution solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(problem);
     ASSERT_TRUE(solution.converged);
     const double best = Objective(problem, solution.x);
     int compared = 0;
@@ -194,7 +195,7 @@ TEST(ReducedProblem, WhereTheConstraintsHoldAlreadyTheHarmonicFieldStays)
   Random random(33);
   const ReducedProblem problem = RandomProblem(random, 3, 0.0);
   const ComplexVector harmonic = problem.matrix.llt().solve(problem.load);
-  const ReducedSolution held = SolveReduced(problem);
+  const MinimiserResult held = SolveReduced(problem);
   EXPECT_TRUE(held.converged);
   EXPECT_EQ(held.iterations, 0);
   EXPECT_LE((held.x - harmonic).norm(), 1e-12 * harmonic.norm());
@@ -210,13 +211,13 @@ TEST(ReducedProblem, FollowsRotationOfTheFieldAndScaleOfTheMatrix)
 {
   Random random(34);
   const ReducedProblem problem = RandomProblem(random, 3, 0.4);
-  const ReducedSolution solution = SolveReduced(problem);
+  const MinimiserResult solution = SolveReduced(problem);
   ASSERT_TRUE(solution.converged);
   ReducedProblem changed = problem;
   const Complex phase = random.UnitComplex();
   changed.load *= 1e6 * phase;
   changed.matrix *= 1e6;
-  const ReducedSolution moved = SolveReduced(changed);
+  const MinimiserResult moved = SolveReduced(changed);
   ASSERT_TRUE(moved.converged);
   EXPECT_EQ(moved.iterations, solution.iterations);
   EXPECT_LE((moved.x - phase * solution.x).norm(), 1e-9 * solution.x.norm());
@@ -228,15 +229,15 @@ TEST(ReducedProblem, ReportsWhatDidNotConverge)
 {
   Random random(35);
   ReducedProblem problem = RandomProblem(random, 2, 0.5);
-  ReducedOptions hurried;
+  MinimiserOptions hurried;
   hurried.maximumIterations = 1;
-  const ReducedSolution early = SolveReduced(problem, hurried);
+  const MinimiserResult early = SolveReduced(problem, hurried);
   EXPECT_FALSE(early.converged);
   EXPECT_EQ(early.iterations, 1);
   EXPECT_GT(early.residual, hurried.tolerance);
   // From a field that is zero on the hole no direction is better than another.
   problem.load.setZero();
-  const ReducedSolution stuck = SolveReduced(problem);
+  const MinimiserResult stuck = SolveReduced(problem);
   EXPECT_FALSE(stuck.converged);
   EXPECT_LT(stuck.iterations, 60); // it tells, and does not try to the end
   EXPECT_TRUE(stuck.x.allFinite());

@@ -1,5 +1,6 @@
 #include "DualSolve.h"
 #include "LocalSolve.h"
+#include "DirectPerforatedSolve.h"
 #include "Support.h"
 
 #include <Eigen/Cholesky>
@@ -79,14 +80,14 @@ TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
     {
       value += 0.5 * random.Square();
     }
-    const ReducedSolution solution = SolveReducedFrom(problem, start);
+    const MinimiserResult solution = SolveReducedFrom(problem, start);
     if (!solution.converged)
     {
       continue;
     }
     ++converged;
     const ComplexVector gradient =
-      problem.matrix * solution.x - problem.load - solution.Forces(problem);
+      problem.matrix * solution.x - problem.load - ConstraintForces(problem, solution);
     EXPECT_LE(gradient.norm(), 1e-8 * problem.load.norm());
     for (const DegreeConstraint& constraint : problem.constraints)
     {
@@ -114,14 +115,14 @@ TEST(LocalSolve, TheGlobalMinimumStaysAndIsNeverBeaten)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.4);
-    const ReducedSolution global = SolveReduced(problem);
+    const MinimiserResult global = SolveReduced(problem);
     ASSERT_TRUE(global.converged);
-    const ReducedSolution stayed = SolveReducedFrom(problem, global.x);
+    const MinimiserResult stayed = SolveReducedFrom(problem, global.x);
     ASSERT_TRUE(stayed.converged);
     EXPECT_LE((stayed.x - global.x).norm(), 1e-6 * global.x.norm());
     const ComplexVector elsewhere =
       global.x.unaryExpr([&](const Complex&) { return random.Square(); });
-    const ReducedSolution local = SolveReducedFrom(problem, elsewhere);
+    const MinimiserResult local = SolveReducedFrom(problem, elsewhere);
     if (local.converged)
     {
       const double best = Objective(problem, global.x);

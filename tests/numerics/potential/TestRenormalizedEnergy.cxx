@@ -69,7 +69,7 @@ TEST(RenormalizedEnergy, ExactValuesOnTheDisk)
     for (const double size : { 0.1, 0.05, 0.025, 0.0125 })
     {
       const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
-      const PointPotential potential(mesh, {}, 4);
+      const PointPotential potential = PointPotentialOn(mesh, {}, 4);
       sizes.push_back(size);
       errors.push_back(
         std::abs(Evaluate(potential, configuration).energy - ExactOnDisk(configuration)));
@@ -101,7 +101,7 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
   {
     SCOPED_TRACE(test.name);
     const TriangleMesh mesh = Mesh(test.domain, 0.1);
-    const PointPotential potential(mesh, test.corners, TotalQuarters(test.configuration));
+    const PointPotential potential = PointPotentialOn(mesh, test.corners, TotalQuarters(test.configuration));
     const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
     const double step = 1e-5;
     for (std::size_t j = 0; j < test.configuration.size(); ++j)
@@ -143,7 +143,7 @@ TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
   for (const Case& test : cases)
   {
     const TriangleMesh mesh = Mesh(test.domain, size);
-    const PointPotential potential(mesh, {}, TotalQuarters(test.configuration));
+    const PointPotential potential = PointPotentialOn(mesh, {}, TotalQuarters(test.configuration));
     const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
     std::vector<double> differences;
     for (const double radius : { 0.08, 0.04, 0.02 })
@@ -157,7 +157,7 @@ TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
       options.meshSize = size;
       options.minimumHoleEdges = 64;
       const TriangleMesh drilled = DrillHoles(test.domain, holes, options);
-      const PerforatedEnergy bounds = ComputePerforatedEnergy(drilled);
+      const PerforatedEnergy bounds = ComputePerforatedEnergy(ShareTopology(drilled));
       const double energy = 0.5 * (bounds.alignedLower + bounds.alignedUpper);
       differences.push_back(
         std::abs(energy - value.logarithmCoefficient * std::log(1.0 / radius) - value.energy));
@@ -197,7 +197,7 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
       for (int level = 0; level < 4; ++level)
       {
         energies.push_back(
-          SolveUnitNorm(PerforatedProblem(mesh, PotentialSolver::Periods::Islands, corners))
+          SolveUnitNorm(ProblemOn(mesh, corners))
             .energy);
         mesh = Refine(mesh);
       }
@@ -220,7 +220,7 @@ TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
     [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
   {
     const TriangleMesh mesh = Mesh(domain, 0.1);
-    return PointPotential(mesh, choices, quarters).GetCorners();
+    return PointPotentialOn(mesh, choices, quarters).GetCorners();
   };
   EXPECT_TRUE(corners(Builtin("l-shape"), {}, 0).empty());
   const std::vector<LogSource> chosen = corners(Builtin("l-shape"), { { { 0.5, 0.5 }, 0 } }, -1);
@@ -241,7 +241,7 @@ TEST(RenormalizedEnergy, AQuarterDiskThatIsAllCornerHasNothingElse)
   for (const double size : { 0.1, 0.03 })
   {
     const TriangleMesh mesh = Mesh(Builtin("quarter-disk", size), size);
-    const PointPotential potential(mesh, { { { 0.0, 0.0 }, 2 } }, 0);
+    const PointPotential potential = PointPotentialOn(mesh, { { { 0.0, 0.0 }, 2 } }, 0);
     const RenormalizedEnergyValue value = Evaluate(potential, {});
     EXPECT_NEAR(value.logarithmCoefficient, 4.0 * Pi, 1e-9);
     EXPECT_NEAR(value.energy, 0.0, 1e-9);
@@ -262,7 +262,7 @@ TEST(RenormalizedEnergy, HolesCostPiTimesTheSquareOfTheIndex)
       options.meshSize = 0.05;
       options.minimumHoleEdges = 64;
       const TriangleMesh mesh = DrillHoles(Builtin("disk", 0.05), configuration, options);
-      energies.push_back(SolveUnitNorm(PerforatedProblem(mesh)).energy);
+      energies.push_back(SolveUnitNorm(ProblemOn(mesh)).energy);
     }
     const double slope = (energies[1] - energies[0]) / std::log(2.0);
     EXPECT_NEAR(slope, Pi * index * index, 0.02 * Pi * index * index);

@@ -38,7 +38,7 @@ TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
     Drill(Builtin("disk", 0.05), { { { 0.2, 0.0 }, 4, 0.1 } }) };
   for (const TriangleMesh& mesh : meshes)
   {
-    const PerforatedProblem problem(mesh);
+    const PotentialProblem problem = ProblemOn(mesh);
     const UnitNormField field = SolveUnitNorm(problem);
     EXPECT_LT(field.residual, 1e-8);
     EXPECT_LE((field.u.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-14);
@@ -47,19 +47,19 @@ TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
       const auto& [from, to] = mesh.boundary[i].vertices;
       if (mesh.boundary[i].kind != BoundaryKind::Hole)
       {
-        EXPECT_EQ(field.u[problem.edges.ofBoundary[i]],
+        EXPECT_EQ(field.u[problem.Topology().edges.ofBoundary[i]],
           AlignedRepresentation(mesh.points[to] - mesh.points[from]));
       }
     }
-    for (const BoundaryLoop& loop : problem.loops)
+    for (const BoundaryLoop& loop : problem.Topology().loops)
     {
       if (loop.kind == BoundaryKind::Hole)
       {
-        EXPECT_EQ(ReadHole(loop, problem.edges, field.u).degree, loop.quarterIndex);
+        EXPECT_EQ(ReadHole(loop, problem.Topology().edges, field.u).degree, loop.quarterIndex);
       }
     }
     // And nothing else is singular.
-    const FieldIndices indices = ReadIndices(mesh, problem.edges, field.u);
+    const FieldIndices indices = ReadIndices(MeshTopology(mesh), field.u);
     EXPECT_EQ(std::count(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0),
       static_cast<std::ptrdiff_t>(mesh.triangles.size()));
   }
@@ -71,7 +71,7 @@ TEST(UnitNormField, EnergiesOfTheReferenceConfigurations)
   const auto expectEnergy = [](const Configuration& holes, double energy)
   {
     const TriangleMesh mesh = Drill(Builtin("disk", 0.05), holes);
-    EXPECT_NEAR(SolveUnitNorm(PerforatedProblem(mesh)).energy, energy, 0.02 * energy);
+    EXPECT_NEAR(SolveUnitNorm(ProblemOn(mesh)).energy, energy, 0.02 * energy);
   };
   expectEnergy(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1), 30.27);
   expectEnergy(Joined(OnCircle(5, 0.6, 0.0, 1, 0.05), { { { 0.0, 0.0 }, -1, 0.05 } }), 47.16);
@@ -96,14 +96,14 @@ TEST(UnitNormField, CentralHoleConvergesAtSecondOrderToTheLogarithm)
     options.minimumHoleEdges = sides;
     const TriangleMesh mesh =
       DrillHoles(Builtin("disk", options.meshSize), { { { 0.0, 0.0 }, 4, Radius } }, options);
-    const PerforatedProblem problem(mesh);
+    const PotentialProblem problem = ProblemOn(mesh);
     const UnitNormField field = SolveUnitNorm(problem);
     sizes.push_back(options.meshSize);
     energyErrors.push_back(std::abs(field.energy - exact));
     valueErrors.push_back(0.0);
-    for (int e = 0; e < problem.edges.Count(); ++e)
+    for (int e = 0; e < problem.Topology().edges.Count(); ++e)
     {
-      const Complex aligned = AlignedRepresentation(Midpoint(mesh, problem.edges, e));
+      const Complex aligned = AlignedRepresentation(Midpoint(mesh, problem.Topology().edges, e));
       valueErrors.back() = std::max(valueErrors.back(), std::abs(field.u[e] - aligned));
     }
   }
@@ -115,7 +115,7 @@ TEST(UnitNormField, CentralHoleConvergesAtSecondOrderToTheLogarithm)
 TEST(UnitNormField, RingWithoutHolesIsTheRadialField)
 {
   const TriangleMesh mesh = Drill(Builtin("ring", 0.02), {}, 0.02);
-  const PerforatedProblem problem(mesh);
+  const PotentialProblem problem = ProblemOn(mesh);
   const UnitNormField field = SolveUnitNorm(problem);
   const double exact = 16.0 * Pi * std::log(1.0 / 0.4);
   EXPECT_NEAR(field.energy, exact, 0.005 * exact);
@@ -127,7 +127,7 @@ TEST(UnitNormField, TurningScalingAndRenumberingChangeNothing)
 {
   Random random(120);
   const TriangleMesh mesh = Drill(Builtin("ring", 0.08), PairOnRing(), 0.08);
-  const UnitNormField plain = SolveUnitNorm(PerforatedProblem(mesh));
+  const UnitNormField plain = SolveUnitNorm(ProblemOn(mesh));
   ASSERT_EQ(plain.holonomyDefect.size(), 1u);
   EXPECT_GT(std::abs(plain.holonomyDefect[0]), 0.1);
   EXPECT_LT(std::abs(plain.holonomyDefect[0]), Pi - 0.1);
@@ -135,7 +135,7 @@ TEST(UnitNormField, TurningScalingAndRenumberingChangeNothing)
   {
     const TriangleMesh moved = Renumber(
       Similarity{ random.Uniform(-Pi, Pi), scale, scale * Point(1.0, -2.0) }(mesh), random);
-    const UnitNormField field = SolveUnitNorm(PerforatedProblem(moved));
+    const UnitNormField field = SolveUnitNorm(ProblemOn(moved));
     EXPECT_NEAR(field.energy, plain.energy, 1e-9 * plain.energy);
     EXPECT_NEAR(field.holonomyDefect[0], plain.holonomyDefect[0], 1e-8);
   }
@@ -157,8 +157,8 @@ TEST(UnitNormField, AMirrorReversesTheHolonomyDefect)
   {
     std::swap(edge.vertices[0], edge.vertices[1]);
   }
-  const UnitNormField plain = SolveUnitNorm(PerforatedProblem(mesh));
-  const UnitNormField image = SolveUnitNorm(PerforatedProblem(mirrored));
+  const UnitNormField plain = SolveUnitNorm(ProblemOn(mesh));
+  const UnitNormField image = SolveUnitNorm(ProblemOn(mirrored));
   EXPECT_NEAR(image.energy, plain.energy, 1e-9 * plain.energy);
   EXPECT_NEAR(image.holonomyDefect[0], -plain.holonomyDefect[0], 1e-8);
 }

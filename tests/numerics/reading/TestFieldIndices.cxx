@@ -76,7 +76,7 @@ TEST(FieldIndices, OfExactFieldsAreWhereTheSingularitiesAre)
   const EdgeNumbering edges = NumberEdges(mesh);
   for (const Configuration& singularities : Configurations())
   {
-    const FieldIndices indices = ReadIndices(mesh, edges, Sample(mesh, edges, singularities));
+    const FieldIndices indices = ReadIndices(MeshTopology(mesh), Sample(mesh, edges, singularities));
     EXPECT_EQ(Sum(indices.ofTriangle) + Sum(indices.ofVertex), 4);
     std::vector<int> found(singularities.size(), 0);
     const auto assign = [&](const Point& place, int index)
@@ -115,7 +115,7 @@ TEST(FieldIndices, CornersTakeTheirQuarters)
   {
     const TriangleMesh mesh = DrillHoles(Builtin(name), {});
     const EdgeNumbering edges = NumberEdges(mesh);
-    const FieldIndices indices = ReadIndices(mesh, edges, ComplexVector::Ones(edges.Count()));
+    const FieldIndices indices = ReadIndices(MeshTopology(mesh), ComplexVector::Ones(edges.Count()));
     EXPECT_EQ(Sum(indices.ofTriangle), 0);
     EXPECT_EQ(Sum(indices.ofVertex), 4);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -151,7 +151,7 @@ TEST(FieldIndices, SumIsTopologicalEvenForRandomFields)
         value = random.UnitComplex() * std::exp(random.Uniform(-5.0, 5.0));
       }
       Align(mesh, edges, u);
-      const FieldIndices indices = ReadIndices(mesh, edges, u);
+      const FieldIndices indices = ReadIndices(MeshTopology(mesh), u);
       int sum = Sum(indices.ofTriangle) + Sum(indices.ofVertex);
       for (const BoundaryLoop& loop : loops)
       {
@@ -167,7 +167,7 @@ TEST(FieldIndices, DoNotDependOnNormOrFrame)
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), {});
   const EdgeNumbering edges = NumberEdges(mesh);
   ComplexVector u = Sample(mesh, edges, Configurations()[1]);
-  const FieldIndices plain = ReadIndices(mesh, edges, u);
+  const FieldIndices plain = ReadIndices(MeshTopology(mesh), u);
   Random random(51);
   for (Complex& value : u)
   {
@@ -175,7 +175,7 @@ TEST(FieldIndices, DoNotDependOnNormOrFrame)
   }
   // Turning everything by an angle turns the representation by four times as much.
   const Similarity turn{ 0.7, 2.0, Point(1.0, 1.0) };
-  const FieldIndices turned = ReadIndices(turn(mesh), edges, u * std::polar(1.0, 4.0 * turn.angle));
+  const FieldIndices turned = ReadIndices(MeshTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
   EXPECT_EQ(turned.ofTriangle, plain.ofTriangle);
   EXPECT_EQ(turned.ofVertex, plain.ofVertex);
 }

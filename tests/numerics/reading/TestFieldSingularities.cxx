@@ -111,7 +111,7 @@ TEST(FieldSingularities, OfExactFieldsAreFoundOneForOne)
     const Disk& disk = disks[static_cast<std::size_t>(trial) % disks.size()];
     // Five triangles apart: fine enough to separate them.
     const Configuration exact = RandomSingularities(random, 5.0 * disk.size);
-    const auto found = FindFieldSingularities(disk.mesh, disk.edges, disk.Sample(exact));
+    const auto found = FindFieldSingularities({ ShareTopology(disk.mesh), disk.Sample(exact) });
     ASSERT_EQ(found.size(), exact.size()) << "trial " << trial;
     for (const FieldSingularity& singularity : found)
     {
@@ -150,7 +150,7 @@ TEST(FieldSingularities, PositionIsTheZeroOfAFieldThatIsLinearThere)
       }
       int inside = 0;
       for (const FieldSingularity& found :
-        FindFieldSingularities(disk.mesh, disk.edges, disk.Aligned(u)))
+        FindFieldSingularities({ ShareTopology(disk.mesh), disk.Aligned(u) }))
       {
         if (found.place == Place::Inside && found.position.norm() < 0.8)
         {
@@ -176,7 +176,7 @@ TEST(FieldSingularities, OppositeNeighboursCancel)
     {
       ComplexVector disturbed = plain;
       disturbed[e] = -disturbed[e];
-      const auto found = FindFieldSingularities(disk.mesh, disk.edges, disturbed);
+      const auto found = FindFieldSingularities({ ShareTopology(disk.mesh), disturbed });
       ASSERT_EQ(found.size(), 4u) << e;
       EXPECT_TRUE(std::all_of(found.begin(), found.end(),
         [](const FieldSingularity& one) { return one.quarterIndex == 1; }));
@@ -188,8 +188,7 @@ TEST(FieldSingularities, BoundaryTakesWhatAFieldWithoutSingularitiesLacks)
 {
   // The constant cross on a disk: four quarters between the crosses inside and those on the circle.
   const Disk disk(0.1);
-  const auto found = FindFieldSingularities(
-    disk.mesh, disk.edges, disk.Aligned(ComplexVector::Ones(disk.edges.Count())));
+  const auto found = FindFieldSingularities({ ShareTopology(disk.mesh), disk.Aligned(ComplexVector::Ones(disk.edges.Count())) });
   int sum = 0;
   for (const FieldSingularity& singularity : found)
   {
@@ -207,7 +206,7 @@ TEST(FieldSingularities, SingularityInTheBoundaryIsSaidToBeThere)
   Configuration singularities = OnCircle(3, 0.4, 0.8, 1, 0.0);
   singularities.push_back({ { 1.0, 0.0 }, 1, 0.0 });
   const auto found =
-    FindFieldSingularities(disk.mesh, disk.edges, disk.Aligned(disk.Sample(singularities)));
+    FindFieldSingularities({ ShareTopology(disk.mesh), disk.Aligned(disk.Sample(singularities)) });
   int atOne = 0;
   for (const FieldSingularity& singularity : found)
   {
@@ -231,10 +230,10 @@ TEST(FieldSingularities, CornersAreReportedWhenAskedFor)
   const TriangleMesh mesh = DrillHoles(Builtin("l-shape"), {});
   const EdgeNumbering edges = NumberEdges(mesh);
   const ComplexVector constant = ComplexVector::Ones(edges.Count());
-  EXPECT_TRUE(FindFieldSingularities(mesh, edges, constant).empty());
+  EXPECT_TRUE(FindFieldSingularities({ ShareTopology(mesh), constant }).empty());
   FieldSingularityOptions options;
   options.corners = true;
-  const auto found = FindFieldSingularities(mesh, edges, constant, options);
+  const auto found = FindFieldSingularities({ ShareTopology(mesh), constant }, options);
   ASSERT_EQ(found.size(), 6u);
   EXPECT_EQ(std::count_if(found.begin(), found.end(),
               [](const FieldSingularity& one) { return one.quarterIndex == 1; }),
@@ -252,11 +251,11 @@ TEST(FieldSingularities, HolesAreReportedWhenAskedFor)
 {
   const Configuration four = OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1);
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), four);
-  const CrossField field = SolvePerforated(mesh);
-  EXPECT_TRUE(FindFieldSingularities(mesh, field.edges, field.u).empty());
+  const SolvedField field = SolvePerforated(ShareTopology(mesh));
+  EXPECT_TRUE(FindFieldSingularities({ ShareTopology(mesh), field.u }).empty());
   FieldSingularityOptions options;
   options.holes = true;
-  const auto found = FindFieldSingularities(mesh, field.edges, field.u, options);
+  const auto found = FindFieldSingularities({ ShareTopology(mesh), field.u }, options);
   ASSERT_EQ(found.size(), 4u);
   for (const FieldSingularity& hole : found)
   {
@@ -273,11 +272,11 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
   const Disk disk(0.1);
   Random random(3);
   const Configuration exact = RandomSingularities(random, 0.3);
-  const auto expected = FindFieldSingularities(disk.mesh, disk.edges, disk.Sample(exact));
+  const auto expected = FindFieldSingularities({ ShareTopology(disk.mesh), disk.Sample(exact) });
   Disk shuffled = disk;
   shuffled.mesh = Renumber(disk.mesh, random);
   shuffled.edges = NumberEdges(shuffled.mesh);
-  const auto found = FindFieldSingularities(shuffled.mesh, shuffled.edges, shuffled.Sample(exact));
+  const auto found = FindFieldSingularities({ ShareTopology(shuffled.mesh), shuffled.Sample(exact) });
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -290,11 +289,11 @@ TEST(FieldSingularities, RefusesWhatIsNoField)
 {
   const Disk disk(0.3);
   EXPECT_TRUE(
-    Refuses([&] { FindFieldSingularities(disk.mesh, disk.edges, ComplexVector::Ones(2)); },
+    Refuses([&] { FindFieldSingularities({ ShareTopology(disk.mesh), ComplexVector::Ones(2) }); },
       { "2 values", "edges" }));
   ComplexVector u = ComplexVector::Ones(disk.edges.Count());
   u[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(Refuses([&] { FindFieldSingularities(disk.mesh, disk.edges, u); }, { "not finite" }));
+  EXPECT_TRUE(Refuses([&] { FindFieldSingularities({ ShareTopology(disk.mesh), u }); }, { "not finite" }));
 }
 }
 }

@@ -24,11 +24,11 @@ int Required(const PlanarDomain& domain)
   return CountQuarters(domain.loops, 0).requiredInteriorQuarters;
 }
 
-CrossField SolveUnitNormOn(const TriangleMesh& mesh)
+SolvedField SolveUnitNormOn(const TriangleMesh& mesh)
 {
   PerforatedOptions options;
   options.method = PerforatedMethod::UnitNorm;
-  return SolvePerforated(mesh, options);
+  return SolvePerforated(ShareTopology(mesh), options);
 }
 
 TEST(DomainQueries, SignedDistance)
@@ -65,10 +65,10 @@ TEST(ConfigurationProposal, IsConsistentAndCanBeDrilledAndSolved)
       }
       // What the check accepts, the solver turns into a field with nothing else in it.
       const TriangleMesh mesh = DrillHoles(domain, proposal);
-      const CrossField field = SolveUnitNormOn(mesh);
+      const SolvedField field = SolveUnitNormOn(mesh);
       EXPECT_TRUE(field.converged);
       EXPECT_EQ(field.unwantedSingularities, 0);
-      const FieldCheck check = CheckField(mesh, field.u);
+      const FieldCheck check = CheckField({ ShareTopology(mesh), field.u });
       EXPECT_TRUE(check.asPrescribed) << check.verdict;
     }
   }
@@ -161,11 +161,11 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
   PerforatedOptions options;
   options.method = PerforatedMethod::UnitNorm;
   options.corners = corners;
-  const CrossField field = SolvePerforated(mesh, options);
+  const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
   EXPECT_TRUE(field.converged);
   EXPECT_EQ(field.unwantedSingularities, 0);
   EXPECT_EQ(field.count.requiredInteriorQuarters, 1);
-  const FieldCheck check = CheckField(mesh, field.u);
+  const FieldCheck check = CheckField({ ShareTopology(mesh), field.u });
   EXPECT_TRUE(check.asPrescribed);
   ASSERT_EQ(check.count.corners.size(), 4u);
   for (const CountedCorner& corner : check.count.corners)
@@ -178,9 +178,9 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
   options.corners = { { Point(0.0, 0.0), 1 }, { Point(1.0, 0.0), 1 } };
   const TriangleMesh pair =
     DrillHoles(square, { { Point(0.3, 0.4), 1, 0.05 }, { Point(0.7, 0.6), -1, 0.05 } });
-  EXPECT_EQ(SolvePerforated(pair, options).energy, SolveUnitNormOn(pair).energy);
+  EXPECT_EQ(SolvePerforated(ShareTopology(pair), options).energy, SolveUnitNormOn(pair).energy);
   options.corners = { { Point(0.5, 0.5), 1 } };
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(mesh, options); }, { "not a vertex" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { "not a vertex" }));
 }
 
 TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
@@ -204,7 +204,7 @@ TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
     ProposalOptions proposal;
     proposal.corners = options.corners;
     const TriangleMesh mesh = DrillHoles(domain, ProposeConfiguration(domain, proposal));
-    energy[k] = SolvePerforated(mesh, options).energy;
+    energy[k] = SolvePerforated(ShareTopology(mesh), options).energy;
   }
   EXPECT_LT(energy[1], energy[0]);
   EXPECT_EQ(
@@ -236,7 +236,7 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
       PerforatedOptions options;
       options.method = method;
       EXPECT_TRUE(
-        Refuses([&] { SolvePerforated(mesh, options); }, { verdict }, Error::Kind::Inconsistent));
+        Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { verdict }, Error::Kind::Inconsistent));
     }
   }
 }
@@ -287,8 +287,8 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
 {
   const PlanarDomain disk = Builtin("disk");
   const TriangleMesh mesh = DrillHoles(disk, OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1));
-  const CrossField field = SolveUnitNormOn(mesh);
-  const FieldCheck check = CheckField(mesh, field.u);
+  const SolvedField field = SolveUnitNormOn(mesh);
+  const FieldCheck check = CheckField({ ShareTopology(mesh), field.u });
   EXPECT_EQ(check.holes.size(), 4u);
   EXPECT_EQ(check.prescribedDegrees, std::vector<int>({ 1, 1, 1, 1 }));
   EXPECT_EQ(check.interiorQuarters, 0);
@@ -303,7 +303,7 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   {
     edge.quarterIndex += edge.kind == BoundaryKind::Hole ? 1 - 2 * (edge.id % 2) : 0;
   }
-  const FieldCheck wrong = CheckField(other, field.u);
+  const FieldCheck wrong = CheckField({ ShareTopology(other), field.u });
   EXPECT_FALSE(wrong.asPrescribed);
   EXPECT_TRUE(wrong.count.Consistent()) << "the sums agree for every field";
   EXPECT_NE(wrong.verdict.find("4 holes"), std::string::npos) << wrong.verdict;
@@ -324,14 +324,14 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
     own[edges.ofBoundary[i]] = AlignedRepresentation(
       whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
   }
-  const FieldCheck free = CheckField(whole, own);
+  const FieldCheck free = CheckField({ ShareTopology(whole), own });
   EXPECT_TRUE(free.asPrescribed) << free.verdict;
   EXPECT_EQ(free.interiorQuarters, 4);
   EXPECT_NE(free.verdict.find("total 4"), std::string::npos) << free.verdict;
 
   ComplexVector bad = field.u;
   bad[0] = std::nan("");
-  EXPECT_TRUE(Refuses([&] { CheckField(mesh, bad); }, { "finite" }));
+  EXPECT_TRUE(Refuses([&] { CheckField({ ShareTopology(mesh), bad }); }, { "finite" }));
 }
 }
 }

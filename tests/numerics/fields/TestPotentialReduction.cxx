@@ -1,4 +1,4 @@
-#include "ConstrainedField.h"
+#include "PotentialReduction.h"
 #include "DirectPerforatedSolve.h"
 #include "DrillHoles.h"
 #include "DualSolve.h"
@@ -33,18 +33,18 @@ std::vector<TriangleMesh> Meshes()
       { { { 0.6, 0.0 }, -1, 0.08 }, { { -0.6, 0.1 }, 1, 0.05 } }) };
 }
 
-TEST(ConstrainedField, ReducedFormEqualsTheDirectForm)
+TEST(PotentialReduction, ReducedFormEqualsTheDirectForm)
 {
   int index = 0;
   for (const TriangleMesh& mesh : Meshes())
   {
     SCOPED_TRACE(index++);
-    PerforatedProblem problem(mesh);
-    const ConstrainedSolver solver(problem);
-    const ReducedSolution solution = SolveReduced(solver.GetReducedProblem());
+    const PotentialProblem problem = ProblemOn(mesh);
+    const PotentialReduction solver(problem);
+    const MinimiserResult solution = SolveReduced(solver.GetReducedProblem());
     ASSERT_TRUE(solution.converged);
-    const ConstrainedField reduced = solver.Recover(solution);
-    const CrossField direct = SolvePerforatedDirectly(mesh);
+    const RecoveredField reduced = solver.Recover(solution.x);
+    const SolvedField direct = SolvePerforatedDirectly(mesh);
     ASSERT_TRUE(direct.converged);
     EXPECT_NEAR(reduced.energy, direct.energy, 1e-9 * direct.energy);
     EXPECT_LE((reduced.u - direct.u).lpNorm<Eigen::Infinity>(), 1e-7);
@@ -56,15 +56,15 @@ TEST(ConstrainedField, ReducedFormEqualsTheDirectForm)
   }
 }
 
-TEST(ConstrainedField, HoleValuesReproduceTheSolution)
+TEST(PotentialReduction, ValuesOfReproduceTheSolution)
 {
   // The values of the recovered field, in the gauge of the reduced problem, are its solution.
   for (const TriangleMesh& mesh : Meshes())
   {
-    PerforatedProblem problem(mesh);
-    const ConstrainedSolver solver(problem);
-    const ReducedSolution solution = SolveReduced(solver.GetReducedProblem());
-    const ComplexVector values = solver.HoleValues(solver.Recover(solution).u);
+    const PotentialProblem problem = ProblemOn(mesh);
+    const PotentialReduction solver(problem);
+    const MinimiserResult solution = SolveReduced(solver.GetReducedProblem());
+    const ComplexVector values = solver.ValuesOf(solver.Recover(solution.x).u);
     ASSERT_EQ(values.size(), solution.x.size());
     EXPECT_LE((values - solution.x).norm(), 1e-8 * (1.0 + solution.x.norm()));
   }

@@ -1,42 +1,26 @@
-#include "EdgeReduction.h"
+#include "DirectReduction.h"
 
 #include "SparseCholesky.h"
 
-#include <utility>
-
 namespace crossfield
 {
-namespace
+DirectReduction::DirectReduction(
+  const MeshTopology& topology, const std::vector<BoundaryLoop>& loops)
+  : Aligned(topology)
 {
-Point Midpoint(const TriangleMesh& mesh, const EdgeNumbering& edges, int edge)
-{
-  const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
-  return 0.5 *
-    (mesh.points[static_cast<std::size_t>(from)] + mesh.points[static_cast<std::size_t>(to)]);
-}
-}
-
-EdgeReduction::EdgeReduction(
-  const TriangleMesh& mesh, const EdgeNumbering& edges, const std::vector<BoundaryLoop>& loops)
-  : Aligned(mesh, edges)
-{
-  std::vector<int> freePosition(static_cast<std::size_t>(edges.Count()), -1);
+  std::vector<int> freePosition(static_cast<std::size_t>(topology.edges.Count()), -1);
   for (std::size_t i = 0; i < this->Aligned.free.size(); ++i)
   {
     freePosition[static_cast<std::size_t>(this->Aligned.free[i])] = static_cast<int>(i);
   }
   for (const BoundaryLoop& loop : loops)
   {
-    std::vector<int> unknowns;
-    std::vector<Point> midpoints;
-    for (const int edge : EdgesOf(loop, edges))
+    this->Reduced.constraints.push_back(
+      ConstrainLoop(topology, loop, static_cast<int>(this->Constrained.size())));
+    for (const int edge : EdgesOf(loop, topology.edges))
     {
-      unknowns.push_back(static_cast<int>(this->Constrained.size()));
       this->Constrained.push_back(freePosition[static_cast<std::size_t>(edge)]);
-      midpoints.push_back(Midpoint(mesh, edges, edge));
     }
-    this->Reduced.constraints.push_back(MakeDegreeConstraint(
-      std::move(unknowns), midpoints, CentreOf(loop, mesh), loop.quarterIndex));
   }
   this->Factor = std::make_unique<SparseCholesky>(
     this->Aligned.freeStiffness, this->Aligned.EliminationOrder(this->Constrained));
@@ -50,9 +34,9 @@ EdgeReduction::EdgeReduction(
   this->Reduced.load = this->Reduced.matrix * this->Harmonic;
 }
 
-EdgeReduction::~EdgeReduction() = default;
+DirectReduction::~DirectReduction() = default;
 
-ComplexVector EdgeReduction::ValuesOf(const ComplexVector& u) const
+ComplexVector DirectReduction::ValuesOf(const ComplexVector& u) const
 {
   ComplexVector values(static_cast<Eigen::Index>(this->Constrained.size()));
   for (std::size_t i = 0; i < this->Constrained.size(); ++i)
@@ -63,7 +47,7 @@ ComplexVector EdgeReduction::ValuesOf(const ComplexVector& u) const
   return values;
 }
 
-ComplexVector EdgeReduction::Recover(const ComplexVector& x) const
+RecoveredField DirectReduction::Recover(const ComplexVector& x) const
 {
   // S x − b are the forces that hold the values.
   const ComplexVector forces = this->Reduced.matrix * x - this->Reduced.load;
@@ -73,6 +57,9 @@ ComplexVector EdgeReduction::Recover(const ComplexVector& x) const
     const Complex force = forces[static_cast<Eigen::Index>(i)];
     load.row(this->Constrained[i]) += Eigen::RowVector2d(force.real(), force.imag());
   }
-  return this->Aligned.Extend(this->Factor->Solve(load));
+  RecoveredField field;
+  field.u = this->Aligned.Extend(this->Factor->Solve(load));
+  field.energy = 0.5 * field.u.dot(ComplexVector(this->Aligned.stiffness * field.u)).real();
+  return field;
 }
 }

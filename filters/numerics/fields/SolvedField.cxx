@@ -1,0 +1,38 @@
+#include "SolvedField.h"
+
+#include <tuple>
+
+namespace crossfield
+{
+void SolvedField::Read(const Configuration& points)
+{
+  static_cast<FieldReading&>(*this) = ReadField(*this, { this->count, points, this->globalConstraint });
+}
+
+bool IsBetter(const SolvedField& field, const SolvedField& other)
+{
+  const auto shortcomings = [](const SolvedField& of)
+  { return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities, of.energy); };
+  return shortcomings(field) < shortcomings(other);
+}
+
+bool IsFlawless(const SolvedField& field)
+{
+  return field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
+}
+
+SolvedField BestOfTwo(
+  const std::function<SolvedField()>& first, const std::function<SolvedField()>& second)
+{
+  SolvedField field = first();
+  if (!IsFlawless(field))
+  {
+    SolvedField other = second();
+    if (IsBetter(other, field))
+    {
+      return other;
+    }
+  }
+  return field;
+}
+}

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "CrouzeixRaviart.h"
+
+namespace crossfield
+{
+/// How long the minimisers of this folder iterate.
+struct MinimiserOptions
+{
+  int maximumIterations = 100;
+  /// Converged when the residual of the optimality conditions, relative to the size of their
+  /// terms, is below this. Rounding allows about 1e-14; 1e-10 leaves room for large meshes.
+  double tolerance = 1e-10;
+  /// ConstrainedMinimiser.h, for functionals that are not convex by themselves and costly to factor:
+  /// each step begins with the shift that the last one needed, and saddles are left by their negative
+  /// curvature.
+  bool leavesSaddles = false;
+};
+
+/// What all of them return.
+struct MinimiserResult
+{
+  ComplexVector x;
+  Eigen::VectorXd multipliers; ///< One per constraint; empty or zero where they are not computed.
+  int iterations = 0;
+  double residual = 0.0;
+  bool converged = false;
+};
+}

@@ -1,0 +1,71 @@
+#include "FieldReading.h"
+
+#include "Error.h"
+#include "UnwantedSingularities.h"
+
+#include <numeric>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+/// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones;
+/// returns the sum over the holes, which the indices inside do not contain.
+int ReadDegrees(const CrossField& field, bool onlyTheSum, FieldReading& reading)
+{
+  int excess = 0;
+  int ofHoles = 0;
+  const auto read = [&](const BoundaryLoop& loop)
+  {
+    reading.holes.push_back(ReadHole(loop, field.topology->edges, field.u));
+    const int degree = reading.holes.back().degree;
+    reading.wrongDegrees += degree != loop.quarterIndex ? 1 : 0;
+    excess += degree - loop.quarterIndex;
+    return degree;
+  };
+  for (const BoundaryLoop& loop : field.topology->loops)
+  {
+    ofHoles += loop.kind == BoundaryKind::Hole ? read(loop) : 0;
+  }
+  for (const BoundaryLoop& loop : field.topology->imprinted)
+  {
+    read(loop);
+  }
+  reading.degreesReached = onlyTheSum ? excess == 0 : reading.wrongDegrees == 0;
+  return ofHoles;
+}
+}
+
+FieldReading ReadField(const CrossField& field, const FieldQuestion& question)
+{
+  const MeshTopology& topology = *field.topology;
+  FieldReading reading;
+  reading.count = question.count;
+  const int degrees = ReadDegrees(field, question.onlyTheSum, reading);
+  const FieldIndices indices = ReadIndices(topology, field.u);
+  const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
+    std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
+  if (sum != 4 * question.count.eulerCharacteristic || !field.u.allFinite())
+  {
+    throw Error("The indices of the field add up to " + std::to_string(sum) + " instead of " +
+      std::to_string(4 * question.count.eulerCharacteristic) +
+      ", which cannot be; the field has a zero or non-finite value on an edge.");
+  }
+  WantedSingularities wanted;
+  wanted.points = question.points;
+  for (const CountedCorner& corner : question.count.corners)
+  {
+    if (corner.chosen)
+    {
+      wanted.chosenVertices.push_back(topology.VertexOf(corner));
+    }
+  }
+  if (reading.holes.empty() && wanted.points.empty())
+  {
+    wanted.anywhere = question.count.requiredInteriorQuarters;
+  }
+  reading.unwantedSingularities = CountUnwanted(field, indices, wanted);
+  return reading;
+}
+}
