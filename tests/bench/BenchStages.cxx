@@ -32,7 +32,7 @@ namespace
 {
 using namespace crossfield;
 
-/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (METHOD §9).
+/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (docs/method.md §9).
 Configuration EightHoles()
 {
   Configuration configuration;
