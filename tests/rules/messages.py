@@ -195,7 +195,7 @@ class Cpp:
         """What a name or a call stands for; nothing where that is known at run time only."""
         if not part or not is_name(part[0]):
             return []
-        if part[-4:] == [".", "str", "(", ")"] or (len(part) == 1 and part[-1] not in ("this",)):
+        if part[-4:] == [".", "str", "(", ")"] or len(part) == 1:
             found = self.filled(part[0], tokens, place, depth)
             found = found or self.given(part[0], tokens, place, depth)
             return found or self.constant(part[0], depth)
@@ -320,7 +320,6 @@ def python_messages(name, source):
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
             message = tidy(python_text(node.exc.args[0])) if node.exc.args else None
-            # The exception's own class may be told by a prefix that depends on the run.
             yield name, node.lineno, None if message == VARIABLE else message
 
 
