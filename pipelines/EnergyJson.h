@@ -7,7 +7,7 @@
 class vtkSingularityEnergy;
 class vtkSingularityOptimizer;
 
-/** The results of the energy filters as JSON and .csv; see DESIGN for the shapes. */
+/** The results of the energy filters as JSON and .csv; each function says in which shape. */
 namespace EnergyJson
 {
 /**

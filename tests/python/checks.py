@@ -1,4 +1,4 @@
-"""What the Python tests share: a check that cannot be compiled away, and what DESIGN promises."""
+"""What the Python tests share: a check that cannot be compiled away, and what the pages of docs promise."""
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
 

@@ -90,7 +90,7 @@ def test_h_field():
     field = HField(Input=PlanarDomainSource(), Singularities=SingularitySource())
     data = fetch(field)
     check(data.GetPointData().GetArray("SizeMap") is not None, "there is no size map")
-    # METHOD: W of four +1 at radius 0.6 is 2.05; this polygon of 0.07 is 0.5 off.
+    # docs/method.md §9: W of four +1 at radius 0.6 is 2.05; this polygon of 0.07 is 0.5 off.
     check(abs(value(data, "RenormalizedEnergy") - 2.05) < 0.5, "the renormalised energy")
     check_equal(value(data, "UnwantedSingularities"), 0, "unwanted singularities")
     drilled = fetch(HField(Input=DrillHoles(

@@ -1,4 +1,4 @@
-"""The generalised Poincaré-Hopf theorem (METHOD §7): what the domain asks for and what was given."""
+"""The generalised Poincaré-Hopf theorem (docs/method.md §7): what the domain asks for and what was given."""
 import numpy as np
 
 from topology import HOLE, IMPRINTED

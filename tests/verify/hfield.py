@@ -1,4 +1,4 @@
-"""H: its own equation, and that the crosses are those of H + iθ analytic (METHOD §2, docs/hfield.md).
+"""H: its own equation, and that the crosses are those of H + iθ analytic (docs/method.md §2 and §11).
 
 Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On a
 mesh with holes that holds in every triangle. On one without, it holds for the regular parts

@@ -1,4 +1,4 @@
-"""The holonomy defects of a unit-norm field (METHOD §7), from the field itself.
+"""The holonomy defects of a unit-norm field (docs/method.md §7), from the field itself.
 
 Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is that
 of a single-valued potential plus Σ c_k w_k, where c_k makes up for the defect of loop k. The flux of a

@@ -1,4 +1,4 @@
-"""Degrees of holes and indices of triangles and vertices, by winding of arg u (METHOD §8).
+"""Degrees of holes and indices of triangles and vertices, by winding of arg u (docs/method.md §8).
 
 Triangles of midpoints and polygons of midpoints around the vertices tile the domain, so all indices
 and degrees together are 4χ, corners of the boundary included.
@@ -7,7 +7,7 @@ import numpy as np
 
 from topology import HOLE, IMPRINTED, INNER, OUTER, cross
 
-CORNER_ANGLE = np.pi / 6.0  # DESIGN: a boundary vertex that turns by more is a corner
+CORNER_ANGLE = np.pi / 6.0  # docs/method.md §6: a boundary vertex that turns by more is a corner
 ANGLE_ROUNDING = 1e-9  # of an angle that is meant to be that limit exactly
 
 

@@ -1,4 +1,4 @@
-"""The coordinates of the plane that a domain lies in (README, "Conventions").
+"""The coordinates of the plane that a domain lies in (docs/conventions.md).
 
 (x, y) if z is constant, (y, z) if x is, (x, z) if y is; of a tilted plane the nearest of these,
 turned into it the shortest way.
