@@ -6,10 +6,16 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/packages.sh
+presets=("${@:-paraview511}")
+# A machine that only builds paraview511 need not have what the others are built with.
+if [[ ${presets[*]} == paraview511 ]]; then
+  scripts/packages.sh
+else
+  scripts/packages.sh --all
+fi
 # The numerics are the same in all presets; so they are compiled once and found by ccache then.
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
-for preset in "${@:-paraview511}"; do
+for preset in "${presets[@]}"; do
   # Debian's VTK needs Debian's Python, also when another python3 comes first on the PATH.
   python=/usr/bin/python3
   if [[ $preset == vtk91 ]]; then

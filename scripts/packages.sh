@@ -1,32 +1,54 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that building and testing need. Quick when nothing is missing.
 #
-#   scripts/packages.sh
-#   scripts/packages.sh --update   fetches the lists of packages in any case
+#   scripts/packages.sh [--all] [--update]
+#
+#   --all      also what scripts/test.sh --all needs: for VTK 9.1, the checked build, and two kinds of tests
+#   --update   fetches the lists of packages in any case
 set -euo pipefail
 
+all=no
+update=no
+for option in "$@"; do
+  case $option in
+    --all) all=yes ;;
+    --update) update=yes ;;
+    *)
+      echo "packages.sh does not know the option $option" >&2
+      exit 2
+      ;;
+  esac
+done
+
 packages=(
-  # Compiler and tools.
-  ccache cmake g++ ninja-build
+  # Compiler and tools; Rules.Format needs this very version of clang-format.
+  ccache clang-format-14 cmake g++ ninja-build
   # Numerics: meshes, matrices, sparse Cholesky factorisation.
   libcgal-dev libeigen3-dev libopenblas-dev libsuitesparse-dev
   # Program and tests; Xvfb is the screen on which pictures are drawn.
   libbenchmark-dev libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
-  # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang; and memcheck.
-  clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14 valgrind
   # ParaView, its VTK and its Python.
   paraview paraview-dev python3-dev python3-paraview
   # find_package(ParaView) asks for these; paraview-dev does not depend on them.
   libavcodec-dev libavformat-dev libdouble-conversion-dev libfreetype-dev libgdal-dev
   libgl2ps-dev libglew-dev libhdf5-openmpi-dev libqt5opengl5-dev libqt5svg5-dev libswscale-dev
   libtheora-dev libutfcpp-dev qtbase5-dev qttools5-dev
-  # The same for VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes its libraries find each other.
-  libjsoncpp-dev libtbb-dev patchelf
-  # The Debian package is made with dpkg-dev and file; openmpi-bin has mpirun, for parameter studies.
-  dpkg-dev file openmpi-bin python3-mpi4py
+  # openmpi-bin has mpirun, for parameter studies.
+  openmpi-bin python3-mpi4py
   # The plugin's help pages are made with it.
   qtxmlpatterns5-dev-tools
 )
+if [[ $all == yes ]]; then
+  packages+=(
+    # What find_package(VTK) asks for in VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes its
+    # libraries find each other.
+    libjsoncpp-dev libtbb-dev patchelf
+    # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang.
+    clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14
+    # Tests that only --all runs: the Debian package, which cpack makes with dpkg-dev and file; memcheck.
+    dpkg-dev file valgrind
+  )
+fi
 
 states=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "${packages[@]}" \
   2>/dev/null || true)
@@ -36,7 +58,7 @@ for package in "${packages[@]}"; do
     missing+=("$package")
   fi
 done
-if [[ ${#missing[@]} -eq 0 && "${1:-}" != --update ]]; then
+if [[ ${#missing[@]} -eq 0 && $update == no ]]; then
   exit 0
 fi
 
