@@ -152,7 +152,11 @@ void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
   if (field.converged)
   {
     FieldCheck check;
-    Require(Succeeds([&] { check = CheckField({ ShareTopology(mesh), field.u }); }), "a field can be checked");
+    Require(Succeeds(
+              [&] {
+                check = CheckField({ ShareTopology(mesh), field.u });
+              }),
+      "a field can be checked");
     Require(check.count.Consistent(), "the indices of a field add up to those that it needs");
   }
 }
@@ -188,7 +192,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     RequireSolved(mesh, PerforatedMethod::UnitNorm);
   }
   HField h;
-  if (Succeeds([&] { h = SolveHField(ShareTopology(DrillHoles(domain, {}, options)), problem.configuration); }))
+  if (Succeeds(
+        [&] {
+          h = SolveHField(ShareTopology(DrillHoles(domain, {}, options)), problem.configuration);
+        }))
   {
     Require(h.h.allFinite(), "H is finite");
   }

@@ -113,8 +113,7 @@ testing::AssertionResult Refuses(const std::function<void()>& call,
   const std::vector<std::string>& parts, Error::Kind kind = Error::Kind::BadInput);
 
 /// The mesh with its factor, and its boundary aligned.
-PotentialProblem ProblemOn(
-  const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
+PotentialProblem ProblemOn(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
 
 /// The same for singularities that are points, of a given sum of quarter indices.
 PointPotential PointPotentialOn(

@@ -10,7 +10,7 @@
 namespace crossfield
 {
 /// Cholesky factorisation of a symmetric positive definite matrix whose unknowns have places in the
-/// plane, by nested dissection (docs/method.md §10), its two halves in two threads.
+/// plane, by nested dissection (docs/method.md §10.2), its two halves in two threads.
 ///
 /// The first separator and the unknowns that are to come last are the border. CHOLMOD factors each
 /// half together with the border's unknowns next to it; what that leaves on them is the half's part

@@ -7,8 +7,8 @@
 namespace crossfield
 {
 /// Fill-reducing elimination order of a symmetric sparse matrix whose unknowns have places in the
-/// plane: recursively split at the median of the longer side of the bounding box, number the
-/// unknowns of the left half that touch the right half last (docs/method.md §10).
+/// plane: recursively split at the median across the direction that meets fewer points, number the
+/// unknowns of the left half that touch the right half last (docs/method.md §10.2).
 ///
 /// `places` has one point per unknown; the unknowns in `last` come at the very end, in the order
 /// given. Returns the order: entry i is the unknown that is eliminated i-th.

@@ -6,6 +6,7 @@
 #include <cholmod.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -41,6 +42,16 @@ struct SparseCholesky::Factor
   Factor& operator=(const Factor&) = delete;
 };
 
+namespace
+{
+std::atomic<long> countOfAll = 0;
+}
+
+long SparseCholesky::CountOfAll()
+{
+  return countOfAll;
+}
+
 SparseCholesky::SparseCholesky(
   const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& order)
   : Data(std::make_unique<Factor>())
@@ -57,6 +68,7 @@ SparseCholesky::SparseCholesky(
                 "remesh it.");
   }
   this->Data->order = order;
+  ++countOfAll;
 
   cholmod_sparse view = {};
   view.nrow = view.ncol = order.size();

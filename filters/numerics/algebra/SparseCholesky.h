@@ -33,6 +33,9 @@ public:
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
+  /// How many factorisations this process has begun: by it tests see that what is factored is kept.
+  static long CountOfAll();
+
   /// Solves A X = B column by column. Throws Error when the result is not finite.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const;
 
@@ -42,7 +45,7 @@ public:
   Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
 
   /// Lower triangular L_tt of the last `count` unknowns of the order, in that order. L_tt L_ttᵀ is
-  /// the Schur complement of A on them, which therefore costs no solve (docs/method.md §3).
+  /// the Schur complement of A on them, which therefore costs no solve (docs/method.md §10.3).
   Eigen::MatrixXd TrailingFactor(int count) const;
 
 private:

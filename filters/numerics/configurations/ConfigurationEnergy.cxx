@@ -43,14 +43,16 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       const PlacedConfiguration placed =
         PlaceConfiguration(topology, configurations[i], options.corners);
       energy.interior = placed.interior;
-      const PointPotential points(potential,
-        AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
+      const PointPotential points(
+        potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       TriangleMesh drilled =
         DrillHoles(refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
-      energy.perforated = ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
+      energy.perforated =
+        ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
       energy.consistent = true;
-      energy.reason = Verdict(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
+      energy.reason =
+        Verdict(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
     }
     catch (const Error& error)
     {

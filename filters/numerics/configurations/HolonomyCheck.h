@@ -7,7 +7,7 @@
 namespace crossfield
 {
 /// Per inner loop, in (−π, π]: the phase that the single-valued potential of a consistent
-/// configuration carries to it minus that of its alignment (docs/method.md §7; UnitNormField.h). Zero on
+/// configuration carries to it minus that of its alignment (docs/method.md §7.3; UnitNormField.h). Zero on
 /// all loops: there is an aligned field with |u| = 1 and single-valued H.
 ///
 /// Drills the configuration with the default mesh size; singularities without a radius get one that

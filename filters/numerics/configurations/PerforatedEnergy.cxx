@@ -62,10 +62,7 @@ public:
   const Eigen::VectorXd& Get() const { return this->Value; }
 
 private:
-  const BoundaryEdge& Boundary(int edge) const
-  {
-    return this->Problem.Topology().BoundaryAt(edge);
-  }
+  const BoundaryEdge& Boundary(int edge) const { return this->Problem.Topology().BoundaryAt(edge); }
   const std::array<int, 3>& Triangle(int t) const
   {
     return this->Problem.Topology().mesh.triangles[static_cast<std::size_t>(t)];
@@ -124,8 +121,10 @@ private:
     for (std::size_t i = 0; i + 1 < along.size(); ++i)
     {
       const auto [from, to] = this->Boundary(along[i]).vertices;
-      const int edge = this->Problem.Topology().edges.ofBoundary[static_cast<std::size_t>(along[i])];
-      const int triangle = this->Problem.Topology().edges.triangles[static_cast<std::size_t>(edge)][0];
+      const int edge =
+        this->Problem.Topology().edges.ofBoundary[static_cast<std::size_t>(along[i])];
+      const int triangle =
+        this->Problem.Topology().edges.triangles[static_cast<std::size_t>(edge)][0];
       this->Value[to] = this->Value[from] + growth[along[i]] - this->Jump(triangle, to) +
         this->Jump(triangle, from);
     }

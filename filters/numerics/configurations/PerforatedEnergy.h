@@ -16,7 +16,8 @@ struct PerforatedEnergy
   /// error. At a corner with a rotation of the cross both grow with the logarithm of the mesh size.
   double alignedLower = 0.0;
   double alignedUpper = 0.0;
-  /// Free to rotate along outer and inner loops, Φ = 0 there: bounds from Φ and φ. The lower one is
+  /// Free to rotate along outer and inner loops, Φ = 0 there, so that the turns around inner loops are free
+  /// as well: bounds from Φ and φ. The lower one is
   /// at the same time the energy of the Crouzeix-Raviart phase.
   double degreeOnlyLower = 0.0;
   double degreeOnlyUpper = 0.0;

@@ -44,9 +44,9 @@ struct OptimizerResult
 };
 
 /// Moves the interior singularities downhill on the renormalised energy W (RenormalizedEnergy.h), on
-/// one mesh that is factored once (docs/method.md §5, §7; paper, "The unifying renormalized Ginzburg-Landau
-/// energy"). With inner loops the holonomy defects are equality constraints, with the integers of the
-/// start: the result has an aligned field of norm one with single-valued H.
+/// one mesh that is factored once (docs/method.md §5.5; paper, "The unifying renormalized Ginzburg-Landau
+/// energy"). With inner loops the holonomy defects are equality constraints, the nearest
+/// multiple of 2π apart: the result has an aligned field of norm one with single-valued H.
 ///
 /// Sequential quadratic programming with exact gradients of W and of the defects, damped BFGS updates
 /// of the Hessian of the Lagrangian, and a line search on W + μ Σ |defect|. No singularity goes

@@ -10,7 +10,7 @@ namespace crossfield
 class SparseCholesky;
 
 /// The problem on the edges of holes and imprinted circles, with every other Crouzeix-Raviart unknown
-/// eliminated (docs/method.md §3, direct form). The constrained edges come last in the factorisation of the
+/// eliminated (docs/method.md §3.2, direct form). The constrained edges come last in the factorisation of the
 /// stiffness matrix, so that the trailing block of the factor is the Schur complement.
 ///
 /// It holds for edges anywhere in the mesh, where that of PotentialReduction.h needs holes: an

@@ -46,7 +46,7 @@ struct GinzburgLandauField : SolvedField
   int saddlesLeft = 0;      ///< Iterations that left a saddle by its negative curvature.
 };
 
-/// Minimises the Ginzburg-Landau energy (docs/method.md §4; paper, "Ginzburg-Landau") by Newton's method
+/// Minimises the Ginzburg-Landau energy (docs/method.md §4.2; paper, "Ginzburg-Landau") by Newton's method
 /// with a line search on the energy.
 ///
 /// Where the Hessian H is not positive definite, H + τ D is factored instead, D the matrix of

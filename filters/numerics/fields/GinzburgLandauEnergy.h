@@ -15,7 +15,7 @@ struct GinzburgLandauPinning
 };
 
 /// The functional E(u) = ½ ∫ w |∇u|² + 1/(4ε²) ∫ (|u|² − f²)² over Crouzeix-Raviart fields with
-/// u = e^{4iτ} on every edge of the outer and inner loops (docs/method.md §4).
+/// u = e^{4iτ} on every edge of the outer and inner loops (docs/method.md §4.1).
 ///
 /// The gradient term is integrated exactly, triangle by triangle. The penalty is integrated by the
 /// midpoints of edges, |T|/3 each: exact for quadratic functions on a triangle, so the error is of

@@ -97,18 +97,18 @@ ComplexVector AssembleField(
   const MeshTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
   const int firstEdge = topology.EdgeOfBoundary(first);
-  const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,
-    problem.potential->Gradient(solution.aligned), firstEdge, Eigen::VectorXd::Zero(1),
-    potential.GetCorners());
+  const Eigen::RowVectorXd phase =
+    IntegrateConjugate(topology.mesh, topology.edges, problem.potential->Gradient(solution.aligned),
+      firstEdge, Eigen::VectorXd::Zero(1), potential.GetCorners());
   const std::size_t singularities = solution.logs.size() - potential.GetCorners().size();
   ComplexVector u(phase.size());
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    u[e] = std::polar(1.0, phase[e]) *
-      UnitOfTurns(solution.logs, singularities, topology.Midpoint(e));
+    u[e] =
+      std::polar(1.0, phase[e]) * UnitOfTurns(solution.logs, singularities, topology.Midpoint(e));
   }
-  u *= problem.alignment.crosses[first] *
-    std::polar(1.0, potential.GetMidpointShift()[first]) / u[firstEdge];
+  u *= problem.alignment.crosses[first] * std::polar(1.0, potential.GetMidpointShift()[first]) /
+    u[firstEdge];
   return u;
 }
 
@@ -197,8 +197,8 @@ void RequireHole(const MeshTopology& topology, const Singularity& singularity)
     for (const int edge : loop.edges)
     {
       const auto& [from, to] = topology.BoundaryAt(edge).vertices;
-      winding += AngleBetween(topology.PointAt(from) - singularity.position,
-        topology.PointAt(to) - singularity.position);
+      winding += AngleBetween(
+        topology.PointAt(from) - singularity.position, topology.PointAt(to) - singularity.position);
     }
     if (loop.kind == BoundaryKind::Hole && std::abs(winding) > Pi &&
       loop.quarterIndex == singularity.quarterIndex)
@@ -240,8 +240,8 @@ HField SolvePlaced(const std::shared_ptr<const PotentialSolver>& potential,
   const MeshTopology& topology = potential->GetTopology();
   const bool holes = topology.LoopCount(BoundaryKind::Hole) > 0;
   Stopwatch stopwatch;
-  const Alignment alignment = AlignWithBoundary(
-    topology, placed.corners, holes ? 0 : TotalQuarters(placed.interior));
+  const Alignment alignment =
+    AlignWithBoundary(topology, placed.corners, holes ? 0 : TotalQuarters(placed.interior));
   HField result = holes ? SolveOnHoles({ potential, alignment })
                         : SolveAtPoints({ potential, alignment }, placed.interior);
   // The cross is off the boundary's direction by a fraction of this; rounding only.
@@ -256,8 +256,7 @@ HField SolveHField(const std::shared_ptr<const PotentialSolver>& potential,
   const Configuration& configuration, const std::vector<CornerChoice>& corners,
   const Progress& progress)
 {
-  return SolvePlaced(
-    potential, Place(potential->GetTopology(), configuration, corners), progress);
+  return SolvePlaced(potential, Place(potential->GetTopology(), configuration, corners), progress);
 }
 
 HField SolveHField(const SharedTopology& topology, const Configuration& configuration,

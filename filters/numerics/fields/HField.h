@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// The scalar H of a configuration and the cross field that it carries (docs/method.md §2; paper, "Further
+/// The scalar H of a configuration and the cross field that it carries (docs/method.md §11.1; paper, "Further
 /// thoughts"): ΔH = 2π Σ_j (k_j / 4) δ_{b_j} inside, ∂H/∂ν = curvature − Σ_c (k_c π/2) δ_{p_c} on the
 /// boundary. H + iθ is analytic, θ the angle of the cross: e^H is the local length of the edges of
 /// quads along the crosses, up to a factor; it is larger where the crosses' lines spread.
@@ -22,7 +22,8 @@ struct HField
   Eigen::VectorXd h;
   /// W; NaN where the singularities are holes.
   double renormalizedEnergy = 0.0;
-  /// By which H, a branch of it, grows around each inner loop; zero without holonomy defects.
+  /// By which H, a branch of it, grows around each inner loop, walked with the domain on the left; zero
+  /// without holonomy defects.
   std::vector<double> periods;
 };
 

@@ -6,7 +6,7 @@
 namespace crossfield
 {
 /// A local minimiser of the Ginzburg-Landau energy under quadratic constraints on some edges
-/// (docs/method.md §3, variant 6; paper: "add to our method the non-linear penalty").
+/// (docs/method.md §3.7, variant 6; paper: "add to our method the non-linear penalty").
 ///
 /// By ConstrainedMinimiser.h with one sparse factorisation for each step. M is D, the metric of the
 /// penalty, which makes up for all of its negative curvature, and on the constrained edges the mean

@@ -8,7 +8,7 @@ namespace crossfield
 /// How the field on a perforated domain is computed.
 enum class PerforatedMethod
 {
-  Constrained, ///< ConstrainedField.h: |u| free, one quadratic degree constraint per hole.
+  Constrained, ///< PotentialReduction.h: |u| free, one quadratic degree constraint per hole.
   UnitNorm     ///< UnitNormField.h: |u| = 1, from one linear system.
 };
 
@@ -26,7 +26,7 @@ struct PerforatedOptions
 {
   PerforatedMethod method = PerforatedMethod::Constrained;
   PerforatedStart start = PerforatedStart::Best;
-  bool unitHoles = false; ///< Constrained method: force |u| = 1 on the holes (ReducedUnit.h).
+  bool unitHoles = false; ///< Constrained method: force |u| = 1 on the holes (UnitSolve.h).
   /// The same on some holes only, by their rows in the configuration.
   std::vector<int> unitHoleRows;
   /// Constrained method: one constraint, Σ_i C_i = Σ_i t_i, in place of one per hole.

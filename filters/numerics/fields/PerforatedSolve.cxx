@@ -58,19 +58,19 @@ public:
     SolvedField field;
     switch (this->Options.start)
     {
-      case PerforatedStart::Harmonic:
-        field = harmonic();
-        break;
-      case PerforatedStart::UnitNorm:
-        field = unitNorm();
-        break;
-      case PerforatedStart::Best:
-        field = BestOfTwo(harmonic, unitNorm);
-        if (field.wrongDegrees > 0 || !field.converged)
-        {
-          field = this->WithUnitHoles();
-        }
-        break;
+    case PerforatedStart::Harmonic:
+      field = harmonic();
+      break;
+    case PerforatedStart::UnitNorm:
+      field = unitNorm();
+      break;
+    case PerforatedStart::Best:
+      field = BestOfTwo(harmonic, unitNorm);
+      if (field.wrongDegrees > 0 || !field.converged)
+      {
+        field = this->WithUnitHoles();
+      }
+      break;
     }
     field.seconds.newton = newton;
     return field;
@@ -90,8 +90,8 @@ private:
   {
     const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(this->Problem).u);
     SolvedField field = this->Finish(reduction,
-      SolveReducedFrom(reduction.GetReducedProblem(), start, this->Options.reduced,
-        this->Report.Part(0.5, 0.8)));
+      SolveReducedFrom(
+        reduction.GetReducedProblem(), start, this->Options.reduced, this->Report.Part(0.5, 0.8)));
     field.startedFromUnitNorm = true;
     return field;
   }
@@ -102,8 +102,8 @@ private:
     const PotentialReduction reduction(this->Problem, PotentialSolver::Periods::IslandsAndHoles);
     const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(this->Problem).u);
     SolvedField field = this->Finish(reduction,
-      SolveReducedUnit(reduction.GetReducedProblem(), start, this->Options.reduced,
-        this->Report.Part(0.8, 1.0)));
+      SolveReducedUnit(
+        reduction.GetReducedProblem(), start, this->Options.reduced, this->Report.Part(0.8, 1.0)));
     field.startedFromUnitNorm = true;
     field.unitHoles = true;
     return field;
@@ -142,8 +142,8 @@ SolvedField SolvePerforated(const std::shared_ptr<const PotentialSolver>& potent
   const PotentialProblem problem(
     potential, AlignWithBoundary(potential->GetTopology(), options.corners));
   const PerforatedSolver solver(problem, options, progress);
-  SolvedField field = options.method == PerforatedMethod::UnitNorm ? solver.UnitNorm()
-                                                                   : solver.Constrained();
+  SolvedField field =
+    options.method == PerforatedMethod::UnitNorm ? solver.UnitNorm() : solver.Constrained();
   field.seconds.solve = stopwatch.Lap();
   progress.Report(1.0);
   return field;

@@ -23,8 +23,7 @@ Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
     const BoundaryEdge& edge = topology.mesh.boundary[i];
     if (edge.IsAligned())
     {
-      set(edge.vertices[0],
-        crosses[static_cast<Eigen::Index>(i)] - crosses[topology.previous[i]]);
+      set(edge.vertices[0], crosses[static_cast<Eigen::Index>(i)] - crosses[topology.previous[i]]);
     }
   }
   for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
@@ -59,15 +58,13 @@ PotentialReduction::PotentialReduction(
     const auto size = static_cast<int>(loop.edges.size());
     for (int j = 0; j < size; ++j)
     {
-      this->HoleEdges.push_back(
-        topology.EdgeOfBoundary(loop.edges[static_cast<std::size_t>(j)]));
+      this->HoleEdges.push_back(topology.EdgeOfBoundary(loop.edges[static_cast<std::size_t>(j)]));
       entries.emplace_back(first + j, first + j, 1.0);
       entries.emplace_back(first + j, first + (j + 1) % size, -1.0);
     }
     if (this->ConstantsCount)
     {
-      const int last =
-        potential.GetStrips()[static_cast<std::size_t>(holePeriod)].lastBoundaryEdge;
+      const int last = potential.GetStrips()[static_cast<std::size_t>(holePeriod)].lastBoundaryEdge;
       const auto position = std::find(loop.edges.begin(), loop.edges.end(), last);
       entries.emplace_back(holeVertices + static_cast<int>(holePeriod),
         first + static_cast<int>(position - loop.edges.begin()), -1.0);
@@ -84,8 +81,9 @@ PotentialReduction::PotentialReduction(
   {
     return; // neither holes nor inner loops: nothing is left to choose
   }
-  const Eigen::MatrixXd root = potential.TrailingFactor(periods).triangularView<Eigen::Lower>().solve(
-    Eigen::MatrixXd(this->Differences));
+  const Eigen::MatrixXd root =
+    potential.TrailingFactor(periods).triangularView<Eigen::Lower>().solve(
+      Eigen::MatrixXd(this->Differences));
   this->Reduced.matrix = Eigen::MatrixXd::Zero(count, count);
   this->Reduced.matrix.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
   this->Reduced.matrix.triangularView<Eigen::StrictlyUpper>() = this->Reduced.matrix.transpose();

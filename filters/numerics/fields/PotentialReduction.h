@@ -5,7 +5,7 @@
 
 namespace crossfield
 {
-/// The problem on the hole edges, reduced to the P1 Laplacian (docs/method.md §3, reduced form).
+/// The problem on the hole edges, reduced to the P1 Laplacian (docs/method.md §3.3, reduced form).
 ///
 /// With x the values on the hole edges, x_j on edge j counter-clockwise and vertex j between edges j
 /// and j + 1, the conjugate potentials of Re u and Im u have sources s_j = x_j − x_{j+1} at the hole

@@ -6,7 +6,8 @@ namespace crossfield
 {
 void SolvedField::Read(const Configuration& points)
 {
-  static_cast<FieldReading&>(*this) = ReadField(*this, { this->count, points, this->globalConstraint });
+  static_cast<FieldReading&>(*this) =
+    ReadField(*this, { this->count, points, this->globalConstraint });
 }
 
 bool IsBetter(const SolvedField& field, const SolvedField& other)

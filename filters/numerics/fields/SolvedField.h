@@ -19,8 +19,8 @@ struct StageSeconds
 /// How a field was found.
 struct SolveReport
 {
-  double energy = 0.0; ///< ½ ∫ |∇u|², summed over triangles; with a penalty, that as well.
-  double epsilon = 0.0;        ///< Of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0: there is none.
+  double energy = 0.0;  ///< ½ ∫ |∇u|², summed over triangles; with a penalty, that as well.
+  double epsilon = 0.0; ///< Of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0: there is none.
   double gradientEnergy = 0.0; ///< With a penalty: ½ ∫ w |∇u|²,
   double penaltyEnergy = 0.0;  ///< and the penalty.
   int iterations = 0;

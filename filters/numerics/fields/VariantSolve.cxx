@@ -175,10 +175,9 @@ public:
     if (this->Topology.imprinted.empty() && blank.count.Consistent() &&
       options.start != PerforatedStart::Harmonic)
     {
-      this->UnitNormField =
-        SolveUnitNorm({ std::make_shared<const PotentialSolver>(blank.topology),
-                        AlignWithBoundary(this->Topology, options.corners) })
-          .u;
+      this->UnitNormField = SolveUnitNorm({ std::make_shared<const PotentialSolver>(blank.topology),
+                                            AlignWithBoundary(this->Topology, options.corners) })
+                              .u;
     }
   }
 
@@ -186,12 +185,12 @@ public:
   {
     switch (this->Options.start)
     {
-      case PerforatedStart::Harmonic:
-        return this->FromHarmonic(progress);
-      case PerforatedStart::UnitNorm:
-        return this->FromUnitCrosses(progress);
-      case PerforatedStart::Best:
-        break;
+    case PerforatedStart::Harmonic:
+      return this->FromHarmonic(progress);
+    case PerforatedStart::UnitNorm:
+      return this->FromUnitCrosses(progress);
+    case PerforatedStart::Best:
+      break;
     }
     // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
     // the harmonic field.
@@ -308,8 +307,8 @@ private:
 
 bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options)
 {
-  return !topology.imprinted.empty() || options.globalConstraint ||
-    !options.unitHoleRows.empty() || options.epsilon != 0.0;
+  return !topology.imprinted.empty() || options.globalConstraint || !options.unitHoleRows.empty() ||
+    options.epsilon != 0.0;
 }
 
 SolvedField SolveVariant(

@@ -10,7 +10,7 @@ namespace crossfield
 /// global constraint, unit norm on chosen holes, or the penalty.
 bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options);
 
-/// The variants of the constrained solve (docs/method.md §3, 2 to 6; paper, "Analysis of the numerical
+/// The variants of the constrained solve (docs/method.md §3.7, 2 to 6; paper, "Analysis of the numerical
 /// results"), in any combination but that of the penalty with unit norms. "Hole" stands for
 /// imprinted circles as well.
 ///

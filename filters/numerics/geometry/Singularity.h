@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// A prescribed interior singularity of index quarterIndex / 4: +1 becomes a node of valence 3 of
-/// the quad mesh, −1 one of valence 5 (docs/method.md §1).
+/// the quad mesh, −1 one of valence 5 (docs/method.md §1.2).
 struct Singularity
 {
   Point position = Point::Zero();

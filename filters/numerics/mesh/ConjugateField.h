@@ -8,7 +8,7 @@
 namespace crossfield
 {
 /// Crouzeix-Raviart functions w_c with ∇w_c = rot g_c on every triangle, rot = +90°, and given values
-/// on one edge (docs/method.md §2, discrete conjugacy): summed along edges, in breadth-first order.
+/// on one edge (docs/method.md §2.2, discrete conjugacy): summed along edges, in breadth-first order.
 ///
 /// `gradients` has one column per triangle and two rows per function, the gradients of P1 potentials
 /// with or without periods. The result has one column per edge and one row per function. Where w is

@@ -55,8 +55,8 @@ UnwrappedPhase UnwrapPhase(const CrossField& field)
     {
       const int from = sides[i];
       const int to = sides[(i + 1) % 3];
-      turns[i] = static_cast<int>(std::lround(
-        (phase.atEdges[to] - phase.atEdges[from] - shortest(from, to)) / (2.0 * Pi)));
+      turns[i] = static_cast<int>(
+        std::lround((phase.atEdges[to] - phase.atEdges[from] - shortest(from, to)) / (2.0 * Pi)));
     }
     phase.matching.push_back(turns);
   }

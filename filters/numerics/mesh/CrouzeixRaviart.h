@@ -14,7 +14,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Stiffness matrix of the Crouzeix-Raviart space: K_ij = ∫ ∇ψ_i · ∇ψ_j summed over triangles,
 /// where ψ_e = 1 − 2λ_v is 1 at the midpoint of edge e, −1 at the opposite vertex v, and 0 at the
-/// midpoints of the other two edges (docs/method.md §2; Crouzeix and Raviart 1973).
+/// midpoints of the other two edges (docs/method.md §2.1; Crouzeix and Raviart 1973).
 ///
 /// Rows and columns are edges. Symmetric, both halves stored; positive semidefinite with the
 /// constants of each connected part as kernel; four times the P1 element matrix; in the plane it

@@ -8,7 +8,7 @@
 namespace crossfield
 {
 /// The function strength · log|x − position|, subtracted from a potential where it is singular
-/// (docs/method.md §5, §6). Its conjugate is strength · arg(x − position).
+/// (docs/method.md §5.3, §11.3). Its conjugate is strength · arg(x − position).
 struct LogSource
 {
   Point position = Point::Zero();

@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// A shortest chain of triangles from the outer loop to an inner loop or hole: the cut across which
-/// a multivalued potential jumps (docs/method.md §3, islands).
+/// a multivalued potential jumps (docs/method.md §2.3, islands).
 struct LoopStrip
 {
   int firstBoundaryEdge = 0; ///< Position in mesh.boundary of the outer edge where it starts,

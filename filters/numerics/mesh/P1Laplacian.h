@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// Stiffness matrix of continuous piecewise linear functions: K_vw = ∫ ∇λ_v · ∇λ_w (docs/method.md §2).
+/// Stiffness matrix of continuous piecewise linear functions: K_vw = ∫ ∇λ_v · ∇λ_w (docs/method.md §2.1).
 ///
 /// Rows and columns are the vertices of the mesh. Symmetric, both halves stored, compressed;
 /// positive semidefinite with the constants as kernel; independent of the mesh's size. Throws Error

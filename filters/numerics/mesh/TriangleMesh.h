@@ -33,7 +33,7 @@ struct TriangleMesh
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<BoundaryEdge> boundary;
-  /// Edges of circles that are imprinted and not drilled (docs/method.md §3, variants 4 and 5). They are
+  /// Edges of circles that are imprinted and not drilled (docs/method.md §3.7, variants 4 and 5). They are
   /// interior edges, kept apart so that nothing takes them for boundary; the outside of the circle is
   /// on their left, as the domain is at a hole.
   std::vector<BoundaryEdge> imprinted;

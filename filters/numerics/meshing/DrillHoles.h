@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-/// What a singularity becomes in the mesh (docs/method.md §3, variants 1, 4 and 5).
+/// What a singularity becomes in the mesh (docs/method.md §3.7, variants 1, 4 and 5).
 enum class DrillMode
 {
   Perforate, ///< A hole.
@@ -16,7 +16,7 @@ enum class DrillMode
   Triangle   ///< The three edges of one triangle of the plain mesh, kept as well.
 };
 
-/// How a configuration is drilled into a domain (docs/method.md §3; paper, "Singularity placements via
+/// How a configuration is drilled into a domain (docs/method.md §3.7; paper, "Singularity placements via
 /// perforation strategy").
 struct DrillOptions
 {

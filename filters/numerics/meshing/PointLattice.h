@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// Points of a graded triangular lattice over the box of a size field: about h(x) apart, in
-/// equilateral triangles where h is constant (docs/method.md §10: the bulk of a mesh, inserted at once).
+/// equilateral triangles where h is constant (docs/method.md §10.1: the bulk of a mesh, inserted at once).
 ///
 /// The lattice of spacing s/2 contains the one of spacing s, so lattices of spacing 2⁻ˡ times the
 /// largest size fit together: a point that belongs to spacing 2⁻ˡ but to no larger one is taken

@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// Degree constraint of one hole (docs/method.md §3; paper, "Definition of the constraint for holed
+/// Degree constraint of one hole (docs/method.md §3.1; paper, "Definition of the constraint for holed
 /// singularities"). With u_j the values at the m edges of the hole, counter-clockwise and cyclic,
 ///   C(u) = ½ Σ_j Im(conj(u_j) (u_{j+1} − u_{j−1})) = Σ_j Im(conj(u_j) u_{j+1}).
 /// It is ½ uᴴ A u for the Hermitian matrix A with A_{j,j+1} = −i, A_{j,j−1} = i.

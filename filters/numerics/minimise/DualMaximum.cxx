@@ -106,8 +106,8 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
   return point;
 }
 
-DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const MinimiserOptions& options,
-  const Progress& progress, int& iterations)
+DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
+  const MinimiserOptions& options, const Progress& progress, int& iterations)
 {
   bool stalled = !point.positiveDefinite;
   while (!stalled && point.residual > options.tolerance && iterations < options.maximumIterations)

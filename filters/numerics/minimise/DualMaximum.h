@@ -32,8 +32,8 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers);
 /// Whole Newton steps on q from a point so close to the maximum that they converge quadratically.
 /// Ends at the first step that leads out of the region where H is positive definite, or that does not
 /// help. Adds its steps to `iterations`.
-DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point, const MinimiserOptions& options,
-  const Progress& progress, int& iterations);
+DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
+  const MinimiserOptions& options, const Progress& progress, int& iterations);
 
 /// Newton's method on q + μ log det H with falling μ, from λ = 0; then MaximiseNearby.
 ///

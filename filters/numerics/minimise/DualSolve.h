@@ -11,6 +11,6 @@ namespace crossfield
 /// steps are taken in the low Fourier modes of the holes only, which carry most of the field. Where the
 /// dual has its maximum on the border of the region in which that matrix is positive definite, no
 /// solution of this kind exists: reported by `converged`, not an error.
-MinimiserResult SolveReduced(
-  const ReducedProblem& problem, const MinimiserOptions& options = {}, const Progress& progress = {});
+MinimiserResult SolveReduced(const ReducedProblem& problem, const MinimiserOptions& options = {},
+  const Progress& progress = {});
 }

@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// A constraint ½ xᴴ A x = target with a sparse Hermitian matrix A: the degree of one hole or of
-/// several together, or the norm of one unknown (docs/method.md §3, variants 1 to 3).
+/// several together, or the norm of one unknown (docs/method.md §3.7, variants 1 to 3).
 struct QuadraticConstraint
 {
   struct Entry

@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// The constrained problem after everything but the hole edges is eliminated (docs/method.md §3):
+/// The constrained problem after everything but the hole edges is eliminated (docs/method.md §3.2):
 ///   minimise ½ xᴴ S x − Re(bᴴ x)   subject to   ½ xᴴ A_i x = t_i.
 struct ReducedProblem
 {

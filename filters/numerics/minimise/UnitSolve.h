@@ -9,15 +9,15 @@ namespace crossfield
 /// A minimiser of ½ xᴴ S x − Re(bᴴ x) over unit values that turn evenly, x_j = e^{i(d α_j + φ_i)} on
 /// hole i, with α_j the angle of edge j seen from its centre and one free phase φ_i per hole.
 ///
-/// That is what |x_j| = 1 on every edge together with the degree constraint says (docs/method.md §3,
-/// variant 3; paper: "we may have to force the crosses on some holes to have a norm equal to 1"): of
-/// all unit values of degree d, those that turn evenly alone reach C = t. So the degree is right by
-/// construction, where without the norm the minimiser may reach C = t with a wrong one.
+/// That is what |x_j| = 1 on every edge together with the degree constraint says (docs/method.md §3.6;
+/// paper: "we may have to force the crosses on some holes to have a norm equal to 1"): of all unit
+/// values of degree d that never turn back, those that turn evenly alone reach C = t. So the degree is
+/// right by construction, where without the norm the minimiser may reach C = t with a wrong one.
 ///
 /// Newton's method on the phases with a line search, started at those nearest to `start`, for
 /// example the values of the unit-norm field; negative curvatures of the Hessian count by their
 /// size. Multipliers are not computed and 0. S must be that of a potential with periods around holes
-/// (ConstrainedField.h).
+/// (PotentialReduction.h).
 MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});
 }

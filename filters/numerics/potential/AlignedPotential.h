@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// The potential Φ conjugate to a phase that is aligned with outer and inner loops and turns d_i
-/// times around hole i (docs/method.md §2; paper, "How to evaluate the choice of a singularity location").
+/// times around hole i (docs/method.md §2.3; paper, "How to evaluate the choice of a singularity location").
 struct AlignedPotential
 {
   Eigen::VectorXd solution;  ///< Rows of PotentialSolver: Φ at the vertices, then its periods.

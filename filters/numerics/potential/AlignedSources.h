@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// What alignment with outer and inner loops asks of the conjugate potential Φ: ∇φ = rot ∇Φ with the
-/// phase φ = 4τ along the boundary (docs/method.md §2, §5).
+/// phase φ = 4τ along the boundary (docs/method.md §2.4, §5.2).
 struct AlignedSources
 {
   /// Rows of PotentialSolver: the jump of φ at every vertex of outer and inner loops.
@@ -34,7 +34,7 @@ Eigen::VectorXd CornerJumps(const PotentialProblem& problem);
 
 /// φ continuous and linear along every edge of the mesh, with the values of CurvePhase at vertices,
 /// at corners halfway between the two values: boundary values of finite energy, so that conforming
-/// functions bound it from both sides (docs/method.md §5). The flux through an edge goes to its ends in equal
+/// functions bound it from both sides (docs/method.md §5.2). The flux through an edge goes to its ends in equal
 /// parts.
 AlignedSources LinearPhase(const PotentialProblem& problem);
 

@@ -26,9 +26,8 @@ Alignment AlignWithBoundary(
   {
     if (boundary[i].IsAligned())
     {
-      alignment.crosses[static_cast<Eigen::Index>(i)] =
-        AlignedRepresentation(topology.PointAt(boundary[i].vertices[1]) -
-          topology.PointAt(boundary[i].vertices[0]));
+      alignment.crosses[static_cast<Eigen::Index>(i)] = AlignedRepresentation(
+        topology.PointAt(boundary[i].vertices[1]) - topology.PointAt(boundary[i].vertices[0]));
     }
   }
   return alignment;

@@ -27,8 +27,7 @@ std::shared_ptr<const PotentialSolver> WithoutHoles(
 constexpr auto Islands = PotentialSolver::Periods::Islands;
 }
 
-PointPotential::PointPotential(
-  std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
+PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
   : Problem(WithoutHoles(std::move(solver)), std::move(alignment))
   , Domain{ Problem.Topology().AlignedLoops() }
   , Sources(CurvePhase(Problem))

@@ -15,7 +15,7 @@ struct BoundaryHalf
   Point to = Point::Zero();
 };
 
-/// The potential of singularities that are points, on a mesh without holes (docs/method.md §5, §6):
+/// The potential of singularities that are points, on a mesh without holes (docs/method.md §5.3, §11.3):
 ///   Φ = R + Σ_j d_j log|x − b_j| + Σ_c s_c / (−α_c) log|x − p_c|,
 /// b_j the singularities, p_c the corners of angle α_c at which the phase has to turn by s_c ≠ 0.
 /// The regular part R is a P1 function with periods. Its sources at a boundary vertex v are those of

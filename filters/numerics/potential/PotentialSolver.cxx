@@ -95,10 +95,9 @@ PotentialSolver::PotentialSolver(
   , Trailing(HoleVertices(this->Topology->mesh, this->Topology->loops))
 {
   const TriangleMesh& mesh = this->Topology->mesh;
-  std::vector<int> leftOut = { mesh
-                                 .boundary[static_cast<std::size_t>(
-                                   this->Topology->FirstOuterEdge())]
-                                 .vertices[0] };
+  std::vector<int> leftOut = {
+    mesh.boundary[static_cast<std::size_t>(this->Topology->FirstOuterEdge())].vertices[0]
+  };
   if (boundary == Boundary::Given)
   {
     leftOut.clear();

@@ -14,13 +14,13 @@ namespace crossfield
 {
 
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
-/// constrained field and everything derived from a potential (docs/method.md §2, §3).
+/// constrained field and everything derived from a potential (docs/method.md §2.3).
 ///
 /// It depends on the mesh alone: what is asked of it (corners, quarter indices, where the boundary is
 /// aligned) comes with the right-hand sides, so any number of questions share one factor.
 ///
 /// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop and
-/// hole: the amount by which Ψ grows along a closed way around it. Ψ with periods is Ψ + Σ q_k η_k with the
+/// hole: the amount by which Ψ grows along a closed way around it with the domain on the left. Ψ with periods is Ψ + Σ q_k η_k with the
 /// cut functions η_k of LoopStrip, which have a gradient on their strips only. The matrix is
 ///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
 /// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
@@ -58,8 +58,8 @@ public:
   };
 
   /// Throws Error when the mesh is not connected or has degenerate triangles.
-  explicit PotentialSolver(SharedTopology topology, Boundary boundary = Boundary::Natural,
-    const Progress& progress = {});
+  explicit PotentialSolver(
+    SharedTopology topology, Boundary boundary = Boundary::Natural, const Progress& progress = {});
 
   const MeshTopology& GetTopology() const { return *this->Topology; }
   const SharedTopology& ShareTopology() const { return this->Topology; }
@@ -95,9 +95,9 @@ public:
   {
     DissectedCholesky::Eliminated forward;
     Periods periods = Periods::Islands; ///< Of the question.
-    Eigen::MatrixXd trailing; ///< The solution on the trailing unknowns, in their order.
-    Eigen::RowVectorXd sums;  ///< Of the sources at vertices,
-    Eigen::RowVectorXd sizes; ///< and of their absolute values.
+    Eigen::MatrixXd trailing;           ///< The solution on the trailing unknowns, in their order.
+    Eigen::RowVectorXd sums;            ///< Of the sources at vertices,
+    Eigen::RowVectorXd sizes;           ///< and of their absolute values.
   };
 
   /// Solves for the trailing unknowns only. What is missing for the sources of a column at vertices

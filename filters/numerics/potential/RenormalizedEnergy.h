@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// The renormalised energy of a configuration: what remains of the energy ½ ∫ |∇φ|² of the aligned
-/// unit-norm field when the logarithms of its singularities are taken out (docs/method.md §5, §6; paper, "The
+/// unit-norm field when the logarithms of its singularities are taken out (docs/method.md §5.3, §6.4; paper, "The
 /// unifying renormalized Ginzburg-Landau energy"),
 ///   E = Σ_j π d_j² log(1/ρ) + Σ_c 16 e(α_c, k_c) log(1/ρ) + W + o(1)
 /// on the domain without disks of radius ρ around singularities and corners.

@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// The cross field with |u| = 1 of least ½ ∫ |∇φ|², u = e^{iφ}, aligned on every outer and inner
-/// loop and turning d_i times around hole i (docs/method.md §2; paper, "How to evaluate the choice of a
+/// loop and turning d_i times around hole i (docs/method.md §2.5; paper, "How to evaluate the choice of a
 /// singularity location").
 struct UnitNormField
 {

@@ -45,7 +45,8 @@ int CountOtherCorners(
     {
       return corner.chosen &&
         std::none_of(taken.begin(), taken.end(),
-          [&corner](const CountedCorner& other) {
+          [&corner](const CountedCorner& other)
+          {
             return other.loop == corner.loop && other.vertex == corner.vertex &&
               other.quarterIndex == corner.quarterIndex;
           });
@@ -93,8 +94,8 @@ std::string Describe(const FieldCheck& check, int otherCorners)
 }
 }
 
-FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices,
-  const Configuration& points)
+FieldCheck CheckField(
+  const CrossField& field, const std::vector<CornerChoice>& choices, const Configuration& points)
 {
   if (!field.u.allFinite())
   {
@@ -123,7 +124,8 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   FieldIndices indices = ReadIndices(topology, field.u);
   const std::vector<bool> counted = MarkCounted(topology, asked);
   MergeAtVertices(topology.mesh, counted, indices);
-  check.interiorQuarters = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
+  check.interiorQuarters =
+    std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
     std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0);
   for (const std::vector<int>& loop : topology.alignedVertices)
   {

@@ -12,17 +12,18 @@ struct FieldReading
   PoincareHopfCount count;
   /// Of holes, then imprinted circles, in the order of the configuration.
   std::vector<HoleReading> holes;
-  int wrongDegrees = 0;       ///< Holes whose degree is not the prescribed one.
-  bool degreesReached = true; ///< None is wrong, or their sum is right where only that was asked for.
+  int wrongDegrees = 0; ///< Holes whose degree is not the prescribed one.
+  bool degreesReached =
+    true; ///< None is wrong, or their sum is right where only that was asked for.
   int unwantedSingularities = 0; ///< See UnwantedSingularities.h.
 };
 
 /// What was asked of a field beside what its mesh says.
 struct FieldQuestion
 {
-  PoincareHopfCount count;     ///< With the chosen corners.
-  Configuration points;        ///< Singularities that are points.
-  bool onlyTheSum = false;     ///< Only the sum of the degrees of all holes was prescribed.
+  PoincareHopfCount count; ///< With the chosen corners.
+  Configuration points;    ///< Singularities that are points.
+  bool onlyTheSum = false; ///< Only the sum of the degrees of all holes was prescribed.
 };
 
 /// Where neither holes, circles nor points say where singularities are wanted, as many quarters as the

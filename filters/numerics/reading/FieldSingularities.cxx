@@ -37,8 +37,7 @@ std::vector<VertexRole> FindRoles(
       VertexRole& role = roles[static_cast<std::size_t>(edge.vertices[0])];
       role.place = edge.kind == BoundaryKind::Outer ? Place::OuterLoop : Place::InnerLoop;
       role.id = edge.id;
-      role.corner =
-        IsCorner(topology.turning[static_cast<Eigen::Index>(i)], options.cornerAngle);
+      role.corner = IsCorner(topology.turning[static_cast<Eigen::Index>(i)], options.cornerAngle);
     }
   }
   for (const int vertex : options.chosenVertices)
@@ -157,8 +156,8 @@ std::vector<double> LongestEdges(const MeshTopology& topology)
 }
 
 /// Merges what is singular off the corners.
-std::map<int, Cluster> FindClusters(const CrossField& field, const FieldIndices& indices,
-  const std::vector<VertexRole>& roles)
+std::map<int, Cluster> FindClusters(
+  const CrossField& field, const FieldIndices& indices, const std::vector<VertexRole>& roles)
 {
   const TriangleMesh& mesh = field.topology->mesh;
   const EdgeNumbering& edges = field.topology->edges;
@@ -275,14 +274,13 @@ std::vector<FieldSingularity> FindFieldSingularities(
   if (field.u.size() != count || !field.u.allFinite())
   {
     throw Error("The field has " + std::to_string(field.u.size()) + " values for " +
-      std::to_string(count) +
-      " edges, or some that are not finite numbers; compute it again.");
+      std::to_string(count) + " edges, or some that are not finite numbers; compute it again.");
   }
   return FindFieldSingularities(field, ReadIndices(*field.topology, field.u), options);
 }
 
-std::vector<FieldSingularity> FindFieldSingularities(const CrossField& field,
-  const FieldIndices& unmerged, const FieldSingularityOptions& options)
+std::vector<FieldSingularity> FindFieldSingularities(
+  const CrossField& field, const FieldIndices& unmerged, const FieldSingularityOptions& options)
 {
   const MeshTopology& topology = *field.topology;
   const TriangleMesh& mesh = topology.mesh;

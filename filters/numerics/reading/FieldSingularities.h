@@ -56,6 +56,6 @@ std::vector<FieldSingularity> FindFieldSingularities(
   const CrossField& field, const FieldSingularityOptions& options = {});
 
 /// The same where the indices are at hand.
-std::vector<FieldSingularity> FindFieldSingularities(const CrossField& field,
-  const FieldIndices& indices, const FieldSingularityOptions& options);
+std::vector<FieldSingularity> FindFieldSingularities(
+  const CrossField& field, const FieldIndices& indices, const FieldSingularityOptions& options);
 }

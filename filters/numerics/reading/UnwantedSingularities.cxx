@@ -66,8 +66,7 @@ int CountUnwanted(
       [&](const Singularity& other) { return within(other.position, resolution); });
     if (point != wanted.points.end())
     {
-      atPoints[static_cast<std::size_t>(point - wanted.points.begin())] +=
-        singularity.quarterIndex;
+      atPoints[static_cast<std::size_t>(point - wanted.points.begin())] += singularity.quarterIndex;
       continue;
     }
     const bool chosen = std::any_of(wanted.chosenVertices.begin(), wanted.chosenVertices.end(),

@@ -25,7 +25,7 @@ struct CountedCorner : Corner
   bool chosen = false; ///< Instead of the smallest rotation.
 };
 
-/// The count of quarter indices of the generalised Poincaré-Hopf theorem (docs/method.md §7; paper,
+/// The count of quarter indices of the generalised Poincaré-Hopf theorem (docs/method.md §7.1; paper,
 /// "Generalized Poincaré-Hopf theorem").
 struct PoincareHopfCount
 {

@@ -279,8 +279,8 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
   EXPECT_EQ(field.iterations, 2);
   EXPECT_GT(field.residual, 1e-10);
   int calls = 0;
-  EXPECT_THROW(
-    SolveGinzburgLandau(ShareTopology(Mesh("disk", 0.1)), {}, Progress([&calls](double) { return ++calls < 5; })),
+  EXPECT_THROW(SolveGinzburgLandau(ShareTopology(Mesh("disk", 0.1)), {},
+                 Progress([&calls](double) { return ++calls < 5; })),
     Aborted);
   EXPECT_EQ(calls, 5);
 }
@@ -288,15 +288,18 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
 TEST(GinzburgLandau, RefusesWhatMakesNoSense)
 {
   const TriangleMesh drilled = DrillHoles(Builtin("disk"), OnCircle(4, 0.6, 0.0, 1, 0.1));
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(drilled)); }, { "has holes", "drilled without" }));
+  EXPECT_TRUE(Refuses(
+    [&] { SolveGinzburgLandau(ShareTopology(drilled)); }, { "has holes", "drilled without" }));
   const TriangleMesh mesh = Mesh("disk", 0.2);
   GinzburgLandauOptions options;
   options.start = GinzburgLandauStart::Given;
   options.given = ComplexVector::Ones(3);
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "start from", "3 values" }));
+  EXPECT_TRUE(Refuses(
+    [&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "start from", "3 values" }));
   options = {};
   options.epsilon = -0.1;
-  EXPECT_TRUE(Refuses([&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "epsilon", "positive" }));
+  EXPECT_TRUE(
+    Refuses([&] { SolveGinzburgLandau(ShareTopology(mesh), options); }, { "epsilon", "positive" }));
 }
 }
 }

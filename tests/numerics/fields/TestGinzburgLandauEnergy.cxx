@@ -184,7 +184,8 @@ TEST_F(GinzburgLandauEnergyTest, PenaltyOfASmoothFieldConvergesWithTheSecondOrde
       u[e] = std::pow(Midpoint(mesh, edges, e).x(), 2);
     }
     sizes.push_back(size);
-    errors.push_back(std::abs(GinzburgLandauEnergy(MeshTopology(mesh), Epsilon).PenaltyPart(u) - exact));
+    errors.push_back(
+      std::abs(GinzburgLandauEnergy(MeshTopology(mesh), Epsilon).PenaltyPart(u) - exact));
   }
   EXPECT_GT(ConvergenceRate(sizes, errors), 1.8);
 }

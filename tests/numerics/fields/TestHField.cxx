@@ -1,7 +1,7 @@
 #include "HField.h"
 
-#include "DrillHoles.h"
 #include "Alignment.h"
+#include "DrillHoles.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -107,7 +107,8 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
       if (field.field.topology->edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
       {
         crossError = std::max(crossError,
-          std::abs(field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.topology->edges, e))));
+          std::abs(
+            field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.topology->edges, e))));
       }
     }
     sizes.push_back(size);
@@ -254,8 +255,8 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
       const Point from = mesh.points[static_cast<std::size_t>(ends[0])];
       const Point along = (mesh.points[static_cast<std::size_t>(ends[1])] - from).normalized();
       const int edge = field.field.topology->edges.ofBoundary[i];
-      const auto triangle =
-        static_cast<std::size_t>(field.field.topology->edges.triangles[static_cast<std::size_t>(edge)][0]);
+      const auto triangle = static_cast<std::size_t>(
+        field.field.topology->edges.triangles[static_cast<std::size_t>(edge)][0]);
       if (away(from))
       {
         const Point slope = Slopes(mesh, field, triangle)[0];

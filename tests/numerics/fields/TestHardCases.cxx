@@ -1,9 +1,9 @@
 #include "ConjugateField.h"
-#include "PotentialReduction.h"
 #include "DirectPerforatedSolve.h"
 #include "DualSolve.h"
 #include "HardCases.h"
 #include "PerforatedSolve.h"
+#include "PotentialReduction.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -47,8 +47,8 @@ void ExpectSolved(const HardCase& hard)
   EXPECT_EQ(unitNorm.wrongDegrees, 0);
   EXPECT_EQ(unitNorm.unwantedSingularities, 0);
   // The phase of the Crouzeix-Raviart field and the P1 potential have one energy (docs/method.md §2).
-  EXPECT_NEAR(
-    PhaseEnergy(hard.mesh, unitNorm.topology->edges, unitNorm.u), unitNorm.energy, 1e-10 * unitNorm.energy);
+  EXPECT_NEAR(PhaseEnergy(hard.mesh, unitNorm.topology->edges, unitNorm.u), unitNorm.energy,
+    1e-10 * unitNorm.energy);
   // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because
   // 2 − 2 cos δ ≤ δ² for every step of the phase.
   if (!constrained.unitHoles)

@@ -75,7 +75,8 @@ TEST(PerforatedSolve, OptimalityConditionsHoldOnEveryEdge)
     for (const BoundaryLoop& loop : FindBoundaryLoops(mesh))
     {
       const auto m = static_cast<int>(loop.edges.size());
-      const auto number = [&](int j) { return field.topology->edges.ofBoundary[loop.edges[(j + m) % m]]; };
+      const auto number = [&](int j)
+      { return field.topology->edges.ofBoundary[loop.edges[(j + m) % m]]; };
       double sum = 0.0;
       Loop midpoints;
       for (int j = 0; j < m; ++j)
@@ -167,7 +168,8 @@ TEST(PerforatedSolve, TheNumberingOfTheMeshDoesNotMatter)
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
-    ExpectSameField(SolvePerforated(ShareTopology(Renumber(mesh, random))), SolvePerforated(ShareTopology(mesh)), 1e-10);
+    ExpectSameField(SolvePerforated(ShareTopology(Renumber(mesh, random))),
+      SolvePerforated(ShareTopology(mesh)), 1e-10);
   }
 }
 
@@ -292,7 +294,8 @@ TEST(PerforatedSolve, RefusesAHoleWithTooFewEdges)
     edge.quarterIndex = edge.kind == BoundaryKind::Hole ? 4 : 0;
   }
   ASSERT_EQ(FindBoundaryLoops(mesh).back().edges.size(), 8u);
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh)); }, { "8 edges", "at least 9 edges" }));
+  EXPECT_TRUE(
+    Refuses([&] { SolvePerforated(ShareTopology(mesh)); }, { "8 edges", "at least 9 edges" }));
 }
 
 TEST(PerforatedSolve, ReportsWhatDidNotConvergeInsteadOfThrowing)

@@ -107,7 +107,8 @@ TEST(PerforatedSolveReference, RingWithoutHolesConvergesAtSecondOrder)
   {
     DrillOptions options;
     options.meshSize = size;
-    const SolvedField field = SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", size), {}, options)));
+    const SolvedField field =
+      SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", size), {}, options)));
     sizes.push_back(size);
     errors.push_back(std::abs(field.energy - exact));
   }
@@ -122,7 +123,8 @@ TEST(PerforatedSolveReference, RingWithFourPairs)
   options.meshSize = 0.04;
   const Configuration holes =
     Joined(OnCircle(4, 0.7, 0.0, 1, 0.05), OnCircle(4, 0.7, 0.25 * Pi, -1, 0.05));
-  const SolvedField field = SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", 0.04), holes, options)));
+  const SolvedField field =
+    SolvePerforated(ShareTopology(DrillHoles(Builtin("ring", 0.04), holes, options)));
   ASSERT_TRUE(field.converged);
   EXPECT_EQ(field.count.requiredInteriorQuarters, 0);
   for (std::size_t i = 0; i < holes.size(); ++i)

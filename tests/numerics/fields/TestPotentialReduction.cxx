@@ -1,8 +1,8 @@
-#include "PotentialReduction.h"
 #include "DirectPerforatedSolve.h"
 #include "DrillHoles.h"
 #include "DualSolve.h"
 #include "MakePlanarDomain.h"
+#include "PotentialReduction.h"
 #include "Support.h"
 
 #include <cmath>

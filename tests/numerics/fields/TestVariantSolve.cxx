@@ -1,11 +1,11 @@
 // The variants of the constrained solve, docs/method.md §3: identities and invariances.
-#include "PotentialReduction.h"
-#include "DualSolve.h"
 #include "DirectReduction.h"
+#include "DualSolve.h"
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
 #include "PenalisedField.h"
 #include "PerforatedSolve.h"
+#include "PotentialReduction.h"
 #include "Support.h"
 #include "VariantSolve.h"
 
@@ -152,7 +152,8 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
   const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.topology->edges);
   const ComplexVector forces = stiffness * field.u;
   std::vector<bool> held(static_cast<std::size_t>(field.topology->edges.Count()), false);
-  for (const auto* numbers : { &field.topology->edges.ofBoundary, &field.topology->edges.ofImprinted })
+  for (const auto* numbers :
+    { &field.topology->edges.ofBoundary, &field.topology->edges.ofImprinted })
   {
     for (const int edge : *numbers)
     {
@@ -286,7 +287,8 @@ TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
   EXPECT_TRUE(field.converged && reference.converged);
   EXPECT_NEAR(field.energy, reference.energy, 1e-9 * reference.energy);
   EXPECT_LT((field.u - reference.u).lpNorm<Eigen::Infinity>(), 1e-6);
-  const SolvedField disk = SolvePerforated(ShareTopology(DrillMesh(Builtin("disk", 0.1), {}, 0.1)), Penalty(0.1));
+  const SolvedField disk =
+    SolvePerforated(ShareTopology(DrillMesh(Builtin("disk", 0.1), {}, 0.1)), Penalty(0.1));
   EXPECT_TRUE(disk.converged);
   EXPECT_EQ(disk.unwantedSingularities, 4);
 }
@@ -297,21 +299,25 @@ TEST(VariantSolve, RefusesWhatCannotBeCombined)
   const TriangleMesh circles = FourHoles(0.2, DrillMode::Imprint);
   PerforatedOptions unitNorm;
   unitNorm.method = PerforatedMethod::UnitNorm;
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(circles), unitNorm); }, { "needs holes", "imprinted" }));
+  EXPECT_TRUE(Refuses(
+    [&] { SolvePerforated(ShareTopology(circles), unitNorm); }, { "needs holes", "imprinted" }));
   unitNorm.globalConstraint = true;
-  EXPECT_TRUE(
-    Refuses([&] { SolvePerforated(ShareTopology(holes), unitNorm); }, { "belong to the constrained method" }));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), unitNorm); },
+    { "belong to the constrained method" }));
   PerforatedOptions missing;
   missing.unitHoleRows = { 4 };
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), missing); }, { "hole 4", "does not have" }));
+  EXPECT_TRUE(Refuses(
+    [&] { SolvePerforated(ShareTopology(holes), missing); }, { "hole 4", "does not have" }));
   PerforatedOptions both = Penalty(0.1);
   both.unitHoles = true;
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), both); }, { "cannot be combined" }));
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(holes), Penalty(-1.0)); }, { "must be positive" }));
+  EXPECT_TRUE(
+    Refuses([&] { SolvePerforated(ShareTopology(holes), both); }, { "cannot be combined" }));
+  EXPECT_TRUE(
+    Refuses([&] { SolvePerforated(ShareTopology(holes), Penalty(-1.0)); }, { "must be positive" }));
   PerforatedOptions global;
   global.globalConstraint = true;
   const TriangleMesh five = DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
-  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(five), global); }, { "add up to 5", "asks for 4" },
-    Error::Kind::Inconsistent));
+  EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(five), global); },
+    { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
 }
 }

@@ -1,6 +1,6 @@
+#include "DirectPerforatedSolve.h"
 #include "DualSolve.h"
 #include "ReducedProblem.h"
-#include "DirectPerforatedSolve.h"
 #include "Support.h"
 
 #include <Eigen/Cholesky>

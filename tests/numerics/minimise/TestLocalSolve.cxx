@@ -1,6 +1,6 @@
+#include "DirectPerforatedSolve.h"
 #include "DualSolve.h"
 #include "LocalSolve.h"
-#include "DirectPerforatedSolve.h"
 #include "Support.h"
 
 #include <Eigen/Cholesky>

@@ -74,7 +74,9 @@ TEST(PotentialSolver, SolvesTheLaplacianForAnySourcesOfSumZero)
     const Eigen::VectorXd solution = prepared.solver.Solve(sources, Islands);
     EXPECT_EQ(solution.tail(2).norm(), 0.0) << "periods around holes";
     const Eigen::Index vertices = stiffness.rows();
-    EXPECT_LE((stiffness * solution.head(vertices) - sources.head(vertices)).lpNorm<Eigen::Infinity>(), 1e-11);
+    EXPECT_LE(
+      (stiffness * solution.head(vertices) - sources.head(vertices)).lpNorm<Eigen::Infinity>(),
+      1e-11);
   }
 }
 
@@ -175,7 +177,8 @@ TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
   {
     sources[prepared.solver.PeriodRow(k)] = random.Uniform(-1.0, 1.0);
   }
-  const Eigen::Matrix2Xd gradient = prepared.solver.Gradient(prepared.solver.Solve(sources, Everywhere));
+  const Eigen::Matrix2Xd gradient =
+    prepared.solver.Gradient(prepared.solver.Solve(sources, Everywhere));
   const Eigen::VectorXd phase = IntegrateConjugate(prepared.mesh, prepared.edges, gradient,
     prepared.edges.ofBoundary[0], Eigen::VectorXd::Constant(1, 0.7))
                                   .transpose();
@@ -259,8 +262,8 @@ TEST(PotentialSolver, RefusesSourcesWithASum)
   const Prepared prepared(Plain());
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
   sources[3] = 0.5;
-  EXPECT_TRUE(
-    Refuses([&] { prepared.solver.Solve(sources, Islands); }, { "add up to 0.5", "Poincaré-Hopf" }));
+  EXPECT_TRUE(Refuses(
+    [&] { prepared.solver.Solve(sources, Islands); }, { "add up to 0.5", "Poincaré-Hopf" }));
 }
 }
 }

@@ -101,7 +101,8 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
   {
     SCOPED_TRACE(test.name);
     const TriangleMesh mesh = Mesh(test.domain, 0.1);
-    const PointPotential potential = PointPotentialOn(mesh, test.corners, TotalQuarters(test.configuration));
+    const PointPotential potential =
+      PointPotentialOn(mesh, test.corners, TotalQuarters(test.configuration));
     const RenormalizedEnergyValue value = Evaluate(potential, test.configuration);
     const double step = 1e-5;
     for (std::size_t j = 0; j < test.configuration.size(); ++j)
@@ -196,9 +197,7 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
       std::vector<double> energies;
       for (int level = 0; level < 4; ++level)
       {
-        energies.push_back(
-          SolveUnitNorm(ProblemOn(mesh, corners))
-            .energy);
+        energies.push_back(SolveUnitNorm(ProblemOn(mesh, corners)).energy);
         mesh = Refine(mesh);
       }
       // Refine halves polygons' edges too, whose vertices are corners of small angle, 2π/n: their

@@ -76,7 +76,8 @@ TEST(FieldIndices, OfExactFieldsAreWhereTheSingularitiesAre)
   const EdgeNumbering edges = NumberEdges(mesh);
   for (const Configuration& singularities : Configurations())
   {
-    const FieldIndices indices = ReadIndices(MeshTopology(mesh), Sample(mesh, edges, singularities));
+    const FieldIndices indices =
+      ReadIndices(MeshTopology(mesh), Sample(mesh, edges, singularities));
     EXPECT_EQ(Sum(indices.ofTriangle) + Sum(indices.ofVertex), 4);
     std::vector<int> found(singularities.size(), 0);
     const auto assign = [&](const Point& place, int index)
@@ -115,7 +116,8 @@ TEST(FieldIndices, CornersTakeTheirQuarters)
   {
     const TriangleMesh mesh = DrillHoles(Builtin(name), {});
     const EdgeNumbering edges = NumberEdges(mesh);
-    const FieldIndices indices = ReadIndices(MeshTopology(mesh), ComplexVector::Ones(edges.Count()));
+    const FieldIndices indices =
+      ReadIndices(MeshTopology(mesh), ComplexVector::Ones(edges.Count()));
     EXPECT_EQ(Sum(indices.ofTriangle), 0);
     EXPECT_EQ(Sum(indices.ofVertex), 4);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -175,7 +177,8 @@ TEST(FieldIndices, DoNotDependOnNormOrFrame)
   }
   // Turning everything by an angle turns the representation by four times as much.
   const Similarity turn{ 0.7, 2.0, Point(1.0, 1.0) };
-  const FieldIndices turned = ReadIndices(MeshTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
+  const FieldIndices turned =
+    ReadIndices(MeshTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
   EXPECT_EQ(turned.ofTriangle, plain.ofTriangle);
   EXPECT_EQ(turned.ofVertex, plain.ofVertex);
 }

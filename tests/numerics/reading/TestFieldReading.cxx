@@ -1,5 +1,5 @@
-#include "FieldReading.h"
 #include "DrillHoles.h"
+#include "FieldReading.h"
 #include "MakePlanarDomain.h"
 #include "Support.h"
 

@@ -188,7 +188,8 @@ TEST(FieldSingularities, BoundaryTakesWhatAFieldWithoutSingularitiesLacks)
 {
   // The constant cross on a disk: four quarters between the crosses inside and those on the circle.
   const Disk disk(0.1);
-  const auto found = FindFieldSingularities({ ShareTopology(disk.mesh), disk.Aligned(ComplexVector::Ones(disk.edges.Count())) });
+  const auto found = FindFieldSingularities(
+    { ShareTopology(disk.mesh), disk.Aligned(ComplexVector::Ones(disk.edges.Count())) });
   int sum = 0;
   for (const FieldSingularity& singularity : found)
   {
@@ -276,7 +277,8 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
   Disk shuffled = disk;
   shuffled.mesh = Renumber(disk.mesh, random);
   shuffled.edges = NumberEdges(shuffled.mesh);
-  const auto found = FindFieldSingularities({ ShareTopology(shuffled.mesh), shuffled.Sample(exact) });
+  const auto found =
+    FindFieldSingularities({ ShareTopology(shuffled.mesh), shuffled.Sample(exact) });
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -288,12 +290,18 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
 TEST(FieldSingularities, RefusesWhatIsNoField)
 {
   const Disk disk(0.3);
-  EXPECT_TRUE(
-    Refuses([&] { FindFieldSingularities({ ShareTopology(disk.mesh), ComplexVector::Ones(2) }); },
-      { "2 values", "edges" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      FindFieldSingularities({ ShareTopology(disk.mesh), ComplexVector::Ones(2) });
+    },
+    { "2 values", "edges" }));
   ComplexVector u = ComplexVector::Ones(disk.edges.Count());
   u[1] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(Refuses([&] { FindFieldSingularities({ ShareTopology(disk.mesh), u }); }, { "not finite" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      FindFieldSingularities({ ShareTopology(disk.mesh), u });
+    },
+    { "not finite" }));
 }
 }
 }

@@ -235,8 +235,8 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
     {
       PerforatedOptions options;
       options.method = method;
-      EXPECT_TRUE(
-        Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { verdict }, Error::Kind::Inconsistent));
+      EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { verdict },
+        Error::Kind::Inconsistent));
     }
   }
 }

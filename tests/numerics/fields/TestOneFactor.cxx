@@ -1,0 +1,82 @@
+#include "HField.h"
+#include "PerforatedSolve.h"
+#include "SparseCholesky.h"
+#include "Support.h"
+
+namespace crossfield::test
+{
+namespace
+{
+std::shared_ptr<const PotentialSolver> Factor(const TriangleMesh& mesh)
+{
+  return std::make_shared<const PotentialSolver>(ShareTopology(mesh));
+}
+
+TEST(OneFactor, ServesEveryMethodAndAllCorners)
+{
+  // An island, so that there are periods of both kinds.
+  DrillOptions options;
+  options.meshSize = 0.08;
+  const TriangleMesh mesh = DrillHoles(
+    Builtin("ring", 0.08), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }, options);
+  const auto potential = Factor(mesh);
+  const long before = SparseCholesky::CountOfAll();
+  PerforatedOptions constrained;
+  PerforatedOptions unitNorm;
+  unitNorm.method = PerforatedMethod::UnitNorm;
+  PerforatedOptions unitHoles;
+  unitHoles.unitHoles = true;
+  PerforatedOptions corners = unitNorm;
+  const std::vector<int>& outer = potential->GetTopology().alignedVertices[0];
+  corners.corners = { { potential->GetTopology().PointAt(outer[0]), 1 },
+    { potential->GetTopology().PointAt(outer[5]), -1 } };
+  std::vector<SolvedField> fields;
+  for (const PerforatedOptions& question : { constrained, unitNorm, unitHoles, corners, unitNorm })
+  {
+    fields.push_back(SolvePerforated(potential, question));
+    EXPECT_TRUE(fields.back().converged);
+  }
+  SolveHField(potential, {});
+  EXPECT_EQ(SparseCholesky::CountOfAll(), before);
+  // What was asked in between leaves nothing behind.
+  EXPECT_EQ(fields[1].u, fields[4].u);
+  // And every answer is that of a factor of its own.
+  EXPECT_EQ(SolvePerforated(ShareTopology(mesh), unitHoles).u, fields[2].u);
+  EXPECT_EQ(SolvePerforated(ShareTopology(mesh), constrained).u, fields[0].u);
+}
+
+TEST(OneFactor, AWholeSolveHasOne)
+{
+  // The two halves of a mesh are factored apart.
+  DrillOptions options;
+  options.meshSize = 0.1;
+  const TriangleMesh mesh =
+    DrillHoles(Builtin("disk", 0.1), OnCircle(4, 0.6, 0.3, 1, 0.1), options);
+  for (const bool unitHoles : { false, true })
+  {
+    PerforatedOptions question;
+    question.unitHoles = unitHoles;
+    const long before = SparseCholesky::CountOfAll();
+    SolvePerforated(ShareTopology(mesh), question);
+    EXPECT_EQ(SparseCholesky::CountOfAll(), before + 2);
+  }
+}
+
+TEST(OneFactor, AMovedPointNeedsNone)
+{
+  DrillOptions options;
+  options.meshSize = 0.1;
+  const auto potential = Factor(DrillHoles(Builtin("disk", 0.1), {}, options));
+  const long before = SparseCholesky::CountOfAll();
+  double last = 0.0;
+  for (const double radius : { 0.5, 0.6, 0.7 })
+  {
+    const HField field = SolveHField(potential, OnCircle(4, radius, 0.3, 1, 0.0));
+    EXPECT_TRUE(field.field.converged);
+    EXPECT_LT(field.renormalizedEnergy, last + 10.0);
+    last = field.renormalizedEnergy;
+  }
+  EXPECT_EQ(SparseCholesky::CountOfAll(), before);
+}
+}
+}
