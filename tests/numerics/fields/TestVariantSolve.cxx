@@ -290,7 +290,7 @@ TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
   const SolvedField disk =
     SolvePerforated(ShareTopology(DrillMesh(Builtin("disk", 0.1), {}, 0.1)), Penalty(0.1));
   EXPECT_TRUE(disk.converged);
-  EXPECT_EQ(disk.unwantedSingularities, 4);
+  EXPECT_EQ(disk.unwantedSingularities, 0) << "nothing says where, and the disk asks for four";
 }
 
 TEST(VariantSolve, RefusesWhatCannotBeCombined)
