@@ -26,6 +26,7 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
+  array->Fill(0.0); // what points that no cell uses keep
   data->AddArray(array);
   return array;
 }
@@ -90,9 +91,9 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
     crossfield::SampleField(cells.mesh, field.edges, field.u);
 
   ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    points.Set(i, samples.atVertices[i]);
+    points.Set(cells.pointIds[i], samples.atVertices[static_cast<Eigen::Index>(i)]);
   }
 
   auto exact = NewArray(
@@ -202,16 +203,18 @@ void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 }
 
 //------------------------------------------------------------------------------
-void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
+void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
+  vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
   const vtkIdType count = output->GetNumberOfPoints();
   auto h = NewArray(output->GetPointData(), names::H, 1, count);
   auto sizes = NewArray(output->GetPointData(), names::SizeMap, 1, count);
-  for (vtkIdType i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    h->SetValue(i, field.h[i]);
-    sizes->SetValue(i, std::exp(field.h[i]));
+    const double value = field.h[static_cast<Eigen::Index>(i)];
+    h->SetValue(cells.pointIds[i], value);
+    sizes->SetValue(cells.pointIds[i], std::exp(value));
   }
   output->GetPointData()->SetActiveScalars(names::SizeMap);
   if (field.periods.empty())

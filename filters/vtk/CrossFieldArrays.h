@@ -9,7 +9,9 @@
 
 class vtkUnstructuredGrid;
 
-/** Writes a cross field and its report into the arrays of a mesh. */
+/**
+ * Writes a cross field and its report into the arrays of a mesh. Points that no cell uses get zeros.
+ */
 namespace CrossFieldArrays
 {
 /** Cell and point arrays `CrossFieldCR`, `Representation`, `Cross`, `Cross2`, `CrossNorm`. */
@@ -30,7 +32,8 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
 
 /** Point arrays `H`, `SizeMap`, and the field data `RenormalizedEnergy`; see vtkHField. */
-void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output);
+void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
+  vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when

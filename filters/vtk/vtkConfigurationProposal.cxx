@@ -56,10 +56,7 @@ int vtkConfigurationProposal::RequestData(
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadChoices(corners, input.plane);
       options.cancelFlatCorners = this->CancelFlatCorners;
-      if (singularities != nullptr)
-      {
-        options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
-      }
+      options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
       CornerConversion::WriteConfiguration(
         crossfield::ProposeConfiguration(input.domain, options, progress), input.plane,
         vtkPolyData::GetData(outputVector));

@@ -14,7 +14,6 @@
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -32,13 +31,6 @@ vtkUnstructuredGrid* AsMesh(vtkDataSet* domain)
       grid->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr
     ? grid
     : nullptr;
-}
-
-crossfield::Configuration ReadSingularities(
-  vtkDataSet* singularities, const crossfield::DomainPlane& plane)
-{
-  return singularities != nullptr ? DomainConversion::ReadConfiguration(singularities, plane)
-                                  : crossfield::Configuration();
 }
 }
 
@@ -80,24 +72,25 @@ int vtkHField::RequestData(
         return;
       }
       crossfield::Stopwatch stopwatch;
-      const crossfield::DomainPlane plane = DomainConversion::FindPlane(domain);
-      const crossfield::Configuration configuration = ReadSingularities(singularities, plane);
-      vtkNew<vtkUnstructuredGrid> mesh;
-      if (vtkUnstructuredGrid* given = AsMesh(domain))
+      vtkUnstructuredGrid* given = AsMesh(domain);
+      crossfield::Configuration configuration;
+      DomainConversion::DrilledMesh cells;
+      if (given != nullptr)
       {
-        mesh->ShallowCopy(given);
+        cells = DomainConversion::ReadDrilledMesh(given);
+        configuration = DomainConversion::ReadConfiguration(singularities, cells.plane);
       }
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-        DomainConversion::WriteDrilledMesh(crossfield::MeshForPoints(input.domain, configuration,
-                                             this->MeshSize, progress.Part(0.0, 0.4)),
-          plane, mesh);
+        configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
+        cells = DomainConversion::NumberCells(crossfield::MeshForPoints(input.domain, configuration,
+                                                this->MeshSize, progress.Part(0.0, 0.4)),
+          input.plane);
       }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(mesh);
       this->StageSeconds[0] = stopwatch.Lap();
       const crossfield::HField field = crossfield::SolveHField(cells.mesh, configuration,
-        CornerConversion::ReadChoices(corners, plane), progress.Part(0.4, 1.0));
+        CornerConversion::ReadChoices(corners, cells.plane), progress.Part(0.4, 1.0));
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];
@@ -109,10 +102,17 @@ int vtkHField::RequestData(
             << " along a way to it. Move singularities until the defect vanishes.");
         }
       }
-      output->ShallowCopy(mesh);
+      if (given != nullptr)
+      {
+        output->ShallowCopy(given);
+      }
+      else
+      {
+        DomainConversion::WriteDrilledMesh(cells.mesh, cells.plane, output);
+      }
       CrossFieldArrays::AddField(cells, field.field, output);
       CrossFieldArrays::AddReport(field.field, output);
-      CrossFieldArrays::AddH(field, output);
+      CrossFieldArrays::AddH(cells, field, output);
       this->StageSeconds[1] = field.field.seconds.assemble;
       this->StageSeconds[2] = field.field.seconds.factor;
       this->StageSeconds[3] = field.field.seconds.solve;

@@ -63,11 +63,8 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
   const std::vector<crossfield::CornerChoice> corners =
     CornerConversion::ReadChoices(chosen, plane);
   progress.Report(0.1);
-  crossfield::Configuration configuration;
-  if (singularities != nullptr)
-  {
-    configuration = DomainConversion::ReadConfiguration(singularities, plane);
-  }
+  const crossfield::Configuration configuration =
+    DomainConversion::ReadConfiguration(singularities, plane);
   crossfield::RequireInside(domain, configuration);
   result.plane = plane;
   result.count = crossfield::CountQuarters(
