@@ -1,5 +1,6 @@
 #include "CrossFieldArrays.h"
 
+#include "ColumnWriting.h"
 #include "CrossSamples.h"
 #include "Error.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -17,6 +18,8 @@
 
 namespace
 {
+using ColumnWriting::AddIntegers;
+using ColumnWriting::AddNumbers;
 using crossfield::Complex;
 
 vtkSmartPointer<vtkDoubleArray> NewArray(
@@ -60,25 +63,6 @@ private:
   vtkSmartPointer<vtkDoubleArray> Cross2;
   vtkSmartPointer<vtkDoubleArray> CrossNorm;
 };
-
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  NewArray(data, name, 1, 1)->SetValue(0, value);
-}
-
-vtkSmartPointer<vtkIntArray> AddIntegers(vtkFieldData* data, const char* name, vtkIdType count)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(count);
-  data->AddArray(array);
-  return array;
-}
-
-void AddInteger(vtkFieldData* data, const char* name, int value)
-{
-  AddIntegers(data, name, 1)->SetValue(0, value);
-}
 }
 
 namespace CrossFieldArrays
@@ -151,29 +135,28 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
   vtkFieldData* data = output->GetFieldData();
-  AddValue(data, names::Energy, field.energy);
-  AddInteger(data, names::Iterations, field.iterations);
-  AddValue(data, names::Residual, field.residual);
-  AddInteger(data, names::Converged, field.converged ? 1 : 0);
-  AddInteger(data, names::StartedFromUnitNorm, field.startedFromUnitNorm ? 1 : 0);
-  AddInteger(data, names::UnitHoles, field.unitHoles ? 1 : 0);
-  const auto holes = static_cast<vtkIdType>(field.holes.size());
-  auto degrees = AddIntegers(data, names::HoleDegree, holes);
-  auto norms = NewArray(data, names::HoleNormRange, 2, holes);
-  for (vtkIdType i = 0; i < holes; ++i)
+  AddNumbers(data, names::Energy, { field.energy });
+  AddIntegers(data, names::Iterations, { field.iterations });
+  AddNumbers(data, names::Residual, { field.residual });
+  AddIntegers(data, names::Converged, { field.converged ? 1 : 0 });
+  AddIntegers(data, names::StartedFromUnitNorm, { field.startedFromUnitNorm ? 1 : 0 });
+  AddIntegers(data, names::UnitHoles, { field.unitHoles ? 1 : 0 });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::HoleDegree, field.holes,
+    [](const crossfield::HoleReading& hole) { return hole.degree; });
+  auto norms = NewArray(data, names::HoleNormRange, 2, static_cast<vtkIdType>(field.holes.size()));
+  for (std::size_t i = 0; i < field.holes.size(); ++i)
   {
-    const crossfield::HoleReading& hole = field.holes[static_cast<std::size_t>(i)];
-    degrees->SetValue(i, hole.degree);
-    norms->SetTuple2(i, hole.minimumNorm, hole.maximumNorm);
+    norms->SetTuple2(
+      static_cast<vtkIdType>(i), field.holes[i].minimumNorm, field.holes[i].maximumNorm);
   }
-  AddInteger(data, names::DegreesReached, field.degreesReached ? 1 : 0);
-  AddInteger(data, names::UnwantedSingularities, field.unwantedSingularities);
-  AddInteger(data, names::EulerCharacteristic, field.count.eulerCharacteristic);
-  AddValue(data, names::Valence, field.count.valence);
-  AddValue(data, names::TangentTurning, field.count.tangentTurning);
-  AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
-  AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
-  AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
+  AddIntegers(data, names::DegreesReached, { field.degreesReached ? 1 : 0 });
+  AddIntegers(data, names::UnwantedSingularities, { field.unwantedSingularities });
+  AddIntegers(data, names::EulerCharacteristic, { field.count.eulerCharacteristic });
+  AddNumbers(data, names::Valence, { field.count.valence });
+  AddNumbers(data, names::TangentTurning, { field.count.tangentTurning });
+  AddIntegers(data, names::RequiredInteriorQuarters, { field.count.requiredInteriorQuarters });
+  AddIntegers(data, names::GivenInteriorQuarters, { field.count.givenInteriorQuarters });
+  AddIntegers(data, names::Consistent, { field.count.Consistent() ? 1 : 0 });
   for (const char* name : { names::HolonomyDefect, names::Epsilon, names::GradientEnergy,
          names::PenaltyEnergy, names::ConvexifiedSteps })
   {
@@ -181,25 +164,20 @@ void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
   }
   if (field.epsilon > 0.0)
   {
-    AddValue(data, names::Epsilon, field.epsilon);
-    AddValue(data, names::GradientEnergy, field.gradientEnergy);
-    AddValue(data, names::PenaltyEnergy, field.penaltyEnergy);
+    AddNumbers(data, names::Epsilon, { field.epsilon });
+    AddNumbers(data, names::GradientEnergy, { field.gradientEnergy });
+    AddNumbers(data, names::PenaltyEnergy, { field.penaltyEnergy });
   }
   if (!field.holonomyDefect.empty())
   {
-    const auto islands = static_cast<vtkIdType>(field.holonomyDefect.size());
-    auto defects = NewArray(data, names::HolonomyDefect, 1, islands);
-    for (vtkIdType i = 0; i < islands; ++i)
-    {
-      defects->SetValue(i, field.holonomyDefect[static_cast<std::size_t>(i)]);
-    }
+    AddNumbers(data, names::HolonomyDefect, field.holonomyDefect);
   }
 }
 
 //------------------------------------------------------------------------------
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 {
-  AddInteger(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, steps);
+  AddIntegers(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, { steps });
 }
 
 //------------------------------------------------------------------------------
@@ -219,12 +197,12 @@ void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& 
   output->GetPointData()->SetActiveScalars(names::SizeMap);
   if (field.periods.empty())
   {
-    NewArray(output->GetFieldData(), names::HolonomyDefect, 1, 0);
+    AddNumbers(output->GetFieldData(), names::HolonomyDefect, {});
   }
   output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // of another field
   if (!std::isnan(field.renormalizedEnergy))
   {
-    AddValue(output->GetFieldData(), names::RenormalizedEnergy, field.renormalizedEnergy);
+    AddNumbers(output->GetFieldData(), names::RenormalizedEnergy, { field.renormalizedEnergy });
   }
 }
 

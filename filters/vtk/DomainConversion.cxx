@@ -1,10 +1,11 @@
 #include "DomainConversion.h"
 
 #include "BoundaryLoops.h"
+#include "ColumnWriting.h"
 #include "DomainExtent.h"
 #include "Error.h"
+#include "InputCheck.h"
 #include "QuarterIndexRange.h"
-#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -315,7 +316,7 @@ crossfield::DomainPlane FindPlane(vtkDataSet* input)
 //------------------------------------------------------------------------------
 Domain ReadDomain(vtkDataSet* input)
 {
-  SoundInput::Require(input);
+  InputCheck::Require(input);
   const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesOrSurfaces(input);
   double bounds[6]; // of no points, the lower ones are above the upper ones
   cells->GetBounds(bounds);
@@ -373,7 +374,7 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield:
   }
   // The array is asked for even when there are no points: a source that failed gives no points and
   // no array, and must not pass for the empty configuration.
-  SoundInput::Require(input);
+  InputCheck::Require(input);
   vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
@@ -409,9 +410,22 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield:
 }
 
 //------------------------------------------------------------------------------
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  using crossfield::Singularity;
+  ColumnWriting::WritePlaces(configuration, plane, output);
+  vtkFieldData* data = output->GetPointData();
+  ColumnWriting::AddColumn<vtkIntArray>(data, vtkCrossFieldArrayNames::QuarterIndex, configuration,
+    [](const Singularity& singularity) { return singularity.quarterIndex; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, vtkCrossFieldArrayNames::Radius, configuration,
+    [](const Singularity& singularity) { return singularity.radius; });
+}
+
+//------------------------------------------------------------------------------
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 {
-  SoundInput::Require(input);
+  InputCheck::Require(input);
   vtkDataArray* kinds = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryKind);
   vtkDataArray* ids = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryId);
   vtkDataArray* quarters = RequireCellArray(input, vtkCrossFieldArrayNames::QuarterIndex);

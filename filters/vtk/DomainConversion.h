@@ -46,6 +46,10 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 crossfield::Configuration ReadConfiguration(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
 
+/** Points with `QuarterIndex` and `Radius`. */
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
+
 /** A drilled mesh, its plane, and which points and cells its vertices, triangles and edges are. */
 struct DrilledMesh
 {

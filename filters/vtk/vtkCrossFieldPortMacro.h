@@ -6,11 +6,14 @@
 #ifndef vtkCrossFieldPortMacro_h
 #define vtkCrossFieldPortMacro_h
 
-#define vtkCrossFieldPortMacro(name, port)                                                         \
-  void Set##name##Connection(vtkAlgorithmOutput* output)                                           \
-  {                                                                                                \
-    this->SetInputConnection(port, output);                                                        \
-  }                                                                                                \
-  void Set##name##Data(vtkDataObject* data) { this->SetInputData(port, data); }
+#define vtkCrossFieldPortMacro(name, port) \
+  void Set##name##Connection(vtkAlgorithmOutput* output) \
+  { \
+    this->SetInputConnection(port, output); \
+  } \
+  void Set##name##Data(vtkDataObject* data) \
+  { \
+    this->SetInputData(port, data); \
+  }
 
 #endif

@@ -1,9 +1,9 @@
 #include "vtkCrossFieldSingularities.h"
 
-#include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "FieldSingularities.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -36,7 +36,7 @@ void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singula
     kinds->InsertNextValue(static_cast<int>(singularity.place));
     ids->InsertNextValue(singularity.id);
   }
-  CornerConversion::WriteConfiguration(configuration, plane, output);
+  DomainConversion::WriteConfiguration(configuration, plane, output);
   output->GetPointData()->AddArray(kinds);
   output->GetPointData()->AddArray(ids);
 }
@@ -48,8 +48,7 @@ vtkCrossFieldSingularities::vtkCrossFieldSingularities() = default;
 //------------------------------------------------------------------------------
 int vtkCrossFieldSingularities::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  return FilterPorts::TakeMesh(info);
 }
 
 //------------------------------------------------------------------------------
@@ -57,13 +56,9 @@ int vtkCrossFieldSingularities::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress&)
     {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
       const crossfield::EdgeNumbering edges = crossfield::NumberEdges(cells.mesh);
       crossfield::FieldSingularityOptions options;
@@ -80,7 +75,6 @@ int vtkCrossFieldSingularities::RequestData(
         output->GetPointData()->RemoveArray(vtkCrossFieldArrayNames::Radius);
       }
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "GinzburgLandau.h"
 
 #include "vtkDataObject.h"
@@ -25,8 +26,7 @@ vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField()
 //------------------------------------------------------------------------------
 int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  return FilterPorts::TakeMesh(info);
 }
 
 //------------------------------------------------------------------------------

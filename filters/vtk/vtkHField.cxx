@@ -4,6 +4,7 @@
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
 #include "Stopwatch.h"
@@ -43,17 +44,7 @@ vtkHField::vtkHField()
 //------------------------------------------------------------------------------
 int vtkHField::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -64,13 +55,9 @@ int vtkHField::RequestData(
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       crossfield::Stopwatch stopwatch;
       vtkUnstructuredGrid* given = AsMesh(domain);
       crossfield::Configuration configuration;
@@ -90,7 +77,7 @@ int vtkHField::RequestData(
       }
       this->StageSeconds[0] = stopwatch.Lap();
       const crossfield::HField field = crossfield::SolveHField(cells.mesh, configuration,
-        CornerConversion::ReadChoices(corners, cells.plane), progress.Part(0.4, 1.0));
+        CornerConversion::ReadCorners(corners, cells.plane), progress.Part(0.4, 1.0));
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];
@@ -117,7 +104,6 @@ int vtkHField::RequestData(
       this->StageSeconds[2] = field.field.seconds.factor;
       this->StageSeconds[3] = field.field.seconds.solve;
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
