@@ -35,20 +35,16 @@ namespace
 {
 namespace names = vtkCrossFieldArrayNames;
 
-double Value(vtkUnstructuredGrid* field, const char* name)
-{
-  return field->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
-
 void PrintSummary(vtkUnstructuredGrid* field, vtkPolyData* singularities)
 {
-  std::cout << "energy " << Value(field, names::Energy) << " (gradient "
-            << Value(field, names::GradientEnergy) << ", penalty "
-            << Value(field, names::PenaltyEnergy) << ", epsilon " << Value(field, names::Epsilon)
-            << "), " << (Value(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
-            << " after " << Value(field, names::Iterations) << " iterations (residual "
-            << Value(field, names::Residual) << "), unwanted singularities "
-            << Value(field, names::UnwantedSingularities) << "\n";
+  std::cout << "energy " << FieldValue(field, names::Energy) << " (gradient "
+            << FieldValue(field, names::GradientEnergy) << ", penalty "
+            << FieldValue(field, names::PenaltyEnergy) << ", epsilon "
+            << FieldValue(field, names::Epsilon) << "), "
+            << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
+            << FieldValue(field, names::Residual) << "), unwanted singularities "
+            << FieldValue(field, names::UnwantedSingularities) << "\n";
   PrintSingularities(singularities, field);
 }
 }
@@ -112,28 +108,19 @@ int GinzburgLandauSolve::Run() const
 
   // 4. Write the field and the report.
   OutputTransaction outputs;
-  timer->StartTimer();
-  if (!this->output.empty())
-  {
-    OutputFile::Write(field, this->output, outputs);
-  }
-  timer->StopTimer();
-  seconds["write"] = timer->GetElapsedTime();
+  seconds["write"] = OutputFile::WriteIfNamed(field, this->output, outputs);
   if (this->json.empty())
   {
     PrintSummary(field, found->GetOutput());
   }
   else
   {
-    const std::string report =
-      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
-    outputs.Write(
-      ReportJson::AddSingularities(report, found->GetOutput(), DomainReader::HasHeight(field)),
-      this->json);
+    outputs.Write(ReportJson::Write(field, seconds, found->GetOutput()), this->json);
   }
   outputs.Commit();
 
   // 5. The answer.
-  const bool unwanted = Value(field, names::UnwantedSingularities) != 0.0;
-  return Value(field, names::Converged) == 0.0 || (this->strict && unwanted) ? AnswerIsNo : Done;
+  const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0;
+  return FieldValue(field, names::Converged) == 0.0 || (this->strict && unwanted) ? AnswerIsNo
+                                                                                  : Done;
 }

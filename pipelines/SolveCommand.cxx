@@ -48,27 +48,23 @@ struct SolveOptions : MeshOptions
 /** Names of the starts, in the order of the filter's codes. */
 const std::vector<std::string> Starts = { "best", "harmonic", "unit-norm" };
 
-double Value(vtkUnstructuredGrid* field, const char* name)
-{
-  return field->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
-
 void PrintSummary(vtkUnstructuredGrid* field)
 {
   namespace names = vtkCrossFieldArrayNames;
-  std::cout << "energy " << Value(field, names::Energy) << ", "
-            << (Value(field, names::Converged) != 0.0 ? "converged" : "NOT converged") << " after "
-            << Value(field, names::Iterations) << " iterations (residual "
-            << Value(field, names::Residual) << "), unwanted singularities "
-            << Value(field, names::UnwantedSingularities)
-            << (Value(field, names::UnitHoles) != 0.0 ? ", unit crosses on the holes" : "")
+  std::cout << "energy " << FieldValue(field, names::Energy) << ", "
+            << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
+            << FieldValue(field, names::Residual) << "), unwanted singularities "
+            << FieldValue(field, names::UnwantedSingularities)
+            << (FieldValue(field, names::UnitHoles) != 0.0 ? ", unit crosses on the holes" : "")
             << ", degrees of the holes";
   vtkDataArray* degrees = field->GetFieldData()->GetArray(names::HoleDegree);
   for (vtkIdType i = 0; i < degrees->GetNumberOfTuples(); ++i)
   {
     std::cout << " " << degrees->GetComponent(i, 0);
   }
-  std::cout << (Value(field, names::DegreesReached) != 0.0 ? "" : ", NOT those asked for") << "\n";
+  std::cout << (FieldValue(field, names::DegreesReached) != 0.0 ? "" : ", NOT those asked for")
+            << "\n";
 }
 
 /** The names of all starts, of the constrained and the Ginzburg-Landau method. */
@@ -133,19 +129,7 @@ int Solve(const SolveOptions& options)
   CheckUsage(options);
   namespace names = vtkCrossFieldArrayNames;
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".vtu");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-    if (options.json == options.output)
-    {
-      throw PipelineRun::Error(
-        "The field and the report cannot both go to '" + options.json + "'; give two names.");
-    }
-  }
+  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
   if (options.method == "ginzburg-landau")
   {
     return SolveByGinzburgLandau(options);
@@ -182,10 +166,7 @@ int Solve(const SolveOptions& options)
   }
   solver->SetGlobalConstraint(options.globalConstraint);
   solver->SetEpsilon(options.epsilon);
-  if (!options.corners.empty())
-  {
-    solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
-  }
+  DomainReader::ConnectCorners(solver.Get(), options.corners);
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -203,13 +184,7 @@ int Solve(const SolveOptions& options)
 
   // 6. Write the field and the report.
   OutputTransaction outputs;
-  timer->StartTimer();
-  if (!options.output.empty())
-  {
-    OutputFile::Write(field, options.output, outputs);
-  }
-  timer->StopTimer();
-  seconds["write"] = timer->GetElapsedTime();
+  seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
   if (options.json.empty())
   {
     PrintSummary(field);
@@ -220,17 +195,16 @@ int Solve(const SolveOptions& options)
   }
   else
   {
-    const std::string report =
-      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
     outputs.Write(
-      mayAppear ? ReportJson::AddSingularities(report, found->GetOutput()) : report, options.json);
+      ReportJson::Write(field, seconds, mayAppear ? found->GetOutput() : nullptr), options.json);
   }
   outputs.Commit();
 
   // 7. The answer.
-  const bool unwanted =
-    Value(field, names::UnwantedSingularities) != 0.0 || Value(field, names::DegreesReached) == 0.0;
-  return Value(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo : Done;
+  const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0 ||
+    FieldValue(field, names::DegreesReached) == 0.0;
+  return FieldValue(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo
+                                                                                    : Done;
 }
 }
 
@@ -269,9 +243,8 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->take_all();
   command->add_flag("--global-constraint", options->globalConstraint,
     "prescribe the sum of the degrees only, not that of every hole");
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddCornersTo(*command, options->corners);
+  AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,
     "exit with status 1 when there are unwanted singularities or a degree was not reached");
   command->callback([options, &status] { status = Solve(*options); });

@@ -28,7 +28,7 @@ class Figures(ProgramTest):
             self.assertEqual(row["converged"], "1", name)
             self.assertTrue((self.folder / "all" / (name + ".vtu")).stat().st_size > 10000, name)
             self.assertIn(row["paper_says"], output)
-        # METHOD §9, and at most 30 iterations as the paper says.
+        # docs/method.md §9, and at most 30 iterations as the paper says.
         self.assertAlmostEqual(float(rows["disk_holes"]["energy"]), 20.71, delta=0.1)
         for name in ("disk_holes", "disk_moved"):
             self.assertLessEqual(int(rows[name]["iterations"]), 30)
