@@ -2,10 +2,11 @@
  * crossfield solve DOMAIN -s S.csv -o F.vtu: the cross field with chosen singularities.
  *
  *   crossfield solve builtin:disk -s four.csv -o field.vtu --json -
+ *   crossfield solve builtin:ring --method ginzburg-landau --epsilon 0.01 --start constant \
+ *     --size 0.04 -o field.vtu
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
-#include "GinzburgLandauSolve.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -13,12 +14,15 @@
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
+#include "vtkGinzburgLandauCrossField.h"
 #include "vtkPerforatedCrossField.h"
+#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
@@ -31,6 +35,8 @@
 
 namespace
 {
+namespace names = vtkCrossFieldArrayNames;
+
 struct SolveOptions : MeshOptions
 {
   std::string method = "constrained";
@@ -45,12 +51,18 @@ struct SolveOptions : MeshOptions
   bool strict = false;
 };
 
-/** Names of the starts, in the order of the filter's codes. */
+/** Names of the starts, in the order of the codes of vtkPerforatedCrossField. */
 const std::vector<std::string> Starts = { "best", "harmonic", "unit-norm" };
+/** And of vtkGinzburgLandauCrossField, "the reference", which places singularities by itself. */
+const std::vector<std::string> ReferenceStarts = { "harmonic", "constant", "zero" };
+
+int CodeOf(const std::string& start, const std::vector<std::string>& starts)
+{
+  return static_cast<int>(std::find(starts.begin(), starts.end(), start) - starts.begin());
+}
 
 void PrintSummary(vtkUnstructuredGrid* field)
 {
-  namespace names = vtkCrossFieldArrayNames;
   std::cout << "energy " << FieldValue(field, names::Energy) << ", "
             << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
             << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
@@ -67,11 +79,42 @@ void PrintSummary(vtkUnstructuredGrid* field)
             << "\n";
 }
 
+/** Of a field whose singularities were not chosen. */
+void PrintReferenceSummary(vtkUnstructuredGrid* field)
+{
+  std::cout << "energy " << FieldValue(field, names::Energy) << " (gradient "
+            << FieldValue(field, names::GradientEnergy) << ", penalty "
+            << FieldValue(field, names::PenaltyEnergy) << ", epsilon "
+            << FieldValue(field, names::Epsilon) << "), "
+            << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
+            << FieldValue(field, names::Residual) << "), unwanted singularities "
+            << FieldValue(field, names::UnwantedSingularities) << "\n";
+}
+
+/** One line for each singularity that was found. */
+void PrintSingularities(vtkPolyData* singularities, vtkUnstructuredGrid* field)
+{
+  const bool hasHeight = DomainReader::HasHeight(field);
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const double* place = singularities->GetPoint(i);
+    std::cout << "quarter index "
+              << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
+              << " at " << place[0] << " " << place[1];
+    if (hasHeight)
+    {
+      std::cout << " " << place[2];
+    }
+    std::cout << "\n";
+  }
+}
+
 /** The names of all starts, of the constrained and the Ginzburg-Landau method. */
 std::vector<std::string> AllStarts()
 {
   std::vector<std::string> all = Starts;
-  for (const std::string& start : GinzburgLandauSolve::Starts)
+  for (const std::string& start : ReferenceStarts)
   {
     if (std::find(all.begin(), all.end(), start) == all.end())
     {
@@ -101,7 +144,7 @@ void CheckUsage(const SolveOptions& options)
   {
     throw CLI::ValidationError("--epsilon belongs to the methods constrained and ginzburg-landau");
   }
-  const std::vector<std::string>& starts = reference ? GinzburgLandauSolve::Starts : Starts;
+  const std::vector<std::string>& starts = reference ? ReferenceStarts : Starts;
   const bool isDefault = options.start == SolveOptions().start;
   if (!isDefault && std::find(starts.begin(), starts.end(), options.start) == starts.end())
   {
@@ -110,34 +153,28 @@ void CheckUsage(const SolveOptions& options)
   }
 }
 
-int SolveByGinzburgLandau(const SolveOptions& options)
-{
-  GinzburgLandauSolve solve;
-  static_cast<MeshOptions&>(solve) = static_cast<const MeshOptions&>(options);
-  solve.epsilon = options.epsilon;
-  if (options.start != SolveOptions().start)
-  {
-    solve.start = options.start;
-  }
-  solve.json = options.json;
-  solve.strict = options.strict;
-  return solve.Run();
-}
-
 int Solve(const SolveOptions& options)
 {
   CheckUsage(options);
-  namespace names = vtkCrossFieldArrayNames;
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
-  if (options.method == "ginzburg-landau")
-  {
-    return SolveByGinzburgLandau(options);
-  }
 
-  // 2. Read the domain and the configuration.
+  // 2. Read the domain and the configuration. The reference makes nothing of one, but a wrong name
+  //    shall not go unnoticed.
+  const bool isReference = options.method == "ginzburg-landau";
   const auto domain = DomainReader::Open(options.domain, options.size);
-  const auto singularities = DomainReader::OpenPoints(options.singularities);
+  vtkNew<vtkSingularitySource> none;
+  none->RemoveAllSingularities();
+  vtkSmartPointer<vtkAlgorithm> singularities = none.Get();
+  if (!options.singularities.empty())
+  {
+    singularities = DomainReader::OpenPoints(options.singularities);
+  }
+  if (isReference)
+  {
+    PipelineRun::Update(singularities, "reading");
+    singularities = none.Get();
+  }
 
   // 3. Drill a hole at every singularity.
   vtkNew<vtkTimerLog> timer;
@@ -153,20 +190,34 @@ int Solve(const SolveOptions& options)
   seconds["mesh"] = timer->GetElapsedTime();
 
   // 4. Solve.
-  vtkNew<vtkPerforatedCrossField> solver;
-  solver->SetInputConnection(drill->GetOutputPort());
-  solver->SetMethod(options.method == "unit-norm" ? vtkPerforatedCrossField::MethodUnitNorm
-                                                  : vtkPerforatedCrossField::MethodConstrained);
-  solver->SetStart(
-    static_cast<int>(std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
-  solver->SetUnitHoles(options.unitHoles);
-  for (const int row : options.unitHoleRows)
+  vtkNew<vtkGinzburgLandauCrossField> reference;
+  vtkNew<vtkPerforatedCrossField> constrained;
+  vtkCrossFieldSolver* solver = constrained;
+  if (isReference)
   {
-    solver->AddUnitHole(row);
+    solver = reference;
+    reference->SetEpsilon(options.epsilon);
+    if (options.start != SolveOptions().start)
+    {
+      reference->SetStart(CodeOf(options.start, ReferenceStarts));
+    }
   }
-  solver->SetGlobalConstraint(options.globalConstraint);
-  solver->SetEpsilon(options.epsilon);
-  DomainReader::ConnectCorners(solver.Get(), options.corners);
+  else
+  {
+    constrained->SetMethod(options.method == "unit-norm"
+        ? vtkPerforatedCrossField::MethodUnitNorm
+        : vtkPerforatedCrossField::MethodConstrained);
+    constrained->SetStart(CodeOf(options.start, Starts));
+    constrained->SetUnitHoles(options.unitHoles);
+    for (const int row : options.unitHoleRows)
+    {
+      constrained->AddUnitHole(row);
+    }
+    constrained->SetGlobalConstraint(options.globalConstraint);
+    constrained->SetEpsilon(options.epsilon);
+    DomainReader::ConnectCorners(constrained.Get(), options.corners);
+  }
+  solver->SetInputConnection(drill->GetOutputPort());
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -174,7 +225,8 @@ int Solve(const SolveOptions& options)
   seconds["solve"] = solver->GetStageSeconds()[2];
 
   // 5. Where singularities may appear by themselves, find them.
-  const bool mayAppear = options.mode != SolveOptions().mode || options.epsilon != 0.0;
+  const bool mayAppear =
+    isReference || options.mode != SolveOptions().mode || options.epsilon != 0.0;
   vtkNew<vtkCrossFieldSingularities> found;
   found->SetInputConnection(solver->GetOutputPort());
   if (mayAppear)
@@ -187,7 +239,7 @@ int Solve(const SolveOptions& options)
   seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
   if (options.json.empty())
   {
-    PrintSummary(field);
+    isReference ? PrintReferenceSummary(field) : PrintSummary(field);
     if (mayAppear)
     {
       PrintSingularities(found->GetOutput(), field);
@@ -202,7 +254,7 @@ int Solve(const SolveOptions& options)
 
   // 7. The answer.
   const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0 ||
-    FieldValue(field, names::DegreesReached) == 0.0;
+    (!isReference && FieldValue(field, names::DegreesReached) == 0.0);
   return FieldValue(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo
                                                                                     : Done;
 }

@@ -6,9 +6,7 @@
 #include "FilterRun.h"
 #include "QuarterIndexRange.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"

@@ -40,10 +40,11 @@ public:
   vtkTypeMacro(vtkConfigurationProposal, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities; or sets it to a data object. */
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
   vtkCrossFieldPortMacro(Singularities, 1);
-  /** Connects port 2, the corners; or sets it to a data object. */
   vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /** A boundary vertex that turns by more is a corner; degrees. Default: 30. Range: 1 to 45. */

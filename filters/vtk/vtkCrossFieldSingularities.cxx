@@ -7,8 +7,6 @@
 #include "FilterRun.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"

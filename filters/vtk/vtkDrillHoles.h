@@ -63,8 +63,10 @@ public:
   vtkTypeMacro(vtkDrillHoles, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities; or sets it to a data object. */
+  ///@{
+  /** Connects port 1, the singularities, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
+  ///@}
 
   /** What becomes of the singularities. */
   enum

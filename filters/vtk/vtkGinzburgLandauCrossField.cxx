@@ -5,8 +5,6 @@
 #include "FilterPorts.h"
 #include "GinzburgLandau.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

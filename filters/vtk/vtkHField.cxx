@@ -11,9 +11,7 @@
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

@@ -89,8 +89,10 @@ public:
     InconsistentError = vtkCrossFieldErrorCodes::Inconsistent
   };
 
-  /** Connects port 1, the corners; or sets it to a data object. */
+  ///@{
+  /** Connects port 1, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Corners, 1);
+  ///@}
 
   /** How the field is computed. */
   enum

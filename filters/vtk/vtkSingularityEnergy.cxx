@@ -6,7 +6,6 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -64,8 +64,10 @@ public:
   void AddConfigurationData(vtkDataObject* data) { this->AddInputDataObject(1, data); }
   /** Removes all connections of port 1. */
   void RemoveAllConfigurations() { this->RemoveAllInputConnections(1); }
-  /** Connects port 2, the corners; or sets it to a data object. */
+  ///@{
+  /** Connects port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /**

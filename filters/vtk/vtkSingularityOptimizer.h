@@ -49,10 +49,11 @@ public:
   vtkTypeMacro(vtkSingularityOptimizer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities; or sets it to a data object. */
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
   vtkCrossFieldPortMacro(Singularities, 1);
-  /** Connects port 2, the corners; or sets it to a data object. */
   vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /**
