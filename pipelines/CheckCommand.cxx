@@ -26,7 +26,6 @@
 
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 namespace
 {
@@ -42,38 +41,14 @@ struct CheckOptions
   bool cancelFlat = false;
 };
 
-double Value(vtkDataSet* domain, const char* name)
-{
-  return domain->GetFieldData()->GetArray(name)->GetTuple1(0);
-}
-
-/** The configuration as the .csv text that the program reads; with z if the domain needs it. */
-std::string ConfigurationText(vtkDataSet* points, bool hasHeight)
-{
-  std::ostringstream text;
-  text.precision(17);
-  text << (hasHeight ? "x,y,z,quarter_index,radius\n" : "x,y,quarter_index,radius\n");
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    text << points->GetPoint(i)[0] << "," << points->GetPoint(i)[1] << ",";
-    if (hasHeight)
-    {
-      text << points->GetPoint(i)[2] << ",";
-    }
-    text << points->GetPointData()->GetArray(names::QuarterIndex)->GetTuple1(i) << ","
-         << points->GetPointData()->GetArray(names::Radius)->GetTuple1(i) << "\n";
-  }
-  return text.str();
-}
-
 void PrintSummary(vtkPoincareHopfCheck* check)
 {
   vtkDataSet* domain = check->GetOutput();
-  std::cout << "Euler characteristic " << Value(domain, names::EulerCharacteristic) << ", valence "
-            << Value(domain, names::Valence) << ", tangent turning "
-            << Value(domain, names::TangentTurning) << "\ninterior quarter indices: required "
-            << Value(domain, names::RequiredInteriorQuarters) << ", given "
-            << Value(domain, names::GivenInteriorQuarters) << "\n";
+  std::cout << "Euler characteristic " << FieldValue(domain, names::EulerCharacteristic)
+            << ", valence " << FieldValue(domain, names::Valence) << ", tangent turning "
+            << FieldValue(domain, names::TangentTurning) << "\ninterior quarter indices: required "
+            << FieldValue(domain, names::RequiredInteriorQuarters) << ", given "
+            << FieldValue(domain, names::GivenInteriorQuarters) << "\n";
   auto* corners = vtkDataSet::SafeDownCast(check->GetOutputDataObject(2));
   for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
   {
@@ -100,14 +75,7 @@ void PrintSummary(vtkPoincareHopfCheck* check)
 int Check(const CheckOptions& options)
 {
   // 1. Check the outputs before any work.
-  if (!options.proposal.empty())
-  {
-    OutputFile::RequireWritable(options.proposal, ".csv");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-  }
+  OutputFile::RequireWritable({ { options.proposal, ".csv" }, { options.json, "" } });
 
   // 2. Read the domain, the configuration and the corners.
   const auto domain = DomainReader::Open(options.domain, 0.0);
@@ -115,12 +83,8 @@ int Check(const CheckOptions& options)
   vtkNew<vtkConfigurationProposal> proposal;
   check->SetInputConnection(domain->GetOutputPort());
   proposal->SetInputConnection(domain->GetOutputPort());
-  if (!options.corners.empty())
-  {
-    const auto corners = DomainReader::OpenPoints(options.corners);
-    check->SetCornersConnection(corners->GetOutputPort());
-    proposal->SetCornersConnection(corners->GetOutputPort());
-  }
+  DomainReader::ConnectCorners(check.Get(), options.corners);
+  DomainReader::ConnectCorners(proposal.Get(), options.corners);
   if (!options.singularities.empty())
   {
     const auto singularities = DomainReader::OpenPoints(options.singularities);
@@ -144,14 +108,13 @@ int Check(const CheckOptions& options)
   OutputTransaction outputs;
   if (!options.proposal.empty())
   {
-    outputs.Write(
-      ConfigurationText(proposal->GetOutput(), DomainReader::HasHeight(check->GetOutput())),
-      options.proposal);
+    OutputFile::WriteConfiguration(proposal->GetOutput(),
+      DomainReader::HasHeight(check->GetOutput()), true, options.proposal, outputs);
   }
   const std::string reason = vtkStringArray::SafeDownCast(
     check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))
                                ->GetValue(0);
-  const bool consistent = Value(check->GetOutput(), names::Consistent) != 0.0;
+  const bool consistent = FieldValue(check->GetOutput(), names::Consistent) != 0.0;
   if (options.json.empty())
   {
     PrintSummary(check);
@@ -184,12 +147,11 @@ void AddCheckCommand(CLI::App& app, int& status)
     ->required();
   command->add_option("-s,--singularities", options->singularities,
     "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; default: none");
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+  AddCornersTo(*command, options->corners);
   command->add_option("--propose", options->proposal,
     "write a consistent configuration to this .csv file: that of -s with what it lacks");
   command->add_flag("--cancel-flat", options->cancelFlat,
     "propose pairs that cancel corners of 135 to 180 degrees");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Check(*options); });
 }

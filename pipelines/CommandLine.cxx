@@ -3,6 +3,9 @@
 #include "DomainReader.h"
 
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
@@ -19,6 +22,17 @@ void MeshOptions::AddTo(CLI::App& command)
   command.add_option("-o,--output", this->output, "the .vtu file to write");
   command.add_option(
     "--size", this->size, "target edge length; default: 1/40 of the domain's diagonal");
+}
+
+void AddCornersTo(CLI::App& command, std::string& corners)
+{
+  command.add_option("--corners", corners,
+    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+}
+
+void AddJsonTo(CLI::App& command, std::string& json)
+{
+  command.add_option("--json", json, "write the numbers to this file, or - for output");
 }
 
 const std::vector<std::string>& DrillModes()
@@ -41,6 +55,11 @@ int DrillModeCode(const std::string& mode)
 {
   return static_cast<int>(
     std::find(DrillModes().begin(), DrillModes().end(), mode) - DrillModes().begin());
+}
+
+double FieldValue(vtkDataObject* data, const char* name)
+{
+  return data->GetFieldData()->GetArray(name)->GetComponent(0, 0);
 }
 
 long long CountTriangles(vtkUnstructuredGrid* mesh)

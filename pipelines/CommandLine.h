@@ -8,6 +8,7 @@ namespace CLI
 {
 class App;
 }
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 /** Exit statuses of the program. */
@@ -43,6 +44,12 @@ struct MeshOptions
   void AddTo(CLI::App& command);
 };
 
+/** Adds the option --corners. */
+void AddCornersTo(CLI::App& command, std::string& corners);
+
+/** Adds the option --json. */
+void AddJsonTo(CLI::App& command, std::string& json);
+
 /** Names of the modes of vtkDrillHoles, in the order of its codes. */
 const std::vector<std::string>& DrillModes();
 
@@ -51,6 +58,9 @@ void AddModeTo(CLI::App& command, std::string& mode);
 
 /** The code of a mode. */
 int DrillModeCode(const std::string& mode);
+
+/** The first, or only, value of an array of field data, which must be there. */
+double FieldValue(vtkDataObject* data, const char* name);
 
 /** Number of triangles among the cells of a drilled mesh. */
 long long CountTriangles(vtkUnstructuredGrid* mesh);

@@ -61,31 +61,16 @@ vtkSmartPointer<vtkUnstructuredGrid> Moved(vtkUnstructuredGrid* field, double of
 int Compare(const CompareOptions& options)
 {
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".vtm");
-  }
-  for (const std::string& file : { options.csv, options.json })
-  {
-    if (!file.empty() && file != "-")
-    {
-      OutputFile::RequireWritable(file, "");
-    }
-  }
-
-  if (!options.csv.empty() && options.csv == options.json)
-  {
-    throw PipelineRun::Error(
-      "The two tables cannot both go to '" + options.csv + "'; give two names.");
-  }
+  OutputFile::RequireWritable(
+    { { options.output, ".vtm" }, { options.csv, "" }, { options.json, "" } });
 
   // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
   const auto domain = DomainReader::Open(options.domain, options.size);
   PipelineRun::Update(domain, "reading");
   const auto singularities = DomainReader::OpenPoints(options.singularities);
   PipelineRun::Update(singularities, "reading");
-  double bounds[6];
-  vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0))->GetBounds(bounds);
+  const std::array<double, 6> bounds =
+    DomainReader::Bounds(vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0)));
   const double width = bounds[1] - bounds[0];
   const double diagonal = std::hypot(width, bounds[3] - bounds[2]);
   const double epsilon = options.epsilon != 0.0 ? options.epsilon

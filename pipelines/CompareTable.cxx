@@ -1,5 +1,6 @@
 #include "CompareTable.h"
 
+#include "CommandLine.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -24,14 +25,9 @@ namespace
 {
 namespace names = vtkCrossFieldArrayNames;
 
-double Value(vtkUnstructuredGrid* field, const char* name)
-{
-  return field->GetFieldData()->GetArray(name)->GetComponent(0, 0);
-}
-
 int Integer(vtkUnstructuredGrid* field, const char* name)
 {
-  return static_cast<int>(Value(field, name));
+  return static_cast<int>(FieldValue(field, name));
 }
 
 void ReadNormRange(vtkUnstructuredGrid* field, CompareRow& row)
@@ -94,9 +90,9 @@ CompareRow Read(const std::string& method, vtkUnstructuredGrid* field, vtkPolyDa
 {
   CompareRow row;
   row.method = method;
-  row.energy = Value(field, names::Energy);
+  row.energy = FieldValue(field, names::Energy);
   row.gradientEnergy = field->GetFieldData()->GetArray(names::GradientEnergy) != nullptr
-    ? Value(field, names::GradientEnergy)
+    ? FieldValue(field, names::GradientEnergy)
     : row.energy;
   ReadNormRange(field, row);
   row.unwanted = Integer(field, names::UnwantedSingularities);

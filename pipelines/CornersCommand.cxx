@@ -17,7 +17,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -78,23 +77,14 @@ void PrintSummary(vtkBoundaryCornerClassifier* classifier)
               << (entry(names::Feasible).ToInt() != 0 ? "" : ", not feasible")
               << (entry(names::Chosen).ToInt() != 0 ? ", chosen" : "") << "\n";
   }
-  vtkFieldData* data = corners->GetFieldData();
-  std::cout << "energy " << data->GetArray(names::Energy)->GetTuple1(0)
-            << ", interior quarter indices "
-            << data->GetArray(names::InteriorQuarters)->GetTuple1(0) << "\n";
+  std::cout << "energy " << FieldValue(corners, names::Energy) << ", interior quarter indices "
+            << FieldValue(corners, names::InteriorQuarters) << "\n";
 }
 
 int Corners(const CornersOptions& options)
 {
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".vtp");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-  }
+  OutputFile::RequireWritable({ { options.output, ".vtp" }, { options.json, "" } });
 
   // 2. Classify.
   const auto domain = DomainReader::Open(options.domain, 0.0);
@@ -135,7 +125,7 @@ void AddCornersCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield corners builtin:l-shape -o corners.vtp --json -");
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   command->add_option("-o,--output", options->output, "the .vtp file to write");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddJsonTo(*command, options->json);
   command
     ->add_option("--override", options->overrides,
       "X Y K: the corner nearest to (X, Y) has the quarter index K; may be repeated")

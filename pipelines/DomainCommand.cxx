@@ -54,7 +54,7 @@ void AddDomainCommand(CLI::App& app, int& status)
     [options, &status]
     {
       // 1. Check the output before any work.
-      OutputFile::RequireWritable(options->output, ".vtp");
+      OutputFile::RequireWritable({ { options->output, ".vtp" } });
 
       // 2. Make the loops.
       vtkNew<vtkPlanarDomainSource> source;

@@ -6,10 +6,12 @@
 #include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
 #include "vtkDelimitedTextReader.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -229,10 +231,26 @@ vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file)
   return source;
 }
 
+std::array<double, 6> Bounds(vtkDataSet* domain)
+{
+  vtkBoundingBox box;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < domain->GetNumberOfCells(); ++cell)
+  {
+    domain->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; ids->GetNumberOfIds() > 1 && i < ids->GetNumberOfIds(); ++i)
+    {
+      box.AddPoint(domain->GetPoint(ids->GetId(i)));
+    }
+  }
+  std::array<double, 6> bounds;
+  box.GetBounds(bounds.data());
+  return bounds;
+}
+
 bool HasHeight(vtkDataSet* domain)
 {
-  double bounds[6];
-  domain->GetBounds(bounds);
+  const std::array<double, 6> bounds = Bounds(domain);
   return bounds[4] < bounds[5];
 }
 }

@@ -1,11 +1,12 @@
 #ifndef DomainReader_h
 #define DomainReader_h
 
+#include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <string>
 
-class vtkAlgorithm;
 class vtkDataSet;
 
 /** The program's DOMAIN argument: a file, or builtin:NAME. */
@@ -24,6 +25,19 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
 
 /** A source or reader for points with quarter indices: a .vtp file, else .csv. */
 vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file);
+
+/** Gives a filter the corners of a file, if one is named. */
+template <class Filter>
+void ConnectCorners(Filter* filter, const std::string& file)
+{
+  if (!file.empty())
+  {
+    filter->SetCornersConnection(OpenPoints(file)->GetOutputPort());
+  }
+}
+
+/** The bounding box of the points that the lines and surface cells of a domain use. */
+std::array<double, 6> Bounds(vtkDataSet* domain);
 
 /** Whether a domain is in no plane z = const, so that its points are told with their z. */
 bool HasHeight(vtkDataSet* domain);

@@ -40,7 +40,7 @@ void AddDrillCommand(CLI::App& app, int& status)
     [options, &status]
     {
       // 1. Check the output before any work.
-      OutputFile::RequireWritable(options->output, ".vtu");
+      OutputFile::RequireWritable({ { options->output, ".vtu" } });
 
       // 2. Read the domain and the configuration.
       const auto domain = DomainReader::Open(options->domain, options->size);

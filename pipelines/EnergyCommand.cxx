@@ -61,10 +61,7 @@ void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
 int Energy(const EnergyOptions& options)
 {
   // 1. Check the output before any work.
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-  }
+  OutputFile::RequireWritable({ { options.json, "" } });
 
   // 2. Read the domain and the configurations.
   const auto domain = DomainReader::Open(options.domain, options.size);
@@ -75,10 +72,7 @@ int Energy(const EnergyOptions& options)
   {
     energy->AddConfigurationConnection(DomainReader::OpenPoints(file)->GetOutputPort());
   }
-  if (!options.corners.empty())
-  {
-    energy->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
-  }
+  DomainReader::ConnectCorners(energy.Get(), options.corners);
 
   // 3. Compute and write.
   PipelineRun::Update(energy, "energies");
@@ -118,10 +112,9 @@ void AddEnergyCommand(CLI::App& app, int& status)
     ->required()
     ->expected(1)
     ->take_all();
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+  AddCornersTo(*command, options->corners);
   command->add_option(
     "--size", options->size, "target edge length; default: 1/40 of the domain's diagonal");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Energy(*options); });
 }

@@ -14,8 +14,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <sstream>
-
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
@@ -104,27 +102,5 @@ std::string Write(vtkSingularityOptimizer* optimizer)
       { "quarter_index", static_cast<long long>(quarters->GetTuple1(i)) } });
   }
   return report.dump(2) + "\n";
-}
-
-std::string WriteConfiguration(vtkSingularityOptimizer* optimizer)
-{
-  vtkPolyData* output = optimizer->GetOutput();
-  vtkDataArray* quarters = output->GetPointData()->GetArray(names::QuarterIndex);
-  vtkDataArray* radii = output->GetPointData()->GetArray(names::Radius);
-  const bool hasRadii = output->GetNumberOfPoints() > 0 && radii->GetTuple1(0) > 0.0;
-  std::ostringstream text;
-  text.precision(17);
-  text << "x,y,quarter_index" << (hasRadii ? ",radius" : "") << "\n";
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    const double* place = output->GetPoint(i);
-    text << place[0] << "," << place[1] << "," << static_cast<long long>(quarters->GetTuple1(i));
-    if (hasRadii)
-    {
-      text << "," << radii->GetTuple1(i);
-    }
-    text << "\n";
-  }
-  return text.str();
 }
 }

@@ -7,7 +7,7 @@
 class vtkSingularityEnergy;
 class vtkSingularityOptimizer;
 
-/** The results of the energy filters as JSON and .csv; each function says in which shape. */
+/** The results of the energy filters as JSON; each function says in which shape. */
 namespace EnergyJson
 {
 /**
@@ -18,9 +18,6 @@ std::string Write(vtkSingularityEnergy* energy, const std::vector<std::string>& 
 
 /** The report of the optimiser with its singularities, annihilations and reason. */
 std::string Write(vtkSingularityOptimizer* optimizer);
-
-/** The singularities as a .csv file that vtkSingularitySource reads. */
-std::string WriteConfiguration(vtkSingularityOptimizer* optimizer);
 }
 
 #endif

@@ -142,7 +142,7 @@ int ComputeFigures(const FiguresOptions& options)
   // 1. The folder.
   OutputTransaction outputs;
   outputs.MakeFolder(options.folder);
-  OutputFile::RequireWritable(options.folder + "/summary.csv", ".csv");
+  OutputFile::RequireWritable({ { options.folder + "/summary.csv", ".csv" } });
 
   // 2. The figures, and a row for each.
   bool allConverged = true;

@@ -17,7 +17,6 @@
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
@@ -38,16 +37,14 @@ struct HFieldOptions : MeshOptions
 
 void PrintSummary(vtkUnstructuredGrid* field)
 {
-  const auto value = [field](const char* name)
-  { return field->GetFieldData()->GetArray(name)->GetComponent(0, 0); };
   const double* range = field->GetPointData()->GetArray(names::H)->GetRange();
-  std::cout << "energy " << value(names::Energy);
+  std::cout << "energy " << FieldValue(field, names::Energy);
   if (field->GetFieldData()->HasArray(names::RenormalizedEnergy) != 0)
   {
-    std::cout << ", renormalized energy " << value(names::RenormalizedEnergy);
+    std::cout << ", renormalized energy " << FieldValue(field, names::RenormalizedEnergy);
   }
   std::cout << ", H from " << range[0] << " to " << range[1] << ", unwanted singularities "
-            << value(names::UnwantedSingularities);
+            << FieldValue(field, names::UnwantedSingularities);
   vtkDataArray* defects = field->GetFieldData()->GetArray(names::HolonomyDefect);
   if (defects->GetNumberOfTuples() > 0)
   {
@@ -63,19 +60,7 @@ void PrintSummary(vtkUnstructuredGrid* field)
 int SolveH(const HFieldOptions& options)
 {
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".vtu");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-    if (options.json == options.output)
-    {
-      throw PipelineRun::Error(
-        "The field and the report cannot both go to '" + options.json + "'; give two names.");
-    }
-  }
+  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
 
   // 2. Read the domain and the configuration.
   const auto domain = DomainReader::Open(options.domain, options.size);
@@ -87,10 +72,7 @@ int SolveH(const HFieldOptions& options)
     solver->SetSingularitiesConnection(
       DomainReader::OpenPoints(options.singularities)->GetOutputPort());
   }
-  if (!options.corners.empty())
-  {
-    solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
-  }
+  DomainReader::ConnectCorners(solver.Get(), options.corners);
 
   // 3. Solve.
   PipelineRun::Update(solver, "solving");
@@ -104,32 +86,21 @@ int SolveH(const HFieldOptions& options)
 
   // 4. Write the field and the report.
   OutputTransaction outputs;
-  vtkNew<vtkTimerLog> timer;
-  timer->StartTimer();
-  if (!options.output.empty())
-  {
-    OutputFile::Write(field, options.output, outputs);
-  }
-  timer->StopTimer();
-  seconds["write"] = timer->GetElapsedTime();
+  seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
   if (options.json.empty())
   {
     PrintSummary(field);
   }
   else
   {
-    outputs.Write(
-      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds),
-      options.json);
+    outputs.Write(ReportJson::Write(field, seconds), options.json);
   }
   outputs.Commit();
 
   // 5. The answer.
-  const auto flag = [field](const char* name)
-  { return field->GetFieldData()->GetArray(name)->GetComponent(0, 0) != 0.0; };
-  return !flag(names::Converged) || (options.strict && flag(names::UnwantedSingularities))
-    ? AnswerIsNo
-    : Done;
+  const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0;
+  return FieldValue(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo
+                                                                                    : Done;
 }
 }
 
@@ -144,9 +115,8 @@ void AddHFieldCommand(CLI::App& app, int& status)
     ->required(false)
     ->description("singularities inside and on the boundary: .csv with the header "
                   "x,y,quarter_index[,radius]; not needed on a drilled mesh");
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddCornersTo(*command, options->corners);
+  AddJsonTo(*command, options->json);
   command->add_flag(
     "--strict", options->strict, "exit with status 1 when there are unwanted singularities");
   command->callback([options, &status] { status = SolveH(*options); });

@@ -34,9 +34,9 @@ using PipelineRun::Error;
 /** The child's exit status; with any other it died. */
 enum ChildStatus
 {
-  Done = 40,  ///< The copy is complete; the text holds warnings.
-  Refused,    ///< The text is the sentence.
-  OutOfMemory ///< An allocation failed.
+  Copied = 40, ///< The copy is complete; the text holds warnings.
+  Refused,     ///< The text is the sentence.
+  NoMemory     ///< An allocation failed.
 };
 
 /** A file without a name, in memory, that parent and child share. */
@@ -111,11 +111,11 @@ void LimitChild(const std::string& file)
     writer->SetFileName(copyPath.c_str());
     writer->SetFileTypeToBinary();
     PipelineRun::Update(writer, "reading");
-    status = ChildStatus::Done;
+    status = ChildStatus::Copied;
   }
   catch (const std::bad_alloc&)
   {
-    status = ChildStatus::OutOfMemory;
+    status = ChildStatus::NoMemory;
   }
   catch (const std::exception& error)
   {
@@ -158,11 +158,11 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, vtkAlgorithm* reader
   {
     throw Error("the system does not start a process to read it in");
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) < ChildStatus::Done)
+  if (!WIFEXITED(status) || WEXITSTATUS(status) < ChildStatus::Copied)
   {
     throw Error(CauseOfDeath(status));
   }
-  if (WEXITSTATUS(status) == ChildStatus::OutOfMemory)
+  if (WEXITSTATUS(status) == ChildStatus::NoMemory)
   {
     throw Error("it asks for more memory than there is for a file of its size");
   }

@@ -17,6 +17,7 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -39,19 +40,7 @@ struct OptimizeOptions : MeshOptions
 int Optimize(const OptimizeOptions& options)
 {
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".csv");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-    if (options.json == options.output)
-    {
-      throw PipelineRun::Error("The singularities and the report cannot both go to '" +
-        options.json + "'; give two names.");
-    }
-  }
+  OutputFile::RequireWritable({ { options.output, ".csv" }, { options.json, "" } });
 
   // 2. Read the domain and the start.
   const auto domain = DomainReader::Open(options.domain, options.size);
@@ -61,26 +50,28 @@ int Optimize(const OptimizeOptions& options)
     DomainReader::OpenPoints(options.singularities)->GetOutputPort());
   optimizer->SetMeshSize(options.size);
   optimizer->SetMaximumIterations(options.iterations);
-  if (!options.corners.empty())
-  {
-    optimizer->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
-  }
+  DomainReader::ConnectCorners(optimizer.Get(), options.corners);
 
   // 3. Optimise and write.
   PipelineRun::Update(optimizer, "optimizing");
-  vtkFieldData* data = optimizer->GetOutput()->GetFieldData();
-  const auto value = [data](const char* name) { return data->GetArray(name)->GetTuple1(0); };
+  vtkPolyData* moved = optimizer->GetOutput();
   OutputTransaction outputs;
   if (!options.output.empty())
   {
-    outputs.Write(EnergyJson::WriteConfiguration(optimizer), options.output);
+    vtkDataArray* radii = moved->GetPointData()->GetArray(names::Radius);
+    const bool hasRadii = moved->GetNumberOfPoints() > 0 && radii->GetTuple1(0) > 0.0;
+    const bool hasHeight =
+      DomainReader::HasHeight(vtkDataSet::SafeDownCast(optimizer->GetInputDataObject(0, 0)));
+    OutputFile::WriteConfiguration(moved, hasHeight, hasRadii, options.output, outputs);
   }
   if (options.json.empty())
   {
-    std::cout << "renormalized energy from " << value(names::RenormalizedEnergyBefore) << " to "
-              << value(names::RenormalizedEnergyAfter) << " in " << value(names::Iterations)
-              << " iterations. "
-              << vtkStringArray::SafeDownCast(data->GetAbstractArray(names::Reason))->GetValue(0)
+    std::cout << "renormalized energy from " << FieldValue(moved, names::RenormalizedEnergyBefore)
+              << " to " << FieldValue(moved, names::RenormalizedEnergyAfter) << " in "
+              << FieldValue(moved, names::Iterations) << " iterations. "
+              << vtkStringArray::SafeDownCast(
+                   moved->GetFieldData()->GetAbstractArray(names::Reason))
+                   ->GetValue(0)
               << "\n";
   }
   else
@@ -88,7 +79,7 @@ int Optimize(const OptimizeOptions& options)
     outputs.Write(EnergyJson::Write(optimizer), options.json);
   }
   outputs.Commit();
-  return value(names::Converged) != 0.0 ? Done : AnswerIsNo;
+  return FieldValue(moved, names::Converged) != 0.0 ? Done : AnswerIsNo;
 }
 }
 
@@ -100,11 +91,10 @@ void AddOptimizeCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield optimize builtin:disk -s four.csv -o better.csv --json -");
   options->AddTo(*command);
   command->get_option("--output")->description("the .csv file to write");
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+  AddCornersTo(*command, options->corners);
   command->add_option("--iterations", options->iterations, "most iterations")
     ->capture_default_str()
     ->check(CLI::NonNegativeNumber);
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Optimize(*options); });
 }

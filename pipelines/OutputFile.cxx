@@ -1,11 +1,15 @@
 #include "OutputFile.h"
 
-#include "AheadCompressor.h"
+#include "BlockCompressor.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "vtkCrossFieldArrayNames.h"
 
+#include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTimerLog.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
@@ -13,6 +17,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <set>
+#include <sstream>
 #include <unistd.h>
 
 namespace
@@ -29,11 +35,8 @@ void RequireMemoryForText(vtkDataObject* data)
   const std::unique_ptr<char[]> trial(new char[kibibytes * 4 * 1024]);
   *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may leave the allocation out
 }
-}
 
-namespace OutputFile
-{
-void RequireWritable(const std::string& file, const std::string& ending)
+void RequireWritableFile(const std::string& file, const std::string& ending)
 {
   if (!ending.empty() &&
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)) != ending)
@@ -55,6 +58,29 @@ void RequireWritable(const std::string& file, const std::string& ending)
     throw Error("The file '" + file + "' is protected against writing; choose another name.");
   }
 }
+}
+
+namespace OutputFile
+{
+void RequireWritable(std::initializer_list<Output> outputs)
+{
+  std::set<std::string> files;
+  for (const auto& [file, ending] : outputs)
+  {
+    if (file.empty())
+    {
+      continue;
+    }
+    if (file != "-" || !ending.empty())
+    {
+      RequireWritableFile(file, ending);
+    }
+    if (!files.insert(file).second)
+    {
+      throw Error("Two outputs cannot both go to '" + file + "'; give two names.");
+    }
+  }
+}
 
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs)
 {
@@ -67,7 +93,7 @@ void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outp
   {
     writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
   }
-  vtkNew<AheadCompressor> compressor;
+  vtkNew<BlockCompressor> compressor;
   compressor->SetCompressionLevel(1); // twice as fast as the default, and a few per cent larger
   compressor->Compress(vtkDataSet::SafeDownCast(data), writer->GetBlockSize());
   writer->SetInputDataObject(data);
@@ -77,6 +103,45 @@ void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outp
   RequireMemoryForText(data);
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
   outputs.Write(writer->GetOutputString(), file);
+}
+
+double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs)
+{
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  if (!file.empty())
+  {
+    Write(data, file, outputs);
+  }
+  timer->StopTimer();
+  return timer->GetElapsedTime();
+}
+
+void WriteConfiguration(vtkPolyData* singularities, bool hasHeight, bool hasRadii,
+  const std::string& file, OutputTransaction& outputs)
+{
+  namespace names = vtkCrossFieldArrayNames;
+  std::ostringstream text;
+  text.precision(17);
+  text << (hasHeight ? "x,y,z" : "x,y") << ",quarter_index" << (hasRadii ? ",radius\n" : "\n");
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const auto value = [singularities, i](const char* name)
+    { return singularities->GetPointData()->GetArray(name)->GetTuple1(i); };
+    const double* place = singularities->GetPoint(i);
+    text << place[0] << "," << place[1] << ",";
+    if (hasHeight)
+    {
+      text << place[2] << ",";
+    }
+    text << value(names::QuarterIndex);
+    if (hasRadii)
+    {
+      text << "," << value(names::Radius);
+    }
+    text << "\n";
+  }
+  outputs.Write(text.str(), file);
 }
 
 void WriteBlocks(const Blocks& blocks, const std::string& file, OutputTransaction& outputs)

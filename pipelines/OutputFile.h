@@ -4,23 +4,42 @@
 #include "vtkDataObject.h"
 #include "vtkSmartPointer.h"
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
 
 class OutputTransaction;
+class vtkPolyData;
 
 /** Writes results as parts of a transaction, which puts all outputs of a command into place or none. */
 namespace OutputFile
 {
-/** Throws PipelineRun::Error unless `file` ends in `ending` and its folder can be written. */
-void RequireWritable(const std::string& file, const std::string& ending);
+/** A file that a command was asked for, if any; one that may have any ending may be "-" as well. */
+struct Output
+{
+  std::string file;
+  std::string ending;
+};
+
+/**
+ * Throws PipelineRun::Error unless every file ends as it should, its folder can be written, and no two
+ * are the same. Commands call it before any work.
+ */
+void RequireWritable(std::initializer_list<Output> outputs);
 
 /**
  * Writes a vtkPolyData (.vtp) or vtkUnstructuredGrid (.vtu) in inline binary with zlib: the VTKs of
  * Debian 12 cannot read appended data back.
  */
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
+
+/** The same, unless no file is named; returns the seconds that it took. */
+double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
+
+/** Writes singularities as the .csv file that vtkSingularitySource reads. */
+void WriteConfiguration(vtkPolyData* singularities, bool hasHeight, bool hasRadii,
+  const std::string& file, OutputTransaction& outputs);
 
 /** Data sets and their names. */
 using Blocks = std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>>;

@@ -1,6 +1,6 @@
 #include "PipelineRun.h"
 
-#include "vtkPerforatedCrossField.h"
+#include "vtkCrossFieldErrorCodes.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -125,7 +125,7 @@ void Update(vtkAlgorithm* filter, const char* what)
   }
   catch (const Error& error)
   {
-    throw filter->GetErrorCode() == vtkPerforatedCrossField::InconsistentError
+    throw filter->GetErrorCode() == vtkCrossFieldErrorCodes::Inconsistent
       ? Error(error.what(), AnswerIsNo)
       : error;
   }

@@ -1,11 +1,14 @@
 #include "ReportJson.h"
 
+#include "CommandLine.h"
+#include "DomainReader.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <nlohmann/json.hpp>
 
@@ -59,8 +62,8 @@ Json Value(vtkDataArray* array)
   namespace names = vtkCrossFieldArrayNames;
   static const std::set<std::string> flags = { names::Converged, names::Consistent,
     names::DegreesReached, names::StartedFromUnitNorm, names::UnitHoles };
-  static const std::set<std::string> lists = { names::HoleDegree, names::HoleNormRange,
-    names::HolonomyDefect };
+  static const std::set<std::string> lists = { names::HoleDegree, names::HoleDegreeReliable,
+    names::HoleNormRange, names::HolonomyDefect, names::PointSingularities };
   if (flags.count(array->GetName()) != 0)
   {
     return array->GetComponent(0, 0) != 0.0;
@@ -70,9 +73,27 @@ Json Value(vtkDataArray* array)
     return Tuple(array, 0);
   }
   Json list = Json::array();
+  const bool flag = array->GetName() == std::string(names::HoleDegreeReliable);
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
-    list.push_back(Tuple(array, i));
+    list.push_back(flag ? Json(array->GetComponent(i, 0) != 0.0) : Tuple(array, i));
+  }
+  return list;
+}
+
+Json Singularities(vtkPolyData* points, bool hasHeight)
+{
+  vtkDataArray* quarters = points->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
+  Json list = Json::array();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const double* place = points->GetPoint(i);
+    list.push_back(
+      { { "x", place[0] }, { "y", place[1] }, { "quarter_index", Number(quarters, i, 0) } });
+    if (hasHeight)
+    {
+      list.back()["z"] = place[2];
+    }
   }
   return list;
 }
@@ -80,10 +101,11 @@ Json Value(vtkDataArray* array)
 
 namespace ReportJson
 {
-std::string Write(vtkFieldData* data, const std::map<std::string, long long>& counts,
-  const std::map<std::string, double>& seconds)
+std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
+  vtkPolyData* singularities)
 {
   Json report = Json::object();
+  vtkFieldData* data = field->GetFieldData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* array = data->GetArray(i))
@@ -91,33 +113,12 @@ std::string Write(vtkFieldData* data, const std::map<std::string, long long>& co
       report[SnakeCase(array->GetName())] = Value(array);
     }
   }
-  for (const auto& [name, count] : counts)
+  report["triangles"] = CountTriangles(field);
+  report["seconds"] = seconds;
+  if (singularities != nullptr)
   {
-    report[name] = count;
-  }
-  if (!seconds.empty())
-  {
-    report["seconds"] = seconds;
+    report["singularities"] = Singularities(singularities, DomainReader::HasHeight(field));
   }
   return report.dump(2) + "\n";
-}
-
-std::string AddSingularities(const std::string& report, vtkPolyData* singularities, bool hasHeight)
-{
-  Json json = Json::parse(report);
-  vtkDataArray* quarters =
-    singularities->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
-  json["singularities"] = Json::array();
-  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
-  {
-    const double* place = singularities->GetPoint(i);
-    json["singularities"].push_back(
-      { { "x", place[0] }, { "y", place[1] }, { "quarter_index", Number(quarters, i, 0) } });
-    if (hasHeight)
-    {
-      json["singularities"].back()["z"] = place[2];
-    }
-  }
-  return json.dump(2) + "\n";
 }
 }

@@ -4,23 +4,20 @@
 #include <map>
 #include <string>
 
-class vtkFieldData;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /** The numbers of a run as JSON. */
 namespace ReportJson
 {
 /**
- * One object with the arrays of the field data under their names in snake_case (`hole_degree`):
- * arrays per hole as lists, flags as true or false, other single values as numbers; then the extra
- * counts, and the seconds spent in each stage under `seconds`.
+ * One object with the field data of a field under their names in snake_case (`hole_degree`): arrays
+ * per hole as lists, flags as true or false, other single values as numbers; then the number of
+ * `triangles`, the `seconds` spent in each stage and, if given, the list `singularities` of x, y, z in
+ * planes that are not z = const, and quarter_index.
  */
-std::string Write(vtkFieldData* data, const std::map<std::string, long long>& counts,
-  const std::map<std::string, double>& seconds);
-
-/** A report with the list `singularities` of x, y, z if asked for, and quarter_index added. */
-std::string AddSingularities(
-  const std::string& report, vtkPolyData* singularities, bool hasHeight = false);
+std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
+  vtkPolyData* singularities = nullptr);
 }
 
 #endif

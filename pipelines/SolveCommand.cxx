@@ -2,10 +2,11 @@
  * crossfield solve DOMAIN -s S.csv -o F.vtu: the cross field with chosen singularities.
  *
  *   crossfield solve builtin:disk -s four.csv -o field.vtu --json -
+ *   crossfield solve builtin:ring --method ginzburg-landau --epsilon 0.01 --start constant \
+ *     --size 0.04 -o field.vtu
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
-#include "GinzburgLandauSolve.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -13,12 +14,15 @@
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
+#include "vtkGinzburgLandauCrossField.h"
 #include "vtkPerforatedCrossField.h"
+#include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTimerLog.h"
 #include "vtkUnstructuredGrid.h"
@@ -31,6 +35,8 @@
 
 namespace
 {
+namespace names = vtkCrossFieldArrayNames;
+
 struct SolveOptions : MeshOptions
 {
   std::string method = "constrained";
@@ -45,37 +51,70 @@ struct SolveOptions : MeshOptions
   bool strict = false;
 };
 
-/** Names of the starts, in the order of the filter's codes. */
+/** Names of the starts, in the order of the codes of vtkPerforatedCrossField. */
 const std::vector<std::string> Starts = { "best", "harmonic", "unit-norm" };
+/** And of vtkGinzburgLandauCrossField, "the reference", which places singularities by itself. */
+const std::vector<std::string> ReferenceStarts = { "harmonic", "constant", "zero" };
 
-double Value(vtkUnstructuredGrid* field, const char* name)
+int CodeOf(const std::string& start, const std::vector<std::string>& starts)
 {
-  return field->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+  return static_cast<int>(std::find(starts.begin(), starts.end(), start) - starts.begin());
 }
 
 void PrintSummary(vtkUnstructuredGrid* field)
 {
-  namespace names = vtkCrossFieldArrayNames;
-  std::cout << "energy " << Value(field, names::Energy) << ", "
-            << (Value(field, names::Converged) != 0.0 ? "converged" : "NOT converged") << " after "
-            << Value(field, names::Iterations) << " iterations (residual "
-            << Value(field, names::Residual) << "), unwanted singularities "
-            << Value(field, names::UnwantedSingularities)
-            << (Value(field, names::UnitHoles) != 0.0 ? ", unit crosses on the holes" : "")
+  std::cout << "energy " << FieldValue(field, names::Energy) << ", "
+            << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
+            << FieldValue(field, names::Residual) << "), unwanted singularities "
+            << FieldValue(field, names::UnwantedSingularities)
+            << (FieldValue(field, names::UnitHoles) != 0.0 ? ", unit crosses on the holes" : "")
             << ", degrees of the holes";
   vtkDataArray* degrees = field->GetFieldData()->GetArray(names::HoleDegree);
   for (vtkIdType i = 0; i < degrees->GetNumberOfTuples(); ++i)
   {
     std::cout << " " << degrees->GetComponent(i, 0);
   }
-  std::cout << (Value(field, names::DegreesReached) != 0.0 ? "" : ", NOT those asked for") << "\n";
+  std::cout << (FieldValue(field, names::DegreesReached) != 0.0 ? "" : ", NOT those asked for")
+            << "\n";
+}
+
+/** Of a field whose singularities were not chosen. */
+void PrintReferenceSummary(vtkUnstructuredGrid* field)
+{
+  std::cout << "energy " << FieldValue(field, names::Energy) << " (gradient "
+            << FieldValue(field, names::GradientEnergy) << ", penalty "
+            << FieldValue(field, names::PenaltyEnergy) << ", epsilon "
+            << FieldValue(field, names::Epsilon) << "), "
+            << (FieldValue(field, names::Converged) != 0.0 ? "converged" : "NOT converged")
+            << " after " << FieldValue(field, names::Iterations) << " iterations (residual "
+            << FieldValue(field, names::Residual) << "), unwanted singularities "
+            << FieldValue(field, names::UnwantedSingularities) << "\n";
+}
+
+/** One line for each singularity that was found. */
+void PrintSingularities(vtkPolyData* singularities, vtkUnstructuredGrid* field)
+{
+  const bool hasHeight = DomainReader::HasHeight(field);
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const double* place = singularities->GetPoint(i);
+    std::cout << "quarter index "
+              << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
+              << " at " << place[0] << " " << place[1];
+    if (hasHeight)
+    {
+      std::cout << " " << place[2];
+    }
+    std::cout << "\n";
+  }
 }
 
 /** The names of all starts, of the constrained and the Ginzburg-Landau method. */
 std::vector<std::string> AllStarts()
 {
   std::vector<std::string> all = Starts;
-  for (const std::string& start : GinzburgLandauSolve::Starts)
+  for (const std::string& start : ReferenceStarts)
   {
     if (std::find(all.begin(), all.end(), start) == all.end())
     {
@@ -105,7 +144,7 @@ void CheckUsage(const SolveOptions& options)
   {
     throw CLI::ValidationError("--epsilon belongs to the methods constrained and ginzburg-landau");
   }
-  const std::vector<std::string>& starts = reference ? GinzburgLandauSolve::Starts : Starts;
+  const std::vector<std::string>& starts = reference ? ReferenceStarts : Starts;
   const bool isDefault = options.start == SolveOptions().start;
   if (!isDefault && std::find(starts.begin(), starts.end(), options.start) == starts.end())
   {
@@ -114,46 +153,28 @@ void CheckUsage(const SolveOptions& options)
   }
 }
 
-int SolveByGinzburgLandau(const SolveOptions& options)
-{
-  GinzburgLandauSolve solve;
-  static_cast<MeshOptions&>(solve) = static_cast<const MeshOptions&>(options);
-  solve.epsilon = options.epsilon;
-  if (options.start != SolveOptions().start)
-  {
-    solve.start = options.start;
-  }
-  solve.json = options.json;
-  solve.strict = options.strict;
-  return solve.Run();
-}
-
 int Solve(const SolveOptions& options)
 {
   CheckUsage(options);
-  namespace names = vtkCrossFieldArrayNames;
   // 1. Check the outputs before any work.
-  if (!options.output.empty())
-  {
-    OutputFile::RequireWritable(options.output, ".vtu");
-  }
-  if (!options.json.empty() && options.json != "-")
-  {
-    OutputFile::RequireWritable(options.json, "");
-    if (options.json == options.output)
-    {
-      throw PipelineRun::Error(
-        "The field and the report cannot both go to '" + options.json + "'; give two names.");
-    }
-  }
-  if (options.method == "ginzburg-landau")
-  {
-    return SolveByGinzburgLandau(options);
-  }
+  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
 
-  // 2. Read the domain and the configuration.
+  // 2. Read the domain and the configuration. The reference makes nothing of one, but a wrong name
+  //    shall not go unnoticed.
+  const bool isReference = options.method == "ginzburg-landau";
   const auto domain = DomainReader::Open(options.domain, options.size);
-  const auto singularities = DomainReader::OpenPoints(options.singularities);
+  vtkNew<vtkSingularitySource> none;
+  none->RemoveAllSingularities();
+  vtkSmartPointer<vtkAlgorithm> singularities = none.Get();
+  if (!options.singularities.empty())
+  {
+    singularities = DomainReader::OpenPoints(options.singularities);
+  }
+  if (isReference)
+  {
+    PipelineRun::Update(singularities, "reading");
+    singularities = none.Get();
+  }
 
   // 3. Drill a hole at every singularity.
   vtkNew<vtkTimerLog> timer;
@@ -169,23 +190,34 @@ int Solve(const SolveOptions& options)
   seconds["mesh"] = timer->GetElapsedTime();
 
   // 4. Solve.
-  vtkNew<vtkPerforatedCrossField> solver;
+  vtkNew<vtkGinzburgLandauCrossField> reference;
+  vtkNew<vtkPerforatedCrossField> constrained;
+  vtkCrossFieldSolver* solver = constrained;
+  if (isReference)
+  {
+    solver = reference;
+    reference->SetEpsilon(options.epsilon);
+    if (options.start != SolveOptions().start)
+    {
+      reference->SetStart(CodeOf(options.start, ReferenceStarts));
+    }
+  }
+  else
+  {
+    constrained->SetMethod(options.method == "unit-norm"
+        ? vtkPerforatedCrossField::MethodUnitNorm
+        : vtkPerforatedCrossField::MethodConstrained);
+    constrained->SetStart(CodeOf(options.start, Starts));
+    constrained->SetUnitHoles(options.unitHoles);
+    for (const int row : options.unitHoleRows)
+    {
+      constrained->AddUnitHole(row);
+    }
+    constrained->SetGlobalConstraint(options.globalConstraint);
+    constrained->SetEpsilon(options.epsilon);
+    DomainReader::ConnectCorners(constrained.Get(), options.corners);
+  }
   solver->SetInputConnection(drill->GetOutputPort());
-  solver->SetMethod(options.method == "unit-norm" ? vtkPerforatedCrossField::MethodUnitNorm
-                                                  : vtkPerforatedCrossField::MethodConstrained);
-  solver->SetStart(
-    static_cast<int>(std::find(Starts.begin(), Starts.end(), options.start) - Starts.begin()));
-  solver->SetUnitHoles(options.unitHoles);
-  for (const int row : options.unitHoleRows)
-  {
-    solver->AddUnitHole(row);
-  }
-  solver->SetGlobalConstraint(options.globalConstraint);
-  solver->SetEpsilon(options.epsilon);
-  if (!options.corners.empty())
-  {
-    solver->SetCornersConnection(DomainReader::OpenPoints(options.corners)->GetOutputPort());
-  }
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -193,7 +225,8 @@ int Solve(const SolveOptions& options)
   seconds["solve"] = solver->GetStageSeconds()[2];
 
   // 5. Where singularities may appear by themselves, find them.
-  const bool mayAppear = options.mode != SolveOptions().mode || options.epsilon != 0.0;
+  const bool mayAppear =
+    isReference || options.mode != SolveOptions().mode || options.epsilon != 0.0;
   vtkNew<vtkCrossFieldSingularities> found;
   found->SetInputConnection(solver->GetOutputPort());
   if (mayAppear)
@@ -203,16 +236,10 @@ int Solve(const SolveOptions& options)
 
   // 6. Write the field and the report.
   OutputTransaction outputs;
-  timer->StartTimer();
-  if (!options.output.empty())
-  {
-    OutputFile::Write(field, options.output, outputs);
-  }
-  timer->StopTimer();
-  seconds["write"] = timer->GetElapsedTime();
+  seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
   if (options.json.empty())
   {
-    PrintSummary(field);
+    isReference ? PrintReferenceSummary(field) : PrintSummary(field);
     if (mayAppear)
     {
       PrintSingularities(found->GetOutput(), field);
@@ -220,17 +247,16 @@ int Solve(const SolveOptions& options)
   }
   else
   {
-    const std::string report =
-      ReportJson::Write(field->GetFieldData(), { { "triangles", CountTriangles(field) } }, seconds);
     outputs.Write(
-      mayAppear ? ReportJson::AddSingularities(report, found->GetOutput()) : report, options.json);
+      ReportJson::Write(field, seconds, mayAppear ? found->GetOutput() : nullptr), options.json);
   }
   outputs.Commit();
 
   // 7. The answer.
-  const bool unwanted =
-    Value(field, names::UnwantedSingularities) != 0.0 || Value(field, names::DegreesReached) == 0.0;
-  return Value(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo : Done;
+  const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0 ||
+    (!isReference && FieldValue(field, names::DegreesReached) == 0.0);
+  return FieldValue(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo
+                                                                                    : Done;
 }
 }
 
@@ -269,9 +295,8 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->take_all();
   command->add_flag("--global-constraint", options->globalConstraint,
     "prescribe the sum of the degrees only, not that of every hole");
-  command->add_option("--corners", options->corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
-  command->add_option("--json", options->json, "write the numbers to this file, or - for output");
+  AddCornersTo(*command, options->corners);
+  AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,
     "exit with status 1 when there are unwanted singularities or a degree was not reached");
   command->callback([options, &status] { status = Solve(*options); });

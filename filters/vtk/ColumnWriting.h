@@ -4,12 +4,18 @@
 #include "DomainPlane.h"
 
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
-/** Writes one value per item into arrays. */
+#include <string>
+#include <vector>
+
+/** Writes arrays with one value per item. */
 namespace ColumnWriting
 {
 /** An array with one value per item. */
@@ -24,6 +30,21 @@ void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value v
     array->InsertNextValue(value(item));
   }
   data->AddArray(array);
+}
+
+/** The same of the items themselves. */
+inline void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
+{
+  AddColumn<vtkDoubleArray>(data, name, values, [](double value) { return value; });
+}
+inline void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
+{
+  AddColumn<vtkIntArray>(data, name, values, [](int value) { return value; });
+}
+inline void AddText(vtkFieldData* data, const char* name, const std::string& text)
+{
+  AddColumn<vtkStringArray>(
+    data, name, std::vector<std::string>{ text }, [](const std::string& value) { return value; });
 }
 
 /** Points of a plane, with a vertex cell each. */

@@ -2,8 +2,8 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "InputCheck.h"
 #include "QuarterIndexRange.h"
-#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
@@ -123,20 +123,7 @@ void WriteLoopTable(const crossfield::PoincareHopfCount& count,
 }
 
 //------------------------------------------------------------------------------
-void WriteConfiguration(const crossfield::Configuration& configuration,
-  const crossfield::DomainPlane& plane, vtkPolyData* output)
-{
-  using crossfield::Singularity;
-  WritePlaces(configuration, plane, output);
-  vtkFieldData* data = output->GetPointData();
-  AddColumn<vtkIntArray>(data, names::QuarterIndex, configuration,
-    [](const Singularity& singularity) { return singularity.quarterIndex; });
-  AddColumn<vtkDoubleArray>(data, names::Radius, configuration,
-    [](const Singularity& singularity) { return singularity.radius; });
-}
-
-//------------------------------------------------------------------------------
-std::vector<crossfield::CornerChoice> ReadChoices(
+std::vector<crossfield::CornerChoice> ReadCorners(
   vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   std::vector<crossfield::CornerChoice> choices;
@@ -144,7 +131,7 @@ std::vector<crossfield::CornerChoice> ReadChoices(
   {
     return choices;
   }
-  SoundInput::Require(input);
+  InputCheck::Require(input);
   vtkDataArray* quarters = input->GetPointData()->GetArray(names::QuarterIndex);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
   {

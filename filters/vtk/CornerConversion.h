@@ -9,7 +9,7 @@ class vtkDataSet;
 class vtkPolyData;
 class vtkTable;
 
-/** Conversion of corners, counts and configurations to VTK data, in the plane of the domain. */
+/** Conversion of corners and counts to VTK data, in the plane of the domain. */
 namespace CornerConversion
 {
 /** Point arrays of vtkBoundaryCornerClassifier, and its field data. */
@@ -27,15 +27,11 @@ void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
 void WriteLoopTable(const crossfield::PoincareHopfCount& count,
   const std::vector<double>& holonomyDefects, vtkTable* output);
 
-/** Points with `QuarterIndex` and `Radius`. */
-void WriteConfiguration(const crossfield::Configuration& configuration,
-  const crossfield::DomainPlane& plane, vtkPolyData* output);
-
 /**
  * The points of a data set with their integer point array `QuarterIndex`; nothing for a null
  * pointer. Throws crossfield::Error when the array is missing or not integer.
  */
-std::vector<crossfield::CornerChoice> ReadChoices(
+std::vector<crossfield::CornerChoice> ReadCorners(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
 }
 

@@ -1,7 +1,9 @@
 #include "CrossFieldArrays.h"
 
+#include "ColumnWriting.h"
 #include "CrossSamples.h"
 #include "Error.h"
+#include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -17,6 +19,8 @@
 
 namespace
 {
+using ColumnWriting::AddIntegers;
+using ColumnWriting::AddNumbers;
 using crossfield::Complex;
 
 vtkSmartPointer<vtkDoubleArray> NewArray(
@@ -26,6 +30,7 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
+  array->Fill(0.0); // what points that no cell uses keep
   data->AddArray(array);
   return array;
 }
@@ -59,25 +64,6 @@ private:
   vtkSmartPointer<vtkDoubleArray> Cross2;
   vtkSmartPointer<vtkDoubleArray> CrossNorm;
 };
-
-void AddValue(vtkFieldData* data, const char* name, double value)
-{
-  NewArray(data, name, 1, 1)->SetValue(0, value);
-}
-
-vtkSmartPointer<vtkIntArray> AddIntegers(vtkFieldData* data, const char* name, vtkIdType count)
-{
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(count);
-  data->AddArray(array);
-  return array;
-}
-
-void AddInteger(vtkFieldData* data, const char* name, int value)
-{
-  AddIntegers(data, name, 1)->SetValue(0, value);
-}
 }
 
 namespace CrossFieldArrays
@@ -87,12 +73,12 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
   vtkUnstructuredGrid* output)
 {
   const crossfield::CrossSamples samples =
-    crossfield::SampleField(cells.mesh, field.edges, field.u);
+    crossfield::SampleField(field.topology->mesh, field.topology->edges, field.u);
 
   ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    points.Set(i, samples.atVertices[i]);
+    points.Set(cells.pointIds[i], samples.atVertices[static_cast<Eigen::Index>(i)]);
   }
 
   auto exact = NewArray(
@@ -102,19 +88,19 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
   { exact->SetTuple6(cell, a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag()); };
   for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
   {
-    const auto& edges = field.edges.ofTriangle[t];
+    const auto& edges = field.topology->edges.ofTriangle[t];
     setExact(cells.triangleCells[t], field.u[edges[0]], field.u[edges[1]], field.u[edges[2]]);
     shown.Set(cells.triangleCells[t], samples.atTriangles[static_cast<Eigen::Index>(t)]);
   }
   for (std::size_t i = 0; i < cells.lineCells.size(); ++i)
   {
-    const Complex u = field.u[field.edges.ofBoundary[i]];
+    const Complex u = field.u[field.topology->edges.ofBoundary[i]];
     setExact(cells.lineCells[i], u, u, u);
     shown.Set(cells.lineCells[i], u);
   }
   for (std::size_t i = 0; i < cells.imprintedCells.size(); ++i)
   {
-    const Complex u = field.u[field.edges.ofImprinted[i]];
+    const Complex u = field.u[field.topology->edges.ofImprinted[i]];
     setExact(cells.imprintedCells[i], u, u, u);
     shown.Set(cells.imprintedCells[i], u);
   }
@@ -123,8 +109,8 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
 }
 
 //------------------------------------------------------------------------------
-crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
-  const crossfield::EdgeNumbering& edges, vtkUnstructuredGrid* input)
+crossfield::CrossField ReadField(
+  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input)
 {
   vtkDataArray* exact = input->GetCellData()->GetArray(vtkCrossFieldArrayNames::CrossFieldCR);
   if (exact == nullptr || exact->GetNumberOfComponents() != 6)
@@ -132,6 +118,7 @@ crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
     throw crossfield::Error("The mesh has no cell array 'CrossFieldCR' with 6 components; give a "
                             "field made by one of the cross field filters.");
   }
+  const crossfield::EdgeNumbering& edges = cells.topology->edges;
   crossfield::ComplexVector u = crossfield::ComplexVector::Zero(edges.Count());
   for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
   {
@@ -142,87 +129,116 @@ crossfield::ComplexVector ReadField(const DomainConversion::DrilledMesh& cells,
           exact->GetComponent(cells.triangleCells[t], 2 * i + 1));
     }
   }
-  return u;
+  return { cells.topology, std::move(u) };
 }
 
 //------------------------------------------------------------------------------
-void AddReport(const crossfield::CrossField& field, vtkUnstructuredGrid* output)
+void AddReport(const crossfield::SolvedField& field, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
   vtkFieldData* data = output->GetFieldData();
-  AddValue(data, names::Energy, field.energy);
-  AddInteger(data, names::Iterations, field.iterations);
-  AddValue(data, names::Residual, field.residual);
-  AddInteger(data, names::Converged, field.converged ? 1 : 0);
-  AddInteger(data, names::StartedFromUnitNorm, field.startedFromUnitNorm ? 1 : 0);
-  AddInteger(data, names::UnitHoles, field.unitHoles ? 1 : 0);
-  const auto holes = static_cast<vtkIdType>(field.holes.size());
-  auto degrees = AddIntegers(data, names::HoleDegree, holes);
-  auto norms = NewArray(data, names::HoleNormRange, 2, holes);
-  for (vtkIdType i = 0; i < holes; ++i)
+  AddNumbers(data, names::Energy, { field.energy });
+  AddIntegers(data, names::Iterations, { field.iterations });
+  AddNumbers(data, names::Residual, { field.residual });
+  AddIntegers(data, names::Converged, { field.converged ? 1 : 0 });
+  AddIntegers(data, names::StartedFromUnitNorm, { field.startedFromUnitNorm ? 1 : 0 });
+  AddIntegers(data, names::UnitHoles, { field.unitHoles ? 1 : 0 });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::HoleDegree, field.holes,
+    [](const crossfield::HoleReading& hole) { return hole.degree; });
+  ColumnWriting::AddColumn<vtkIntArray>(data, names::HoleDegreeReliable, field.holes,
+    [](const crossfield::HoleReading& hole) { return hole.Reliable() ? 1 : 0; });
+  auto norms = NewArray(data, names::HoleNormRange, 2, static_cast<vtkIdType>(field.holes.size()));
+  for (std::size_t i = 0; i < field.holes.size(); ++i)
   {
-    const crossfield::HoleReading& hole = field.holes[static_cast<std::size_t>(i)];
-    degrees->SetValue(i, hole.degree);
-    norms->SetTuple2(i, hole.minimumNorm, hole.maximumNorm);
+    norms->SetTuple2(
+      static_cast<vtkIdType>(i), field.holes[i].minimumNorm, field.holes[i].maximumNorm);
   }
-  AddInteger(data, names::DegreesReached, field.degreesReached ? 1 : 0);
-  AddInteger(data, names::UnwantedSingularities, field.unwantedSingularities);
-  AddInteger(data, names::EulerCharacteristic, field.count.eulerCharacteristic);
-  AddValue(data, names::Valence, field.count.valence);
-  AddValue(data, names::TangentTurning, field.count.tangentTurning);
-  AddInteger(data, names::RequiredInteriorQuarters, field.count.requiredInteriorQuarters);
-  AddInteger(data, names::GivenInteriorQuarters, field.count.givenInteriorQuarters);
-  AddInteger(data, names::Consistent, field.count.Consistent() ? 1 : 0);
+  AddIntegers(data, names::DegreesReached, { field.degreesReached ? 1 : 0 });
+  AddIntegers(data, names::UnwantedSingularities, { field.unwantedSingularities });
+  AddIntegers(data, names::EulerCharacteristic, { field.count.eulerCharacteristic });
+  AddNumbers(data, names::Valence, { field.count.valence });
+  AddNumbers(data, names::TangentTurning, { field.count.tangentTurning });
+  AddIntegers(data, names::RequiredInteriorQuarters, { field.count.requiredInteriorQuarters });
+  AddIntegers(data, names::GivenInteriorQuarters, { field.count.givenInteriorQuarters });
+  AddIntegers(data, names::Consistent, { field.count.Consistent() ? 1 : 0 });
   for (const char* name : { names::HolonomyDefect, names::Epsilon, names::GradientEnergy,
-         names::PenaltyEnergy, names::ConvexifiedSteps })
+         names::PenaltyEnergy, names::ConvexifiedSteps, names::PointSingularities })
   {
     data->RemoveArray(name); // of a field that the mesh carried before
   }
   if (field.epsilon > 0.0)
   {
-    AddValue(data, names::Epsilon, field.epsilon);
-    AddValue(data, names::GradientEnergy, field.gradientEnergy);
-    AddValue(data, names::PenaltyEnergy, field.penaltyEnergy);
+    AddNumbers(data, names::Epsilon, { field.epsilon });
+    AddNumbers(data, names::GradientEnergy, { field.gradientEnergy });
+    AddNumbers(data, names::PenaltyEnergy, { field.penaltyEnergy });
   }
   if (!field.holonomyDefect.empty())
   {
-    const auto islands = static_cast<vtkIdType>(field.holonomyDefect.size());
-    auto defects = NewArray(data, names::HolonomyDefect, 1, islands);
-    for (vtkIdType i = 0; i < islands; ++i)
-    {
-      defects->SetValue(i, field.holonomyDefect[static_cast<std::size_t>(i)]);
-    }
+    AddNumbers(data, names::HolonomyDefect, field.holonomyDefect);
   }
 }
 
 //------------------------------------------------------------------------------
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 {
-  AddInteger(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, steps);
+  AddIntegers(output->GetFieldData(), vtkCrossFieldArrayNames::ConvexifiedSteps, { steps });
 }
 
 //------------------------------------------------------------------------------
-void AddH(const crossfield::HField& field, vtkUnstructuredGrid* output)
+void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
+  const crossfield::Configuration& configuration, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
   const vtkIdType count = output->GetNumberOfPoints();
   auto h = NewArray(output->GetPointData(), names::H, 1, count);
   auto sizes = NewArray(output->GetPointData(), names::SizeMap, 1, count);
-  for (vtkIdType i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    h->SetValue(i, field.h[i]);
-    sizes->SetValue(i, std::exp(field.h[i]));
+    const double value = field.h[static_cast<Eigen::Index>(i)];
+    h->SetValue(cells.pointIds[i], value);
+    sizes->SetValue(cells.pointIds[i], std::exp(value));
   }
   output->GetPointData()->SetActiveScalars(names::SizeMap);
   if (field.periods.empty())
   {
-    NewArray(output->GetFieldData(), names::HolonomyDefect, 1, 0);
+    AddNumbers(output->GetFieldData(), names::HolonomyDefect, {});
   }
   output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // of another field
   if (!std::isnan(field.renormalizedEnergy))
   {
-    AddValue(output->GetFieldData(), names::RenormalizedEnergy, field.renormalizedEnergy);
+    AddNumbers(output->GetFieldData(), names::RenormalizedEnergy, { field.renormalizedEnergy });
+    auto points = NewArray(output->GetFieldData(), names::PointSingularities, 4,
+      static_cast<vtkIdType>(configuration.size()));
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+    {
+      const Eigen::Vector3d place = cells.plane.ToSpace(configuration[i].position);
+      points->SetTuple4(static_cast<vtkIdType>(i), place.x(), place.y(), place.z(),
+        configuration[i].quarterIndex);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+crossfield::Configuration ReadPointSingularities(
+  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input)
+{
+  crossfield::Configuration configuration;
+  vtkDataArray* points =
+    input->GetFieldData()->GetArray(vtkCrossFieldArrayNames::PointSingularities);
+  if (points == nullptr || points->GetNumberOfComponents() != 4)
+  {
+    return configuration;
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    const Eigen::Vector3d place(
+      points->GetComponent(i, 0), points->GetComponent(i, 1), points->GetComponent(i, 2));
+    configuration.push_back({ cells.plane.ToPlane(place),
+      crossfield::RequireQuarterIndex(points->GetComponent(i, 3),
+        "A quarter index of the field data 'PointSingularities'"),
+      0.0 });
+  }
+  return configuration;
 }
 
 //------------------------------------------------------------------------------

@@ -1,11 +1,12 @@
 #include "DomainConversion.h"
 
 #include "BoundaryLoops.h"
+#include "ColumnWriting.h"
 #include "DomainExtent.h"
 #include "Error.h"
+#include "InputCheck.h"
 #include "MakePlanarDomain.h"
 #include "QuarterIndexRange.h"
-#include "SoundInput.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -26,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -35,16 +37,76 @@ namespace
 using crossfield::Error;
 using crossfield::Point;
 
-/** The lines and surface cells of a data set; other cells than vertices are refused. */
-vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
+/**
+ * The points that lines and surface cells use. Others, which vertices may use, count for nothing: they
+ * may be anywhere.
+ */
+class UsedPoints
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(input->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+public:
+  explicit UsedPoints(vtkDataSet* input)
+    : Numbers(static_cast<std::size_t>(input->GetNumberOfPoints()), -1)
   {
-    points->SetPoint(i, input->GetPoint(i));
+    vtkNew<vtkIdList> points;
+    for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+    {
+      const int type = input->GetCellType(cell);
+      if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+      {
+        continue;
+      }
+      input->GetCellPoints(cell, points);
+      for (const vtkIdType point : *points)
+      {
+        this->Numbers[static_cast<std::size_t>(point)] = 0;
+      }
+    }
+    for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
+    {
+      if (this->Numbers[static_cast<std::size_t>(point)] == 0)
+      {
+        this->Numbers[static_cast<std::size_t>(point)] = static_cast<int>(this->Ids.size());
+        this->Ids.push_back(point);
+      }
+    }
   }
+
+  /** In ascending order. */
+  const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
+
+  /** Where a used point is among them. */
+  int NumberOf(vtkIdType point) const { return this->Numbers[static_cast<std::size_t>(point)]; }
+
+  crossfield::DomainPlane FindPlane(vtkDataSet* input) const
+  {
+    Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(this->Ids.size()));
+    for (Eigen::Index i = 0; i < places.cols(); ++i)
+    {
+      input->GetPoint(this->Ids[static_cast<std::size_t>(i)], places.col(i).data());
+    }
+    return crossfield::DomainPlane::Find(places);
+  }
+
+private:
+  std::vector<int> Numbers; ///< −1 for points that are not used.
+  std::vector<vtkIdType> Ids;
+};
+
+void RequireFinite(const double* place, vtkIdType point)
+{
+  if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+  {
+    throw Error("Point " + std::to_string(point) +
+      " of the domain has coordinates that are not finite numbers; correct or remove it.");
+  }
+}
+
+/**
+ * The surface cells of a data set, or else its lines, with the points that they use; other cells than
+ * vertices are refused, and so are places that are not finite.
+ */
+vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
+{
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
   vtkNew<vtkIdList> ids;
@@ -77,15 +139,33 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesAndSurfaces(vtkDataSet* input)
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
+  const bool isSurface = surfaces->GetNumberOfCells() > 0;
+  vtkCellArray* cells = isSurface ? surfaces : lines;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
   result->SetPoints(points);
-  if (surfaces->GetNumberOfCells() > 0)
+  isSurface ? result->SetPolys(cells) : result->SetLines(cells);
+  const UsedPoints used(result);
+  vtkNew<vtkPoints> kept;
+  kept->SetDataTypeToDouble();
+  for (const vtkIdType point : used.GetIds())
   {
-    result->SetPolys(surfaces);
+    double place[3];
+    input->GetPoint(point, place);
+    RequireFinite(place, point);
+    kept->InsertNextPoint(place);
   }
-  else
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
-    result->SetLines(lines);
+    cells->GetCellAtId(cell, ids);
+    for (vtkIdType& point : *ids)
+    {
+      point = used.NumberOf(point);
+    }
+    cells->ReplaceCellAtId(cell, ids);
   }
+  result->SetPoints(kept);
   return result;
 }
 
@@ -115,7 +195,7 @@ constexpr double OnePoint = 1e-9;
 
 vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
 {
-  vtkNew<vtkCleanPolyData> clean; // also drops the points that no cell uses
+  vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(input);
   clean->SetTolerance(tolerance);
   // The filter's own locator has buckets of one size, and a long curve is in few of them.
@@ -231,32 +311,18 @@ namespace DomainConversion
 //------------------------------------------------------------------------------
 crossfield::DomainPlane FindPlane(vtkDataSet* input)
 {
-  Eigen::Matrix3Xd points(3, input->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    input->GetPoint(i, points.col(i).data());
-  }
-  return crossfield::DomainPlane::Find(points);
+  return UsedPoints(input).FindPlane(input);
 }
 
 //------------------------------------------------------------------------------
 Domain ReadDomain(vtkDataSet* input)
 {
-  SoundInput::Require(input);
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    const double* point = input->GetPoint(i);
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
-    {
-      throw Error("Point " + std::to_string(i) +
-        " of the domain has coordinates that are not finite numbers; correct or remove it.");
-    }
-  }
+  InputCheck::Require(input);
+  const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesOrSurfaces(input);
   double bounds[6]; // of no points, the lower ones are above the upper ones
-  input->GetBounds(bounds);
+  cells->GetBounds(bounds);
   crossfield::RequireExtent(
     std::max({ 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
-  const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesAndSurfaces(input);
   const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, OnePoint);
   Domain result;
   // Of a surface as well, which could bulge from a planar boundary.
@@ -302,10 +368,14 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 //------------------------------------------------------------------------------
 crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
+  crossfield::Configuration configuration;
+  if (input == nullptr)
+  {
+    return configuration;
+  }
   // The array is asked for even when there are no points: a source that failed gives no points and
   // no array, and must not pass for the empty configuration.
-  SoundInput::Require(input);
-  crossfield::Configuration configuration;
+  InputCheck::Require(input);
   vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
@@ -341,28 +411,44 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield:
 }
 
 //------------------------------------------------------------------------------
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  using crossfield::Singularity;
+  ColumnWriting::WritePlaces(configuration, plane, output);
+  vtkFieldData* data = output->GetPointData();
+  ColumnWriting::AddColumn<vtkIntArray>(data, vtkCrossFieldArrayNames::QuarterIndex, configuration,
+    [](const Singularity& singularity) { return singularity.quarterIndex; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(data, vtkCrossFieldArrayNames::Radius, configuration,
+    [](const Singularity& singularity) { return singularity.radius; });
+}
+
+//------------------------------------------------------------------------------
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 {
-  SoundInput::Require(input);
+  InputCheck::Require(input);
   vtkDataArray* kinds = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryKind);
   vtkDataArray* ids = RequireCellArray(input, vtkCrossFieldArrayNames::BoundaryId);
   vtkDataArray* quarters = RequireCellArray(input, vtkCrossFieldArrayNames::QuarterIndex);
   DrilledMesh result;
-  result.plane = FindPlane(input);
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  crossfield::TriangleMesh mesh;
+  const UsedPoints used(input);
+  result.plane = used.FindPlane(input);
+  result.pointIds = used.GetIds();
+  for (const vtkIdType point : result.pointIds)
   {
-    result.mesh.points.push_back(result.plane.ToPlane(Eigen::Vector3d(input->GetPoint(i))));
+    mesh.points.push_back(result.plane.ToPlane(Eigen::Vector3d(input->GetPoint(point))));
   }
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, points);
-    const auto vertex = [&points](vtkIdType i) { return static_cast<int>(points->GetId(i)); };
+    const auto vertex = [&](vtkIdType i) { return used.NumberOf(points->GetId(i)); };
     const int kind = static_cast<int>(kinds->GetTuple1(cell));
     if (input->GetCellType(cell) == VTK_TRIANGLE)
     {
       result.triangleCells.push_back(cell);
-      result.mesh.triangles.push_back({ vertex(0), vertex(1), vertex(2) });
+      mesh.triangles.push_back({ vertex(0), vertex(1), vertex(2) });
     }
     else if (input->GetCellType(cell) == VTK_LINE && kind >= 1 && kind <= 4)
     {
@@ -371,7 +457,7 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
         static_cast<int>(quarters->GetTuple1(cell)) };
       const bool imprinted = edge.kind == crossfield::BoundaryKind::ImprintedCircle;
       (imprinted ? result.imprintedCells : result.lineCells).push_back(cell);
-      (imprinted ? result.mesh.imprinted : result.mesh.boundary).push_back(edge);
+      (imprinted ? mesh.imprinted : mesh.boundary).push_back(edge);
     }
     else
     {
@@ -380,6 +466,28 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
         "drill filter.");
     }
   }
+  result.topology = crossfield::ShareTopology(std::move(mesh));
+  return result;
+}
+
+//------------------------------------------------------------------------------
+DrilledMesh NumberCells(crossfield::TriangleMesh mesh, const crossfield::DomainPlane& plane)
+{
+  const auto count = [](std::size_t size, vtkIdType first)
+  {
+    std::vector<vtkIdType> ids(size);
+    std::iota(ids.begin(), ids.end(), first);
+    return ids;
+  };
+  const auto lines = static_cast<vtkIdType>(mesh.triangles.size());
+  const auto imprinted = lines + static_cast<vtkIdType>(mesh.boundary.size());
+  DrilledMesh result;
+  result.plane = plane;
+  result.pointIds = count(mesh.points.size(), 0);
+  result.triangleCells = count(mesh.triangles.size(), 0);
+  result.lineCells = count(mesh.boundary.size(), lines);
+  result.imprintedCells = count(mesh.imprinted.size(), imprinted);
+  result.topology = crossfield::ShareTopology(std::move(mesh));
   return result;
 }
 

@@ -2,9 +2,9 @@
 #define DomainConversion_h
 
 #include "DomainPlane.h"
+#include "MeshTopology.h"
 #include "PlanarDomain.h"
 #include "Singularity.h"
-#include "TriangleMesh.h"
 
 #include "vtkType.h"
 
@@ -27,7 +27,7 @@ struct Domain
   crossfield::DomainPlane plane;
 };
 
-/** The plane of the points of a data set. */
+/** The plane of the points of a data set that its lines and surface cells use. */
 crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
@@ -39,21 +39,33 @@ Domain ReadDomain(vtkDataSet* input);
 /** One closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);
 
-/** Points in the plane of a domain with their arrays `QuarterIndex` and, optionally, `Radius`. */
+/**
+ * Points in the plane of a domain with their arrays `QuarterIndex` and, optionally, `Radius`; nothing
+ * for a null pointer.
+ */
 crossfield::Configuration ReadConfiguration(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
 
-/** A drilled mesh, its plane, and which cells its triangles and boundary edges are. */
+/** Points with `QuarterIndex` and `Radius`. */
+void WriteConfiguration(const crossfield::Configuration& configuration,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
+
+/** A drilled mesh, its plane, and which points and cells its vertices, triangles and edges are. */
 struct DrilledMesh
 {
-  crossfield::TriangleMesh mesh;
+  crossfield::SharedTopology topology;
   crossfield::DomainPlane plane;
+  std::vector<vtkIdType> pointIds; ///< Points that no cell uses are left out.
   std::vector<vtkIdType> triangleCells;
   std::vector<vtkIdType> lineCells;
   std::vector<vtkIdType> imprintedCells; ///< Of the edges of imprinted circles.
 };
 
+/** Throws crossfield::Error also where the cells make no mesh; see MeshTopology.h. */
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);
+
+/** The points and cells of a mesh as WriteDrilledMesh writes them. */
+DrilledMesh NumberCells(crossfield::TriangleMesh mesh, const crossfield::DomainPlane& plane);
 
 /** Triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
 void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,

@@ -11,7 +11,6 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -107,22 +106,11 @@ void WriteGradients(const std::vector<ConfigurationEnergy>& energies,
 void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output)
 {
   vtkFieldData* data = output->GetFieldData();
-  const auto addNumber = [data](const char* name, double value)
-  {
-    AddColumn<vtkDoubleArray>(
-      data, name, std::array<double, 1>{ value }, [](double number) { return number; });
-  };
-  const auto addInteger = [data](const char* name, int value)
-  {
-    AddColumn<vtkIntArray>(
-      data, name, std::array<int, 1>{ value }, [](int number) { return number; });
-  };
-  addNumber(names::RenormalizedEnergyBefore, result.energyBefore);
-  addNumber(names::RenormalizedEnergyAfter, result.energyAfter);
-  addInteger(names::Iterations, result.iterations);
-  addInteger(names::Converged, result.converged ? 1 : 0);
-  AddColumn<vtkDoubleArray>(
-    data, names::HolonomyDefect, result.holonomyDefect, [](double defect) { return defect; });
+  ColumnWriting::AddNumbers(data, names::RenormalizedEnergyBefore, { result.energyBefore });
+  ColumnWriting::AddNumbers(data, names::RenormalizedEnergyAfter, { result.energyAfter });
+  ColumnWriting::AddIntegers(data, names::Iterations, { result.iterations });
+  ColumnWriting::AddIntegers(data, names::Converged, { result.converged ? 1 : 0 });
+  ColumnWriting::AddNumbers(data, names::HolonomyDefect, result.holonomyDefect);
   vtkNew<vtkIntArray> pairs;
   pairs->SetName(names::Annihilation);
   pairs->SetNumberOfComponents(2);
@@ -131,8 +119,7 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
     pairs->InsertNextTuple2(pair[0], pair[1]);
   }
   data->AddArray(pairs);
-  AddColumn<vtkStringArray>(data, names::Reason, std::array<std::string, 1>{ result.reason },
-    [](const std::string& text) { return text; });
+  ColumnWriting::AddText(data, names::Reason, result.reason);
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,10 @@
 #include "Error.h"
 #include "MemoryBudget.h"
 #include "Progress.h"
+#include "vtkCrossFieldErrorCodes.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 
 #include <exception>
@@ -15,9 +17,6 @@
 /** The one way in which the filters of this module call numerics, from their RequestData. */
 namespace FilterRun
 {
-/** Error code when the input is valid but no field with the given singularities exists. */
-constexpr unsigned long Inconsistent = vtkErrorCode::UserError + 1;
-
 // CheckAbort() asks the algorithms downstream as well; VTK 9.1 does not have it.
 template <class Algorithm>
 auto WantsAbort(Algorithm* self, int) -> decltype(self->CheckAbort())
@@ -48,7 +47,7 @@ void KeepAbortedOutput(Algorithm*, long)
  * sentence; an abort is no error. Either leaves the output as it was: work fills it last.
  */
 template <class Algorithm, class Work>
-unsigned long Run(Algorithm* self, Work work)
+unsigned long Try(Algorithm* self, Work work)
 {
   const crossfield::Progress progress(
     [self](double fraction)
@@ -69,13 +68,14 @@ unsigned long Run(Algorithm* self, Work work)
   catch (const crossfield::Error& error)
   {
     vtkErrorWithObjectMacro(self, << error.what());
-    const unsigned long badInput = vtkErrorCode::UserError;
-    return error.GetKind() == crossfield::Error::Kind::Inconsistent ? Inconsistent : badInput;
+    return error.GetKind() == crossfield::Error::Kind::Inconsistent
+      ? vtkCrossFieldErrorCodes::Inconsistent
+      : vtkCrossFieldErrorCodes::BadInput;
   }
   catch (const std::bad_alloc&)
   {
     vtkErrorWithObjectMacro(self, << crossfield::OutOfMemory);
-    return vtkErrorCode::UserError;
+    return vtkCrossFieldErrorCodes::BadInput;
   }
   catch (const std::exception& error) // of a library, and no sentence: it may have several lines
   {
@@ -83,8 +83,30 @@ unsigned long Run(Algorithm* self, Work work)
     vtkErrorWithObjectMacro(self, << "The computation broke down ("
                                   << text.substr(0, text.find('\n'))
                                   << "); simplify the domain, or report it with this message.");
-    return vtkErrorCode::UserError;
+    return vtkCrossFieldErrorCodes::BadInput;
   }
+}
+
+/** RequestData of a source: runs work(progress), publishes the error code and returns 0 after an error. */
+template <class Algorithm, class Work>
+int Run(Algorithm* self, unsigned long& errorCode, Work work)
+{
+  errorCode = Try(self, work);
+  return errorCode == vtkErrorCode::NoError ? 1 : 0;
+}
+
+/** The same for a filter; without cells in the input there is nothing to do, and the output is empty. */
+template <class Algorithm, class Work>
+int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work)
+{
+  return Run(self, errorCode,
+    [&](const crossfield::Progress& progress)
+    {
+      if (input->GetNumberOfCells() > 0)
+      {
+        work(progress);
+      }
+    });
 }
 }
 

@@ -19,7 +19,8 @@ from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 # Field data that is true or false, and that has one entry for each hole or inner loop.
 _FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
           names.UnitHoles)
-_LISTS = (names.HoleDegree, names.HoleNormRange, names.HolonomyDefect)
+_LISTS = (names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange, names.HolonomyDefect,
+          names.PointSingularities)
 
 
 def copied(attributes: Any, name: str) -> np.ndarray:

@@ -8,7 +8,7 @@ from typing import Any, Iterator
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
 
-from .vtkCrossFieldFilters import vtkPerforatedCrossField
+from .vtkCrossFieldFilters import vtkCrossFieldErrorCodes
 
 
 class Error(RuntimeError):
@@ -69,7 +69,7 @@ class Pipeline:
         codes = [found.GetErrorCode() for found in self._filters]
         if self._errors or any(codes):
             text = self._errors[0] if self._errors else "VTK does not say why it failed."
-            raise Error(_sentence(text), vtkPerforatedCrossField.InconsistentError in codes)
+            raise Error(_sentence(text), vtkCrossFieldErrorCodes.Inconsistent in codes)
         return algorithm
 
     def update_one(self, algorithm: Any) -> Any:

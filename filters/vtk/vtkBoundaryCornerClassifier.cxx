@@ -2,12 +2,11 @@
 
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "QuarterIndexRange.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -98,16 +97,13 @@ void vtkBoundaryCornerClassifier::RemoveAllPointOverrides()
 //------------------------------------------------------------------------------
 int vtkBoundaryCornerClassifier::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  return FilterPorts::TakeDomain(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkBoundaryCornerClassifier::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
-  return 1;
+  return FilterPorts::Give(info, port == 1 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------
@@ -115,13 +111,9 @@ int vtkBoundaryCornerClassifier::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       progress.Report(0.5);
       crossfield::ClassificationOptions options;
@@ -152,10 +144,9 @@ int vtkBoundaryCornerClassifier::RequestData(
       CornerConversion::WriteCorners(
         classification, input.plane, vtkPolyData::GetData(outputVector, 0));
       CornerConversion::WriteScenarios(classification, vtkTable::GetData(outputVector, 1));
-      CornerConversion::WriteConfiguration(
+      DomainConversion::WriteConfiguration(
         classification.split, input.plane, vtkPolyData::GetData(outputVector, 2));
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

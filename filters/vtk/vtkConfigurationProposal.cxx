@@ -3,11 +3,10 @@
 #include "ConfigurationProposal.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -24,17 +23,7 @@ vtkConfigurationProposal::vtkConfigurationProposal()
 //------------------------------------------------------------------------------
 int vtkConfigurationProposal::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -44,27 +33,19 @@ int vtkConfigurationProposal::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       crossfield::ProposalOptions options;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
-      options.corners = CornerConversion::ReadChoices(corners, input.plane);
+      options.corners = CornerConversion::ReadCorners(corners, input.plane);
       options.cancelFlatCorners = this->CancelFlatCorners;
-      if (singularities != nullptr)
-      {
-        options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
-      }
-      CornerConversion::WriteConfiguration(
+      options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
+      DomainConversion::WriteConfiguration(
         crossfield::ProposeConfiguration(input.domain, options, progress), input.plane,
         vtkPolyData::GetData(outputVector));
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,7 @@
 #define vtkConfigurationProposal_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkPolyDataAlgorithm.h"
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkConfigurationProposal : public vtkPolyDataAlgorithm
@@ -39,17 +40,11 @@ public:
   vtkTypeMacro(vtkConfigurationProposal, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities. */
-  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
-  {
-    this->SetInputConnection(1, output);
-  }
-  /** Sets port 1 to a data object. */
-  void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
-  /** Connects port 2, the corners. */
-  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
-  /** Sets port 2 to a data object. */
-  void SetCornersData(vtkDataObject* data) { this->SetInputData(2, data); }
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  vtkCrossFieldPortMacro(Singularities, 1);
+  vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /** A boundary vertex that turns by more is a corner; degrees. Default: 30. Range: 1 to 45. */

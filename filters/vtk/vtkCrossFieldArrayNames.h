@@ -27,6 +27,7 @@ constexpr const char* Converged = "Converged";
 constexpr const char* StartedFromUnitNorm = "StartedFromUnitNorm";
 constexpr const char* UnitHoles = "UnitHoles";
 constexpr const char* HoleDegree = "HoleDegree";
+constexpr const char* HoleDegreeReliable = "HoleDegreeReliable";
 constexpr const char* HoleNormRange = "HoleNormRange";
 constexpr const char* DegreesReached = "DegreesReached";
 constexpr const char* UnwantedSingularities = "UnwantedSingularities";
@@ -41,6 +42,7 @@ constexpr const char* HolonomyDefect = "HolonomyDefect";
 constexpr const char* H = "H";
 constexpr const char* SizeMap = "SizeMap";
 constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
+constexpr const char* PointSingularities = "PointSingularities";
 // Table and points: vtkSingularityEnergy.
 constexpr const char* Configuration = "Configuration";
 constexpr const char* EnergyLowerBound = "EnergyLowerBound";

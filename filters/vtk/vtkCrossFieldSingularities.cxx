@@ -1,14 +1,12 @@
 #include "vtkCrossFieldSingularities.h"
 
-#include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "FieldSingularities.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "vtkCrossFieldArrayNames.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -36,7 +34,7 @@ void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singula
     kinds->InsertNextValue(static_cast<int>(singularity.place));
     ids->InsertNextValue(singularity.id);
   }
-  CornerConversion::WriteConfiguration(configuration, plane, output);
+  DomainConversion::WriteConfiguration(configuration, plane, output);
   output->GetPointData()->AddArray(kinds);
   output->GetPointData()->AddArray(ids);
 }
@@ -48,8 +46,7 @@ vtkCrossFieldSingularities::vtkCrossFieldSingularities() = default;
 //------------------------------------------------------------------------------
 int vtkCrossFieldSingularities::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  return FilterPorts::TakeMesh(info);
 }
 
 //------------------------------------------------------------------------------
@@ -57,21 +54,16 @@ int vtkCrossFieldSingularities::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress&)
     {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
-      const crossfield::EdgeNumbering edges = crossfield::NumberEdges(cells.mesh);
       crossfield::FieldSingularityOptions options;
       options.corners = this->IncludeCorners;
       options.holes = this->IncludeHoles;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       const auto singularities = crossfield::FindFieldSingularities(
-        cells.mesh, edges, CrossFieldArrays::ReadField(cells, edges, input), options);
+        CrossFieldArrays::ReadField(cells, input), options);
       vtkPolyData* output = vtkPolyData::GetData(outputVector);
       WriteSingularities(singularities, cells.plane, output);
       if (!this->IncludeHoles)
@@ -80,7 +72,6 @@ int vtkCrossFieldSingularities::RequestData(
         output->GetPointData()->RemoveArray(vtkCrossFieldArrayNames::Radius);
       }
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -14,20 +14,14 @@ int vtkCrossFieldSolver::RequestData(
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
-    {
-      if (input->GetNumberOfCells() > 0)
-      {
-        this->Compute(DomainConversion::ReadDrilledMesh(input), inputVector, progress, output);
-      }
-    });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
+    { this->Compute(DomainConversion::ReadDrilledMesh(input), inputVector, progress, output); });
 }
 
 //------------------------------------------------------------------------------
 void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,
-  const crossfield::CrossField& field, const char* advice, vtkUnstructuredGrid* input,
+  const crossfield::SolvedField& field, const char* advice, vtkUnstructuredGrid* input,
   vtkUnstructuredGrid* output)
 {
   if (!field.converged)

@@ -16,7 +16,7 @@
 
 namespace crossfield
 {
-struct CrossField;
+struct SolvedField;
 class Progress;
 }
 namespace DomainConversion
@@ -74,7 +74,7 @@ protected:
    * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
    * converge.
    */
-  void Publish(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
+  void Publish(const DomainConversion::DrilledMesh& cells, const crossfield::SolvedField& field,
     const char* advice, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
 #endif
 

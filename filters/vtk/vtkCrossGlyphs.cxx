@@ -3,7 +3,7 @@
 #include "DomainConversion.h"
 #include "Error.h"
 #include "FilterRun.h"
-#include "SoundInput.h"
+#include "InputCheck.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCell.h"
@@ -135,14 +135,10 @@ int vtkCrossGlyphs::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
-      if (input->GetNumberOfCells() == 0)
-      {
-        return;
-      }
-      SoundInput::Require(input);
+      InputCheck::Require(input);
       namespace names = vtkCrossFieldArrayNames;
       vtkDataArray* branches[2] = { RequireArray(input, names::Cross, 3),
         RequireArray(input, names::Cross2, 3) };
@@ -178,7 +174,6 @@ int vtkCrossGlyphs::RequestData(
       output->SetLines(lines);
       output->GetCellData()->SetScalars(lineNorms);
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

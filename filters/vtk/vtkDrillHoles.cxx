@@ -2,11 +2,10 @@
 
 #include "DomainConversion.h"
 #include "DrillHoles.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -25,16 +24,7 @@ vtkDrillHoles::vtkDrillHoles()
 //------------------------------------------------------------------------------
 int vtkDrillHoles::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakePoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -44,13 +34,9 @@ int vtkDrillHoles::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       const crossfield::Configuration configuration =
         DomainConversion::ReadConfiguration(singularities, input.plane);
@@ -63,7 +49,6 @@ int vtkDrillHoles::RequestData(
         crossfield::DrillHoles(input.domain, configuration, options, progress);
       DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -53,6 +53,7 @@
 #define vtkDrillHoles_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkDrillHoles : public vtkUnstructuredGridAlgorithm
@@ -62,13 +63,10 @@ public:
   vtkTypeMacro(vtkDrillHoles, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities. */
-  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
-  {
-    this->SetInputConnection(1, output);
-  }
-  /** Sets port 1 to a data object. */
-  void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@{
+  /** Connects port 1, the singularities, or sets it to a data object. */
+  vtkCrossFieldPortMacro(Singularities, 1);
+  ///@}
 
   /** What becomes of the singularities. */
   enum

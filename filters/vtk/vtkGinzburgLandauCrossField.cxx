@@ -2,10 +2,9 @@
 
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "GinzburgLandau.h"
 
-#include "vtkDataObject.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -25,8 +24,7 @@ vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField()
 //------------------------------------------------------------------------------
 int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  return 1;
+  return FilterPorts::TakeMesh(info);
 }
 
 //------------------------------------------------------------------------------
@@ -40,7 +38,7 @@ void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& c
   options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);
   if (this->Start == StartGiven)
   {
-    options.given = CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input);
+    options.given = CrossFieldArrays::ReadField(cells, input).u;
   }
   options.pinning.norm = CrossFieldArrays::ReadOnTriangles(cells, this->NormArrayName, input);
   options.pinning.gradientWeight =
@@ -48,7 +46,7 @@ void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& c
   options.maximumIterations = this->GetMaximumIterations();
   options.tolerance = this->GetTolerance();
   const crossfield::GinzburgLandauField field =
-    crossfield::SolveGinzburgLandau(cells.mesh, options, progress);
+    crossfield::SolveGinzburgLandau(cells.topology, options, progress);
   this->Publish(cells, field,
     "the field is not a minimum. Allow more iterations, or use a larger epsilon.", input, output);
   CrossFieldArrays::AddConvexifiedSteps(field.convexifiedSteps, output);

@@ -1,9 +1,9 @@
 #include "vtkHField.h"
 
-#include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
 #include "MeshForPoints.h"
@@ -11,11 +11,8 @@
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -34,13 +31,6 @@ vtkUnstructuredGrid* AsMesh(vtkDataSet* domain)
     ? grid
     : nullptr;
 }
-
-crossfield::Configuration ReadSingularities(
-  vtkDataSet* singularities, const crossfield::DomainPlane& plane)
-{
-  return singularities != nullptr ? DomainConversion::ReadConfiguration(singularities, plane)
-                                  : crossfield::Configuration();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -52,17 +42,7 @@ vtkHField::vtkHField()
 //------------------------------------------------------------------------------
 int vtkHField::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -73,32 +53,29 @@ int vtkHField::RequestData(
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       crossfield::Stopwatch stopwatch;
-      const crossfield::DomainPlane plane = DomainConversion::FindPlane(domain);
-      const crossfield::Configuration configuration = ReadSingularities(singularities, plane);
-      vtkNew<vtkUnstructuredGrid> mesh;
-      if (vtkUnstructuredGrid* given = AsMesh(domain))
+      vtkUnstructuredGrid* given = AsMesh(domain);
+      crossfield::Configuration configuration;
+      DomainConversion::DrilledMesh cells;
+      if (given != nullptr)
       {
-        mesh->ShallowCopy(given);
+        cells = DomainConversion::ReadDrilledMesh(given);
+        configuration = DomainConversion::ReadConfiguration(singularities, cells.plane);
       }
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-        DomainConversion::WriteDrilledMesh(crossfield::MeshForPoints(input.domain, configuration,
-                                             this->MeshSize, progress.Part(0.0, 0.4)),
-          plane, mesh);
+        configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
+        cells = DomainConversion::NumberCells(crossfield::MeshForPoints(input.domain, configuration,
+                                                this->MeshSize, progress.Part(0.0, 0.4)),
+          input.plane);
       }
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(mesh);
       this->StageSeconds[0] = stopwatch.Lap();
-      const crossfield::HField field = crossfield::SolveHField(cells.mesh, configuration,
-        CornerConversion::ReadChoices(corners, plane), progress.Part(0.4, 1.0));
+      const crossfield::HField field = crossfield::SolveHField(cells.topology, configuration,
+        CornerConversion::ReadCorners(corners, cells.plane), progress.Part(0.4, 1.0));
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];
@@ -110,15 +87,21 @@ int vtkHField::RequestData(
             << " along a way to it. Move singularities until the defect vanishes.");
         }
       }
-      output->ShallowCopy(mesh);
+      if (given != nullptr)
+      {
+        output->ShallowCopy(given);
+      }
+      else
+      {
+        DomainConversion::WriteDrilledMesh(cells.topology->mesh, cells.plane, output);
+      }
       CrossFieldArrays::AddField(cells, field.field, output);
       CrossFieldArrays::AddReport(field.field, output);
-      CrossFieldArrays::AddH(field, output);
+      CrossFieldArrays::AddH(cells, field, configuration, output);
       this->StageSeconds[1] = field.field.seconds.assemble;
       this->StageSeconds[2] = field.field.seconds.factor;
       this->StageSeconds[3] = field.field.seconds.solve;
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

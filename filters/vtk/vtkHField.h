@@ -39,7 +39,7 @@
  *
  * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
  * refuses; a singularity outside of it; quarter indices that violate the Poincaré-Hopf theorem
- * (GetErrorCode() is then vtkPerforatedCrossField::InconsistentError); arrays that are missing or not
+ * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); arrays that are missing or not
  * integer.
  *
  * Paper: "Further thoughts". Differences from it: the logarithms are subtracted; the cross field and
@@ -52,6 +52,7 @@
 #define vtkHField_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkHField : public vtkUnstructuredGridAlgorithm
@@ -61,17 +62,11 @@ public:
   vtkTypeMacro(vtkHField, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities. */
-  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
-  {
-    this->SetInputConnection(1, output);
-  }
-  /** Sets port 1 to a data object. */
-  void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
-  /** Connects port 2, the corners. */
-  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
-  /** Sets port 2 to a data object. */
-  void SetCornersData(vtkDataObject* data) { this->SetInputData(2, data); }
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  vtkCrossFieldPortMacro(Singularities, 1);
+  vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /**

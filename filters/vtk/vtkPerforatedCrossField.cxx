@@ -2,12 +2,10 @@
 
 #include "CornerConversion.h"
 #include "DomainConversion.h"
-#include "FilterRun.h"
+#include "FilterPorts.h"
 #include "PerforatedSolve.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -20,8 +18,6 @@ static_assert(static_cast<int>(crossfield::PerforatedMethod::UnitNorm) ==
 static_assert(
   static_cast<int>(crossfield::PerforatedStart::UnitNorm) == vtkPerforatedCrossField::StartUnitNorm,
   "starts are numbered as in the numerics");
-static_assert(FilterRun::Inconsistent == vtkPerforatedCrossField::InconsistentError,
-  "the code that FilterRun returns is the one that the header promises");
 
 //------------------------------------------------------------------------------
 vtkPerforatedCrossField::vtkPerforatedCrossField()
@@ -50,16 +46,7 @@ void vtkPerforatedCrossField::RemoveAllUnitHoles()
 //------------------------------------------------------------------------------
 int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeMesh(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -76,8 +63,8 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   options.epsilon = this->Epsilon;
   options.reduced.maximumIterations = this->GetMaximumIterations();
   options.reduced.tolerance = this->GetTolerance();
-  options.corners = CornerConversion::ReadChoices(vtkDataSet::GetData(inputVector[1]), cells.plane);
-  this->Publish(cells, crossfield::SolvePerforated(cells.mesh, options, progress),
+  options.corners = CornerConversion::ReadCorners(vtkDataSet::GetData(inputVector[1]), cells.plane);
+  this->Publish(cells, crossfield::SolvePerforated(cells.topology, options, progress),
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), output);
 }

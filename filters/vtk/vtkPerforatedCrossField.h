@@ -15,7 +15,8 @@
  * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays). Where it
  * has imprinted circles or triangles instead of holes, they carry the constraints and the field goes
  * on inside: there it must vanish somewhere, and any other singularities may appear as well, so the
- * quarter indices need not add up to what the domain asks for.
+ * quarter indices need not add up to what the domain asks for. Points that no cell uses are ignored,
+ * wherever they are; the arrays hold zeros there.
  * Port 1, optional, corners: points with the point array `QuarterIndex` (integers), each at a vertex
  * of an outer or inner loop, for example from vtkBoundaryCornerClassifier. They replace the smallest
  * rotations of the cross: UnitNorm takes these indices; Constrained is held only to the sum that
@@ -48,7 +49,7 @@
  * An empty mesh gives an empty output. Failure, with an empty output: a mesh without the arrays of
  * vtkDrillHoles; a hole with too few edges for its quarter index; quarter indices that violate the
  * Poincaré-Hopf theorem on a perforated domain without a penalty (GetErrorCode() is then
- * InconsistentError, not vtkErrorCode::UserError); a unit hole that the mesh does not have; options of
+ * vtkCrossFieldErrorCodes::Inconsistent); a unit hole that the mesh does not have; options of
  * the constrained method or imprinted circles with UnitNorm; unit holes together with a penalty. An
  * iteration that does not converge is a warning and `Converged` 0.
  *
@@ -68,7 +69,9 @@
 #ifndef vtkPerforatedCrossField_h
 #define vtkPerforatedCrossField_h
 
+#include "vtkCrossFieldErrorCodes.h"    // for InconsistentError
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkCrossFieldSolver.h"
 
 #include <vector> // for the rows of holes
@@ -80,16 +83,16 @@ public:
   vtkTypeMacro(vtkPerforatedCrossField, vtkCrossFieldSolver);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** GetErrorCode() when no field with the given singularities exists on the domain. */
+  /** Another name of vtkCrossFieldErrorCodes::Inconsistent. */
   enum
   {
-    InconsistentError = 40001
+    InconsistentError = vtkCrossFieldErrorCodes::Inconsistent
   };
 
-  /** Connects port 1, the corners. */
-  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
-  /** Sets port 1 to a data object. */
-  void SetCornersData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@{
+  /** Connects port 1, the corners, or sets it to a data object. */
+  vtkCrossFieldPortMacro(Corners, 1);
+  ///@}
 
   /** How the field is computed. */
   enum

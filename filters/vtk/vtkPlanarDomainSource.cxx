@@ -21,7 +21,7 @@ vtkPlanarDomainSource::vtkPlanarDomainSource()
 int vtkPlanarDomainSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode,
     [&](const crossfield::Progress&)
     {
       crossfield::BuiltinDomain domain;
@@ -34,7 +34,6 @@ int vtkPlanarDomainSource::RequestData(
       DomainConversion::WriteLoops(
         crossfield::MakeBuiltinDomain(domain), vtkPolyData::GetData(outputVector));
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -1,26 +1,26 @@
 #include "vtkPoincareHopfCheck.h"
 
+#include "ColumnWriting.h"
+#include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "DomainQueries.h"
 #include "FieldCheck.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyCheck.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -33,6 +33,8 @@ vtkStandardNewMacro(vtkPoincareHopfCheck);
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
+using ColumnWriting::AddIntegers;
+using ColumnWriting::AddNumbers;
 
 /** What is known about a configuration or a field. */
 struct Findings
@@ -43,6 +45,7 @@ struct Findings
   std::vector<double> holonomyDefects;
   bool isField = false;
   std::vector<int> holeDegrees;
+  std::vector<int> holeDegreesReliable;
   int unwantedSingularities = 0;
   crossfield::DomainPlane plane;
 };
@@ -56,42 +59,49 @@ vtkUnstructuredGrid* AsField(vtkDataSet* domain)
     : nullptr;
 }
 
-Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* chosen,
+Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners,
   double cornerAngle, bool holonomy, const crossfield::Progress& progress)
 {
   Findings result;
   const auto [domain, plane] = DomainConversion::ReadDomain(input);
-  const std::vector<crossfield::CornerChoice> corners =
-    CornerConversion::ReadChoices(chosen, plane);
+  const std::vector<crossfield::CornerChoice> choices =
+    CornerConversion::ReadCorners(corners, plane);
   progress.Report(0.1);
-  crossfield::Configuration configuration;
-  if (singularities != nullptr)
-  {
-    configuration = DomainConversion::ReadConfiguration(singularities, plane);
-  }
+  const crossfield::Configuration configuration =
+    DomainConversion::ReadConfiguration(singularities, plane);
   crossfield::RequireInside(domain, configuration);
   result.plane = plane;
   result.count = crossfield::CountQuarters(
-    domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, corners);
+    domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, choices);
   result.consistent = result.count.Consistent();
   if (result.consistent && holonomy)
   {
     result.holonomyDefects =
-      crossfield::HolonomyDefects(domain, configuration, corners, progress.Part(0.1, 1.0));
+      crossfield::HolonomyDefects(domain, configuration, choices, progress.Part(0.1, 1.0));
   }
   result.reason = crossfield::Verdict(result.count, result.holonomyDefects);
   return result;
 }
 
 Findings CheckField(
-  vtkUnstructuredGrid* input, vtkDataSet* chosen, const crossfield::Progress& progress)
+  vtkUnstructuredGrid* input, vtkDataSet* corners, const crossfield::Progress& progress)
 {
   Findings result;
   const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
   progress.Report(0.5);
-  const crossfield::FieldCheck check = crossfield::CheckField(cells.mesh,
-    CrossFieldArrays::ReadField(cells, crossfield::NumberEdges(cells.mesh), input),
-    CornerConversion::ReadChoices(chosen, cells.plane));
+  std::vector<crossfield::CornerChoice> choices =
+    CornerConversion::ReadCorners(corners, cells.plane);
+  // What vtkHField was asked for: singularities on the boundary are corners that were chosen.
+  crossfield::Configuration points = CrossFieldArrays::ReadPointSingularities(cells, input);
+  if (!points.empty())
+  {
+    crossfield::PlacedConfiguration placed =
+      crossfield::PlaceConfiguration(*cells.topology, points, choices);
+    points = std::move(placed.interior);
+    choices = std::move(placed.corners);
+  }
+  const crossfield::FieldCheck check =
+    crossfield::CheckField(CrossFieldArrays::ReadField(cells, input), choices, points);
   result.count = check.count;
   result.consistent = check.asPrescribed;
   result.reason = check.verdict;
@@ -99,32 +109,11 @@ Findings CheckField(
   for (const crossfield::HoleReading& hole : check.holes)
   {
     result.holeDegrees.push_back(hole.degree);
+    result.holeDegreesReliable.push_back(hole.Reliable() ? 1 : 0);
   }
   result.unwantedSingularities = check.unwantedSingularities;
   result.plane = cells.plane;
   return result;
-}
-
-void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  for (int value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->AddArray(array);
-}
-
-void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (double value : values)
-  {
-    array->InsertNextValue(value);
-  }
-  data->AddArray(array);
 }
 
 void WriteFindings(const Findings& findings, vtkFieldData* data)
@@ -139,6 +128,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   if (findings.isField)
   {
     AddIntegers(data, names::HoleDegree, findings.holeDegrees);
+    AddIntegers(data, names::HoleDegreeReliable, findings.holeDegreesReliable);
     AddIntegers(data, names::UnwantedSingularities, { findings.unwantedSingularities });
   }
   else
@@ -150,10 +140,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   {
     AddNumbers(data, names::HolonomyDefect, findings.holonomyDefects);
   }
-  vtkNew<vtkStringArray> reason;
-  reason->SetName(names::Reason);
-  reason->InsertNextValue(findings.reason);
-  data->AddArray(reason);
+  ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
 /** The verdict as a text of short lines, for a view. */
@@ -169,10 +156,7 @@ void WriteVerdict(const char* verdict, const std::string& reason, vtkTable* tabl
     text += (fits ? " " : "\n") + word;
     lineLength = fits ? lineLength + word.size() + 1 : word.size();
   }
-  vtkNew<vtkStringArray> column;
-  column->SetName("Verdict");
-  column->InsertNextValue(text);
-  table->AddColumn(column);
+  ColumnWriting::AddText(table->GetRowData(), "Verdict", text);
 }
 }
 
@@ -186,25 +170,14 @@ vtkPoincareHopfCheck::vtkPoincareHopfCheck()
 //------------------------------------------------------------------------------
 int vtkPoincareHopfCheck::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPoincareHopfCheck::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[4] = { "vtkDataSet", "vtkTable", "vtkPolyData", "vtkTable" };
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
-  return 1;
+  const char* const types[4] = { "vtkDataSet", "vtkTable", "vtkPolyData", "vtkTable" };
+  return FilterPorts::Give(info, types[port]);
 }
 
 //------------------------------------------------------------------------------
@@ -239,18 +212,14 @@ int vtkPoincareHopfCheck::RequestData(
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
-  vtkDataSet* chosen = vtkDataSet::GetData(inputVector[2]);
+  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
   vtkTable* verdict = vtkTable::GetData(outputVector, 3);
   const auto check = [&](const crossfield::Progress& progress)
   {
-    if (domain->GetNumberOfCells() == 0)
-    {
-      return;
-    }
     vtkUnstructuredGrid* field = AsField(domain);
     const Findings findings = field != nullptr
-      ? CheckField(field, chosen, progress)
-      : CheckConfiguration(domain, singularities, chosen,
+      ? CheckField(field, corners, progress)
+      : CheckConfiguration(domain, singularities, corners,
           vtkMath::RadiansFromDegrees(this->CornerAngle), this->Holonomy, progress);
     vtkDataSet* output = vtkDataSet::GetData(outputVector, 0);
     output->ShallowCopy(domain);
@@ -261,7 +230,7 @@ int vtkPoincareHopfCheck::RequestData(
       findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
     WriteVerdict(findings.consistent ? "Consistent" : "Inconsistent", findings.reason, verdict);
   };
-  this->ErrorCode = FilterRun::Run(this,
+  FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
       try

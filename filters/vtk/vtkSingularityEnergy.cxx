@@ -3,9 +3,9 @@
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -25,29 +25,18 @@ vtkSingularityEnergy::vtkSingularityEnergy()
 //------------------------------------------------------------------------------
 int vtkSingularityEnergy::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    return 1;
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+    return FilterPorts::TakePoints(info);
   }
-  else
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkSingularityEnergy::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkTable" : "vtkPolyData");
-  return 1;
+  return FilterPorts::Give(info, port == 0 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------
@@ -56,13 +45,9 @@ int vtkSingularityEnergy::RequestData(
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       const int count = inputVector[1]->GetNumberOfInformationObjects();
       std::vector<crossfield::Configuration> configurations;
@@ -74,14 +59,13 @@ int vtkSingularityEnergy::RequestData(
       }
       crossfield::ConfigurationEnergyOptions options;
       options.meshSize = this->MeshSize;
-      options.corners = CornerConversion::ReadChoices(corners, input.plane);
+      options.corners = CornerConversion::ReadCorners(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies =
         crossfield::CompareConfigurations(input.domain, configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
       EnergyConversion::WriteGradients(
         energies, input.plane, vtkPolyData::GetData(outputVector, 1));
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -45,6 +45,7 @@
 #define vtkSingularityEnergy_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkTableAlgorithm.h"
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityEnergy : public vtkTableAlgorithm
@@ -63,10 +64,10 @@ public:
   void AddConfigurationData(vtkDataObject* data) { this->AddInputDataObject(1, data); }
   /** Removes all connections of port 1. */
   void RemoveAllConfigurations() { this->RemoveAllInputConnections(1); }
-  /** Connects port 2, the corners. */
-  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
-  /** Sets port 2 to a data object. */
-  void SetCornersData(vtkDataObject* data) { this->SetInputData(2, data); }
+  ///@{
+  /** Connects port 2, the corners, or sets it to a data object. */
+  vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /**

@@ -3,11 +3,10 @@
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -25,25 +24,15 @@ vtkSingularityOptimizer::vtkSingularityOptimizer()
 //------------------------------------------------------------------------------
 int vtkSingularityOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    return 1;
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return port == 1 ? FilterPorts::TakePoints(info)
+    : port == 0    ? FilterPorts::TakeDomain(info)
+                   : FilterPorts::TakeOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkSingularityOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
-  return 1;
+  return FilterPorts::Give(info, port == 0 ? "vtkPolyData" : "vtkTable");
 }
 
 //------------------------------------------------------------------------------
@@ -53,17 +42,13 @@ int vtkSingularityOptimizer::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      if (domain->GetNumberOfCells() == 0)
-      {
-        return;
-      }
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       crossfield::OptimizerOptions options;
       options.meshSize = this->MeshSize;
-      options.corners = CornerConversion::ReadChoices(corners, input.plane);
+      options.corners = CornerConversion::ReadCorners(corners, input.plane);
       options.maximumIterations = this->MaximumIterations;
       options.tolerance = this->Tolerance;
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
@@ -73,7 +58,7 @@ int vtkSingularityOptimizer::RequestData(
         vtkWarningMacro(<< result.reason);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-      CornerConversion::WriteConfiguration(result.configuration, input.plane, output);
+      DomainConversion::WriteConfiguration(result.configuration, input.plane, output);
       EnergyConversion::WriteOptimizerReport(result, output);
       EnergyConversion::WriteHistory(result, vtkTable::GetData(outputVector, 1));
       if (result.aborted)
@@ -85,7 +70,6 @@ int vtkSingularityOptimizer::RequestData(
         progress.Report(1.0);
       }
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

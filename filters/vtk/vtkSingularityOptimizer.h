@@ -28,7 +28,7 @@
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles
  * refuses; a singularity outside; quarter indices that violate the Poincaré-Hopf theorem
- * (GetErrorCode() is then vtkPerforatedCrossField::InconsistentError); missing arrays.
+ * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); missing arrays.
  *
  * Paper: "The unifying renormalized Ginzburg-Landau energy", whose minimisation it leaves open.
  *
@@ -39,6 +39,7 @@
 #define vtkSingularityOptimizer_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkPolyDataAlgorithm.h"
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityOptimizer : public vtkPolyDataAlgorithm
@@ -48,17 +49,11 @@ public:
   vtkTypeMacro(vtkSingularityOptimizer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Connects port 1, the singularities. */
-  void SetSingularitiesConnection(vtkAlgorithmOutput* output)
-  {
-    this->SetInputConnection(1, output);
-  }
-  /** Sets port 1 to a data object. */
-  void SetSingularitiesData(vtkDataObject* data) { this->SetInputData(1, data); }
-  /** Connects port 2, the corners. */
-  void SetCornersConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
-  /** Sets port 2 to a data object. */
-  void SetCornersData(vtkDataObject* data) { this->SetInputData(2, data); }
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  vtkCrossFieldPortMacro(Singularities, 1);
+  vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
 
   ///@{
   /**

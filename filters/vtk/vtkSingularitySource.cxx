@@ -243,7 +243,7 @@ int vtkSingularitySource::GetNumberOfHandles() const
 int vtkSingularitySource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  this->ErrorCode = FilterRun::Run(this,
+  return FilterRun::Run(this, this->ErrorCode,
     [&](const crossfield::Progress&)
     {
       RowTable table =
@@ -254,7 +254,6 @@ int vtkSingularitySource::RequestData(
       }
       WritePoints(table, vtkPolyData::GetData(outputVector));
     });
-  return this->ErrorCode == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -247,7 +247,8 @@ class Outputs(ProgramTest):
         self.refuse(*self.SOLVE, "-o", "field.vtu", "--json", "taken.vtu", says=["taken.vtu"])
 
     def test_one_file_for_both_outputs(self):
-        self.refuse(*self.SOLVE, "-o", "both.vtu", "--json", "both.vtu", says=["both.vtu"])
+        self.refuse(*self.SOLVE, "-o", "both.vtu", "--json", "both.vtu",
+                    says=["Two outputs cannot both go to 'both.vtu'; give two names."])
 
     def test_a_report_that_cannot_be_printed(self):
         with open("/dev/full", "w") as full:

@@ -246,6 +246,56 @@ class Planes(ProgramTest):
             report = self.solve("disk.csv", singularities="start.csv")
             self.assertEqual(report["hole_degree"], [1, 1, 1, 1])
 
+    def test_what_optimize_writes_is_in_the_plane(self):
+        self.write()
+        self.run_program("optimize", "square.csv", "-s", "pair.csv", "-o", "flat.csv",
+                         "--iterations", "1")
+        rows = (self.folder / "flat.csv").read_text().split()
+        self.assertEqual(rows[0], "x,y,quarter_index,radius")
+        for turn in self.TURNS.values():
+            self.write(turn)
+            self.run_program("optimize", "square.csv", "-s", "pair.csv", "-o", "moved.csv",
+                             "--iterations", "1")
+            header, *turned = (self.folder / "moved.csv").read_text().split()
+            self.assertEqual(header, "x,y,z,quarter_index,radius")
+            for row, old in zip(turned, rows[1:], strict=True):
+                x, y, quarter, _ = map(float, old.split(","))
+                found = list(map(float, row.split(",")))
+                self.assertEqual(found[3], quarter)
+                for value, expected in zip(found[:3], turn(x, y, 0.0)):
+                    self.assertAlmostEqual(value, expected, 9)
+            self.succeed("check", "square.csv", "-s", "moved.csv")
+
+    def test_a_point_that_no_cell_uses_has_no_say(self):
+        self.write()
+        corners = [place[:2] for place in self.SQUARE]
+        stray = (9.0, -7.0, 5.0)
+        for name, more in (("plain", []), ("stray", [stray])):
+            domain_files.write_vtp(self.folder / f"{name}.vtp", corners + more, [(0, 1, 2, 3, 0)])
+            domain_files.write_vtu(
+                self.folder / f"{name}.vtu", corners + more, [(0, 1, 2), (0, 2, 3)])
+        for command in (("check", "-s", "pair.csv", "--json", "-"), ("corners", "--json", "-"),
+                        ("energy", "-s", "pair.csv", "--json", "-"), ("corners",),
+                        ("check", "--propose", "proposed.csv")):
+            for ending in ("vtp", "vtu"):
+                with self.subTest(f"{command} {ending}"):
+                    plain, found = (
+                        self.succeed(command[0], f"{name}.{ending}", *command[1:])
+                        for name in ("plain", "stray"))
+                    self.assertEqual(found, plain)
+        for subcommand in ("drill", "solve", "hfield", "compare"):
+            for ending in ("vtp", "vtu"):
+                with self.subTest(f"{subcommand} {ending}"):
+                    output = "out.vtm" if subcommand == "compare" else "out.vtu"
+                    written = []
+                    for name in ("plain", "stray"):
+                        self.succeed(subcommand, f"{name}.{ending}", "-s", "pair.csv",
+                                     "-o", output, *(["--methods", "penalty"]
+                                                     if subcommand == "compare" else []))
+                        written.append(self.digest(
+                            "out/penalty.vtu" if subcommand == "compare" else output))
+                    self.assertEqual(written[1], written[0])
+
     def test_every_format_in_a_tilted_plane(self):
         normal = (0.36, 0.48, 0.8)
 

@@ -3,6 +3,7 @@
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
 #include "Written.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkCrossGlyphs.h"
 #include "vtkHField.h"
@@ -193,7 +194,7 @@ TEST_F(HField, Refusals)
     return FilterChecks::CaptureError(this->Filter, parts);
   };
   EXPECT_EQ(refuse({ { 0.0, 0.0, 3.0, 0.1 } }, { "add up to 3", "asks for 4" }),
-    vtkPerforatedCrossField::InconsistentError);
+    vtkCrossFieldErrorCodes::Inconsistent);
   EXPECT_EQ(refuse({ { 2.0, 0.0, 4.0, 0.1 } }, { "(2, 0)", "outside the domain" }),
     vtkErrorCode::UserError);
   this->Filter->SetInputData(TestInputs::DrilledDisk());

@@ -2,6 +2,7 @@
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkPerforatedCrossField.h"
 
 #include "vtkCellArray.h"
@@ -84,10 +85,17 @@ TEST_F(PerforatedCrossFieldRefusals, InconsistentConfiguration)
   this->Filter->SetInputData(
     TestInputs::Drill(disk, { { 0.5, 0.0, 1.0, 0.1 }, { -0.5, 0.0, 2.0, 0.1 } }, 0.2));
   EXPECT_EQ(CaptureError(this->Filter, { "add up to 3", "asks for 4" }),
-    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+    vtkCrossFieldErrorCodes::Inconsistent);
   this->Filter->SetInputData(TestInputs::Drill(disk, {}, 0.2));
   EXPECT_EQ(CaptureError(this->Filter, { "add up to 0", "asks for 4" }),
-    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+    vtkCrossFieldErrorCodes::Inconsistent);
+}
+
+TEST_F(PerforatedCrossFieldRefusals, CodesAreTheNumbersThatScriptsKnow)
+{
+  EXPECT_EQ(int(vtkCrossFieldErrorCodes::BadInput), 40000);
+  EXPECT_EQ(int(vtkCrossFieldErrorCodes::Inconsistent), 40001);
+  EXPECT_EQ(int(vtkPerforatedCrossField::InconsistentError), 40001);
 }
 
 TEST_F(PerforatedCrossFieldRefusals, MeshWithoutTheArraysOfTheDrill)

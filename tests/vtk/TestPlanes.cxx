@@ -76,7 +76,7 @@ double Value(vtkDataObject* data, const char* name)
 }
 
 /** An L with corners of 90 and 270 degrees, and two singularities. */
-vtkSmartPointer<vtkPolyData> Domain()
+vtkSmartPointer<vtkPolyData> LShape()
 {
   return TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 4, 2 }, { 2, 2 }, { 2, 4 }, { 0, 4 } } });
 }
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> Pair()
 struct Chain
 {
   explicit Chain(const Rotation& rotation)
-    : Domain(Moved(::Domain(), rotation))
+    : Domain(Moved(LShape(), rotation))
     , Singularities(Moved(Pair(), rotation))
   {
     this->Drill->SetInputData(this->Domain);
@@ -320,7 +320,7 @@ TEST(PlanesRefusals, CornerOffThePlane)
 {
   Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
   vtkNew<vtkBoundaryCornerClassifier> corners;
-  corners->SetInputData(Domain()); // in z = 0
+  corners->SetInputData(LShape()); // in z = 0
   chain.Solver->SetCornersConnection(corners->GetOutputPort());
   FilterChecks::CaptureError(chain.Solver, { "The corner ", "off the plane" });
 }

@@ -2,6 +2,7 @@
 #include "TestInputs.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkConfigurationProposal.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkDrillHoles.h"
 #include "vtkPerforatedCrossField.h"
 #include "vtkPlanarDomainSource.h"
@@ -187,8 +188,8 @@ TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
   vtkNew<vtkPerforatedCrossField> solver;
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetMethodToUnitNorm();
-  EXPECT_EQ(FilterChecks::CaptureError(solver, { "asks for -2" }),
-    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+  EXPECT_EQ(
+    FilterChecks::CaptureError(solver, { "asks for -2" }), vtkCrossFieldErrorCodes::Inconsistent);
   solver->SetCornersConnection(classifier->GetOutputPort());
   FilterChecks::UpdateWithoutError(solver);
   vtkFieldData* report = solver->GetOutput()->GetFieldData();

@@ -1,5 +1,6 @@
 #include "FilterChecks.h"
 #include "TestInputs.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkPerforatedCrossField.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularityOptimizer.h"
@@ -142,7 +143,7 @@ TEST_F(SingularityOptimizer, Refusals)
 {
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 3.0, 0.1 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 3", "asks for 4" }),
-    vtkPerforatedCrossField::InconsistentError);
+    vtkCrossFieldErrorCodes::Inconsistent);
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 2.0, 0.0, 4.0, 0.1 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "(2, 0)", "outside the domain" }),
     vtkErrorCode::UserError);

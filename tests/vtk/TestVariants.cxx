@@ -3,6 +3,7 @@
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
@@ -203,7 +204,7 @@ TEST_F(Variants, ThePenaltyTakesAnySumAndReportsWhatMakesUpForIt)
       { -0.49, -0.35, 1.0, 0.1 }, { 0.18, -0.57, 1.0, 0.1 } });
   this->Filter->SetInputData(five);
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 5", "asks for 4" }),
-    static_cast<unsigned long>(vtkPerforatedCrossField::InconsistentError));
+    vtkCrossFieldErrorCodes::Inconsistent);
   this->Filter->SetEpsilon(0.1);
   this->Solve(five);
   EXPECT_EQ(this->Value("Converged"), 1.0);

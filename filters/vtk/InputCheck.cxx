@@ -1,4 +1,4 @@
-#include "SoundInput.h"
+#include "InputCheck.h"
 
 #include "Error.h"
 
@@ -122,7 +122,7 @@ void RequireArrays(vtkDataSetAttributes* attributes, vtkIdType count, const std:
 }
 }
 
-namespace SoundInput
+namespace InputCheck
 {
 //------------------------------------------------------------------------------
 void Require(vtkDataSet* input)

@@ -1,5 +1,5 @@
-#ifndef AheadCompressor_h
-#define AheadCompressor_h
+#ifndef BlockCompressor_h
+#define BlockCompressor_h
 
 #include "vtkZLibDataCompressor.h"
 
@@ -13,11 +13,11 @@ class vtkDataSet;
  * has compressed the blocks of a data set's arrays before, in parallel, and hands them out. What it
  * has not seen it compresses when asked. The file is the same to the last byte.
  */
-class AheadCompressor : public vtkZLibDataCompressor
+class BlockCompressor : public vtkZLibDataCompressor
 {
 public:
   // No vtkTypeMacro: writers put the class name into the file, and readers must know it.
-  static AheadCompressor* New();
+  static BlockCompressor* New();
 
   /**
    * Compresses the arrays on points and cells, and the points, in blocks of a writer's BlockSize.

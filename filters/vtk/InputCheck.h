@@ -1,5 +1,5 @@
-#ifndef SoundInput_h
-#define SoundInput_h
+#ifndef InputCheck_h
+#define InputCheck_h
 
 class vtkDataSet;
 
@@ -7,7 +7,7 @@ class vtkDataSet;
  * Readers do not check what they read, nor do data sets check what they are given. What this module
  * takes as given is checked here, before any filter walks along cells.
  */
-namespace SoundInput
+namespace InputCheck
 {
 /**
  * Throws crossfield::Error unless every cell has its points, in the number that its type asks for,

@@ -1,4 +1,4 @@
-#include "AheadCompressor.h"
+#include "BlockCompressor.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -13,10 +13,10 @@
 #include <new>
 #include <thread>
 
-vtkStandardNewMacro(AheadCompressor);
+vtkStandardNewMacro(BlockCompressor);
 
 //------------------------------------------------------------------------------
-void AheadCompressor::Compress(vtkDataSet* data, size_t blockSize)
+void BlockCompressor::Compress(vtkDataSet* data, size_t blockSize)
 {
   std::vector<vtkDataArray*> arrays;
   for (vtkDataSetAttributes* attributes :
@@ -91,7 +91,7 @@ void AheadCompressor::Compress(vtkDataSet* data, size_t blockSize)
 }
 
 //------------------------------------------------------------------------------
-size_t AheadCompressor::CompressBuffer(unsigned char const* uncompressedData,
+size_t BlockCompressor::CompressBuffer(unsigned char const* uncompressedData,
   size_t uncompressedSize, unsigned char* compressedData, size_t compressionSpace)
 {
   const auto found = this->Blocks.find(uncompressedData);
