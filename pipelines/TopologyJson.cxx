@@ -123,8 +123,14 @@ std::string Write(vtkPoincareHopfCheck* check)
       { "tangent_turning", names::TangentTurning, Kind::Number },
       { "required_interior_quarters", names::RequiredInteriorQuarters, Kind::Integer },
       { "given_interior_quarters", names::GivenInteriorQuarters, Kind::Integer },
-      { "consistent", names::Consistent, Kind::Flag } },
+      { "consistent", names::Consistent, Kind::Flag },
+      { "unwanted_singularities", names::UnwantedSingularities, Kind::Integer } },
     1)[0];
+  if (data->GetArray(names::HoleDegree) != nullptr)
+  {
+    report["hole_degree"] = List(data, names::HoleDegree, Kind::Integer);
+    report["hole_degree_reliable"] = List(data, names::HoleDegreeReliable, Kind::Flag);
+  }
   report["holonomy_defect"] = List(data, names::HolonomyDefect, Kind::Number);
   report["corners"] = Points(vtkDataSet::SafeDownCast(check->GetOutputDataObject(2)),
     { { "angle", names::Angle, Kind::Number },

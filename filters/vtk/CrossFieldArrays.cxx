@@ -212,8 +212,8 @@ void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& 
     for (std::size_t i = 0; i < configuration.size(); ++i)
     {
       const Eigen::Vector3d place = cells.plane.ToSpace(configuration[i].position);
-      points->SetTuple4(static_cast<vtkIdType>(i), place.x(), place.y(), place.z(),
-        configuration[i].quarterIndex);
+      points->SetTuple4(
+        static_cast<vtkIdType>(i), place.x(), place.y(), place.z(), configuration[i].quarterIndex);
     }
   }
 }
@@ -234,8 +234,8 @@ crossfield::Configuration ReadPointSingularities(
     const Eigen::Vector3d place(
       points->GetComponent(i, 0), points->GetComponent(i, 1), points->GetComponent(i, 2));
     configuration.push_back({ cells.plane.ToPlane(place),
-      crossfield::RequireQuarterIndex(points->GetComponent(i, 3),
-        "A quarter index of the field data 'PointSingularities'"),
+      crossfield::RequireQuarterIndex(
+        points->GetComponent(i, 3), "A quarter index of the field data 'PointSingularities'"),
       0.0 });
   }
   return configuration;

@@ -62,8 +62,8 @@ int vtkCrossFieldSingularities::RequestData(
       options.corners = this->IncludeCorners;
       options.holes = this->IncludeHoles;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
-      const auto singularities = crossfield::FindFieldSingularities(
-        CrossFieldArrays::ReadField(cells, input), options);
+      const auto singularities =
+        crossfield::FindFieldSingularities(CrossFieldArrays::ReadField(cells, input), options);
       vtkPolyData* output = vtkPolyData::GetData(outputVector);
       WriteSingularities(singularities, cells.plane, output);
       if (!this->IncludeHoles)

@@ -33,7 +33,8 @@
  * Field data: as vtkPerforatedCrossField, with `Iterations` 0. `Energy`: on a mesh with holes ½ ∫ |∇φ|²
  * of the phase φ = 4θ. Without, that is infinite, and Energy is its expansion for holes of the given
  * radii (1/40 of the diagonal where not given) Σ_j π k_j² log(1/ρ_j) + W; `RenormalizedEnergy` is W,
- * not there on a mesh with holes. `HolonomyDefect` (per inner loop, radians in (−π, π]): where it is not 0
+ * not there on a mesh with holes, nor is `PointSingularities` (x, y, z, quarter index of each row of port
+ * 1), by which vtkPoincareHopfCheck knows what the field was asked for. `HolonomyDefect` (per inner loop, radians in (−π, π]): where it is not 0
  * the crosses are aligned all the same, but H is multivalued and jumps along a way from the outer loop
  * to the inner one; then there is a warning.
  *

@@ -35,11 +35,13 @@
  * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,
  * `Residual` (of the optimality conditions, relative; UnitNorm: largest deviation of the integrated
  * phase from the prescribed crosses), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
- * reached), `StartedFromUnitNorm` and `UnitHoles` (0 or 1: what led to the field that was kept; see
+ * reached), `HoleDegreeReliable` (int per hole: 0 where |u| comes close to zero or u turns by more than
+ * π/2 from one edge to the next, so that another field next to it has another degree),
+ * `StartedFromUnitNorm` and `UnitHoles` (0 or 1: what led to the field that was kept; see
  * Start), `HoleNormRange` (2 components per hole: least and largest |u| on it),
  * `DegreesReached` (0 or 1: every degree is the one asked for; with GlobalConstraint, their sum is),
- * `UnwantedSingularities` (int; with a penalty or imprinted circles, Σ |k| over what is found beyond
- * the circles' own), with a penalty `Epsilon`, `GradientEnergy` and `PenaltyEnergy` (the two terms
+ * `UnwantedSingularities` (int: Σ |k| over the singularities off holes, corners and chosen vertices,
+ * beyond those of imprinted circles), with a penalty `Epsilon`, `GradientEnergy` and `PenaltyEnergy` (the two terms
  * of `Energy`), `EulerCharacteristic`, `Valence`, `TangentTurning`,
  * `RequiredInteriorQuarters`, `GivenInteriorQuarters`, `Consistent` (of the generalised
  * Poincaré-Hopf theorem), `HolonomyDefect` (UnitNorm, per inner loop, radians in (−π, π]: the phase

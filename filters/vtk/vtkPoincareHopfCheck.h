@@ -27,9 +27,10 @@
  *   or when the configuration is inconsistent;
  * - `Reason` (string): one sentence, when inconsistent with what to add or remove.
  * Of a solved field: the indices that it takes at corners and the singularities that it has; they
- * always agree, so `Consistent` is 1 when all degrees of holes (`HoleDegree`, int per hole) and
- * chosen corners are as prescribed and there are no others (`UnwantedSingularities`, int; without
- * holes those that the boundary asks for do not count).
+ * always agree, so `Consistent` is 1 when all degrees of holes (`HoleDegree`, int per hole,
+ * with `HoleDegreeReliable`) and chosen corners are as prescribed and there are no others
+ * (`UnwantedSingularities`, int; without holes those that the boundary asks for do not count, nor those
+ * that an H field was asked for).
  *
  * Output 1 (vtkTable), one row per boundary loop, the outer one first: `BoundaryLoop` (int),
  * `Valence`, `TangentTurning` (double), `CornerQuarters` (int, Σ k_i), `RequiredPart` (int, its

@@ -30,6 +30,7 @@ COMMANDS = {
                 "--methods", "constrained,unit-norm"),
 }
 SOLVES = ("constrained", "unit-norm")
+WRITES_FIELD = {"constrained": "field.vtu", "unit-norm": "unit.vtu", "hfield": "h.vtu"}
 DRILLS = ("drill", *SOLVES, "compare")  # those that drill holes
 
 
@@ -123,14 +124,23 @@ class CorpusTest(ProgramTest):
                 reports[name] = json.loads(result.stdout) if name not in ("corners", "drill") else {}
                 if name in SOLVES:
                     self.check_field(name, reports[name], unwanted)
+                if name in WRITES_FIELD:
+                    self.check_agrees(WRITES_FIELD[name], reports[name])
                 self.solved += 1
         return reports
+
+    def check_agrees(self, field, report):
+        """`check` finds in the file what the run that wrote it has said of it."""
+        result = self.run_program("check", field, "--json", "-")
+        found = json.loads(result.stdout)
+        for key in ("unwanted_singularities", "hole_degree", "hole_degree_reliable"):
+            self.assertEqual(found[key], report[key], f"{key} of {field}")
 
     def check_field(self, name, report, unwanted):
         self.assertTrue(report["converged"] and report["degrees_reached"], report)
         if name == "unit-norm" and not unwanted:
             self.assertEqual(report["unwanted_singularities"], 0)
-        path = self.folder / ("field.vtu" if name == "constrained" else "unit.vtu")
+        path = self.folder / WRITES_FIELD[name]
         self.assertIsNone(verified(path))
         if self.verify_all:
             report = verify.verify(path)

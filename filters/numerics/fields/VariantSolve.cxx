@@ -175,9 +175,10 @@ public:
     if (this->Topology.imprinted.empty() && blank.count.Consistent() &&
       options.start != PerforatedStart::Harmonic)
     {
-      this->UnitNormField = SolveUnitNorm({ std::make_shared<const PotentialSolver>(blank.topology),
-                                            AlignWithBoundary(this->Topology, options.corners) })
-                              .u;
+      this->UnitNormCrosses =
+        SolveUnitNorm({ std::make_shared<const PotentialSolver>(blank.topology),
+                        AlignWithBoundary(this->Topology, options.corners) })
+          .u;
     }
   }
 
@@ -195,7 +196,7 @@ public:
     // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
     // the harmonic field.
     const bool harmonicFirst =
-      this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormField.size() > 0);
+      this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormCrosses.size() > 0);
     const auto from = [&](bool harmonic, const Progress& part)
     { return harmonic ? this->FromHarmonic(part) : this->FromUnitCrosses(part); };
     return BestOfTwo([&] { return from(harmonicFirst, progress.Part(0.0, 0.5)); },
@@ -217,18 +218,18 @@ private:
   SolvedField FromUnitCrosses(const Progress& progress) const
   {
     SolvedField field = this->Blank;
-    if (this->UnitNormField.size() > 0 && this->Options.epsilon > 0.0)
+    if (this->UnitNormCrosses.size() > 0 && this->Options.epsilon > 0.0)
     {
-      field.u = this->UnitNormField;
+      field.u = this->UnitNormCrosses;
       this->AddPenalty(progress, field);
       field.Read();
     }
     else
     {
       ComplexVector start = this->Reduction.HarmonicValues();
-      if (this->UnitNormField.size() > 0)
+      if (this->UnitNormCrosses.size() > 0)
       {
-        start = this->Reduction.ValuesOf(this->UnitNormField);
+        start = this->Reduction.ValuesOf(this->UnitNormCrosses);
       }
       for (const DegreeConstraint& constraint : this->Reduction.GetReducedProblem().constraints)
       {
@@ -301,7 +302,7 @@ private:
   bool Dual; ///< One degree constraint for each hole and nothing else.
   DirectReduction Reduction;
   VariantProblem Problem;
-  ComplexVector UnitNormField; ///< Empty where there is none, or it is not asked for.
+  ComplexVector UnitNormCrosses; ///< Empty where there is none, or it is not asked for.
 };
 }
 
