@@ -46,6 +46,8 @@ def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, An
         name = array.GetName()
         if name in _FLAGS:
             values = values[0] != 0
+        elif name == names.HoleDegreeReliable:
+            values = [value != 0 for value in values]
         elif name not in _LISTS:
             values = values[0]
         report[re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()] = values

@@ -13,8 +13,12 @@ void SolvedField::Read(const Configuration& points)
 bool IsBetter(const SolvedField& field, const SolvedField& other)
 {
   const auto shortcomings = [](const SolvedField& of)
-  { return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities, of.energy); };
-  return shortcomings(field) < shortcomings(other);
+  { return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities); };
+  // Two ways to one minimum end in energies that differ by what is left of the residual.
+  constexpr double SameEnergy = 1e-9;
+  return shortcomings(field) != shortcomings(other)
+    ? shortcomings(field) < shortcomings(other)
+    : field.energy < other.energy * (1.0 - SameEnergy);
 }
 
 bool IsFlawless(const SolvedField& field)
