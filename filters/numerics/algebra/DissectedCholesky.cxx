@@ -103,12 +103,12 @@ void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dis
 }
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last, const std::vector<int>& leftOut,
-  const Progress& progress)
+  const std::vector<Point>& places, const std::vector<int>& trailing,
+  const std::vector<int>& leftOut, const Progress& progress)
   : Size(matrix.rows())
 {
   const SerialBlas serial;
-  Dissection dissection = Dissect(matrix, places, last, leftOut);
+  Dissection dissection = Dissect(matrix, places, trailing, leftOut);
   RequireMemoryForFactor(matrix, dissection);
   progress.Report(0.1);
   this->Halves[0].unknowns = std::move(dissection.left);
@@ -152,8 +152,9 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
   {
     throw NotPositiveDefinite();
   }
-  const auto lastSize = static_cast<Eigen::Index>(last.size());
-  this->LastFactor = this->BorderFactor.GetLower().bottomRightCorner(lastSize, lastSize);
+  const auto trailingSize = static_cast<Eigen::Index>(trailing.size());
+  this->TrailingFactor =
+    this->BorderFactor.GetLower().bottomRightCorner(trailingSize, trailingSize);
 }
 
 Eigen::MatrixXd DissectedCholesky::FactorHalf(

@@ -12,24 +12,25 @@ namespace crossfield
 /// Cholesky factorisation of a symmetric positive definite matrix whose unknowns have places in the
 /// plane, by nested dissection (docs/method.md §10.2), its two halves in two threads.
 ///
-/// The first separator and the unknowns that are to come last are the border. CHOLMOD factors each
-/// half together with the border's unknowns next to it; what that leaves on them is the half's part
+/// The first separator and the trailing unknowns, those that are to come last, are the border. CHOLMOD
+/// factors each half together with the border's unknowns next to it; what that leaves on them is the half's part
 /// of the border's Schur complement, which is dense. L is that of the whole matrix in the order left
 /// half, right half, border, and the same whatever the number of threads.
 class DissectedCholesky
 {
 public:
-  /// `matrix` has both halves stored; `places` has a point per unknown; the unknowns in `last` come
+  /// `matrix` has both halves stored; `places` has a point per unknown; the unknowns in `trailing` come
   /// last, in that order; rows and columns in `leftOut` are not part of the system. Throws Error
   /// when an entry is not finite, and NotPositiveDefinite when the matrix is not.
   DissectedCholesky(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-    const std::vector<int>& last, const std::vector<int>& leftOut, const Progress& progress = {});
+    const std::vector<int>& trailing, const std::vector<int>& leftOut,
+    const Progress& progress = {});
 
   /// L⁻¹ b, by parts.
   struct Eliminated
   {
     std::array<Eigen::MatrixXd, 2> halves;
-    Eigen::MatrixXd border; ///< The last rows belong to the last unknowns.
+    Eigen::MatrixXd border; ///< The last rows belong to the trailing unknowns.
   };
 
   /// Forward substitution for any number of columns; rows as in the matrix, those of unknowns left
@@ -39,8 +40,8 @@ public:
   /// Back substitution: A⁻¹ b, 0 for unknowns left out. Throws Error when it is not finite.
   Eigen::MatrixXd Substitute(const Eliminated& eliminated) const;
 
-  /// Lower triangular L_tt of the last unknowns: L_tt L_ttᵀ is the Schur complement on them.
-  const Eigen::MatrixXd& GetLastFactor() const { return this->LastFactor; }
+  /// Lower triangular L_tt of the trailing unknowns: L_tt L_ttᵀ is the Schur complement on them.
+  const Eigen::MatrixXd& GetTrailingFactor() const { return this->TrailingFactor; }
 
 private:
   struct Half
@@ -55,9 +56,9 @@ private:
   Eigen::MatrixXd FactorHalf(const Eigen::SparseMatrix<double>& matrix, Half& half) const;
 
   std::array<Half, 2> Halves;
-  std::vector<int> Border; ///< Separator, then the last unknowns.
+  std::vector<int> Border; ///< Separator, then the trailing unknowns.
   DenseCholesky<double> BorderFactor;
-  Eigen::MatrixXd LastFactor;
+  Eigen::MatrixXd TrailingFactor;
   Eigen::Index Size;
 };
 }

@@ -129,10 +129,10 @@ private:
 }
 
 Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& last, const std::vector<int>& leftOut)
+  const std::vector<int>& trailing, const std::vector<int>& leftOut)
 {
   Dissector dissector(matrix, places);
-  for (int unknown : last)
+  for (int unknown : trailing)
   {
     dissector.Exclude(unknown);
   }
@@ -165,14 +165,14 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   dissection.left.assign(begin, halves.leftEnd);
   dissection.right.assign(halves.leftEnd, halves.rightEnd);
   dissection.border.assign(halves.rightEnd, end);
-  dissection.border.insert(dissection.border.end(), last.begin(), last.end());
+  dissection.border.insert(dissection.border.end(), trailing.begin(), trailing.end());
   return dissection;
 }
 
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last)
+  const std::vector<Point>& places, const std::vector<int>& trailing)
 {
-  const Dissection dissection = Dissect(matrix, places, last);
+  const Dissection dissection = Dissect(matrix, places, trailing);
   std::vector<int> order = dissection.left;
   order.insert(order.end(), dissection.right.begin(), dissection.right.end());
   order.insert(order.end(), dissection.border.begin(), dissection.border.end());

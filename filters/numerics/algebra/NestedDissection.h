@@ -10,13 +10,13 @@ namespace crossfield
 /// plane: recursively split at the median across the direction that meets fewer points, number the
 /// unknowns of the left half that touch the right half last (docs/method.md §10.2).
 ///
-/// `places` has one point per unknown; the unknowns in `last` come at the very end, in the order
+/// `places` has one point per unknown; the unknowns in `trailing` come at the very end, in the order
 /// given. Returns the order: entry i is the unknown that is eliminated i-th.
 std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
-  const std::vector<Point>& places, const std::vector<int>& last = {});
+  const std::vector<Point>& places, const std::vector<int>& trailing = {});
 
 /// The same order by its first separator: `left` and `right` are in elimination order, and no entry
-/// of the matrix joins them; `border` is the separator followed by `last`. Unknowns in `leftOut` are in
+/// of the matrix joins them; `border` is the separator followed by `trailing`. Unknowns in `leftOut` are in
 /// none of them. The halves are ordered in two threads.
 struct Dissection
 {
@@ -25,7 +25,7 @@ struct Dissection
   std::vector<int> border;
 };
 Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& last, const std::vector<int>& leftOut = {});
+  const std::vector<int>& trailing, const std::vector<int>& leftOut = {});
 
 /// Bound on the entries of the factor of a matrix with an unknown at each of n vertices of a planar
 /// mesh, eliminated by nested dissection: 31/4 n log₂ n to leading order (A. George, Nested

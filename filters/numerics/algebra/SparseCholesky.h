@@ -44,8 +44,9 @@ public:
   Eigen::MatrixXd SolveLower(const Eigen::MatrixXd& rightHandSides) const;
   Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
 
-  /// Lower triangular L_tt of the last `count` unknowns of the order, in that order. L_tt L_ttᵀ is
-  /// the Schur complement of A on them, which therefore costs no solve (docs/method.md §10.3).
+  /// Lower triangular L_tt of the `count` trailing unknowns, the last of the order, in that order.
+  /// L_tt L_ttᵀ is the Schur complement of A on them, which therefore costs no solve
+  /// (docs/method.md §10.3).
   Eigen::MatrixXd TrailingFactor(int count) const;
 
 private:

@@ -73,9 +73,9 @@ void AlignedProblem::Align(ComplexVector& u) const
   }
 }
 
-std::vector<int> AlignedProblem::EliminationOrder(const std::vector<int>& last) const
+std::vector<int> AlignedProblem::EliminationOrder(const std::vector<int>& trailing) const
 {
-  return NestedDissection(this->freeStiffness, this->places, last);
+  return NestedDissection(this->freeStiffness, this->places, trailing);
 }
 
 Eigen::MatrixXd AlignedProblem::Load() const

@@ -22,8 +22,8 @@ struct AlignedProblem
   /// Sets the values on the fixed edges.
   void Align(ComplexVector& u) const;
 
-  /// Nested dissection of the free edges, with the positions `last` in free at the end.
-  std::vector<int> EliminationOrder(const std::vector<int>& last = {}) const;
+  /// Nested dissection of the free edges, with the positions `trailing` in free at the end.
+  std::vector<int> EliminationOrder(const std::vector<int>& trailing = {}) const;
 
   /// Sources of the free edges from the prescribed values: columns Re and Im.
   Eigen::MatrixXd Load() const;

@@ -209,11 +209,11 @@ Eigen::VectorXd GinzburgLandauEnergy::Metric() const
   return metric;
 }
 
-std::vector<int> GinzburgLandauEnergy::UnknownOrder(const std::vector<int>& last) const
+std::vector<int> GinzburgLandauEnergy::UnknownOrder(const std::vector<int>& trailing) const
 {
   std::vector<int> order;
   order.reserve(2 * this->Aligned.free.size());
-  for (const int i : this->Aligned.EliminationOrder(last))
+  for (const int i : this->Aligned.EliminationOrder(trailing))
   {
     order.push_back(2 * i);
     order.push_back(2 * i + 1);

@@ -60,8 +60,8 @@ public:
   Eigen::VectorXd Metric() const;
 
   /// Fill-reducing elimination order of the unknowns of the Hessian, with those of the free edges at
-  /// the positions `last` at the end.
-  std::vector<int> UnknownOrder(const std::vector<int>& last = {}) const;
+  /// the positions `trailing` at the end.
+  std::vector<int> UnknownOrder(const std::vector<int>& trailing = {}) const;
 
   /// The field without penalty: least ½ ∫ w |∇u|².
   ComplexVector HarmonicField() const { return this->Aligned.HarmonicField(); }

@@ -150,7 +150,6 @@ HField SolveOnHoles(const PotentialProblem& problem)
     result.periods.push_back(0.25 * period);
   }
   result.renormalizedEnergy = std::numeric_limits<double>::quiet_NaN();
-  field.Read();
   return result;
 }
 
@@ -184,7 +183,6 @@ HField SolveAtPoints(const PointPotential& potential, const Configuration& inter
     field.energy += 0.5 * log.angle * log.strength * log.strength *
       std::log(1.0 / (given ? interior[m].radius : radius));
   }
-  field.Read(interior);
   return result;
 }
 
@@ -247,6 +245,8 @@ HField SolvePlaced(const std::shared_ptr<const PotentialSolver>& potential,
   // The cross is off the boundary's direction by a fraction of this; rounding only.
   result.field.converged = result.field.residual <= 1e-6;
   result.field.seconds.solve = stopwatch.Lap();
+  progress.Report(0.8);
+  result.field.Read(holes ? Configuration() : placed.interior);
   progress.Report(1.0);
   return result;
 }

@@ -40,7 +40,7 @@ public:
 
   /// `alignment` with the sum of the quarter indices of every configuration to come. Throws Error when
   /// that violates Poincaré-Hopf, or when the mesh has holes.
-  PointPotential(std::shared_ptr<const PotentialSolver> potential, Alignment alignment);
+  PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment);
 
   /// Throws Error when a singularity is not inside the domain, or nearer to its boundary than 1e-6 of
   /// the diagonal or to another one, or the sum of the quarter indices is another one.

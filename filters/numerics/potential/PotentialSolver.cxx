@@ -145,14 +145,14 @@ PotentialSolver::Eliminated PotentialSolver::Eliminate(
   Eliminated eliminated;
   eliminated.periods = periods;
   eliminated.forward = this->Factor->Eliminate(rightHandSides);
-  auto last =
+  auto trailing =
     eliminated.forward.border.bottomRows(static_cast<Eigen::Index>(this->Trailing.size()));
   const Eigen::Index count = this->TrailingCount(periods);
   // Zero here is zero after back substitution: the periods that the question does not have.
-  last.bottomRows(last.rows() - count).setZero();
+  trailing.bottomRows(trailing.rows() - count).setZero();
   eliminated.trailing =
     this->TrailingFactor(periods).transpose().triangularView<Eigen::Upper>().solve(
-      last.topRows(count));
+      trailing.topRows(count));
   const auto sources = rightHandSides.topRows(this->VertexCount);
   eliminated.sums = sources.colwise().sum();
   eliminated.sizes = sources.cwiseAbs().colwise().sum();

@@ -87,7 +87,7 @@ public:
   Eigen::Ref<const Eigen::MatrixXd> TrailingFactor(Periods periods) const
   {
     const Eigen::Index count = this->TrailingCount(periods);
-    return this->Factor->GetLastFactor().topLeftCorner(count, count);
+    return this->Factor->GetTrailingFactor().topLeftCorner(count, count);
   }
 
   /// A solution that is half done: sources of the trailing unknowns may still be added.

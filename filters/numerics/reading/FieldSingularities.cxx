@@ -280,11 +280,11 @@ std::vector<FieldSingularity> FindFieldSingularities(
 }
 
 std::vector<FieldSingularity> FindFieldSingularities(
-  const CrossField& field, const FieldIndices& unmerged, const FieldSingularityOptions& options)
+  const CrossField& field, const FieldIndices& indices, const FieldSingularityOptions& options)
 {
   const MeshTopology& topology = *field.topology;
   const TriangleMesh& mesh = topology.mesh;
-  FieldIndices indices = unmerged;
+  FieldIndices merged = indices;
   const std::vector<VertexRole> roles = FindRoles(topology, options);
   std::vector<bool> corners;
   corners.reserve(roles.size());
@@ -292,11 +292,11 @@ std::vector<FieldSingularity> FindFieldSingularities(
   {
     corners.push_back(role.corner);
   }
-  MergeAtVertices(mesh, corners, indices);
+  MergeAtVertices(mesh, corners, merged);
   std::vector<FieldSingularity> found;
   int sum = 0;
   int holes = 0;
-  for (const auto& [root, cluster] : FindClusters(field, indices, roles))
+  for (const auto& [root, cluster] : FindClusters(field, merged, roles))
   {
     sum += cluster.quarterIndex;
     if (cluster.quarterIndex != 0)
@@ -308,11 +308,11 @@ std::vector<FieldSingularity> FindFieldSingularities(
   {
     if (roles[v].corner)
     {
-      sum += indices.ofVertex[v];
-      if (options.corners && indices.ofVertex[v] != 0)
+      sum += merged.ofVertex[v];
+      if (options.corners && merged.ofVertex[v] != 0)
       {
         found.push_back(
-          { { mesh.points[v], indices.ofVertex[v], 0.0 }, roles[v].place, roles[v].id, 0.0 });
+          { { mesh.points[v], merged.ofVertex[v], 0.0 }, roles[v].place, roles[v].id, 0.0 });
       }
     }
   }

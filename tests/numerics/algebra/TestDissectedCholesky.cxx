@@ -72,7 +72,7 @@ void ExpectRight(const System& system, const std::vector<int>& last, int ground,
 
   // The Schur complement on the last unknowns is the inverse of their block of the inverse.
   const auto count = static_cast<Eigen::Index>(last.size());
-  const Eigen::MatrixXd& lower = factor.GetLastFactor();
+  const Eigen::MatrixXd& lower = factor.GetTrailingFactor();
   ASSERT_EQ(lower.rows(), count);
   EXPECT_TRUE(lower.isLowerTriangular());
   Eigen::MatrixXd block(count, count);
