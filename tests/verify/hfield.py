@@ -124,7 +124,8 @@ class Fit:
         return np.roll(corner, -1, axis=1) - corner + flux(self.mesh, phases)
 
     def _columns(self, rows):
-        """Derivatives of the residual in the places and the strengths, on chosen triangles."""
+        """Derivatives of the residual in the places, in units of the domain's size, and the strengths, on
+        chosen triangles."""
         mesh = self.mesh
         points = mesh.points[mesh.triangles[rows]]
         middle = self.middle[rows]
@@ -138,7 +139,7 @@ class Fit:
         columns = []
         for k, b in zip(self.quarters, self.places):
             y, z = points - b, middle - b
-            y, z = y / (y ** 2).sum(axis=2, keepdims=True), z / (z ** 2).sum(axis=2, keepdims=True)
+            y, z = (mesh.frame.size * v / (v ** 2).sum(axis=2, keepdims=True) for v in (y, z))
             columns.append(of(k * y[..., 0], -k * z[..., 1]))
             columns.append(of(k * y[..., 1], k * z[..., 0]))
         for v in self.corners:
@@ -162,9 +163,9 @@ class Fit:
                 return
             step = np.linalg.lstsq(columns, -residual[rows].ravel(), rcond=None)[0]
             moved = step[:2 * len(self.places)].reshape(-1, 2)
-            self.places += moved
+            self.places += self.mesh.frame.size * moved
             self.strengths += step[2 * len(self.places):]
-            if np.abs(step).max(initial=0.0) < 1e-15 * self.mesh.frame.size:
+            if np.abs(step).max(initial=0.0) < 1e-15:
                 return
 
 

@@ -2,7 +2,8 @@
 
     python3 test_spoilt.py PROGRAM CASE
 
-CASE is one of the functions of spoilt_*.py, `good_files` or `every_check_can_fail`.
+CASE is one of the functions of spoilt_*.py, `good_files`, `good_files_of_every_size` or
+`every_check_can_fail`.
 """
 import pathlib
 import subprocess
@@ -60,6 +61,21 @@ def good_files(folder):
             sys.exit(report.text(everything=False))
 
 
+def good_files_of_every_size(folder):
+    """In another unit of length all numbers but ε are the same, within the limits of the program."""
+    for name in GOOD:
+        made = make(name, folder)
+        for scale in (1e-59, 1e-35, 1e35, 1e59):
+            file = Spoiled(made)
+            file.points *= scale
+            if file.grid.GetFieldData().GetArray("Epsilon") is not None:
+                file.report("Epsilon")[:] *= scale
+            file.write(folder / "scaled.vtu")
+            report = verify(folder / "scaled.vtu")
+            if report.failures() or not report.checks:
+                sys.exit("%s, scaled by %g: %s" % (name, scale, report.text(everything=False)))
+
+
 def every_check_can_fail(folder):
     made = {check[0] for name in GOOD for check in verify(make(name, folder)).checks}
     spoilt = set().union(*(names for _, _, names in CASES.values()))
@@ -85,5 +101,5 @@ if __name__ == "__main__":
         if wanted in CASES:
             run(wanted, pathlib.Path(place))
         else:
-            {"good_files": good_files,
+            {"good_files": good_files, "good_files_of_every_size": good_files_of_every_size,
              "every_check_can_fail": every_check_can_fail}[wanted](pathlib.Path(place))

@@ -151,7 +151,7 @@ TEST_F(PoincareHopfCheck, HolonomyOfARing)
   EXPECT_EQ(this->Value("Consistent"), 1.0);
   ASSERT_NE(this->Field()->GetArray("HolonomyDefect"), nullptr);
   const double defect = this->Value("HolonomyDefect");
-  EXPECT_GT(std::abs(defect), 0.1);
+  EXPECT_NEAR(defect, -std::atan2(0.65, 0.2), 1e-3); // Σ k_j arg b_j
   EXPECT_EQ(this->Loops()->GetValueByName(1, "HolonomyDefect").ToDouble(), defect);
   EXPECT_TRUE(std::isnan(this->Loops()->GetValueByName(0, "HolonomyDefect").ToDouble()));
   EXPECT_NE(this->Reason().find("inner loop 1"), std::string::npos) << this->Reason();

@@ -1,10 +1,10 @@
 #include "HolonomyCheck.h"
 
-#include "DomainQueries.h"
-#include "DrillHoles.h"
-#include "UnitNormField.h"
+#include "ConfigurationPlacement.h"
+#include "MeshForPoints.h"
+#include "PointPotential.h"
 
-#include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace crossfield
@@ -16,30 +16,15 @@ std::vector<double> HolonomyDefects(const PlanarDomain& domain, const Configurat
   {
     return {};
   }
-  const DrillOptions options;
-  Configuration holes = configuration;
-  for (std::size_t i = 0; i < holes.size(); ++i)
-  {
-    if (holes[i].radius == 0.0)
-    {
-      double room = SignedDistance(holes[i].position, domain);
-      for (std::size_t j = 0; j < holes.size(); ++j)
-      {
-        if (j != i)
-        {
-          room = std::min(room, (holes[j].position - holes[i].position).norm() - holes[j].radius);
-        }
-      }
-      holes[i].radius = std::min(ResolveMeshSize(options, domain), room / 3.0);
-    }
-  }
+  constexpr double DefaultSize = 0.0;
   const SharedTopology topology =
-    ShareTopology(DrillHoles(domain, holes, options, progress.Part(0.0, 0.5)));
-  Alignment alignment = AlignWithBoundary(*topology, corners);
-  RequireConsistent(alignment.count);
-  const PotentialProblem problem(
-    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
-  progress.Report(0.9);
-  return SolveUnitNorm(problem).holonomyDefect;
+    ShareTopology(MeshForPoints(domain, configuration, DefaultSize, progress.Part(0.0, 0.5)));
+  const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration, corners);
+  Alignment alignment =
+    AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
+  const PointPotential potential(std::make_shared<const PotentialSolver>(topology,
+                                   PotentialSolver::Boundary::Natural, progress.Part(0.5, 0.9)),
+    std::move(alignment));
+  return potential.Solve(placed.interior).holonomyDefect;
 }
 }

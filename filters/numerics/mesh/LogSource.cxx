@@ -4,8 +4,16 @@ namespace crossfield
 {
 namespace
 {
-/// So many distances may be multiplied: of sizes from 1e-30 to 1e30 no product overflows.
+/// So many distances may be multiplied before the product is taken for itself,
 constexpr int MostFactors = 4;
+
+/// and none after it has left these bounds. Squares of distances within domains of the extents allowed
+/// (DomainExtent.h) are between 1e-160 and 1e121, so no product overflows.
+bool MustBeTaken(double product)
+{
+  constexpr double Largest = 1e140;
+  return !(product > 1.0 / Largest && product < Largest);
+}
 }
 
 double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
@@ -13,6 +21,12 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
   double sum = 0.0;
   double product = 1.0;
   int factors = 0;
+  const auto take = [&]
+  {
+    sum += 0.5 * std::log(product);
+    product = 1.0;
+    factors = 0;
+  };
   for (const LogSource& log : logs)
   {
     const double square = (x - log.position).squaredNorm();
@@ -24,17 +38,20 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
     }
     if (factors + power > MostFactors)
     {
-      sum += 0.5 * std::log(product);
-      product = 1.0;
-      factors = 0;
+      take();
     }
     for (int i = 0; i < power; ++i)
     {
       product = log.strength > 0.0 ? product * square : product / square;
+      if (MustBeTaken(product))
+      {
+        take();
+      }
     }
     factors += power;
   }
-  return sum + 0.5 * std::log(product);
+  take();
+  return sum;
 }
 
 std::complex<double> UnitOfTurns(
@@ -53,9 +70,10 @@ std::complex<double> UnitOfTurns(
     for (int k = static_cast<int>(std::abs(logs[m].strength)); k > 0; --k)
     {
       product *= turn;
-      if (++factors == MostFactors)
+      const double square = std::norm(product);
+      if (++factors == MostFactors || MustBeTaken(square))
       {
-        product /= std::sqrt(std::norm(product)); // four factors cannot overflow
+        product /= std::sqrt(square);
         factors = 0;
       }
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace crossfield::test
 {
@@ -100,6 +101,35 @@ TEST(SingularityOptimizer, IsInvariantUnderSimilarities)
     const OptimizerResult result = Optimize(move(disk), move(Scattered), 0.1 * scale);
     EXPECT_TRUE(result.converged) << result.reason;
     EXPECT_NEAR(result.energyAfter - 4.0 * Pi * std::log(scale), plain.energyAfter, 0.02);
+  }
+}
+
+TEST(SingularityOptimizer, EndsInTheSamePlaceAtAllExtents)
+{
+  // On the ring with a defect to remove. Powers of two from 1e-59 to 1e59: the meshes are the same.
+  const Configuration pair = { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } };
+  for (const auto& [name, start, shift] :
+    { std::tuple("disk", Scattered, 4.0 * Pi), std::tuple("ring", pair, 2.0 * Pi) })
+  {
+    const PlanarDomain domain = Builtin(name, 0.05);
+    const OptimizerResult plain = Optimize(domain, start, 0.05);
+    for (const int exponent : { -196, -133, -66, 66, 133, 196 })
+    {
+      SCOPED_TRACE(std::string(name) + " times 2 to the " + std::to_string(exponent));
+      const double scale = std::ldexp(1.0, exponent);
+      const Similarity move{ 0.0, scale, Point::Zero() };
+      const OptimizerResult result = Optimize(move(domain), move(start), 0.05 * scale);
+      EXPECT_TRUE(result.converged) << result.reason;
+      EXPECT_EQ(result.iterations, plain.iterations);
+      EXPECT_NEAR(result.energyBefore - shift * std::log(scale), plain.energyBefore, 1e-9);
+      EXPECT_NEAR(result.energyAfter - shift * std::log(scale), plain.energyAfter, 1e-9);
+      for (std::size_t i = 0; i < start.size(); ++i)
+      {
+        EXPECT_LT(
+          (result.configuration[i].position / scale - plain.configuration[i].position).norm(),
+          1e-9);
+      }
+    }
   }
 }
 

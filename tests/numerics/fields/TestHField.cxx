@@ -288,6 +288,46 @@ TEST(HField, TurningScalingAndRenumberingChangeNothing)
   EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
 }
 
+TEST(HField, IsTheSameAtAllExtents)
+{
+  struct Case
+  {
+    const char* name;
+    Configuration configuration;
+    /// Of W, by the logarithm of the scale.
+    double shift;
+  };
+  // 5 pairs on a ring: one point has ten logarithms.
+  Configuration pairs = OnCircle(5, 0.6, 0.3, 1, 0.0);
+  for (const Singularity& singularity : OnCircle(5, 0.8, 0.5, -1, 0.0))
+  {
+    pairs.push_back(singularity);
+  }
+  const std::vector<Case> cases = { { "disk", Five, Pi * 8.0 }, { "ring", pairs, Pi * 10.0 } };
+  for (const auto& [name, configuration, shift] : cases)
+  {
+    const TriangleMesh mesh = Mesh(Builtin(name, 0.1), 0.1);
+    const HField plain = SolveHField(ShareTopology(mesh), configuration);
+    for (const double scale : { 1e-59, 1e-40, 1e-20, 1e20, 1e40, 1e59 })
+    {
+      SCOPED_TRACE(std::string(name) + " times " + std::to_string(std::log10(scale)));
+      const Similarity move{ 0.0, scale, Point::Zero() };
+      const HField field = SolveHField(ShareTopology(move(mesh)), move(configuration));
+      EXPECT_LT((field.h - plain.h).cwiseAbs().maxCoeff(), 1e-9);
+      EXPECT_LT((field.field.u - plain.field.u).cwiseAbs().maxCoeff(), 1e-9);
+      EXPECT_EQ(field.field.unwantedSingularities, 0);
+      EXPECT_NEAR(field.renormalizedEnergy, plain.renormalizedEnergy + shift * std::log(scale),
+        1e-9 * std::abs(plain.renormalizedEnergy));
+      ASSERT_EQ(field.periods.size(), plain.periods.size());
+      for (std::size_t k = 0; k < plain.periods.size(); ++k)
+      {
+        EXPECT_NEAR(field.field.holonomyDefect[k], plain.field.holonomyDefect[k], 1e-9);
+        EXPECT_NEAR(field.periods[k], plain.periods[k], 1e-9);
+      }
+    }
+  }
+}
+
 TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
 {
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);

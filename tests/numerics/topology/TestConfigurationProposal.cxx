@@ -6,7 +6,6 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "FieldCheck.h"
-#include "HolonomyCheck.h"
 #include "MakePlanarDomain.h"
 #include "PerforatedSolve.h"
 #include "PoincareHopf.h"
@@ -241,33 +240,7 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
   }
 }
 
-TEST(HolonomyCheck, IsThatOfTheUnitNormField)
-{
-  const PlanarDomain ring = Builtin("ring");
-  EXPECT_TRUE(HolonomyDefects(Builtin("disk"), ProposeConfiguration(Builtin("disk"))).empty());
-  const std::vector<double> none = HolonomyDefects(ring, {});
-  ASSERT_EQ(none.size(), 1u);
-  EXPECT_NEAR(none[0], 0.0, 1e-3); // the mesh is not symmetric
-  // +1 and −1 on the same radius, symmetric about the x axis: the reflection turns the defect
-  // round.
-  const Configuration symmetric = { { Point(0.7, 0.0), 1, 0.05 }, { Point(-0.7, 0.0), -1, 0.05 } };
-  const double defect = HolonomyDefects(ring, symmetric).at(0);
-  EXPECT_NEAR(std::remainder(2.0 * defect, 2.0 * Pi), 0.0, 1e-2);
-  // Off the axis there is a defect, and it is that of the solver.
-  const Configuration skew = { { Point(0.7, 0.0), 1, 0.05 }, { Point(0.2, 0.65), -1, 0.05 } };
-  const double found = HolonomyDefects(ring, skew).at(0);
-  EXPECT_NEAR(found, SolveUnitNormOn(DrillHoles(ring, skew)).holonomyDefect.at(0), 1e-9);
-  EXPECT_GT(std::abs(found), 0.1);
-  // Without radii there is one that fits, and it hardly matters.
-  Configuration bare = skew;
-  bare[0].radius = bare[1].radius = 0.0;
-  EXPECT_NEAR(HolonomyDefects(ring, bare).at(0), found, 0.05);
-  const Configuration one = { { Point(0.7, 0.0), 1, 0.05 } };
-  EXPECT_TRUE(
-    Refuses([&] { HolonomyDefects(ring, one); }, { "asks for" }, Error::Kind::Inconsistent));
-}
-
-TEST(HolonomyCheck, RefusesPlacesOutside)
+TEST(RequireInside, RefusesPlacesOutside)
 {
   const PlanarDomain ring = Builtin("ring");
   EXPECT_NO_THROW(RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 } }));
