@@ -4,7 +4,7 @@
 #include "DualSolve.h"
 #include "Error.h"
 #include "LocalSolve.h"
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
 
@@ -283,7 +283,7 @@ private:
     }
     MinimiserOptions options = this->Options.reduced;
     options.leavesSaddles = true;
-    MinimiserResult result = SolvePenalised(energy, constraints, field.u, options, progress);
+    MinimiserResult result = SolveWithPenalty(energy, constraints, field.u, options, progress);
     field.u = std::move(result.x);
     field.iterations += result.iterations;
     field.residual = result.residual;

@@ -4,7 +4,7 @@
 #include "DirectReduction.h"
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 #include "PerforatedSolve.h"
 #include "Support.h"
 #include "VariantSolve.h"

@@ -12,7 +12,7 @@ namespace crossfield
 /// penalty, which makes up for all of its negative curvature, and on the constrained edges the mean
 /// diagonal of the stiffness matrix besides, which some multiple makes up for that of Σ λ_i A_i. The unknowns of `constraints` are positions in
 /// energy.FreeEdges(); `start` has one value per edge of the mesh, and so has the result.
-MinimiserResult SolvePenalised(const GinzburgLandauEnergy& energy,
+MinimiserResult SolveWithPenalty(const GinzburgLandauEnergy& energy,
   const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});
 }

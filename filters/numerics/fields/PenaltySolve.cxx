@@ -1,4 +1,4 @@
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 
 #include "SparseCholesky.h"
 
@@ -9,10 +9,10 @@ namespace crossfield
 {
 namespace
 {
-class PenalisedFunctional : public ConstrainedFunctional
+class PenaltyFunctional : public ConstrainedFunctional
 {
 public:
-  PenalisedFunctional(const GinzburgLandauEnergy& energy,
+  PenaltyFunctional(const GinzburgLandauEnergy& energy,
     const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start)
     : Energy(energy)
     , Field(start)
@@ -134,13 +134,13 @@ private:
 };
 }
 
-MinimiserResult SolvePenalised(const GinzburgLandauEnergy& energy,
+MinimiserResult SolveWithPenalty(const GinzburgLandauEnergy& energy,
   const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
   ComplexVector aligned = start;
   energy.Align(aligned);
-  PenalisedFunctional functional(energy, constraints, aligned);
+  PenaltyFunctional functional(energy, constraints, aligned);
   ComplexVector x(static_cast<Eigen::Index>(energy.FreeEdges().size()));
   for (std::size_t i = 0; i < energy.FreeEdges().size(); ++i)
   {
