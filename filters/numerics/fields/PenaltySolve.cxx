@@ -59,10 +59,28 @@ public:
   }
   double Stiffness() const override { return this->MeanDiagonal; }
 
+  Eigen::VectorXd Metric() const override
+  {
+    Eigen::VectorXd metric = this->Energy.Metric();
+    for (const int edge : this->Constrained)
+    {
+      metric.segment<2>(2 * edge).array() += this->MeanDiagonal;
+    }
+    return metric;
+  }
+
   bool Factor(const ComplexVector& x, const Additions& additions) override
   {
-    const Eigen::SparseMatrix<double> hessian =
-      this->Energy.Hessian(this->OnAllEdges(x), additions.shift) + this->OnConstrained(additions);
+    if (x.size() == 0)
+    {
+      return true; // the boundary prescribes everything, and CHOLMOD takes no empty matrix
+    }
+    Eigen::SparseMatrix<double> hessian =
+      this->Energy.Hessian(this->OnAllEdges(x), additions.shift);
+    if (!this->Constrained.empty())
+    {
+      hessian += this->OnConstrained(additions);
+    }
     try
     {
       this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
