@@ -243,7 +243,7 @@ std::array<double, 6> Bounds(vtkDataSet* domain)
       box.AddPoint(domain->GetPoint(ids->GetId(i)));
     }
   }
-  std::array<double, 6> bounds;
+  std::array<double, 6> bounds{};
   box.GetBounds(bounds.data());
   return bounds;
 }

@@ -25,7 +25,7 @@ struct GinzburgLandauOptions
   ComplexVector given; ///< One value per edge.
   GinzburgLandauPinning pinning;
   int maximumIterations = 500;
-  /// Converged when GinzburgLandauEnergy::RelativeResidual is below this.
+  /// Converged when the derivative, relative to GinzburgLandauEnergy::ResidualScale, is below this.
   double tolerance = 1e-10;
 };
 
@@ -46,14 +46,13 @@ struct GinzburgLandauField : SolvedField
   int saddlesLeft = 0;      ///< Iterations that left a saddle by its negative curvature.
 };
 
-/// Minimises the Ginzburg-Landau energy (docs/method.md §4.2; paper, "Ginzburg-Landau") by Newton's method
-/// with a line search on the energy.
+/// Minimises the Ginzburg-Landau energy (docs/method.md §4.2; paper, "Ginzburg-Landau") by
+/// PenaltySolve.h without constraints: Newton's method with a line search on the energy.
 ///
 /// Where the Hessian H is not positive definite, H + τ D is factored instead, D the matrix of
 /// 1/ε² ∫ f² u · v and τ = 1/64, 1/16, 1/4 or 1, for which it always is; steps with a small τ
 /// follow the directions in which the energy falls off a saddle. It is converged only if H itself
-/// is positive definite at the end: where it is not and the energy falls by less than 1e-4 of
-/// itself, the next step is in the direction of negative curvature that inverse iteration finds.
+/// is positive definite at the end; saddles on the way are left by their negative curvature.
 ///
 /// Any domain is allowed, since the singularities come by themselves. Throws Error when the mesh
 /// has holes, ε is not positive, or the given start does not fit the mesh. An iteration that does

@@ -170,12 +170,6 @@ double GinzburgLandauEnergy::ResidualScale(const ComplexVector& u) const
   return std::sqrt(elasticSum) + std::sqrt(loadSum) + std::sqrt(penalty);
 }
 
-double GinzburgLandauEnergy::RelativeResidual(const ComplexVector& u) const
-{
-  const double scale = this->ResidualScale(u);
-  return scale > 0.0 ? this->Gradient(u).norm() / scale : 0.0;
-}
-
 Eigen::SparseMatrix<double> GinzburgLandauEnergy::Hessian(
   const ComplexVector& u, double shift) const
 {

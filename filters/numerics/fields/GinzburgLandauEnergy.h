@@ -46,9 +46,7 @@ public:
   /// ∂E/∂(Re u, Im u) on the free edges: entries 2i and 2i + 1 belong to the i-th free edge.
   Eigen::VectorXd Gradient(const ComplexVector& u) const;
 
-  /// ‖Gradient(u)‖ relative to the sum of the norms of the terms that cancel in it.
-  double RelativeResidual(const ComplexVector& u) const;
-  /// That sum.
+  /// Sum of the norms of the terms that cancel in the gradient, to measure it by.
   double ResidualScale(const ComplexVector& u) const;
 
   /// Second derivatives, in the numbering of Gradient, plus `shift` × D with the diagonal matrix

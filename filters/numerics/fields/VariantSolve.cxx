@@ -4,7 +4,7 @@
 #include "DualSolve.h"
 #include "Error.h"
 #include "LocalSolve.h"
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 #include "Stopwatch.h"
 #include "UnitNormField.h"
 
@@ -281,9 +281,8 @@ private:
     {
       constraints.push_back(SumOfDegrees(degrees));
     }
-    MinimiserOptions options = this->Options.reduced;
-    options.leavesSaddles = true;
-    MinimiserResult result = SolvePenalised(energy, constraints, field.u, options, progress);
+    MinimiserResult result =
+      SolveWithPenalty(energy, constraints, field.u, this->Options.reduced, progress);
     field.u = std::move(result.x);
     field.iterations += result.iterations;
     field.residual = result.residual;

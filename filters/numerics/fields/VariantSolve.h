@@ -21,7 +21,7 @@ bool IsVariant(const MeshTopology& topology, const PerforatedOptions& options);
 ///    Those satisfy every constraint, have all degrees, and exist for every sum of quarter indices;
 ///    PerforatedStart::UnitNorm stands for them here. With the global constraint or unit norms only
 ///    the second way is there, from either start.
-/// 2. With the penalty, PenalisedField.h goes on from there; from PerforatedStart::UnitNorm it starts
+/// 2. With the penalty, PenaltySolve.h goes on from there; from PerforatedStart::UnitNorm it starts
 ///    at the unit-norm field itself, where that exists.
 ///
 /// A hole with unit norm has x_j = e^{i (d α_j + φ)} with one free phase φ, as in UnitSolve.h.

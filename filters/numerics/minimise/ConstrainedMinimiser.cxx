@@ -1,5 +1,7 @@
 #include "ConstrainedMinimiser.h"
 
+#include "Error.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -10,25 +12,27 @@ namespace crossfield
 {
 namespace
 {
-/// The shifts, relative to M, that are tried: the first one, and how they grow. Where a
-/// factorisation is dear, but a step that is damped too much dearer, as in GinzburgLandau.cxx.
-struct Shifts
-{
-  double first;
-  double growth;
-};
-constexpr Shifts DenseShifts = { 0.125, 2.0 };
-constexpr Shifts SparseShifts = { 1.0 / 64.0, 4.0 };
+/// The shifts, relative to M, that are tried in turn. Each costs a factorisation; but a step that is
+/// damped more than necessary costs more of them, so the first one is small. Each step begins with
+/// the shift that the last one needed, which it mostly needs as well.
+constexpr double FirstShift = 1.0 / 64.0;
+constexpr double ShiftGrowth = 4.0;
+/// Far more than any Σ λ_i A_i asks for; without constraints 1 is enough (docs/method.md §4.2).
+constexpr double LastShift = 1e9;
 
 /// Weighting the normals this heavily, relative to the stiffness, leaves the sign of a quadratic form
 /// on their complement to decide whether it is positive definite.
 constexpr double NormalWeight = 1e4;
 
-/// As in GinzburgLandau.cxx: convexified steps that lower the merit by less are caught at a saddle.
+/// A convexified step that lowers the merit by less than this, relatively, is caught at a saddle:
+/// such steps converge to it slowly, where the way down is another one.
 constexpr double SlowDescent = 1e-4;
 
 /// Merits that differ by less, relatively, may differ by what is left of the residual.
 constexpr double NoticeableDescent = 1e-9;
+
+/// Merits that differ by less, relatively, differ by rounding.
+constexpr double RelativeRounding = 1e-13;
 
 /// The parts of a complex vector as a real one.
 Eigen::Map<const Eigen::VectorXd> Parts(const ComplexVector& x)
@@ -76,6 +80,13 @@ struct LocalPoint
 
   /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
   double Merit(double weight) const { return this->value + weight * this->violations.lpNorm<1>(); }
+  /// By how much rounding may change a merit. The terms of a quadratic function may cancel in f, but
+  /// not in ∇f · x as well.
+  double MeritRounding() const
+  {
+    return RelativeRounding *
+      (std::abs(this->value) + std::abs(this->gradient.dot(Parts(this->x))));
+  }
   /// λ that makes ∇f + Σ λ_i A_i x smallest.
   Eigen::VectorXd LeastSquaresMultipliers() const
   {
@@ -98,6 +109,7 @@ public:
     : Functional(functional)
     , Constraints(constraints)
     , Options(options)
+    , Metric(functional.Metric())
     , Here(functional, constraints, start)
     , Multipliers(this->Here.LeastSquaresMultipliers())
     , Residual(this->ResidualAt(this->Here, this->Multipliers))
@@ -107,39 +119,37 @@ public:
   MinimiserResult Run(const Progress& progress)
   {
     MinimiserResult result;
-    bool moved = true;
-    bool slow = false;
-    while (moved && result.iterations < this->Options.maximumIterations)
+    result.values.push_back(this->Here.value);
+    while (true)
     {
-      progress.Report(static_cast<double>(result.iterations) / this->Options.maximumIterations);
       const bool critical = this->Residual <= this->Options.tolerance;
-      this->FactorConvexified(critical);
-      if (critical && this->Shift == 0.0)
+      if (critical && this->TryFactor(0.0))
       {
         result.converged = true;
         break;
       }
-      const double before = this->Here.Merit(this->Weight);
-      // Off a critical point it has to pay more than the steps that it takes the place of.
-      const bool leaves = this->Options.leavesSaddles && (critical || slow) &&
-        this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent);
-      if (critical && !leaves)
+      if (result.iterations >= this->Options.maximumIterations)
       {
-        break; // a saddle
+        break;
       }
-      slow = false;
-      if (!leaves)
+      progress.Report(static_cast<double>(result.iterations) / this->Options.maximumIterations);
+      this->FactorConvexified(critical ? FirstShift : this->NextShift);
+      const bool caught = critical || (this->Slow && this->Shift > 0.0);
+      // Off a critical point it has to pay more than the steps that it takes the place of.
+      if (caught && this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent))
       {
-        moved = this->Step();
-        slow = this->Shift > 0.0 &&
-          before - this->Here.Merit(this->Weight) < SlowDescent * std::abs(before);
+        ++result.saddlesLeft;
+      }
+      else if (!critical && this->Step())
+      {
+        result.convexifiedSteps += this->Shift > 0.0 ? 1 : 0;
+      }
+      else
+      {
+        break; // a saddle that is not left, or no step helps
       }
       ++result.iterations;
-    }
-    if (!result.converged && this->Residual <= this->Options.tolerance)
-    {
-      this->FactorConvexified(true);
-      result.converged = this->Shift == 0.0;
+      result.values.push_back(this->Here.value);
     }
     result.x = this->Here.x;
     result.multipliers = this->Multipliers;
@@ -162,8 +172,8 @@ private:
     return std::max(residual, scale > 0.0 ? gradient.norm() / scale : 0.0);
   }
 
-  /// Factors with the smallest shift that works; Σ λ_i A_i is bounded, so there is one.
-  void FactorConvexified(bool fromZero)
+  /// Factors with this shift; false where it is too small.
+  bool TryFactor(double shift)
   {
     ConstrainedFunctional::Additions additions;
     for (std::size_t i = 0; i < this->Constraints.size(); ++i)
@@ -176,15 +186,26 @@ private:
     }
     additions.normals = this->Here.normals;
     additions.weight = NormalWeight * this->Functional.Stiffness();
-    const Shifts& shifts = this->Options.leavesSaddles ? SparseShifts : DenseShifts;
-    const bool remember = this->Options.leavesSaddles && !fromZero;
-    additions.shift = remember && this->NextShift >= shifts.first ? this->NextShift : 0.0;
-    while (!this->Functional.Factor(this->Here.x, additions))
-    {
-      additions.shift = additions.shift == 0.0 ? shifts.first : shifts.growth * additions.shift;
-    }
+    additions.shift = shift;
     this->Shift = additions.shift;
     this->Scale = additions.weight;
+    return this->Functional.Factor(this->Here.x, additions);
+  }
+
+  /// Factors with the smallest shift, of those from this one on, that works.
+  void FactorConvexified(double shift)
+  {
+    shift = shift < FirstShift ? 0.0 : shift;
+    while (!this->TryFactor(shift))
+    {
+      if (shift >= LastShift)
+      {
+        throw Error(
+          "The second derivatives cannot be factored; the mesh may be in several parts or "
+          "have degenerate triangles, remesh the domain.");
+      }
+      shift = std::max(FirstShift, ShiftGrowth * shift);
+    }
   }
 
   /// One step of the convexified quadratic problem; false when no length of it helps.
@@ -207,17 +228,24 @@ private:
     {
       const double wanted = merit + 1e-4 * length * slope;
       LocalPoint trial = this->At(length * direction);
-      if (trial.Merit(this->Weight) > wanted)
+      if (!this->Constraints.empty() && trial.Merit(this->Weight) > wanted)
       {
         // The constraints curve away from their tangents: one step back to them.
         trial = LocalPoint(this->Functional, this->Constraints, trial.x + trial.Restoration());
       }
+      const double trialMerit = trial.Merit(this->Weight);
       const Eigen::VectorXd moved = this->Multipliers + length * (target - this->Multipliers);
       const double residual = this->ResidualAt(trial, moved);
-      // Near the solution the merit no longer resolves the progress that the residual shows.
-      if (trial.Merit(this->Weight) <= wanted || residual <= 0.5 * this->Residual)
+      // Near the solution rounding hides the progress in the merit that the residual shows. Where it
+      // does not, a smaller residual is no excuse: it leads to saddles and maxima as well.
+      const bool falls = trialMerit <= wanted && trialMerit < merit;
+      const bool settles =
+        trialMerit <= merit + here.MeritRounding() && residual <= 0.5 * this->Residual;
+      if (falls || settles)
       {
-        this->NextShift = length == 1.0 ? 0.25 * this->Shift : this->Shift;
+        // A full step says that the quadratic model holds: ask for less help next time.
+        this->NextShift = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
+        this->Slow = this->Shift > 0.0 && merit - trialMerit < SlowDescent * std::abs(merit);
         this->Here = std::move(trial);
         this->Multipliers = moved;
         this->Residual = residual;
@@ -227,18 +255,27 @@ private:
     return false;
   }
 
-  /// A step along the direction of least curvature, which inverse iteration with the factor at hand
-  /// finds; false when the merit does not fall along it by a given part of itself.
+  /// A step along the direction of least curvature relative to M; false when the merit does not fall
+  /// along it by a given part of itself.
+  ///
+  /// Inverse iteration finds it, with the factor at hand, which is free; and as its shift is hardly more
+  /// than makes up for the least curvature, the others fade faster than with a larger one. The
+  /// curvature is that relative to M, or a small triangle would count as much as a large one.
   bool LeaveSaddle(double wantedDescent)
   {
-    Eigen::VectorXd direction(2 * this->Here.x.size());
+    this->Slow = false;
+    if (this->Metric.size() == 0)
+    {
+      return false;
+    }
+    Eigen::VectorXd direction(this->Metric.size());
     for (Eigen::Index i = 0; i < direction.size(); ++i)
     {
       direction[i] = std::sin(12.9898 * static_cast<double>(i + 1)); // no symmetry of any mesh
     }
     for (int round = 0; round < 30; ++round)
     {
-      direction = this->Functional.Solve(direction);
+      direction = this->Functional.Solve(this->Metric.cwiseProduct(direction).eval());
       direction /= direction.lpNorm<Eigen::Infinity>();
     }
     if (direction.dot(this->Here.gradient) > 0.0)
@@ -269,13 +306,15 @@ private:
   ConstrainedFunctional& Functional;
   const std::vector<QuadraticConstraint>& Constraints;
   MinimiserOptions Options;
+  Eigen::VectorXd Metric;
   LocalPoint Here;
   Eigen::VectorXd Multipliers;
   double Residual;
   double Weight = 1.0;    ///< Of the violations in the merit.
   double Scale = 0.0;     ///< Weight of the normals in the last factorisation,
   double Shift = 0.0;     ///< and its shift.
-  double NextShift = 0.0; ///< To begin with in the next step.
+  double NextShift = 0.0; ///< To begin with in the next step; below FirstShift: none.
+  bool Slow = false;      ///< The last step was convexified and lowered the merit by little.
 };
 }
 

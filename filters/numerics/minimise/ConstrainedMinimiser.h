@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// A function of complex unknowns x to be minimised under quadratic constraints, and the linear
+/// A function of complex unknowns x to be minimised under quadratic constraints or none, and the linear
 /// solver for its Newton steps. Real vectors have the parts of x_i in entries 2i and 2i + 1.
 class ConstrainedFunctional
 {
@@ -16,6 +16,10 @@ public:
   virtual Eigen::VectorXd Gradient(const ComplexVector& x) const = 0;
   /// Sum of the norms of the terms that cancel in the gradient, to measure residuals by.
   virtual double GradientScale(const ComplexVector& x) const = 0;
+  /// The diagonal of M (see Additions) of a functional that is not convex by itself: saddles are left by
+  /// the curvature that is least relative to it. Empty: only the constraints can make a saddle, and it
+  /// says that the start was a bad one, so the iteration ends there.
+  virtual Eigen::VectorXd Metric() const { return {}; }
   /// Mean of the diagonal of the quadratic part, the size of a second derivative.
   virtual double Stiffness() const = 0;
 
@@ -36,10 +40,15 @@ public:
 /// A local minimiser near a start.
 ///
 /// Sequential quadratic programming with a line search on the merit f(x) + ν Σ |c_i(x)|, c_i the
-/// violations. Where the Lagrangian's Hessian is not positive definite on the constraints' tangent
-/// space it is convexified by a multiple of M. The solution is converged only if no such help is
-/// needed there, that is, if the optimality system has as many negative eigenvalues as
-/// constraints; otherwise it is a saddle.
+/// violations; without constraints, Newton's method with a line search on f, which never rises by more
+/// than rounding. Where the Lagrangian's Hessian is not positive definite on the constraints' tangent
+/// space it is convexified by the smallest of the multiples 1/64, 1/16, 1/4, 1, ... of M that makes it
+/// so. The solution is converged only if no such help is needed there, that is, if the optimality
+/// system has as many negative eigenvalues as constraints; otherwise it is a saddle. Where one can be
+/// left (Metric), that is done there, and where convexified steps lower the merit by less than 1e-4 of
+/// itself.
+///
+/// Throws Error when no multiple of M helps, as on a mesh in several parts.
 MinimiserResult MinimiseConstrained(ConstrainedFunctional& functional,
   const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});

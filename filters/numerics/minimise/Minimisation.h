@@ -11,10 +11,6 @@ struct MinimiserOptions
   /// Converged when the residual of the optimality conditions, relative to the size of their
   /// terms, is below this. Rounding allows about 1e-14; 1e-10 leaves room for large meshes.
   double tolerance = 1e-10;
-  /// ConstrainedMinimiser.h, for functionals that are not convex by themselves and costly to factor:
-  /// each step begins with the shift that the last one needed, and saddles are left by their negative
-  /// curvature.
-  bool leavesSaddles = false;
 };
 
 /// What all of them return.
@@ -25,5 +21,9 @@ struct MinimiserResult
   int iterations = 0;
   double residual = 0.0;
   bool converged = false;
+  // Of ConstrainedMinimiser.h alone:
+  std::vector<double> values; ///< Of the functional, at the start and after every iteration.
+  int convexifiedSteps = 0;   ///< Iterations whose second derivatives were not positive definite.
+  int saddlesLeft = 0;        ///< Iterations that left a saddle by its negative curvature.
 };
 }

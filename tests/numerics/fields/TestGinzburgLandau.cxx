@@ -207,6 +207,22 @@ TEST(GinzburgLandau, ConstantCrossOfASquareIsAlreadyTheMinimum)
   EXPECT_EQ(field.unwantedSingularities, 0);
 }
 
+TEST(GinzburgLandau, OneTriangleLeavesNothingToChoose)
+{
+  TriangleMesh mesh;
+  mesh.points = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.3, 0.8 } };
+  mesh.triangles = { { 0, 1, 2 } };
+  for (const int from : { 0, 1, 2 })
+  {
+    mesh.boundary.push_back({ { from, (from + 1) % 3 }, BoundaryKind::Outer });
+  }
+  const GinzburgLandauField field = Solve(mesh, 0.1);
+  EXPECT_TRUE(field.converged);
+  EXPECT_EQ(field.iterations, 0);
+  EXPECT_EQ(field.energies.size(), 1u);
+  EXPECT_GT(field.energy, 0.0);
+}
+
 TEST(GinzburgLandau, PinningHoldsSingularitiesWhereItIsSmall)
 {
   // Four disks in which the penalty asks for a small norm, or the gradient weighs little, at 0.5,

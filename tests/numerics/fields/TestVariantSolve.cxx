@@ -3,7 +3,7 @@
 #include "DualSolve.h"
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 #include "PerforatedSolve.h"
 #include "PotentialReduction.h"
 #include "Support.h"
@@ -278,7 +278,7 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
 
 TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
 {
-  // Both minimise the same functional from the harmonic field, by engines of their own.
+  // Both minimise the same functional from the harmonic field.
   const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.1), {}, 0.1);
   const SolvedField field = SolvePerforated(ShareTopology(mesh), Penalty(0.1));
   GinzburgLandauOptions options;

@@ -1,4 +1,4 @@
-#include "PenalisedField.h"
+#include "PenaltySolve.h"
 
 #include "SparseCholesky.h"
 
@@ -9,10 +9,10 @@ namespace crossfield
 {
 namespace
 {
-class PenalisedFunctional : public ConstrainedFunctional
+class PenaltyFunctional : public ConstrainedFunctional
 {
 public:
-  PenalisedFunctional(const GinzburgLandauEnergy& energy,
+  PenaltyFunctional(const GinzburgLandauEnergy& energy,
     const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start)
     : Energy(energy)
     , Field(start)
@@ -59,10 +59,28 @@ public:
   }
   double Stiffness() const override { return this->MeanDiagonal; }
 
+  Eigen::VectorXd Metric() const override
+  {
+    Eigen::VectorXd metric = this->Energy.Metric();
+    for (const int edge : this->Constrained)
+    {
+      metric.segment<2>(2 * edge).array() += this->MeanDiagonal;
+    }
+    return metric;
+  }
+
   bool Factor(const ComplexVector& x, const Additions& additions) override
   {
-    const Eigen::SparseMatrix<double> hessian =
-      this->Energy.Hessian(this->OnAllEdges(x), additions.shift) + this->OnConstrained(additions);
+    if (x.size() == 0)
+    {
+      return true; // the boundary prescribes everything, and CHOLMOD takes no empty matrix
+    }
+    Eigen::SparseMatrix<double> hessian =
+      this->Energy.Hessian(this->OnAllEdges(x), additions.shift);
+    if (!this->Constrained.empty())
+    {
+      hessian += this->OnConstrained(additions);
+    }
     try
     {
       this->LastFactor = std::make_unique<SparseCholesky>(hessian, this->Order);
@@ -134,13 +152,13 @@ private:
 };
 }
 
-MinimiserResult SolvePenalised(const GinzburgLandauEnergy& energy,
+MinimiserResult SolveWithPenalty(const GinzburgLandauEnergy& energy,
   const std::vector<QuadraticConstraint>& constraints, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
   ComplexVector aligned = start;
   energy.Align(aligned);
-  PenalisedFunctional functional(energy, constraints, aligned);
+  PenaltyFunctional functional(energy, constraints, aligned);
   ComplexVector x(static_cast<Eigen::Index>(energy.FreeEdges().size()));
   for (std::size_t i = 0; i < energy.FreeEdges().size(); ++i)
   {
