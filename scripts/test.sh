@@ -25,6 +25,7 @@ else
 fi
 
 scripts/build.sh "${presets[@]}"
+echo "Installed and built in $((SECONDS / 60)) minutes: ${presets[*]}"
 
 # clang's OpenMP (build checked) leaves an empty file when a process is stopped as it begins, and the next
 # process of the same number dies of it.
