@@ -7,9 +7,9 @@
  *   4 (V + (1/2π) ∫_{∂G minus corners} dφ) = 4χ − Σ k_i,   χ = 1 − number of inner loops,
  * where V = (1/2π) Σ of the smallest rotations of the cross, in (−π/4, π/4], that keep it aligned
  * at the corners; k_i is the quarter index that this leaves at corner i, or the one chosen on port
- * 2. With inner loops, a consistent configuration is also drilled and the unit-norm field solved
- * for the phase that a single-valued potential carries to each of them: where it does not fit the
- * alignment there is a holonomy defect, and no aligned field with single-valued H.
+ * 2. With inner loops, the potential of a consistent configuration of points is solved for as well, and
+ * the phase that a single-valued one carries to each of them: where it does not fit the alignment there
+ * is a holonomy defect, and no aligned field with single-valued H.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles. Or a solved field,
  * a drilled mesh with the cell array `CrossFieldCR` (6 components): then the field itself is
@@ -46,8 +46,7 @@
  *
  * An inconsistent configuration is not a failure. An empty domain gives empty outputs. Failure,
  * with empty outputs: a domain that vtkDrillHoles refuses; a singularity outside of it; arrays that
- * are missing or not integer; a corner that is no vertex of the boundary; with inner loops, holes
- * that cannot be drilled.
+ * are missing or not integer; a corner that is no vertex of the boundary.
  *
  * Paper: "Generalized Poincaré-Hopf theorem". Difference from it: the holonomy condition, which a
  * count of indices cannot see.

@@ -64,7 +64,7 @@ public:
     Eigen::VectorXd metric = this->Energy.Metric();
     for (const int edge : this->Constrained)
     {
-      metric.segment<2>(2 * edge).array() += this->MeanDiagonal;
+      metric.segment<2>(2 * static_cast<Eigen::Index>(edge)).array() += this->MeanDiagonal;
     }
     return metric;
   }
