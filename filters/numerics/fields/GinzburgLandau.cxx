@@ -97,7 +97,7 @@ GinzburgLandauField SolveGinzburgLandau(
   field.gradientEnergy = energy.GradientPart(field.u);
   field.penaltyEnergy = energy.PenaltyPart(field.u);
   field.energy = field.gradientEnergy + field.penaltyEnergy;
-  field.Read();
+  static_cast<FieldReading&>(field) = ReadField(field, { field.count, {}, false, true });
   field.count.givenInteriorQuarters = 0;
   for (const FieldSingularity& singularity : FindFieldSingularities(field))
   {

@@ -61,7 +61,8 @@ FieldReading ReadField(const CrossField& field, const FieldQuestion& question)
       wanted.chosenVertices.push_back(topology.VertexOf(corner));
     }
   }
-  if (reading.holes.empty() && wanted.points.empty())
+  wanted.inCircles = !question.byItself;
+  if (question.byItself || (reading.holes.empty() && wanted.points.empty()))
   {
     wanted.anywhere = question.count.requiredInteriorQuarters;
   }

@@ -24,6 +24,8 @@ struct FieldQuestion
   PoincareHopfCount count; ///< With the chosen corners.
   Configuration points;    ///< Singularities that are points.
   bool onlyTheSum = false; ///< Only the sum of the degrees of all holes was prescribed.
+  /// The field chose its singularities by itself: imprinted circles ask for nothing.
+  bool byItself = false;
 };
 
 /// Where neither holes, circles nor points say where singularities are wanted, as many quarters as the

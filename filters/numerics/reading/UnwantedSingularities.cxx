@@ -35,7 +35,8 @@ int CountUnwanted(
   const MeshTopology& topology = *field.topology;
   std::vector<Point> centres;
   std::vector<double> reaches;
-  for (const BoundaryLoop& circle : topology.imprinted)
+  for (const BoundaryLoop& circle :
+    wanted.inCircles ? topology.imprinted : std::vector<BoundaryLoop>())
   {
     centres.push_back(CentreOf(circle, topology.mesh));
     reaches.push_back(ReachOf(circle, centres.back(), topology));

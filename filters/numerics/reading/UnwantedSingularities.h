@@ -11,6 +11,8 @@ struct WantedSingularities
   /// Vertices of aligned loops whose quarter index was chosen; what the field does next to them is
   /// theirs.
   std::vector<int> chosenVertices;
+  /// What imprinted circles ask for is wanted.
+  bool inCircles = true;
   /// So many quarters of whatever sign are wanted, no matter where.
   int anywhere = 0;
 };
