@@ -15,7 +15,7 @@ class SparseCholesky;
 ///
 /// It holds for edges anywhere in the mesh, where that of PotentialReduction.h needs holes: an
 /// imprinted circle carries forces inside the domain, and the conjugate potential would jump there.
-class DirectReduction : public ConstraintReduction
+class DirectReduction final : public ConstraintReduction
 {
 public:
   /// `loops`: holes and imprinted circles, one degree constraint each. Throws Error when one has too

@@ -17,7 +17,7 @@ namespace crossfield
 ///
 /// If the potential has periods around holes, the constants count: hole period k has the source
 /// u(first edge of its strip) − x_last and acts on the last edge, so ∇ᵀ gets a row −x_last for it.
-class PotentialReduction : public ConstraintReduction
+class PotentialReduction final : public ConstraintReduction
 {
 public:
   /// Refers to the problem. Throws Error when a hole has too few edges for its degree.
