@@ -59,15 +59,9 @@ public:
   }
   double Stiffness() const override { return this->MeanDiagonal; }
 
-  Eigen::VectorXd Metric() const override
-  {
-    Eigen::VectorXd metric = this->Energy.Metric();
-    for (const int edge : this->Constrained)
-    {
-      metric.segment<2>(2 * static_cast<Eigen::Index>(edge)).array() += this->MeanDiagonal;
-    }
-    return metric;
-  }
+  // Without what M has on the constrained edges besides: it is by far larger, and the curvature would
+  // be least where the saddle is not.
+  Eigen::VectorXd Metric() const override { return this->Energy.Metric(); }
 
   bool Factor(const ComplexVector& x, const Additions& additions) override
   {

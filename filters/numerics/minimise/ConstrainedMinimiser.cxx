@@ -13,8 +13,7 @@ namespace crossfield
 namespace
 {
 /// The shifts, relative to M, that are tried in turn. Each costs a factorisation; but a step that is
-/// damped more than necessary costs more of them, so the first one is small. Each step begins with
-/// the shift that the last one needed, which it mostly needs as well.
+/// damped more than necessary costs more of them, so the first one is small.
 constexpr double FirstShift = 1.0 / 64.0;
 constexpr double ShiftGrowth = 4.0;
 /// Far more than any Σ λ_i A_i asks for; without constraints 1 is enough (docs/method.md §4.2).
@@ -243,8 +242,10 @@ private:
         trialMerit <= merit + here.MeritRounding() && residual <= 0.5 * this->Residual;
       if (falls || settles)
       {
-        // A full step says that the quadratic model holds: ask for less help next time.
-        this->NextShift = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
+        // A full step says that the quadratic model holds: ask for less help next time. Where the
+        // constraints alone need it, that is while the multipliers are far off; then for none.
+        const double less = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
+        this->NextShift = this->Metric.size() > 0 ? less : 0.0;
         this->Slow = this->Shift > 0.0 && merit - trialMerit < SlowDescent * std::abs(merit);
         this->Here = std::move(trial);
         this->Multipliers = moved;
@@ -255,12 +256,12 @@ private:
     return false;
   }
 
-  /// A step along the direction of least curvature relative to M; false when the merit does not fall
-  /// along it by a given part of itself.
+  /// A step along the direction of least curvature; false when the merit does not fall along it by a
+  /// given part of itself.
   ///
-  /// Inverse iteration finds it, with the factor at hand, which is free; and as its shift is hardly more
-  /// than makes up for the least curvature, the others fade faster than with a larger one. The
-  /// curvature is that relative to M, or a small triangle would count as much as a large one.
+  /// Inverse iteration finds it, with the factor at hand, which costs nothing; and as its shift is hardly
+  /// more than makes up for that curvature, others fade faster than with a larger one. Relative to the
+  /// metric, or a small triangle would count as much as a large one.
   bool LeaveSaddle(double wantedDescent)
   {
     this->Slow = false;

@@ -16,9 +16,10 @@ public:
   virtual Eigen::VectorXd Gradient(const ComplexVector& x) const = 0;
   /// Sum of the norms of the terms that cancel in the gradient, to measure residuals by.
   virtual double GradientScale(const ComplexVector& x) const = 0;
-  /// The diagonal of M (see Additions) of a functional that is not convex by itself: saddles are left by
-  /// the curvature that is least relative to it. Empty: only the constraints can make a saddle, and it
-  /// says that the start was a bad one, so the iteration ends there.
+  /// For a functional that is not convex by itself, the diagonal matrix that its negative curvature is
+  /// measured by: saddles are left in the direction in which it is least, and each step begins with the
+  /// shift that the last one needed. Empty: only the constraints can make a saddle, and it says that
+  /// the start was a bad one, so the iteration ends there.
   virtual Eigen::VectorXd Metric() const { return {}; }
   /// Mean of the diagonal of the quadratic part, the size of a second derivative.
   virtual double Stiffness() const = 0;
