@@ -202,6 +202,41 @@ double TriangleArea(const TriangleMesh& mesh, std::size_t triangle)
   return 0.5 * Cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
 }
 
+Singularity OnTheCircle(double angle, int quarterIndex)
+{
+  return { { std::cos(angle), std::sin(angle) }, quarterIndex, 0.0 };
+}
+
+OnPolygonOfDisk PutOnPolygon(
+  int count, double angle, const Configuration& configuration, Place place)
+{
+  const Similarity turn{ angle, 1.0, Point::Zero() };
+  OnPolygonOfDisk result{ { { turn(RegularPolygon(count)) } }, configuration, configuration };
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    Point& exact = result.exact[i].position;
+    if (exact.norm() < 0.999)
+    {
+      continue;
+    }
+    const double step = 2.0 * Pi / count;
+    const double found = (std::atan2(exact.y(), exact.x()) - angle) / step;
+    const double sides = place == Place::Vertex ? std::round(found)
+      : place == Place::Middle                  ? std::floor(found) + 0.5
+                                                : found;
+    const double middle = angle + step * (std::floor(sides) + 0.5);
+    exact = { std::cos(angle + step * sides), std::sin(angle + step * sides) };
+    result.given[i].position = exact;
+    if (place != Place::Vertex)
+    {
+      // The foot on the side of the point of the circle.
+      const Point normal(std::cos(middle), std::sin(middle));
+      result.given[i].position += (std::cos(0.5 * step) - exact.dot(normal)) * normal;
+    }
+  }
+  return result;
+}
+
 double MeshArea(const TriangleMesh& mesh)
 {
   double area = 0.0;

@@ -86,6 +86,30 @@ double DistanceToLoop(const Point& point, const Loop& loop);
 Configuration OnCircle(
   int count, double circleRadius, double firstAngle, int quarterIndex, double holeRadius);
 
+/// On the unit circle.
+Singularity OnTheCircle(double angle, int quarterIndex);
+
+/// Where on the polygon of a curve a singularity of the curve lies.
+enum class Place
+{
+  Vertex,
+  Middle, ///< Of a side.
+  Anywhere
+};
+
+/// A regular polygon of the unit disk, and singularities of which those outside of the radius 0.999 lie
+/// on the circle, and where a user of the polygon puts them.
+struct OnPolygonOfDisk
+{
+  PlanarDomain domain;
+  Configuration exact;
+  Configuration given;
+};
+
+/// The polygon has a vertex at `angle`. Those on the circle go to the nearest place of this kind.
+OnPolygonOfDisk PutOnPolygon(
+  int count, double angle, const Configuration& configuration, Place place);
+
 double MeshArea(const TriangleMesh& mesh);
 double TriangleArea(const TriangleMesh& mesh, std::size_t triangle);
 /// Smallest angle of one triangle, in degrees.

@@ -68,7 +68,8 @@ def _check_conjugate(data, mesh, off, tolerance, report):
 
 
 class Fit:
-    """Regular parts for given positions of singularities; strengths of corners are found on the way."""
+    """Regular parts for given positions of singularities; strengths of corners are found on the way, and
+    where on a curve the logarithms of its vertices are."""
 
     def __init__(self, data, mesh, field, boundary, singularities, extra):
         self.mesh, self.field = mesh, field
@@ -77,6 +78,7 @@ class Fit:
         self.places = np.array([s.position for s in singularities]).reshape(-1, 2)
         self.corners = boundary.vertex[boundary.corner | extra]
         self.strengths = np.zeros(len(self.corners))
+        self.origins = mesh.points[self.corners].copy()
         self.middle = mesh.midpoint[mesh.edge]
         on_corner = np.zeros(len(mesh.points), bool)
         on_corner[self.corners] = True
@@ -88,6 +90,8 @@ class Fit:
             if np.isin(boundary.vertex[turning], vertices).any():
                 curved[vertices] = True
         self.curved = curved
+        bends = (boundary.corner | extra).nonzero()[0]
+        self.on_curve = ~boundary.corner[bends] & curved[self.corners]
         aligned = np.zeros(len(mesh.ends), bool)
         aligned[mesh.edge_of_line[mesh.aligned_lines]] = True
         at_curve = aligned & curved[mesh.ends].all(axis=1)
@@ -99,10 +103,11 @@ class Fit:
         with np.errstate(divide="ignore", invalid="ignore"):
             for k, b in zip(self.quarters, self.places):
                 r -= k * np.log(np.linalg.norm(self.mesh.points - b, axis=1))
-            for s, v in zip(self.strengths, self.corners):
+            for s, origin in zip(self.strengths, self.origins):
                 if s != 0.0:
-                    r -= s * np.log(np.linalg.norm(self.mesh.points - self.mesh.points[v], axis=1))
+                    r -= s * np.log(np.linalg.norm(self.mesh.points - origin, axis=1))
         r[~np.isfinite(r)] = np.nan
+        r[self.corners[self.strengths != 0.0]] = np.nan
         return r
 
     def _turn(self, place):
@@ -116,8 +121,8 @@ class Fit:
         step = self.field.step.copy()
         for k, b in zip(self.quarters, self.places):
             step -= k * self._turn(b)
-        for s, v in zip(self.strengths, self.corners):
-            step -= s * self._turn(self.mesh.points[v])
+        for s, origin in zip(self.strengths, self.origins):
+            step -= s * self._turn(origin)
         step -= 2.0 * np.pi * np.rint(step / (2.0 * np.pi))
         phases = np.stack([np.zeros(len(step)), step[:, 0], -step[:, 2]], axis=1)
         corner = self.regular()[self.mesh.triangles]
@@ -137,13 +142,14 @@ class Fit:
                     np.einsum("tic,tc->ti", side, vector)).ravel()
 
         columns = []
-        for k, b in zip(self.quarters, self.places):
+        moving = list(zip(self.quarters, self.places))
+        moving += zip(self.strengths[self.on_curve], self.origins[self.on_curve])
+        for k, b in moving:
             y, z = points - b, middle - b
             y, z = (mesh.frame.size * v / (v ** 2).sum(axis=2, keepdims=True) for v in (y, z))
             columns.append(of(k * y[..., 0], -k * z[..., 1]))
             columns.append(of(k * y[..., 1], k * z[..., 0]))
-        for v in self.corners:
-            place = mesh.points[v]
+        for place in self.origins:
             turn = self._turn(place)[rows]
             angles = np.stack([np.zeros(len(turn)), turn[:, 0], -turn[:, 2]], axis=1)
             columns.append(of(-np.log(np.linalg.norm(points - place, axis=2)), -angles))
@@ -162,9 +168,11 @@ class Fit:
             if columns.size == 0:
                 return
             step = np.linalg.lstsq(columns, -residual[rows].ravel(), rcond=None)[0]
-            moved = step[:2 * len(self.places)].reshape(-1, 2)
-            self.places += self.mesh.frame.size * moved
-            self.strengths += step[2 * len(self.places):]
+            inside, count = len(self.places), len(self.corners)
+            moved = self.mesh.frame.size * step[:len(step) - count].reshape(-1, 2)
+            self.places += moved[:inside]
+            self.origins[self.on_curve] += moved[inside:]
+            self.strengths += step[len(step) - count:]
             if np.abs(step).max(initial=0.0) < 1e-15:
                 return
 

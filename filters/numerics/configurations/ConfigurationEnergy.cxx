@@ -13,6 +13,40 @@
 
 namespace crossfield
 {
+namespace
+{
+/// Coefficients are sums of π k², 2π k² and 16 e(α, k). The former are exact, and differ by π at least.
+/// Angles come from coordinates, which may have gone through single precision: by as much as that may
+/// change them, equal corners at other places have other coefficients, which must not decide.
+constexpr double CoefficientRounding = 1e-5;
+
+/// In the order of E_ρ for small ρ: by W where the coefficients of the logarithm are equal.
+void SortByEnergy(std::vector<ConfigurationEnergy>& energies)
+{
+  const auto coefficient = [](const ConfigurationEnergy& energy)
+  { return energy.renormalized.logarithmCoefficient; };
+  std::stable_sort(energies.begin(), energies.end(),
+    [&](const auto& a, const auto& b)
+    {
+      return std::make_tuple(!a.consistent, coefficient(a)) <
+        std::make_tuple(!b.consistent, coefficient(b));
+    });
+  // Runs of equal ones: "nearer than" by itself is no order.
+  for (auto first = energies.begin(); first != energies.end() && first->consistent;)
+  {
+    auto last = first + 1;
+    while (last != energies.end() && last->consistent &&
+      coefficient(*last) - coefficient(*(last - 1)) <= CoefficientRounding * coefficient(*last))
+    {
+      ++last;
+    }
+    std::stable_sort(first, last,
+      [](const auto& a, const auto& b) { return a.renormalized.energy < b.renormalized.energy; });
+    first = last;
+  }
+}
+}
+
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options,
   const Progress& progress)
@@ -65,14 +99,7 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
     energies.push_back(std::move(energy));
     progress.Report(step(1.0));
   }
-  // Equal but for rounding must not be decided by it.
-  const auto rank = [](const ConfigurationEnergy& energy)
-  {
-    const double coefficient = 1e-9 * std::round(1e9 * energy.renormalized.logarithmCoefficient);
-    return std::make_tuple(!energy.consistent, coefficient, energy.renormalized.energy);
-  };
-  std::stable_sort(energies.begin(), energies.end(),
-    [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  SortByEnergy(energies);
   return energies;
 }
 }

@@ -30,10 +30,10 @@ struct ConfigurationEnergyOptions
   std::vector<CornerChoice> corners;
 };
 
-/// Energies of configurations on a domain, the best first: the least coefficient of the logarithm,
-/// then the least W, which is the order of E_ρ for small ρ; inconsistent ones come last. Singularities
-/// may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every configuration; W takes one without
-/// holes for all of them, factored once.
+/// Energies of configurations on a domain, the best first: the least coefficient of the logarithm, equal
+/// within 1e-5 of it, then the least W, which is the order of E_ρ for small ρ; inconsistent ones come
+/// last. Singularities may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every
+/// configuration; W takes one without holes for all of them, factored once.
 ///
 /// Throws Error when a singularity lies outside, or its hole cuts the boundary or another hole.
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,

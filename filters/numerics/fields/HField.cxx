@@ -31,33 +31,37 @@ std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd&
   return result;
 }
 
-/// The values at vertices that are the position of a log: there the mean over a disk of radius a, half
-/// of the shortest edge, where that of log r is log a − ½.
-void SetCores(const TriangleMesh& mesh, const EdgeNumbering& edges,
-  const PointPotential::Solution& solution, Eigen::VectorXd& values)
+/// The values at vertices of a log: there the mean over a disk of radius a, half of the shortest edge,
+/// where that of log r is log a − ½.
+void SetCores(const PointPotential& potential, const PointPotential::Solution& solution,
+  Eigen::VectorXd& values)
 {
-  for (Eigen::Index v = 0; v < values.size(); ++v)
+  const MeshTopology& topology = potential.GetProblem().Topology();
+  const std::vector<int>& atBoundary = potential.GetBoundaryLogVertices();
+  const std::size_t inside = solution.logs.size() - atBoundary.size();
+  for (int v = 0; v < static_cast<int>(values.size()); ++v)
   {
-    if (std::isfinite(values[v]))
+    const auto found = std::find(atBoundary.begin(), atBoundary.end(), v);
+    if (std::isfinite(values[v]) && found == atBoundary.end())
     {
       continue;
     }
     double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b] : edges.vertices)
+    for (const auto& [a, b] : topology.edges.vertices)
     {
       if (a == v || b == v)
       {
-        shortest = std::min(shortest,
-          (mesh.points[static_cast<std::size_t>(a)] - mesh.points[static_cast<std::size_t>(b)])
-            .norm());
+        shortest = std::min(shortest, (topology.PointAt(a) - topology.PointAt(b)).norm());
       }
     }
     values[v] = solution.aligned[v];
-    for (const LogSource& log : solution.logs)
+    const std::size_t own = inside + static_cast<std::size_t>(found - atBoundary.begin());
+    for (std::size_t m = 0; m < solution.logs.size(); ++m)
     {
-      const Point& point = mesh.points[static_cast<std::size_t>(v)];
-      values[v] +=
-        point == log.position ? log.strength * (std::log(0.5 * shortest) - 0.5) : log.Value(point);
+      const LogSource& log = solution.logs[m];
+      values[v] += m == own || topology.PointAt(v) == log.position
+        ? log.strength * (std::log(0.5 * shortest) - 0.5)
+        : log.Value(topology.PointAt(v));
     }
   }
 }
@@ -84,12 +88,13 @@ Eigen::VectorXd AssembleValues(
   {
     values[v] += SumOfLogs(solution.logs, mesh.points[static_cast<std::size_t>(v)]);
   }
-  SetCores(mesh, potential.GetProblem().Topology().edges, solution, values);
+  SetCores(potential, solution, values);
   return values.array() - integral / area;
 }
 
 /// u from the conjugate of R, the turns of the corners' logarithms along the way, and the arguments
-/// of the singularities as powers of unit complex numbers, which needs no branches.
+/// of the singularities as powers of unit complex numbers, which needs no branches. Those of curves see
+/// the boundary's edges on the curve.
 ComplexVector AssembleField(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
@@ -97,15 +102,28 @@ ComplexVector AssembleField(
   const MeshTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
   const int firstEdge = topology.EdgeOfBoundary(first);
-  const Eigen::RowVectorXd phase =
-    IntegrateConjugate(topology.mesh, topology.edges, problem.potential->Gradient(solution.aligned),
-      firstEdge, Eigen::VectorXd::Zero(1), potential.GetCorners());
-  const std::size_t singularities = solution.logs.size() - potential.GetCorners().size();
+  const std::vector<LogSource>& ofBoundary = potential.GetBoundaryLogs();
+  const std::size_t onCurves = potential.CurveLogCount();
+  const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,
+    problem.potential->Gradient(solution.aligned), firstEdge, Eigen::VectorXd::Zero(1),
+    { ofBoundary.begin() + static_cast<std::ptrdiff_t>(onCurves), ofBoundary.end() });
+  std::vector<Point> seenFromCurves;
+  for (int e = 0; e < topology.edges.Count(); ++e)
+  {
+    seenFromCurves.push_back(topology.Midpoint(e));
+  }
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
+  {
+    seenFromCurves[static_cast<std::size_t>(topology.edges.ofBoundary[i])] =
+      potential.GetCurveMiddles()[i];
+  }
+  const std::size_t singularities = solution.logs.size() - ofBoundary.size();
   ComplexVector u(phase.size());
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
-    u[e] =
-      std::polar(1.0, phase[e]) * UnitOfTurns(solution.logs, singularities, topology.Midpoint(e));
+    u[e] = std::polar(1.0, phase[e]) *
+      UnitOfTurns(solution.logs, singularities, topology.Midpoint(e)) *
+      UnitOfTurns(ofBoundary, onCurves, seenFromCurves[static_cast<std::size_t>(e)]);
   }
   u *= problem.alignment.crosses[first] * std::polar(1.0, potential.GetMidpointShift()[first]) /
     u[firstEdge];

@@ -50,6 +50,9 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x);
 std::complex<double> UnitOfTurns(
   const std::vector<LogSource>& logs, std::size_t count, const Point& x);
 
+/// ∫ log|x − centre| along the straight way from one point to another, exactly.
+double LogIntegral(const Point& from, const Point& to, const Point& centre);
+
 /// ∫ log|x − centre| over the triangulated polygon with this boundary, exactly:
 /// log r = div(½ (x − centre) (log r − ½)), which leaves integrals of log r along straight edges.
 double LogIntegral(const std::vector<std::array<Point, 2>>& boundary, const Point& centre);

@@ -40,6 +40,131 @@ struct PhasePoint
   }
 };
 
+/// Where Newton's method ended.
+struct Descent
+{
+  PhasePoint point;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Newton's method with a line search.
+Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOptions& options,
+  const Progress& progress)
+{
+  Descent descent{ std::move(start) };
+  bool stalled = false;
+  bool minimum = false;
+  while (!stalled && descent.iterations < options.maximumIterations)
+  {
+    progress.Report(static_cast<double>(descent.iterations) / options.maximumIterations);
+    // Re(conj(a_i) M_ik a_k)
+    const Eigen::MatrixXd elastic = (descent.point.factors.conjugate().asDiagonal() *
+      phases.matrix * descent.point.factors.asDiagonal())
+                                      .real();
+    Eigen::MatrixXd hessian = elastic;
+    hessian.diagonal() -= descent.point.radial;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
+    const Eigen::VectorXd& curvatures = spectrum.eigenvalues();
+    minimum = curvatures.size() == 0 || curvatures[0] > 0.0;
+    if (minimum && descent.point.residual <= options.tolerance)
+    {
+      break;
+    }
+    ++descent.iterations;
+    // Directions of negative curvature are followed downhill; flat ones not to infinity.
+    const double flat = 1e-8 * curvatures.lpNorm<Eigen::Infinity>();
+    const Eigen::VectorXd step =
+      -(spectrum.eigenvectors() * curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
+        spectrum.eigenvectors().transpose() * descent.point.tangential);
+    const double slope = descent.point.tangential.dot(step);
+    stalled = true;
+    for (double length = 1.0; stalled && length > 1e-10; length *= 0.5)
+    {
+      const ComplexVector turn =
+        step.unaryExpr([length](double angle) { return Complex(std::polar(1.0, length * angle)); });
+      PhasePoint trial(phases, descent.point.factors.cwiseProduct(turn));
+      // Near the minimum the objective no longer resolves the progress that the residual shows.
+      if (trial.objective <= descent.point.objective + 1e-4 * length * slope ||
+        trial.residual <= 0.5 * descent.point.residual)
+      {
+        descent.point = std::move(trial);
+        stalled = false;
+      }
+    }
+  }
+  descent.converged = minimum && descent.point.residual <= options.tolerance;
+  return descent;
+}
+
+/// Gives each factor in turn the value that is best for the others as they are, beginning after that of
+/// a hole; in the first sweep this one is kept, so that the others follow it.
+ComplexVector Relax(
+  const PhaseProblem& phases, ComplexVector factors, Eigen::Index hole, int sweeps)
+{
+  ComplexVector product = phases.matrix * factors;
+  for (Eigen::Index step = 1; step <= sweeps * factors.size(); ++step)
+  {
+    const Eigen::Index i = (hole + step) % factors.size();
+    const Complex pull = phases.load[i] - product[i] + phases.matrix(i, i) * factors[i];
+    if (step != factors.size() && std::abs(pull) > 0.0)
+    {
+      const Complex change = pull / std::abs(pull) - factors[i];
+      product += change * phases.matrix.col(i);
+      factors[i] += change;
+    }
+  }
+  return factors;
+}
+
+/// Whether another descent ended better, by more than the objective's rounding.
+bool IsBetter(const Descent& other, const Descent& best, double rounding)
+{
+  return other.converged != best.converged
+    ? other.converged
+    : other.point.objective < best.point.objective - rounding;
+}
+
+/// From the best so far, the phase of each hole in turn is turned by π, the others follow, and the descent
+/// begins anew, until no hole gives anything better. The objective is a single cosine of each phase, so the
+/// opposite is the worst one for the others as they are, and they have to turn as well.
+Descent DescendFromMany(const PhaseProblem& phases, const ComplexVector& start,
+  const MinimiserOptions& options, const Progress& progress)
+{
+  // Newton's method costs the cube of the number of holes; a sweep, its square.
+  constexpr Eigen::Index FewHoles = 16;
+  constexpr int Sweeps = 20;
+  const double rounding = 1e-13 * (phases.matrix.trace().real() + phases.load.lpNorm<1>());
+  Descent best = Descend(phases, PhasePoint(phases, start), options, progress.Part(0.0, 0.5));
+  if (!best.converged)
+  {
+    return best; // out of iterations: not to be hidden by sweeps, which do not count
+  }
+  const Eigen::Index count = start.size();
+  Eigen::Index tried = 0;
+  for (Eigen::Index sinceBetter = 0; sinceBetter < count; ++tried, ++sinceBetter)
+  {
+    const double done =
+      0.5 + 0.5 * std::min(1.0, 0.5 * static_cast<double>(tried) / static_cast<double>(count));
+    progress.Report(done);
+    const Eigen::Index hole = tried % count;
+    ComplexVector factors = best.point.factors;
+    factors[hole] = -factors[hole];
+    PhasePoint relaxed(phases, Relax(phases, std::move(factors), hole, Sweeps));
+    if (count > FewHoles && relaxed.objective >= best.point.objective)
+    {
+      continue;
+    }
+    Descent other = Descend(phases, std::move(relaxed), options, progress.Part(done, done));
+    if (IsBetter(other, best, rounding))
+    {
+      best = std::move(other);
+      sinceBetter = -1;
+    }
+  }
+  return best;
+}
+
 /// Column i holds the evenly turning unit values of hole i.
 Eigen::MatrixXcd EvenTurning(const ReducedProblem& problem)
 {
@@ -70,51 +195,13 @@ MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
   const PhaseProblem phases{ turning.adjoint() * problem.matrix.cast<Complex>() * turning,
     turning.adjoint() * problem.load };
   const ComplexVector nearest = turning.adjoint() * start;
-  PhasePoint point(
-    phases, nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }));
-
-  bool stalled = false;
-  bool minimum = false;
-  while (!stalled && solution.iterations < options.maximumIterations)
-  {
-    progress.Report(static_cast<double>(solution.iterations) / options.maximumIterations);
-    // Re(conj(a_i) M_ik a_k)
-    const Eigen::MatrixXd elastic =
-      (point.factors.conjugate().asDiagonal() * phases.matrix * point.factors.asDiagonal()).real();
-    Eigen::MatrixXd hessian = elastic;
-    hessian.diagonal() -= point.radial;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
-    const Eigen::VectorXd& curvatures = spectrum.eigenvalues();
-    minimum = curvatures.size() == 0 || curvatures[0] > 0.0;
-    if (minimum && point.residual <= options.tolerance)
-    {
-      break;
-    }
-    ++solution.iterations;
-    // Directions of negative curvature are followed downhill; flat ones not to infinity.
-    const double flat = 1e-8 * curvatures.lpNorm<Eigen::Infinity>();
-    const Eigen::VectorXd step =
-      -(spectrum.eigenvectors() * curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
-        spectrum.eigenvectors().transpose() * point.tangential);
-    const double slope = point.tangential.dot(step);
-    stalled = true;
-    for (double length = 1.0; stalled && length > 1e-10; length *= 0.5)
-    {
-      const ComplexVector turn =
-        step.unaryExpr([length](double angle) { return Complex(std::polar(1.0, length * angle)); });
-      PhasePoint trial(phases, point.factors.cwiseProduct(turn));
-      // Near the minimum the objective no longer resolves the progress that the residual shows.
-      if (trial.objective <= point.objective + 1e-4 * length * slope ||
-        trial.residual <= 0.5 * point.residual)
-      {
-        point = std::move(trial);
-        stalled = false;
-      }
-    }
-  }
-  solution.converged = minimum && point.residual <= options.tolerance;
-  solution.residual = point.residual;
-  solution.x = turning * point.factors;
+  const Descent best = DescendFromMany(phases,
+    nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }), options,
+    progress);
+  solution.iterations = best.iterations;
+  solution.converged = best.converged;
+  solution.residual = best.point.residual;
+  solution.x = turning * best.point.factors;
   solution.multipliers =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
   return solution;

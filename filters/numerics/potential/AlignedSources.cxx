@@ -50,17 +50,15 @@ constexpr double LargestRatio = 2.0;
 class SpreadLoop
 {
 public:
-  SpreadLoop(const PotentialProblem& problem, const Eigen::VectorXd& jump, std::vector<int> edges)
+  SpreadLoop(const PotentialProblem& problem, std::vector<int> edges)
     : Problem(problem)
-    , Jump(jump)
     , Edges(std::move(edges))
   {
     const auto count = this->Edges.size();
     for (std::size_t i = 0; i < count; ++i)
     {
-      const int vertex = this->Start(i);
-      const bool corner = this->IsFixed(i);
-      if (corner || std::abs(jump[vertex]) > 4.0 * SmallestTurn)
+      const bool corner = this->IsCorner(i);
+      if (corner || std::abs(this->Turning(i)) > SmallestTurn)
       {
         this->Turns.push_back({ i, corner });
       }
@@ -83,7 +81,7 @@ public:
       const double after = this->SideLength(t);
       const double back = 0.5 * std::min(before, LargestRatio * after);
       const double forth = 0.5 * std::min(after, LargestRatio * before);
-      const double density = this->Jump[this->Start(at)] / (back + forth);
+      const double density = 4.0 * this->Turning(at) / (back + forth);
       // The side of a curve that ends at a corner: the tangent is that of the side in its middle and
       // goes on turning up to the corner, whose jump is less by that.
       const double forthReach = this->Turns[next].corner && 2.0 * forth == after ? after : forth;
@@ -113,6 +111,37 @@ public:
     }
   }
 
+  /// Moves the points of the curve from the sides to where the tangent leads from turn to turn.
+  void Bend(const SpreadPhases& phases, CurveSources& curve) const
+  {
+    for (std::size_t t = 0; t < this->Turns.size(); ++t)
+    {
+      // What the tangent gains to the left of the side, less what it would miss the next turn by.
+      const double length = this->SideLength(t);
+      double left = 0.0;
+      this->AlongSide(t,
+        [&](int edge, double half, double) {
+          left +=
+            0.125 * half * (phases.start[edge] + 2.0 * phases.middle[edge] + phases.end[edge]);
+        });
+      const double slope = left / length;
+      left = 0.0;
+      this->AlongSide(t,
+        [&](int edge, double half, double way)
+        {
+          const MeshTopology& topology = this->Problem.Topology();
+          const auto [from, to] = topology.BoundaryAt(edge).vertices;
+          const Point along = (topology.PointAt(to) - topology.PointAt(from)) / (2.0 * half);
+          const Point normal(-along.y(), along.x());
+          const auto here = static_cast<std::size_t>(edge);
+          curve.start[here] += (left - slope * way) * normal;
+          left += 0.125 * half * (phases.start[edge] + phases.middle[edge]);
+          curve.middle[here] += (left - slope * (way + half)) * normal;
+          left += 0.125 * half * (phases.middle[edge] + phases.end[edge]);
+        });
+    }
+  }
+
 private:
   struct Turn
   {
@@ -124,47 +153,52 @@ private:
   {
     return this->Problem.Topology().BoundaryAt(this->Edges[i]);
   }
-  int Start(std::size_t i) const { return this->Edge(i).vertices[0]; }
   std::size_t Before(std::size_t i) const
   {
     return (i + this->Edges.size() - 1) % this->Edges.size();
   }
-  bool IsFixed(std::size_t i) const
+  bool IsCorner(std::size_t i) const
   {
-    return this->Problem.alignment.chosenQuarters.count(this->Start(i)) != 0 ||
-      this->Problem.Topology().corners[static_cast<std::size_t>(this->Start(i))];
+    const int vertex = this->Edge(i).vertices[0];
+    return this->Problem.Topology().corners[static_cast<std::size_t>(vertex)];
   }
+  double Turning(std::size_t i) const { return this->Problem.Topology().turning[this->Edges[i]]; }
   double Length(std::size_t i) const
   {
     const auto& [from, to] = this->Edge(i).vertices;
     const MeshTopology& topology = this->Problem.Topology();
     return (topology.PointAt(to) - topology.PointAt(from)).norm();
   }
-  /// Of the side from one turn to the next.
-  double SideLength(std::size_t turn) const
+  /// Calls f(entry of mesh.boundary, half its length, length before it) along the side from one turn to
+  /// the next. Returns the side's length.
+  template <typename F>
+  double AlongSide(std::size_t turn, const F& f) const
   {
     const std::size_t end = this->Turns[(turn + 1) % this->Turns.size()].at;
-    double length = 0.0;
+    double way = 0.0;
     std::size_t i = this->Turns[turn].at;
     do
     {
-      length += this->Length(i);
+      const double length = this->Length(i);
+      f(this->Edges[i], 0.5 * length, way);
+      way += length;
       i = (i + 1) % this->Edges.size();
     } while (i != end);
-    return length;
+    return way;
+  }
+  double SideLength(std::size_t turn) const
+  {
+    return this->AlongSide(turn, [](int, double, double) {});
   }
 
   const PotentialProblem& Problem;
-  const Eigen::VectorXd& Jump;
   std::vector<int> Edges;
   std::vector<Turn> Turns;
 };
 
-SpreadPhases SpreadJumps(const PotentialProblem& problem, const Eigen::VectorXd& jump)
+std::vector<SpreadLoop> AlignedLoops(const PotentialProblem& problem)
 {
-  const auto count = static_cast<Eigen::Index>(problem.Topology().mesh.boundary.size());
-  SpreadPhases phases{ Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
-    Eigen::VectorXd::Zero(count) };
+  std::vector<SpreadLoop> loops;
   for (const BoundaryLoop& loop : problem.Topology().loops)
   {
     std::vector<int> edges = loop.edges;
@@ -176,34 +210,61 @@ SpreadPhases SpreadJumps(const PotentialProblem& problem, const Eigen::VectorXd&
     {
       std::reverse(edges.begin(), edges.end()); // along the directions of the edges
     }
-    SpreadLoop(problem, jump, edges).Spread(phases);
+    loops.emplace_back(problem, std::move(edges));
+  }
+  return loops;
+}
+
+SpreadPhases SpreadTurns(const PotentialProblem& problem, const std::vector<SpreadLoop>& loops)
+{
+  const auto count = static_cast<Eigen::Index>(problem.Topology().mesh.boundary.size());
+  SpreadPhases phases{ Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count),
+    Eigen::VectorXd::Zero(count) };
+  for (const SpreadLoop& loop : loops)
+  {
+    loop.Spread(phases);
   }
   return phases;
 }
 }
 
-AlignedSources CurvePhase(const PotentialProblem& problem)
+CurveSources CurvePhase(const PotentialProblem& problem)
 {
-  AlignedSources sources = PiecewiseConstantPhase(problem);
-  const SpreadPhases phases = SpreadJumps(problem, sources.atRows);
-  const std::vector<int>& previous = problem.Topology().previous;
-  for (std::size_t i = 0; i < previous.size(); ++i)
+  CurveSources curve;
+  curve.aligned = PiecewiseConstantPhase(problem);
+  curve.jumps = curve.aligned.atRows;
+  const std::vector<SpreadLoop> loops = AlignedLoops(problem);
+  const SpreadPhases phases = SpreadTurns(problem, loops);
+  const MeshTopology& topology = problem.Topology();
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
-    const BoundaryEdge& edge = problem.Topology().mesh.boundary[i];
+    const BoundaryEdge& edge = topology.mesh.boundary[i];
+    const int vertex = edge.vertices[0];
     if (edge.IsAligned())
     {
-      sources.atRows[edge.vertices[0]] +=
-        phases.middle[static_cast<Eigen::Index>(i)] - phases.middle[previous[i]];
+      const auto here = static_cast<Eigen::Index>(i);
+      const int before = topology.previous[i];
+      curve.aligned.atRows[vertex] += phases.middle[here] - phases.middle[before];
+      curve.jumps[vertex] += phases.start[here] - phases.end[before];
     }
+    curve.start.push_back(topology.PointAt(vertex));
+    curve.middle.push_back(topology.Midpoint(topology.edges.ofBoundary[i]));
   }
-  sources.midpointShift = phases.middle;
-  return sources;
+  curve.growth.resize(2, phases.middle.size());
+  curve.growth.row(0) = phases.middle - phases.start;
+  curve.growth.row(1) = phases.end - phases.middle;
+  for (const SpreadLoop& loop : loops)
+  {
+    loop.Bend(phases, curve);
+  }
+  curve.aligned.midpointShift = phases.middle;
+  return curve;
 }
 
 EdgePhases LinearEdgePhases(const PotentialProblem& problem)
 {
   const Eigen::VectorXd jump = PiecewiseConstantPhase(problem).atRows;
-  const SpreadPhases phases = SpreadJumps(problem, jump);
+  const SpreadPhases phases = SpreadTurns(problem, AlignedLoops(problem));
   EdgePhases result{ phases.start, phases.end };
   const std::vector<int>& previous = problem.Topology().previous;
   for (std::size_t i = 0; i < previous.size(); ++i)
@@ -219,22 +280,6 @@ EdgePhases LinearEdgePhases(const PotentialProblem& problem)
     }
   }
   return result;
-}
-
-Eigen::VectorXd CornerJumps(const PotentialProblem& problem)
-{
-  Eigen::VectorXd jump = PiecewiseConstantPhase(problem).atRows;
-  const SpreadPhases phases = SpreadJumps(problem, jump);
-  const std::vector<int>& previous = problem.Topology().previous;
-  for (std::size_t i = 0; i < previous.size(); ++i)
-  {
-    if (problem.Topology().mesh.boundary[i].IsAligned())
-    {
-      jump[problem.Topology().mesh.boundary[i].vertices[0]] +=
-        phases.start[static_cast<Eigen::Index>(i)] - phases.end[previous[i]];
-    }
-  }
-  return jump;
 }
 
 AlignedSources LinearPhase(const PotentialProblem& problem)

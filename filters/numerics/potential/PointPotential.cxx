@@ -30,29 +30,47 @@ constexpr auto Islands = PotentialSolver::Periods::Islands;
 PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
   : Problem(WithoutHoles(std::move(solver)), std::move(alignment))
   , Domain{ Problem.Topology().AlignedLoops() }
-  , Sources(CurvePhase(Problem))
-  , Smooth(Sources.atRows)
+  , Curve(CurvePhase(Problem))
+  , Next(Problem.Topology().previous.size())
+  , Sources(Curve.aligned.atRows)
 {
-  const Eigen::VectorXd jump = CornerJumps(this->Problem);
   const MeshTopology& topology = this->Problem.Topology();
   for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
   {
+    this->Next[static_cast<std::size_t>(topology.previous[i])] = i;
     const auto& ends = topology.mesh.boundary[i].vertices;
     const Point middle = topology.Midpoint(topology.edges.ofBoundary[i]);
-    this->Halves.push_back({ ends[0], topology.PointAt(ends[0]), middle });
-    this->Halves.push_back({ ends[1], middle, topology.PointAt(ends[1]) });
-
-    const int vertex = ends[0];
-    const double angle = Pi - topology.turning[static_cast<Eigen::Index>(i)];
-    const double source = jump[vertex];
-    const bool corner = topology.corners[static_cast<std::size_t>(vertex)] ||
-      this->Problem.alignment.chosenQuarters.count(vertex) != 0;
-    if (corner && std::abs(source) > 4.0 * AngleRounding)
+    const auto growth = this->Curve.growth.col(static_cast<Eigen::Index>(i));
+    this->Halves.push_back({ ends[0], topology.PointAt(ends[0]), middle, growth[0] });
+    this->Halves.push_back({ ends[1], middle, topology.PointAt(ends[1]), growth[1] });
+  }
+  this->FindBoundaryLogs();
+  // What turns by less than counts as a turn is in no half yet.
+  Eigen::VectorXd missing = this->Sources;
+  for (const BoundaryHalf& half : this->Halves)
+  {
+    missing[half.vertex] -= half.growth;
+  }
+  for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
+  {
+    const std::vector<double> turns = this->Turns(m);
+    const LogSource& log = this->BoundaryLogs[m];
+    for (std::size_t h = 0; h < this->Halves.size(); ++h)
     {
-      this->Corners.push_back({ topology.PointAt(vertex), -source / angle, angle });
-      this->CornerVertices.push_back(vertex);
-      this->Smooth[vertex] -= source;
+      BoundaryHalf& half = this->Halves[h];
+      const auto [from, to] = this->Ends(h, m < this->CurveLogs);
+      half.logFlux += log.strength * turns[h];
+      // Its mean over a half: at the half's vertex, but along sides that come out of it integrated.
+      const bool along = m < this->CurveLogs || std::abs(turns[h]) <= AngleRounding;
+      half.logMean += along
+        ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
+        : log.Value(topology.PointAt(half.vertex));
+      this->Sources[half.vertex] -= log.strength * turns[h];
     }
+  }
+  for (BoundaryHalf& half : this->Halves)
+  {
+    half.growth += 0.5 * missing[half.vertex];
   }
 
   const PotentialSolver& potential = *this->Problem.potential;
@@ -61,6 +79,83 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   unit.bottomRows(periods).setIdentity();
   this->PeriodBasis = periods > 0 ? potential.Solve(unit, Islands) : unit;
   this->PeriodInverse = this->PeriodBasis.bottomRows(periods);
+}
+
+void PointPotential::FindBoundaryLogs()
+{
+  const MeshTopology& topology = this->Problem.Topology();
+  const auto& chosen = this->Problem.alignment.chosenQuarters;
+  std::vector<LogSource> corners;
+  std::vector<int> cornerVertices;
+  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
+  {
+    const int vertex = topology.mesh.boundary[i].vertices[0];
+    const auto found = chosen.find(vertex);
+    const double source = this->Curve.jumps[vertex];
+    if (topology.corners[static_cast<std::size_t>(vertex)])
+    {
+      const double angle = Pi - topology.turning[static_cast<Eigen::Index>(i)];
+      if (std::abs(source) > 4.0 * AngleRounding)
+      {
+        corners.push_back({ topology.PointAt(vertex), -source / angle, angle });
+        cornerVertices.push_back(vertex);
+        this->Sources[vertex] -= source;
+      }
+    }
+    else if (found != chosen.end() && found->second != 0)
+    {
+      // Straight on: −s / α = 2πk / π.
+      this->BoundaryLogs.push_back({ this->Curve.start[i], 2.0 * found->second, Pi });
+      this->LogVertices.push_back(vertex);
+      this->Sources[vertex] += 2.0 * Pi * found->second;
+    }
+  }
+  this->CurveLogs = this->BoundaryLogs.size();
+  this->BoundaryLogs.insert(this->BoundaryLogs.end(), corners.begin(), corners.end());
+  this->LogVertices.insert(this->LogVertices.end(), cornerVertices.begin(), cornerVertices.end());
+}
+
+std::array<Point, 2> PointPotential::Ends(std::size_t half, bool onCurve) const
+{
+  if (!onCurve)
+  {
+    return { this->Halves[half].from, this->Halves[half].to };
+  }
+  // The start of the next entry is the end of this one, on the curve as on the polygon.
+  const std::size_t i = half / 2;
+  if (half % 2 == 0)
+  {
+    return { this->Curve.start[i], this->Curve.middle[i] };
+  }
+  return { this->Curve.middle[i], this->Curve.start[this->Next[i]] };
+}
+
+std::vector<double> PointPotential::Turns(std::size_t boundaryLog) const
+{
+  const LogSource& log = this->BoundaryLogs[boundaryLog];
+  const bool onCurve = boundaryLog < this->CurveLogs;
+  std::vector<double> turns;
+  double rest = log.angle;
+  double length = 0.0; // of the halves next to it
+  for (std::size_t h = 0; h < this->Halves.size(); ++h)
+  {
+    const auto [from, to] = this->Ends(h, onCurve);
+    const bool own = this->Halves[h].vertex == this->LogVertices[boundaryLog];
+    turns.push_back(own ? 0.0 : log.Turn(from, to));
+    rest -= turns.back();
+    length += own ? (to - from).norm() : 0.0;
+  }
+  // A curve leaves its tangent, as the half next to the point does not. A corner is seen from all of the
+  // polygon under its angle, and nothing is left but rounding.
+  for (std::size_t h = 0; onCurve && h < this->Halves.size(); ++h)
+  {
+    if (this->Halves[h].vertex == this->LogVertices[boundaryLog])
+    {
+      const auto [from, to] = this->Ends(h, onCurve);
+      turns[h] = rest * (to - from).norm() / length;
+    }
+  }
+  return turns;
 }
 
 std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
@@ -72,12 +167,12 @@ std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
   return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };
 }
 
-double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
+double PointPotential::StripTurn(
+  const LogSource& log, Eigen::Index k, const std::array<Point, 2>& ends) const
 {
-  const auto [first, last] = this->StripEnds(k);
   const TriangleMesh& mesh = this->Problem.Topology().mesh;
   double turn = 0.0;
-  Point here = first;
+  Point here = ends[0];
   for (const LoopStrip::Step& step :
     this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)].steps)
   {
@@ -89,7 +184,7 @@ double PointPotential::StripTurn(const LogSource& log, Eigen::Index k) const
     turn += log.Turn(here, centre);
     here = centre;
   }
-  return -(turn + log.Turn(here, last));
+  return -(turn + log.Turn(here, ends[1]));
 }
 
 PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
@@ -123,21 +218,18 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     result.logs.push_back(
       { singularity.position, static_cast<double>(singularity.quarterIndex), 2.0 * Pi });
   }
-  result.logs.insert(result.logs.end(), this->Corners.begin(), this->Corners.end());
+  const std::size_t inside = result.logs.size();
 
   // 1. Sources of R. Every log is seen from all of the boundary under the angle of the domain.
-  result.sources = this->Smooth;
-  for (std::size_t m = 0; m < result.logs.size(); ++m)
+  result.sources = this->Sources;
+  for (const BoundaryHalf& half : this->Halves)
   {
-    const LogSource& log = result.logs[m];
-    for (const BoundaryHalf& half : this->Halves)
+    for (const LogSource& log : result.logs)
     {
-      const bool own =
-        m >= configuration.size() && half.vertex == this->CornerVertices[m - configuration.size()];
-      const double angle = own ? 0.0 : log.Turn(half.from, half.to);
-      result.sources[half.vertex] -= log.strength * angle;
+      result.sources[half.vertex] -= log.strength * log.Turn(half.from, half.to);
     }
   }
+  result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());
   // Angles have rounding errors that a Neumann problem must not see as a source.
   const Eigen::Index periods = this->Problem.potential->PeriodCount();
   const Eigen::Index vertices = result.sources.size() - periods;
@@ -155,10 +247,18 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {
-      double difference = AlignedDifference(this->Problem, this->Sources, k) - carried[k];
-      for (const LogSource& log : result.logs)
+      double difference = AlignedDifference(this->Problem, this->Curve.aligned, k) - carried[k];
+      const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
+      const std::array<Point, 2> curveEnds = {
+        this->Curve.middle[static_cast<std::size_t>(strip.firstBoundaryEdge)],
+        this->Curve.middle[static_cast<std::size_t>(strip.lastBoundaryEdge)]
+      };
+      for (std::size_t m = 0; m < result.logs.size(); ++m)
       {
-        difference -= log.strength * this->StripTurn(log, k);
+        const LogSource& log = result.logs[m];
+        const bool onCurve = m >= inside && m < inside + this->CurveLogs;
+        difference -=
+          log.strength * this->StripTurn(log, k, onCurve ? curveEnds : this->StripEnds(k));
       }
       defects[k] = WrapAngle(difference);
       result.holonomyDefect.push_back(defects[k]);

@@ -6,29 +6,12 @@
 
 namespace crossfield
 {
-namespace
-{
-/// Mean of Λ over a half of a boundary edge, as its vertex stands for it. A corner's own logarithm is
-/// integrated: the mean of log t over (0, l) is log l − 1.
-double ValueOnHalf(
-  const std::vector<LogSource>& logs, const BoundaryHalf& half, const Point& vertex)
-{
-  double value = 0.0;
-  for (const LogSource& log : logs)
-  {
-    value += log.position == vertex ? log.strength * (std::log((half.to - half.from).norm()) - 1.0)
-                                    : log.Value(vertex);
-  }
-  return value;
-}
-}
-
 RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
   const std::vector<LogSource>& logs = solution.logs;
   const auto count =
-    static_cast<Eigen::Index>(logs.size() - potential.GetCorners().size()); // singularities
+    static_cast<Eigen::Index>(logs.size() - potential.GetBoundaryLogs().size()); // singularities
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   const Eigen::VectorXd& regular = solution.regular;
   const auto periods = static_cast<Eigen::Index>(solution.holonomyDefect.size());
@@ -64,15 +47,15 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   for (const BoundaryHalf& half : potential.GetHalves())
   {
     const Point& vertex = mesh.points[static_cast<std::size_t>(half.vertex)];
-    // Both halves at a vertex carry half of its source.
-    const double smooth = 0.5 * potential.GetSmoothSources()[half.vertex];
-    double flux = 0.0;
-    for (const LogSource& log : logs)
+    // The vertex stands for the half, but the logarithms of the boundary are integrated.
+    double flux = half.logFlux;
+    double value = half.logMean;
+    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j)
     {
-      flux += log.position == vertex ? 0.0 : log.strength * log.Turn(half.from, half.to);
+      flux += logs[j].strength * logs[j].Turn(half.from, half.to);
+      value += logs[j].Value(vertex);
     }
-    const double value = ValueOnHalf(logs, half, vertex);
-    energy += value * (smooth - 0.5 * flux);
+    energy += value * (half.growth - 0.5 * flux);
     for (Eigen::Index j = 0; j < count; ++j)
     {
       const LogSource& log = logs[static_cast<std::size_t>(j)];
@@ -80,7 +63,7 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
         (LogSource::TurnDerivative(half.to, log.position) -
           LogSource::TurnDerivative(half.from, log.position));
       gradient.col(j) += -(regular[half.vertex] + 0.5 * value) * turn +
-        (smooth - 0.5 * flux) * log.strength * LogSource::LogDerivative(vertex, log.position);
+        (half.growth - 0.5 * flux) * log.strength * LogSource::LogDerivative(vertex, log.position);
       for (Eigen::Index k = 0; k < periods; ++k)
       {
         // The carried phase is linear in the sources, and its adjoint is the basis of the periods.

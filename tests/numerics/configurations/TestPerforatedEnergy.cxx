@@ -179,5 +179,54 @@ TEST(ConfigurationEnergy, SortsTheBestFirst)
     },
     { "outside the domain" }));
 }
+
+TEST(ConfigurationEnergy, WhereOnItsPolygonASingularityOfACurveLiesDoesNotDecide)
+{
+  // Three inside, one on the circle: 5π for all, so W decides. The worse ones are at vertices, whose
+  // polygon is narrower than the circle.
+  const auto at = [](double radius, Place place)
+  {
+    Configuration configuration = OnCircle(3, radius, 1.3, 1, 0.05);
+    configuration.push_back(OnTheCircle(0.3, 1));
+    return PutOnPolygon(128, 0.0, configuration, place).given;
+  };
+  const std::vector<Configuration> configurations = { at(0.2, Place::Vertex),
+    at(0.75, Place::Middle), at(0.3, Place::Anywhere), at(0.5, Place::Middle) };
+  ConfigurationEnergyOptions options;
+  options.meshSize = 0.05;
+  const auto energies = CompareConfigurations({ { RegularPolygon(128) } }, configurations, options);
+  const std::vector<int> order = { 1, 3, 2, 0 };
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    EXPECT_EQ(energies[i].configuration, order[i]);
+    EXPECT_NEAR(energies[i].renormalized.logarithmCoefficient, 5.0 * Pi, 1e-11);
+  }
+}
+
+TEST(ConfigurationEnergy, CoordinatesOfSinglePrecisionDoNotDecide)
+{
+  // One of four equal corners of a square, in any of them, without its quarter; turned and rounded.
+  std::vector<Configuration> configurations;
+  PlanarDomain square;
+  const Similarity turn{ 0.4, 1.0, Point(3.0, 2.0) };
+  square.loops = { turn(Loop{ { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } }) };
+  for (Point& point : square.loops[0])
+  {
+    point = point.cast<float>().cast<double>();
+  }
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    const double off = 0.1 * static_cast<double>(corner);
+    configurations.push_back({ { square.loops[0][corner], 0, 0.0 },
+      { turn(Loop{ Point(0.3 + off, 0.35) })[0], 1, 0.05 } });
+  }
+  ConfigurationEnergyOptions options;
+  options.meshSize = 0.1;
+  const auto energies = CompareConfigurations(square, configurations, options);
+  for (std::size_t i = 1; i < energies.size(); ++i)
+  {
+    EXPECT_LT(energies[i - 1].renormalized.energy, energies[i].renormalized.energy);
+  }
+}
 }
 }

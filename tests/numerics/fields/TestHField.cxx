@@ -1,6 +1,7 @@
 #include "HField.h"
 
 #include "Alignment.h"
+#include "BoundarySingularities.h"
 #include "DrillHoles.h"
 #include "Support.h"
 #include "UnitNormField.h"
@@ -125,6 +126,62 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
   EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
   EXPECT_GE(ConvergenceRate(sizes, awayErrors), 1.8);
   EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
+}
+
+TEST(HField, OfSingularitiesOnACircleIsExactToSecondOrderUpToThem)
+{
+  // k (log|z − b| + log|1 − b̄z|) of docs/method.md §11.2 is 2k log|z − b| at a point b of the circle,
+  // which has the flux k through the circle like the others, and the jump 2πk of the phase at b.
+  const Configuration mixed = { OnTheCircle(0.3, 1), OnTheCircle(1.6, -1), OnTheCircle(2.5, 1),
+    OnTheCircle(4.4, 2), { { 0.1, 0.5 }, 2, 0.0 }, { { -0.4, -0.2 }, -1, 0.0 } };
+  for (const Place place : { Place::Vertex, Place::Middle, Place::Anywhere })
+  {
+    SCOPED_TRACE(static_cast<int>(place));
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    std::vector<double> crossErrors;
+    for (const int count : { 80, 160, 320 })
+    {
+      const double size = 2.0 * Pi / count;
+      const OnPolygonOfDisk at = PutOnPolygon(count, 0.0, mixed, place);
+      const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
+      const HField field = SolveHField(ShareTopology(mesh), at.given);
+      const auto away = [&](const Point& point, double distance)
+      {
+        return std::all_of(at.exact.begin(), at.exact.end(),
+          [&](const Singularity& s) { return (s.position - point).norm() > distance; });
+      };
+      double error = 0.0;
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      {
+        // At a singularity H is infinite, and the field has a mean.
+        if (away(mesh.points[v], 0.1 * size))
+        {
+          error = std::max(error,
+            std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(at.exact, mesh.points[v])));
+        }
+      }
+      const EdgeNumbering& edges = field.field.topology->edges;
+      double crossError = 0.0;
+      for (int e = 0; e < edges.Count(); ++e)
+      {
+        const Point middle = Midpoint(mesh, edges, e);
+        if (edges.triangles[static_cast<std::size_t>(e)][1] >= 0 && away(middle, 0.1))
+        {
+          crossError =
+            std::max(crossError, std::abs(field.field.u[e] - ExactCross(at.exact, middle)));
+        }
+      }
+      sizes.push_back(size);
+      errors.push_back(error);
+      crossErrors.push_back(crossError);
+      EXPECT_EQ(field.field.unwantedSingularities, 0);
+      EXPECT_LT(field.field.residual, 1e-9);
+    }
+    EXPECT_LT(errors.back(), 1e-3);
+    EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
+    EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
+  }
 }
 
 TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)

@@ -1,6 +1,8 @@
 #include "MakePlanarDomain.h"
 #include "RenormalizedEnergy.h"
 
+#include "BoundarySingularities.h"
+#include "ConfigurationPlacement.h"
 #include "CornerEnergy.h"
 #include "DrillHoles.h"
 #include "PerforatedEnergy.h"
@@ -26,7 +28,14 @@ RenormalizedEnergyValue Evaluate(
   return EvaluateRenormalizedEnergy(potential, potential.Solve(configuration));
 }
 
-/// docs/method.md §5.
+/// docs/method.md §5.3. The potential of a singularity at b is k (log|z − b| + log|1 − b̄z|), with the flux
+/// k through the circle. When b comes to the circle, the two logarithms become one: Φ = 2k log|z − b|
+/// still has the flux k there, and 2πk leaves b into the half plane, the jump of the phase. So
+/// Poincaré-Hopf is Σ k = 4 over those inside and on the circle. Cut out the half disk around b:
+/// −½ ∫ Φ ∂Φ/∂r over its arc, of length πρ, is −½ π 2k (2k log ρ + the others' Φ at b) = 2πk² log(1/ρ) −
+/// πk (the others' Φ), as it is from the arc 2πρ inside. ∮ Φ ∂Φ/∂ν = 4 ∮ Φ = 0 over the circle as before.
+/// So the formula for points inside holds for all, but for the own image of one on the circle, whose
+/// place the logarithm takes.
 double ExactOnDisk(const Configuration& configuration)
 {
   double energy = 0.0;
@@ -37,8 +46,10 @@ double ExactOnDisk(const Configuration& configuration)
     {
       const Complex c(configuration[j].position.x(), configuration[j].position.y());
       const double degrees = configuration[i].quarterIndex * configuration[j].quarterIndex;
+      const bool inside = std::abs(b) < 1.0 - 1e-12;
       energy -= Pi * degrees * (i == j ? 0.0 : std::log(std::abs(b - c)));
-      energy -= Pi * degrees * std::log(std::abs(1.0 - b * std::conj(c)));
+      energy -=
+        Pi * degrees * (i == j && !inside ? 0.0 : std::log(std::abs(1.0 - b * std::conj(c))));
     }
   }
   return energy;
@@ -76,6 +87,63 @@ TEST(RenormalizedEnergy, ExactValuesOnTheDisk)
     }
     EXPECT_LT(errors.back(), 1e-3);
     EXPECT_GE(ConvergenceRate(sizes, errors), 1.5);
+  }
+}
+
+const std::vector<Configuration> WithBoundary = { { OnTheCircle(0.3, 1), { { 0.1, 0.5 }, 1, 0.0 },
+                                                    { { -0.5, -0.1 }, 1, 0.0 },
+                                                    { { 0.3, -0.5 }, 1, 0.0 } },
+  { OnTheCircle(0.3, 1), OnTheCircle(1.6, -1), OnTheCircle(2.5, 1), OnTheCircle(4.4, 2),
+    { { 0.1, 0.5 }, 2, 0.0 }, { { -0.4, -0.2 }, -1, 0.0 } },
+  { OnTheCircle(0.3, 1), OnTheCircle(2.2, 1), OnTheCircle(3.6, 1), OnTheCircle(5.3, 1) },
+  { OnTheCircle(0.3, 4) }, { OnTheCircle(0.3, -2), { { 0.1, -0.2 }, 6, 0.0 } } };
+
+/// W and the logarithm's coefficient on a polygon of a disk.
+RenormalizedEnergyValue OnPolygon(const OnPolygonOfDisk& at, double size)
+{
+  const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
+  const auto potential = std::make_shared<const PotentialSolver>(ShareTopology(mesh));
+  const MeshTopology& topology = potential->GetTopology();
+  const PlacedConfiguration placed = PlaceConfiguration(topology, at.given, {});
+  return Evaluate(
+    { potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)) },
+    placed.interior);
+}
+
+TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
+{
+  for (std::size_t c = 0; c < WithBoundary.size(); ++c)
+  {
+    SCOPED_TRACE(c);
+    double coefficient = 0.0;
+    for (const Singularity& singularity : WithBoundary[c])
+    {
+      const double square = singularity.quarterIndex * singularity.quarterIndex;
+      coefficient += singularity.position.norm() < 0.999 ? Pi * square : 2.0 * Pi * square;
+    }
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    for (const int count : { 80, 160, 320 })
+    {
+      // At vertices, in the middle of sides and anywhere along them, on polygons turned by some angle.
+      const double size = 2.0 * Pi / count;
+      std::vector<double> of;
+      for (const Place place : { Place::Vertex, Place::Middle, Place::Anywhere })
+      {
+        for (const double angle : { 0.0, 2.0, 4.7 })
+        {
+          const OnPolygonOfDisk at = PutOnPolygon(count, angle, WithBoundary[c], place);
+          const RenormalizedEnergyValue value = OnPolygon(at, size);
+          EXPECT_NEAR(value.logarithmCoefficient, coefficient, 1e-12 * coefficient);
+          of.push_back(value.energy - ExactOnDisk(at.exact));
+        }
+      }
+      sizes.push_back(size);
+      errors.push_back(Eigen::Map<Eigen::VectorXd>(of.data(), static_cast<Eigen::Index>(of.size()))
+                         .lpNorm<Eigen::Infinity>());
+    }
+    EXPECT_LT(errors.back(), 1e-3);
+    EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
   }
 }
 
@@ -219,7 +287,7 @@ TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
     [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
   {
     const TriangleMesh mesh = Mesh(domain, 0.1);
-    return PointPotentialOn(mesh, choices, quarters).GetCorners();
+    return PointPotentialOn(mesh, choices, quarters).GetBoundaryLogs();
   };
   EXPECT_TRUE(corners(Builtin("l-shape"), {}, 0).empty());
   const std::vector<LogSource> chosen = corners(Builtin("l-shape"), { { { 0.5, 0.5 }, 0 } }, -1);

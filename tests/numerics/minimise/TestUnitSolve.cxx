@@ -1,0 +1,166 @@
+#include "ReducedProblem.h"
+#include "Support.h"
+#include "UnitSolve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace crossfield::test
+{
+namespace
+{
+/// Three edges to a hole, a random positive semi-definite matrix, and a load of any size beside it.
+ReducedProblem RandomProblem(Random& random, int holeCount)
+{
+  constexpr int Edges = 3;
+  ReducedProblem problem;
+  for (int h = 0; h < holeCount; ++h)
+  {
+    DegreeConstraint constraint;
+    for (int j = 0; j < Edges; ++j)
+    {
+      constraint.unknowns.push_back(Edges * h + j);
+      constraint.turning.push_back(random.UnitComplex());
+    }
+    problem.constraints.push_back(constraint);
+  }
+  const int size = Edges * holeCount;
+  const Eigen::MatrixXd root =
+    Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
+  problem.matrix = root * root.transpose();
+  const double scale = std::pow(10.0, random.Uniform(-2.0, 1.0));
+  problem.load = ComplexVector::NullaryExpr(size, [&] { return scale * random.Square(); });
+  return problem;
+}
+
+/// The problem in the factors of the holes, written out for itself.
+struct Torus
+{
+  Eigen::MatrixXcd matrix;
+  ComplexVector load;
+
+  explicit Torus(const ReducedProblem& problem)
+  {
+    const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
+    this->matrix = Eigen::MatrixXcd::Zero(holes, holes);
+    this->load = ComplexVector::Zero(holes);
+    for (Eigen::Index a = 0; a < holes; ++a)
+    {
+      const DegreeConstraint& row = problem.constraints[static_cast<std::size_t>(a)];
+      for (std::size_t i = 0; i < row.unknowns.size(); ++i)
+      {
+        this->load[a] += std::conj(row.turning[i]) * problem.load[row.unknowns[i]];
+        for (Eigen::Index b = 0; b < holes; ++b)
+        {
+          const DegreeConstraint& column = problem.constraints[static_cast<std::size_t>(b)];
+          for (std::size_t j = 0; j < column.unknowns.size(); ++j)
+          {
+            this->matrix(a, b) += std::conj(row.turning[i]) *
+              problem.matrix(row.unknowns[i], column.unknowns[j]) * column.turning[j];
+          }
+        }
+      }
+    }
+  }
+
+  double Value(const ComplexVector& a) const
+  {
+    return 0.5 * a.dot(this->matrix * a).real() - this->load.dot(a).real();
+  }
+
+  /// Each phase in turn to its best value, until nothing moves.
+  double Refine(ComplexVector a) const
+  {
+    double moved = 1.0;
+    for (int sweep = 0; sweep < 5000 && moved > 1e-8; ++sweep)
+    {
+      moved = 0.0;
+      for (Eigen::Index i = 0; i < a.size(); ++i)
+      {
+        const Complex pull =
+          this->load[i] - (this->matrix.row(i) * a).value() + this->matrix(i, i) * a[i];
+        const Complex best = pull / std::abs(pull);
+        moved = std::max(moved, std::abs(best - a[i]));
+        a[i] = best;
+      }
+    }
+    return this->Value(a);
+  }
+
+  /// The lowest value from the best points of a grid over all phases.
+  double Lowest() const
+  {
+    const Eigen::Index holes = this->load.size();
+    const int steps = holes == 2 ? 48 : holes == 3 ? 20 : 12;
+    const auto point = [&](int number)
+    {
+      ComplexVector a(holes);
+      for (Complex& factor : a)
+      {
+        factor = std::polar(1.0, 2.0 * Pi * (number % steps) / steps);
+        number /= steps;
+      }
+      return a;
+    };
+    std::vector<std::pair<double, int>> grid;
+    for (int i = 0; i < static_cast<int>(std::pow(steps, holes) + 0.5); ++i)
+    {
+      grid.emplace_back(this->Value(point(i)), i);
+    }
+    constexpr int Refined = 30;
+    std::partial_sort(grid.begin(), grid.begin() + Refined, grid.end());
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < Refined; ++i)
+    {
+      lowest = std::min(lowest, this->Refine(point(grid[static_cast<std::size_t>(i)].second)));
+    }
+    return lowest;
+  }
+};
+
+TEST(UnitSolve, NoPhasesAreBetterThanThoseFound)
+{
+  constexpr int Trials = 150;
+  for (int trial = 0; trial < Trials; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    Random random(static_cast<std::uint32_t>(20000 + trial));
+    const ReducedProblem problem = RandomProblem(random, 2 + trial % 3);
+    const ComplexVector start =
+      ComplexVector::NullaryExpr(problem.load.size(), [&] { return random.UnitComplex(); });
+    const MinimiserResult found = SolveReducedUnit(problem, start);
+    EXPECT_TRUE(found.converged);
+    const double value =
+      0.5 * found.x.dot(problem.matrix * found.x).real() - problem.load.dot(found.x).real();
+    const double lowest = Torus(problem).Lowest();
+    EXPECT_LE(value, lowest + 1e-9 * (1.0 + std::abs(lowest)));
+  }
+}
+
+TEST(UnitSolve, EveryCrossIsAUnitAndTurnsEvenly)
+{
+  // Many holes, where a new start has to earn its descent.
+  for (const int holes : { 1, 5, 20, 40 })
+  {
+    SCOPED_TRACE(holes);
+    Random random(static_cast<std::uint32_t>(31 + holes));
+    const ReducedProblem problem = RandomProblem(random, holes);
+    const ComplexVector start =
+      ComplexVector::NullaryExpr(problem.load.size(), [&] { return random.UnitComplex(); });
+    const MinimiserResult found = SolveReducedUnit(problem, start);
+    EXPECT_TRUE(found.converged);
+    for (const DegreeConstraint& constraint : problem.constraints)
+    {
+      const Complex factor = found.x[constraint.unknowns[0]] / constraint.turning[0];
+      EXPECT_NEAR(std::abs(factor), 1.0, 1e-12);
+      for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
+      {
+        EXPECT_LT(
+          std::abs(found.x[constraint.unknowns[j]] - factor * constraint.turning[j]), 1e-12);
+      }
+    }
+  }
+}
+}
+}
