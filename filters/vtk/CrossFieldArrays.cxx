@@ -3,7 +3,7 @@
 #include "ColumnWriting.h"
 #include "CrossSamples.h"
 #include "Error.h"
-#include "QuarterIndexRange.h"
+#include "SingularityRecord.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -207,38 +207,9 @@ void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& 
   if (!std::isnan(field.renormalizedEnergy))
   {
     AddNumbers(output->GetFieldData(), names::RenormalizedEnergy, { field.renormalizedEnergy });
-    auto points = NewArray(output->GetFieldData(), names::PointSingularities, 4,
-      static_cast<vtkIdType>(configuration.size()));
-    for (std::size_t i = 0; i < configuration.size(); ++i)
-    {
-      const Eigen::Vector3d place = cells.plane.ToSpace(configuration[i].position);
-      points->SetTuple4(
-        static_cast<vtkIdType>(i), place.x(), place.y(), place.z(), configuration[i].quarterIndex);
-    }
+    SingularityRecord::Write(
+      names::PointSingularities, configuration, cells.plane, output->GetFieldData());
   }
-}
-
-//------------------------------------------------------------------------------
-crossfield::Configuration ReadPointSingularities(
-  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input)
-{
-  crossfield::Configuration configuration;
-  vtkDataArray* points =
-    input->GetFieldData()->GetArray(vtkCrossFieldArrayNames::PointSingularities);
-  if (points == nullptr || points->GetNumberOfComponents() != 4)
-  {
-    return configuration;
-  }
-  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
-  {
-    const Eigen::Vector3d place(
-      points->GetComponent(i, 0), points->GetComponent(i, 1), points->GetComponent(i, 2));
-    configuration.push_back({ cells.plane.ToPlane(place),
-      crossfield::RequireQuarterIndex(
-        points->GetComponent(i, 3), "A quarter index of the field data 'PointSingularities'"),
-      0.0 });
-  }
-  return configuration;
 }
 
 //------------------------------------------------------------------------------

@@ -38,10 +38,6 @@ void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
 void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
   const crossfield::Configuration& configuration, vtkUnstructuredGrid* output);
 
-/** The configuration of `PointSingularities`; empty when there is none. */
-crossfield::Configuration ReadPointSingularities(
-  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input);
-
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when
  * the array is missing or does not have one component.

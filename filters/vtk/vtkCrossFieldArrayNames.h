@@ -43,6 +43,8 @@ constexpr const char* H = "H";
 constexpr const char* SizeMap = "SizeMap";
 constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
 constexpr const char* PointSingularities = "PointSingularities";
+// Field data: vtkDrillHoles.
+constexpr const char* BoundarySingularities = "BoundarySingularities";
 // Table and points: vtkSingularityEnergy.
 constexpr const char* Configuration = "Configuration";
 constexpr const char* EnergyLowerBound = "EnergyLowerBound";

@@ -1,14 +1,20 @@
 #include "vtkDrillHoles.h"
 
+#include "BoundarySingularities.h"
 #include "DomainConversion.h"
 #include "DrillHoles.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "SingularityRecord.h"
+#include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <iterator>
 
 vtkStandardNewMacro(vtkDrillHoles);
 
@@ -48,6 +54,15 @@ int vtkDrillHoles::RequestData(
       const crossfield::TriangleMesh mesh =
         crossfield::DrillHoles(input.domain, configuration, options, progress);
       DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
+      crossfield::Configuration onBoundary;
+      std::copy_if(configuration.begin(), configuration.end(), std::back_inserter(onBoundary),
+        [&input](const crossfield::Singularity& singularity)
+        { return crossfield::IsOnBoundary(input.domain, singularity.position); });
+      if (!onBoundary.empty())
+      {
+        SingularityRecord::Write(vtkCrossFieldArrayNames::BoundarySingularities, onBoundary,
+          input.plane, output->GetFieldData());
+      }
     });
 }
 

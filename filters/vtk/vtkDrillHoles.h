@@ -27,6 +27,10 @@
  * - `BoundaryId`: −1 on triangles; loop number on kinds 1 (always 0) and 2 (1, 2, …); on kinds 3 and
  *   4 the row of the singularity;
  * - `QuarterIndex`: prescribed index on kinds 3 and 4, else 0.
+ * Field data `BoundarySingularities`, where there are any: (x, y, z, quarter index) of the singularities on
+ * the boundary, within 1e-6 of the diagonal. They get a vertex and no hole; vtkPerforatedCrossField gives the
+ * vertex this index instead of that of the corner.
+ *
  * Lines of kind 4 lie inside the domain, and the outside of the circle is on their left.
  *
  * The edge length is MeshSize, graded down to the boundary's own spacing and to the edges of the

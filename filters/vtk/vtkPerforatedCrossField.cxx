@@ -4,8 +4,11 @@
 #include "DomainConversion.h"
 #include "FilterPorts.h"
 #include "PerforatedSolve.h"
+#include "SingularityRecord.h"
+#include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -64,6 +67,12 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   options.reduced.maximumIterations = this->GetMaximumIterations();
   options.reduced.tolerance = this->GetTolerance();
   options.corners = CornerConversion::ReadCorners(vtkDataSet::GetData(inputVector[1]), cells.plane);
+  for (const crossfield::Singularity& singularity :
+    SingularityRecord::Read(vtkCrossFieldArrayNames::BoundarySingularities, cells.plane,
+      vtkUnstructuredGrid::GetData(inputVector[0])->GetFieldData()))
+  {
+    options.corners.push_back({ singularity.position, singularity.quarterIndex });
+  }
   this->Publish(cells, crossfield::SolvePerforated(cells.topology, options, progress),
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), output);

@@ -1,5 +1,6 @@
 #include "vtkPoincareHopfCheck.h"
 
+#include "BoundarySingularities.h"
 #include "ColumnWriting.h"
 #include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
@@ -10,6 +11,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyCheck.h"
+#include "SingularityRecord.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -71,8 +73,16 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
     DomainConversion::ReadConfiguration(singularities, plane);
   crossfield::RequireInside(domain, configuration);
   result.plane = plane;
-  result.count = crossfield::CountQuarters(
-    domain.loops, crossfield::TotalQuarters(configuration), cornerAngle, choices);
+  std::vector<crossfield::CornerChoice> chosen = choices;
+  int interior = crossfield::TotalQuarters(configuration);
+  for (const crossfield::CornerChoice& choice : crossfield::BoundaryChoices(domain, configuration))
+  {
+    chosen.push_back(choice);
+    interior -= choice.quarterIndex;
+  }
+  result.count =
+    crossfield::CountQuarters(crossfield::InsertBoundarySingularities(domain, configuration).loops,
+      interior, cornerAngle, chosen);
   result.consistent = result.count.Consistent();
   if (result.consistent && holonomy)
   {
@@ -91,8 +101,15 @@ Findings CheckField(
   progress.Report(0.5);
   std::vector<crossfield::CornerChoice> choices =
     CornerConversion::ReadCorners(corners, cells.plane);
-  // What vtkHField was asked for: singularities on the boundary are corners that were chosen.
-  crossfield::Configuration points = CrossFieldArrays::ReadPointSingularities(cells, input);
+  // What vtkHField or vtkDrillHoles was asked for: singularities on the boundary are corners that were chosen.
+  vtkFieldData* data = input->GetFieldData();
+  crossfield::Configuration points =
+    SingularityRecord::Read(names::PointSingularities, cells.plane, data);
+  for (const crossfield::Singularity& singularity :
+    SingularityRecord::Read(names::BoundarySingularities, cells.plane, data))
+  {
+    points.push_back(singularity);
+  }
   if (!points.empty())
   {
     crossfield::PlacedConfiguration placed =

@@ -108,6 +108,7 @@ ComplexVector AssembleField(
     problem.potential->Gradient(solution.aligned), firstEdge, Eigen::VectorXd::Zero(1),
     { ofBoundary.begin() + static_cast<std::ptrdiff_t>(onCurves), ofBoundary.end() });
   std::vector<Point> seenFromCurves;
+  seenFromCurves.reserve(static_cast<std::size_t>(topology.edges.Count()));
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
     seenFromCurves.push_back(topology.Midpoint(e));

@@ -1,6 +1,8 @@
 #include "BoundarySingularities.h"
 
-#include "BoundaryCorners.h"
+#include "DomainQueries.h"
+
+#include <cmath>
 
 namespace crossfield
 {
@@ -29,5 +31,24 @@ PlanarDomain InsertBoundarySingularities(
     }
   }
   return result;
+}
+
+bool IsOnBoundary(const PlanarDomain& domain, const Point& place)
+{
+  return std::abs(SignedDistance(place, domain)) <= BoundaryReach * domain.Diagonal();
+}
+
+std::vector<CornerChoice> BoundaryChoices(
+  const PlanarDomain& domain, const Configuration& configuration)
+{
+  std::vector<CornerChoice> choices;
+  for (const Singularity& singularity : configuration)
+  {
+    if (IsOnBoundary(domain, singularity.position))
+    {
+      choices.push_back({ singularity.position, singularity.quarterIndex });
+    }
+  }
+  return choices;
 }
 }

@@ -1,5 +1,6 @@
 #include "DomainQueries.h"
 
+#include "BoundaryCorners.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ double ClearWay(const PlanarDomain& domain, const Point& from, const Point& dire
 
 void RequireInside(const PlanarDomain& domain, const Configuration& configuration)
 {
+  const double reach = BoundaryReach * domain.Diagonal();
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     const Point& place = configuration[i].position;
@@ -73,7 +75,7 @@ void RequireInside(const PlanarDomain& domain, const Configuration& configuratio
       throw Error("Row " + std::to_string(i) +
         " of the singularities has a coordinate that is not a finite number; correct it.");
     }
-    if (!(SignedDistance(place, domain) > 0.0))
+    if (!(SignedDistance(place, domain) > -reach))
     {
       std::ostringstream text;
       text.precision(9);

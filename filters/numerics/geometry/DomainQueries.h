@@ -12,7 +12,7 @@ double SignedDistance(const Point& point, const PlanarDomain& domain);
 /// meeting the boundary again; 0 when that never happens.
 double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction);
 
-/// Throws Error that names the first singularity outside the domain or with a coordinate that is
-/// not finite.
+/// Throws Error that names the first singularity outside the domain, by more than 1e-6 of its diagonal, or
+/// with a coordinate that is not finite.
 void RequireInside(const PlanarDomain& domain, const Configuration& configuration);
 }

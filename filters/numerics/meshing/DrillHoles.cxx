@@ -1,5 +1,6 @@
 #include "DrillHoles.h"
 
+#include "BoundarySingularities.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "MemoryBudget.h"
@@ -41,6 +42,10 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
   {
     const Singularity& here = configuration[i];
     CheckSingularity(i, here);
+    if (IsOnBoundary(domain, here.position))
+    {
+      continue;
+    }
     const double distance = SignedDistance(here.position, domain);
     std::ostringstream text;
     text.precision(6);
@@ -66,6 +71,10 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
     }
     for (std::size_t j = 0; j < i; ++j)
     {
+      if (IsOnBoundary(domain, configuration[j].position))
+      {
+        continue;
+      }
       const double apart = (here.position - configuration[j].position).norm();
       if (apart <= here.radius + configuration[j].radius)
       {
@@ -204,12 +213,16 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   }
   CheckPlacement(domain, holes);
 
-  PlanarDomain drilled = domain;
+  PlanarDomain drilled = InsertBoundarySingularities(domain, configuration);
   std::vector<BoundaryEdge> marks = LoopMarks(domain);
   const BoundaryKind kind =
     options.mode == DrillMode::Imprint ? BoundaryKind::ImprintedCircle : BoundaryKind::Hole;
   for (std::size_t i = 0; i < holes.size(); ++i)
   {
+    if (IsOnBoundary(domain, holes[i].position))
+    {
+      continue;
+    }
     const int edges = HoleEdges(i, holes[i], meshSize, options.minimumHoleEdges);
     drilled.loops.push_back(HolePolygon(holes[i], edges));
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
