@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CornerClassification.h"
+#include "OptimizerIteration.h"
 #include "Progress.h"
 
 #include <string>
@@ -15,48 +16,49 @@ struct OptimizerOptions
   /// The iteration stops when the derivatives of the Lagrangian, times the diagonal of the domain,
   /// and the holonomy defects are below this.
   double tolerance = 1e-6;
-};
-
-/// One configuration on the way.
-struct OptimizerStep
-{
-  double energy = 0.0; ///< W.
-  double gradientNorm =
-    0.0; ///< Of the Lagrangian, times the diagonal of the domain; largest entry.
-  double holonomyDefect = 0.0; ///< Largest.
-  double stepLength = 0.0;     ///< Longest way that a singularity went to here.
+  /// Least distance of the singularities inside to the boundary and to each other, a length.
+  /// 0: 1/400 of the diagonal, a tenth of the default mesh size; nearer to the boundary no mesh for a
+  /// field would resolve them.
+  double clearance = 0.0;
+  /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken out.
+  bool keepAll = false;
 };
 
 struct OptimizerResult
 {
-  Configuration configuration; ///< In the order given; those on the boundary did not move.
-  double energyBefore = 0.0;   ///< W of the start,
-  double energyAfter = 0.0;    ///< and of the result.
+  /// In the order given, without those that were taken out; then those that left the boundary.
+  Configuration configuration;
+  double energyBefore = 0.0; ///< W of the start,
+  double energyAfter = 0.0;  ///< and of the result.
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
   /// One sentence: converged, or why not.
   std::string reason;
-  /// Two singularities of opposite sign that met: remove them, or merge them to one of the sum.
+  /// What happened besides moving, a sentence each; singularities count from 1 in the order given.
+  std::vector<std::string> events;
+  /// Rows of the start that met with opposite signs and were taken out, or merged to one of the sum.
   std::vector<std::array<int, 2>> annihilations;
   std::vector<double> holonomyDefect;
   std::vector<OptimizerStep> history; ///< From the start on.
 };
 
-/// Moves the interior singularities downhill on the renormalised energy W (RenormalizedEnergy.h), on
-/// one mesh that is factored once (docs/method.md §5.5; paper, "The unifying renormalized Ginzburg-Landau
-/// energy"). With inner loops the holonomy defects are equality constraints, the nearest
-/// multiple of 2π apart: the result has an aligned field of norm one with single-valued H.
+/// Moves the interior singularities downhill on the renormalised energy W (RenormalizedEnergy.h;
+/// docs/method.md §5.5; paper, "The unifying renormalized Ginzburg-Landau energy"). With inner loops the
+/// holonomy defects are equality constraints, the nearest multiple of 2π apart: the result has an
+/// aligned field of norm one with single-valued H, unless no singularity can change a defect.
 ///
-/// Sequential quadratic programming with exact gradients of W and of the defects, damped BFGS updates
-/// of the Hessian of the Lagrangian, and a line search on W + μ Σ |defect|. No singularity goes
-/// farther in one step than half of the way to the boundary or to the next one: there W tends to
-/// infinity for like signs. Opposite signs attract; when they are nearer than half the mesh size the
-/// iteration stops and proposes to annihilate them. It also stops when a singularity is pressed
-/// against the boundary, as it may be at a corner, up to the same distance.
+/// One mesh is factored, and another one when a singularity comes nearer to the boundary than its
+/// edges are long. A barrier keeps singularities at the clearance; one that is held there does not stop
+/// the others. Unless all are to be kept:
+/// - one that is pressed against the boundary becomes one of the boundary, at a corner or vertex next to
+///   it, and one on the boundary moves inside, where that lowers the energy E_ρ at ρ = clearance;
+/// - two of opposite sign that meet are taken out, or become one of their sum.
+/// A start nearer to the boundary than the clearance is moved off it.
 ///
-/// An abort after the first evaluation keeps the best. Throws Error when the quarter indices violate
-/// Poincaré-Hopf or a singularity lies outside.
+/// Given radii that do not fit any more are shrunk. An abort after the first evaluation keeps the best.
+/// Throws Error when the quarter indices violate Poincaré-Hopf, a singularity lies outside, or the
+/// clearance is negative.
 OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configuration& start,
   const OptimizerOptions& options = {}, const Progress& progress = {});
 }

@@ -1,0 +1,251 @@
+#include "ConfigurationChange.h"
+
+#include "DomainQueries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Nearer than this times the clearance is held by the barrier, whose slope begins at 2.
+constexpr double Held = 1.25;
+/// A corner within this times the clearance is where a held singularity wants to go.
+constexpr double CornerReach = 6.0;
+
+Point PlaceOf(const OptimizerPlace& here, std::size_t i)
+{
+  return here.place.segment<2>(2 * static_cast<Eigen::Index>(i));
+}
+
+/// Coefficient of log(1/ρ) of a corner: s²/(2α), s the jump of the phase.
+double CornerCoefficient(const Corner& corner, int quarters)
+{
+  const double jump = 4.0 * (corner.Turning() - quarters * 0.5 * Pi);
+  return jump * jump / (2.0 * corner.angle);
+}
+
+/// The boundary vertices of a stage as corners, with the quarter index that each has.
+struct BoundaryVertices
+{
+  std::vector<Corner> vertices;
+  std::vector<int> quarters;
+
+  explicit BoundaryVertices(const OptimizerStage& stage)
+  {
+    const MeshTopology& topology = stage.potential->GetProblem().Topology();
+    const Alignment& alignment = stage.potential->GetProblem().alignment;
+    const std::vector<Loop> loops = topology.AlignedLoops();
+    for (std::size_t loop = 0; loop < loops.size(); ++loop)
+    {
+      for (std::size_t vertex = 0; vertex < loops[loop].size(); ++vertex)
+      {
+        const Corner corner = DescribeVertex(loops, loop, vertex);
+        const auto chosen = alignment.chosenQuarters.find(topology.VertexOf(corner));
+        this->vertices.push_back(corner);
+        this->quarters.push_back(chosen != alignment.chosenQuarters.end()
+            ? chosen->second
+            : SmallestRotationIndex(corner.Turning()));
+      }
+    }
+  }
+};
+
+std::string Capital(std::string sentence)
+{
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
+/// Row of a singularity at a boundary vertex, or the number of rows.
+std::size_t RowAt(const OptimizerStage& stage, const Point& position)
+{
+  const Configuration& all = stage.tracked.singularities;
+  const double reach = BoundaryReach * stage.objective->Unit();
+  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(),
+                                    [&](const Singularity& other)
+                                    { return (other.position - position).norm() <= reach; }) -
+    all.begin());
+}
+}
+
+std::vector<std::size_t> HeldSingularities(const OptimizerStage& stage, const OptimizerPlace& here)
+{
+  std::vector<std::size_t> held;
+  for (std::size_t i = 0; i < stage.objective->Count(); ++i)
+  {
+    if (stage.objective->BoundaryDistance(here.place, i) < Held * stage.objective->Clearance())
+    {
+      held.push_back(i);
+    }
+  }
+  return held;
+}
+
+std::optional<ConfigurationChange> FindMeeting(
+  const OptimizerStage& stage, const OptimizerPlace& here)
+{
+  const Configuration& interior = stage.placed.interior;
+  for (std::size_t i = 0; i < interior.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const int sum = interior[i].quarterIndex + interior[j].quarterIndex;
+      const std::size_t left = interior.size() - (sum == 0 ? 2 : 1);
+      if (interior[i].quarterIndex * interior[j].quarterIndex >= 0 ||
+        (PlaceOf(here, i) - PlaceOf(here, j)).norm() > Held * stage.objective->Clearance() ||
+        2 * left < static_cast<std::size_t>(here.defects.size()))
+      {
+        continue;
+      }
+      ConfigurationChange change;
+      change.meets = true;
+      change.tracked = stage.At(here.place);
+      const std::size_t first = std::min(stage.placed.rows[i], stage.placed.rows[j]);
+      const std::size_t second = std::max(stage.placed.rows[i], stage.placed.rows[j]);
+      const Point middle =
+        0.5 * stage.objective->Unit() * (PlaceOf(here, i) + PlaceOf(here, j));
+      change.pair = { change.tracked.origins[first], change.tracked.origins[second] };
+      change.event = Capital(change.tracked.Name(first)) + " and " + change.tracked.Name(second) +
+        ", of opposite sign, met at " + Describe(middle) +
+        (sum == 0 ? " and were taken out."
+                  : " and became one with quarter index " + std::to_string(sum) + ".");
+      change.tracked.singularities[first].position = middle;
+      change.tracked.singularities[first].quarterIndex = sum;
+      change.tracked.Erase(second);
+      if (sum == 0)
+      {
+        change.tracked.Erase(first);
+      }
+      return change;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<ConfigurationChange> FindPressed(
+  const OptimizerStage& stage, const OptimizerPlace& here, const std::set<std::string>& refused)
+{
+  const std::vector<std::size_t> held = HeldSingularities(stage, here);
+  if (held.empty())
+  {
+    return std::nullopt;
+  }
+  const BoundaryVertices boundary(stage);
+  for (const std::size_t i : held)
+  {
+    const std::size_t row = stage.placed.rows[i];
+    const int quarters = stage.placed.interior[i].quarterIndex;
+    const Point place = stage.objective->Unit() * PlaceOf(here, i);
+    // The corner nearby that it relieves most, else the nearest vertex.
+    double best = 0.0;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t target = 0;
+    for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+    {
+      const Corner& corner = boundary.vertices[v];
+      const double distance = (corner.position - place).norm();
+      const double relief = CornerCoefficient(corner, boundary.quarters[v]) + Pi * quarters * quarters -
+        CornerCoefficient(corner, boundary.quarters[v] + quarters);
+      const bool corners =
+        distance <= CornerReach * stage.objective->Clearance() * stage.objective->Unit();
+      if (corners && relief > best)
+      {
+        best = relief;
+        target = v;
+      }
+      else if (best == 0.0 && distance < nearest)
+      {
+        nearest = distance;
+        target = v;
+      }
+    }
+    const Corner& corner = boundary.vertices[target];
+    // Only where W falls on the way there.
+    const Point pull = here.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
+    const std::string key =
+      "in " + std::to_string(row) + " " + Describe(corner.position);
+    if (pull.dot(corner.position - place) > 0.0 || refused.count(key) != 0)
+    {
+      continue;
+    }
+    ConfigurationChange change;
+    change.key = key;
+    change.tracked = stage.At(here.place);
+    const int sum = boundary.quarters[target] + quarters;
+    change.event = Capital(change.tracked.Name(row)) + ", quarter index " +
+      std::to_string(quarters) + ", was pressed against the boundary at " +
+      Describe(corner.position) + " and became part of it: the quarter index there is now " +
+      std::to_string(sum) + " instead of " + std::to_string(boundary.quarters[target]) + ".";
+    const std::size_t present = RowAt(stage, corner.position);
+    if (present < change.tracked.singularities.size())
+    {
+      change.tracked.singularities[present].quarterIndex = sum;
+      change.tracked.Erase(row);
+    }
+    else
+    {
+      change.tracked.singularities[row] = { corner.position, sum, 0.0 };
+    }
+    return change;
+  }
+  return std::nullopt;
+}
+
+std::optional<ConfigurationChange> FindLoose(
+  const OptimizerStage& stage, const OptimizerPlace& here, const std::set<std::string>& refused)
+{
+  if (stage.placed.rows.size() == stage.tracked.singularities.size())
+  {
+    return std::nullopt;
+  }
+  const double clearance = stage.objective->Clearance() * stage.objective->Unit();
+  const BoundaryVertices boundary(stage);
+  const PlanarDomain& domain = stage.potential->GetDomain();
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+  {
+    const Corner& corner = boundary.vertices[v];
+    const std::size_t row = RowAt(stage, corner.position);
+    if (row == stage.tracked.singularities.size())
+    {
+      continue;
+    }
+    for (const int quarters : { 1, -1 })
+    {
+      const int left = boundary.quarters[v] - quarters;
+      const std::string key = "out " + Describe(corner.position) + " " + std::to_string(quarters);
+      if (CornerCoefficient(corner, left) + Pi >=
+          CornerCoefficient(corner, boundary.quarters[v]) ||
+        refused.count(key) != 0)
+      {
+        continue;
+      }
+      // Twice the clearance off both sides of the corner, or the middle of what there is.
+      const double way = std::min(2.0 * clearance / std::sin(0.5 * std::min(corner.angle, Pi)),
+        0.5 * ClearWay(domain, corner.position, corner.inward));
+      const Singularity inside{ corner.position + way * corner.inward, quarters, 0.0 };
+      ConfigurationChange change;
+      change.key = key;
+      change.tracked = stage.At(here.place);
+      change.event = Capital(change.tracked.Name(row)) + " on the boundary at " +
+        Describe(corner.position) + " sent a singularity of quarter index " +
+        std::to_string(quarters) + " inside; " + std::to_string(left) + " is left there.";
+      if (left == SmallestRotationIndex(corner.Turning()))
+      {
+        change.tracked.singularities[row] = inside;
+      }
+      else
+      {
+        change.tracked.singularities[row].quarterIndex = left;
+        change.tracked.singularities.push_back(inside);
+        change.tracked.origins.push_back(-1);
+      }
+      return change;
+    }
+  }
+  return std::nullopt;
+}
+}

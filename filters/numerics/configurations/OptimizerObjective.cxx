@@ -1,0 +1,140 @@
+#include "OptimizerObjective.h"
+
+#include "DomainQueries.h"
+#include "RenormalizedEnergy.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+Point PlaceOf(const Eigen::VectorXd& place, std::size_t i)
+{
+  return place.segment<2>(2 * static_cast<Eigen::Index>(i));
+}
+
+/// Length of the edge of the boundary that is nearest to a point.
+double NearestEdge(const std::vector<BoundaryHalf>& halves, const Point& point)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  double length = 0.0;
+  for (const BoundaryHalf& half : halves)
+  {
+    const Point along = half.to - half.from;
+    const double t = std::clamp((point - half.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const double distance = (point - half.from - t * along).norm();
+    if (distance < nearest)
+    {
+      nearest = distance;
+      length = 2.0 * along.norm();
+    }
+  }
+  return length;
+}
+}
+
+OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
+  const PlanarDomain& domain, const Configuration& configuration, double clearance)
+  : Points(std::move(potential))
+  , Domain(domain)
+  , Started(configuration)
+  , Length(domain.Diagonal())
+  , Barrier(domain, configuration, clearance)
+{
+}
+
+Configuration OptimizerObjective::At(const Eigen::VectorXd& place) const
+{
+  Configuration moved = this->Started;
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    moved[i].position = this->Length * PlaceOf(place, i);
+  }
+  return moved;
+}
+
+Eigen::VectorXd OptimizerObjective::Start() const
+{
+  Eigen::VectorXd place(2 * static_cast<Eigen::Index>(this->Started.size()));
+  for (std::size_t i = 0; i < this->Started.size(); ++i)
+  {
+    place.segment<2>(2 * static_cast<Eigen::Index>(i)) = this->Started[i].position / this->Length;
+  }
+  return place;
+}
+
+ClearanceBarrier::Value OptimizerObjective::EvaluateBarrier(const Eigen::VectorXd& place) const
+{
+  ClearanceBarrier::Value value = this->Barrier.Evaluate(this->Length * place);
+  value.gradient *= this->Length;
+  value.hessian *= this->Length * this->Length;
+  return value;
+}
+
+OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& place) const
+{
+  const RenormalizedEnergyValue value =
+    EvaluateRenormalizedEnergy(*this->Points, this->Points->Solve(this->At(place)));
+  OptimizerPlace result;
+  result.place = place;
+  result.energy = value.singleValuedEnergy;
+  result.fullEnergy = value.energy;
+  result.gradient = this->Length *
+    Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
+  result.barrier = this->EvaluateBarrier(place);
+  const auto defects = static_cast<Eigen::Index>(value.holonomyDefect.size());
+  result.defects.resize(defects);
+  result.defectGradient.resize(defects, place.size());
+  for (Eigen::Index k = 0; k < defects; ++k)
+  {
+    const auto& derivative = value.defectGradient[static_cast<std::size_t>(k)];
+    result.defects[k] = value.holonomyDefect[static_cast<std::size_t>(k)];
+    result.defectGradient.row(k) =
+      this->Length * Eigen::Map<const Eigen::RowVectorXd>(derivative.data(), place.size());
+  }
+  return result;
+}
+
+double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& place, std::size_t i) const
+{
+  return SignedDistance(this->Length * PlaceOf(place, i), this->Domain) / this->Length;
+}
+
+double OptimizerObjective::Room(const Eigen::VectorXd& place, std::size_t i) const
+{
+  double room = this->BoundaryDistance(place, i);
+  for (std::size_t j = 0; j < this->Started.size(); ++j)
+  {
+    room = j == i ? room : std::min(room, (PlaceOf(place, j) - PlaceOf(place, i)).norm());
+  }
+  return room;
+}
+
+double OptimizerObjective::LongestPart(
+  const Eigen::VectorXd& place, const Eigen::VectorXd& step) const
+{
+  double part = 1.0;
+  for (std::size_t i = 0; i < this->Started.size(); ++i)
+  {
+    part = std::min(part, 0.5 * this->Room(place, i) / std::max(PlaceOf(step, i).norm(), 1e-300));
+  }
+  return part;
+}
+
+bool OptimizerObjective::OutgrowsMesh(const Eigen::VectorXd& place) const
+{
+  for (std::size_t i = 0; i < this->Started.size(); ++i)
+  {
+    const Point here = this->Length * PlaceOf(place, i);
+    if (NearestEdge(this->Points->GetHalves(), here) >
+      this->Length * this->BoundaryDistance(place, i))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ClearanceBarrier.h"
+#include "PointPotential.h"
+
+namespace crossfield
+{
+/// W, the holonomy defects, the barrier and their derivatives at one place; lengths in units of the
+/// domain's diagonal.
+struct OptimizerPlace
+{
+  Eigen::VectorXd place;   ///< Two coordinates per singularity.
+  double energy = 0.0;     ///< Single-valued W.
+  double fullEnergy = 0.0; ///< With the harmonic field of the defects.
+  Eigen::VectorXd gradient; ///< Of the single-valued W.
+  ClearanceBarrier::Value barrier;
+  Eigen::VectorXd defects;
+  Eigen::MatrixXd defectGradient; ///< One row per defect.
+
+  /// What is minimised.
+  double Objective() const { return this->energy + this->barrier.energy; }
+  Eigen::VectorXd ObjectiveGradient() const { return this->gradient + this->barrier.gradient; }
+};
+
+/// What the optimiser minimises on one mesh, as a function of the places of interior singularities.
+class OptimizerObjective
+{
+public:
+  /// `domain`: its own polygons, coarser than those of the mesh. `clearance` is a length.
+  OptimizerObjective(std::shared_ptr<const PointPotential> potential, const PlanarDomain& domain,
+    const Configuration& configuration, double clearance);
+
+  Eigen::VectorXd Start() const;
+  Configuration At(const Eigen::VectorXd& place) const;
+  OptimizerPlace Evaluate(const Eigen::VectorXd& place) const;
+  ClearanceBarrier::Value EvaluateBarrier(const Eigen::VectorXd& place) const;
+
+  /// Distance of singularity i to the boundary, negative outside the domain, in units of the diagonal.
+  double BoundaryDistance(const Eigen::VectorXd& place, std::size_t i) const;
+  /// The same to boundary and other singularities.
+  double Room(const Eigen::VectorXd& place, std::size_t i) const;
+  /// The part of a step, at most 1, that moves no singularity farther than half of its room: there W
+  /// may tend to infinity.
+  double LongestPart(const Eigen::VectorXd& place, const Eigen::VectorXd& step) const;
+  /// Whether an edge of the boundary next to a singularity is longer than its distance, below which the
+  /// mesh does not see its image (docs/method.md §5.5).
+  bool OutgrowsMesh(const Eigen::VectorXd& place) const;
+
+  std::size_t Count() const { return this->Started.size(); }
+  double Unit() const { return this->Length; }
+  /// In units of the diagonal.
+  double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
+  const PointPotential& Potential() const { return *this->Points; }
+
+private:
+  std::shared_ptr<const PointPotential> Points;
+  PlanarDomain Domain;
+  Configuration Started;
+  double Length;
+  ClearanceBarrier Barrier;
+};
+}

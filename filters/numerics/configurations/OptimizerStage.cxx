@@ -1,0 +1,84 @@
+#include "OptimizerStage.h"
+
+#include "BoundarySingularities.h"
+#include "DomainQueries.h"
+#include "DrillHoles.h"
+#include "RenormalizedEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+std::string TrackedConfiguration::Name(std::size_t row) const
+{
+  const int origin = this->origins[row];
+  return origin < 0 ? "the singularity from the boundary"
+                    : "singularity " + std::to_string(origin + 1);
+}
+
+void TrackedConfiguration::Erase(std::size_t row)
+{
+  const auto offset = static_cast<std::ptrdiff_t>(row);
+  this->singularities.erase(this->singularities.begin() + offset);
+  this->origins.erase(this->origins.begin() + offset);
+}
+
+TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& place) const
+{
+  TrackedConfiguration moved = this->tracked;
+  const Configuration interior = this->objective->At(place);
+  for (std::size_t i = 0; i < interior.size(); ++i)
+  {
+    moved.singularities[this->placed.rows[i]].position = interior[i].position;
+  }
+  return moved;
+}
+
+double OptimizerStage::CoreEnergy(const OptimizerPlace& place) const
+{
+  double coefficient = 0.0;
+  for (const Singularity& singularity : this->placed.interior)
+  {
+    coefficient += Pi * singularity.quarterIndex * singularity.quarterIndex;
+  }
+  for (const LogSource& corner : this->potential->GetCorners())
+  {
+    coefficient += 0.5 * corner.angle * corner.strength * corner.strength;
+  }
+  return place.fullEnergy -
+    coefficient * std::log(this->objective->Clearance() * this->objective->Unit());
+}
+
+OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration& tracked,
+  const StageOptions& options, const Progress& progress)
+{
+  const Configuration& singularities = tracked.singularities;
+  const PlanarDomain refined = InsertBoundarySingularities(domain, singularities);
+  DrillOptions drill;
+  drill.meshSize = options.meshSize;
+  const double reach = BoundaryReach * refined.Diagonal();
+  for (const Singularity& singularity : singularities)
+  {
+    const double distance = SignedDistance(singularity.position, refined);
+    // Edges grow by a quarter of the way, to half the distance at the boundary: it may halve.
+    if (distance > reach)
+    {
+      drill.refinements.push_back(
+        { singularity.position, 0.25 * std::max(distance, options.clearance) });
+    }
+  }
+  const SharedTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
+  OptimizerStage stage;
+  stage.tracked = tracked;
+  stage.placed = PlaceConfiguration(*topology, singularities, options.corners);
+  Alignment alignment =
+    AlignWithBoundary(*topology, stage.placed.corners, TotalQuarters(stage.placed.interior));
+  RequireConsistent(alignment.count); // before the mesh is factored
+  stage.potential = std::make_shared<const PointPotential>(
+    std::make_shared<const PotentialSolver>(topology), std::move(alignment));
+  stage.objective = std::make_shared<const OptimizerObjective>(
+    stage.potential, refined, stage.placed.interior, options.clearance);
+  return stage;
+}
+}

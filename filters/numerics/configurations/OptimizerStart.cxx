@@ -1,0 +1,91 @@
+#include "OptimizerStart.h"
+
+#include "BoundaryCorners.h"
+#include "DomainQueries.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+/// The way from the nearest point of the boundary.
+Point FromBoundary(const PlanarDomain& domain, const Point& place)
+{
+  Point nearest = Point::Constant(std::numeric_limits<double>::infinity());
+  for (const Loop& loop : domain.loops)
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const Point along = loop[(i + 1) % loop.size()] - loop[i];
+      const double t = std::clamp((place - loop[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+      const Point apart = place - loop[i] - t * along;
+      nearest = apart.squaredNorm() < nearest.squaredNorm() ? apart : nearest;
+    }
+  }
+  return nearest;
+}
+}
+
+double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+{
+  constexpr double Enough = 1.2;
+  constexpr double Target = 1.3; // a little more, so that it ends
+  constexpr int MostSweeps = 100;
+  const double reach = BoundaryReach * domain.Diagonal();
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    if (configuration[i].position.allFinite() &&
+      SignedDistance(configuration[i].position, domain) > reach)
+    {
+      inside.push_back(i);
+    }
+  }
+  Configuration moved = configuration;
+  double least = std::numeric_limits<double>::infinity();
+  for (int sweep = 0; sweep < MostSweeps; ++sweep)
+  {
+    bool clear = true;
+    for (const std::size_t i : inside)
+    {
+      Point& here = moved[i].position;
+      const Point apart = FromBoundary(domain, here);
+      least = sweep == 0 ? std::min(least, apart.norm()) : least;
+      if (apart.norm() < Enough * clearance)
+      {
+        here += (Target * clearance - apart.norm()) * apart.normalized();
+        clear = false;
+      }
+      for (const std::size_t j : inside)
+      {
+        const Point between = here - moved[j].position;
+        if (j < i && between.norm() > reach)
+        {
+          least = sweep == 0 ? std::min(least, between.norm()) : least;
+          if (between.norm() < Enough * clearance)
+          {
+            const Point way = 0.5 * (Target * clearance - between.norm()) * between.normalized();
+            here += way;
+            moved[j].position -= way;
+            clear = false;
+          }
+        }
+      }
+    }
+    if (clear)
+    {
+      const bool allInside = std::all_of(inside.begin(), inside.end(),
+        [&](std::size_t i) { return SignedDistance(moved[i].position, domain) > 0.0; });
+      if (allInside)
+      {
+        configuration = moved;
+        return clearance;
+      }
+      break;
+    }
+  }
+  return std::min(clearance, 0.5 * least);
+}
+}
