@@ -93,6 +93,12 @@ std::string Write(vtkSingularityOptimizer* optimizer)
   }
   report["reason"] =
     vtkStringArray::SafeDownCast(data->GetAbstractArray(names::Reason))->GetValue(0);
+  report["events"] = Json::array();
+  auto* events = vtkStringArray::SafeDownCast(data->GetAbstractArray(names::Events));
+  for (vtkIdType i = 0; i < events->GetNumberOfValues(); ++i)
+  {
+    report["events"].push_back(events->GetValue(i));
+  }
   report["singularities"] = Json::array();
   vtkDataArray* quarters = output->GetPointData()->GetArray(names::QuarterIndex);
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)

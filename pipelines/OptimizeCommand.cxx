@@ -35,6 +35,8 @@ struct OptimizeOptions : MeshOptions
   std::string corners;
   std::string json;
   int iterations = 200;
+  double clearance = 0.0;
+  bool keepAll = false;
 };
 
 int Optimize(const OptimizeOptions& options)
@@ -50,6 +52,8 @@ int Optimize(const OptimizeOptions& options)
     DomainReader::OpenPoints(options.singularities)->GetOutputPort());
   optimizer->SetMeshSize(options.size);
   optimizer->SetMaximumIterations(options.iterations);
+  optimizer->SetClearance(options.clearance);
+  optimizer->SetKeepAll(options.keepAll);
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
 
   // 3. Optimise and write.
@@ -59,7 +63,7 @@ int Optimize(const OptimizeOptions& options)
   if (!options.output.empty())
   {
     vtkDataArray* radii = moved->GetPointData()->GetArray(names::Radius);
-    const bool hasRadii = moved->GetNumberOfPoints() > 0 && radii->GetTuple1(0) > 0.0;
+    const bool hasRadii = moved->GetNumberOfPoints() > 0 && radii->GetRange()[1] > 0.0;
     const bool hasHeight =
       DomainReader::HasHeight(vtkDataSet::SafeDownCast(optimizer->GetInputDataObject(0, 0)));
     OutputFile::WriteConfiguration(moved, hasHeight, hasRadii, options.output, outputs);
@@ -73,6 +77,12 @@ int Optimize(const OptimizeOptions& options)
                    moved->GetFieldData()->GetAbstractArray(names::Reason))
                    ->GetValue(0)
               << "\n";
+    auto* events =
+      vtkStringArray::SafeDownCast(moved->GetFieldData()->GetAbstractArray(names::Events));
+    for (vtkIdType i = 0; i < events->GetNumberOfValues(); ++i)
+    {
+      std::cout << events->GetValue(i) << "\n";
+    }
   }
   else
   {
@@ -95,6 +105,12 @@ void AddOptimizeCommand(CLI::App& app, int& status)
   command->add_option("--iterations", options->iterations, "most iterations")
     ->capture_default_str()
     ->check(CLI::NonNegativeNumber);
+  command
+    ->add_option("--clearance", options->clearance,
+      "least distance to the boundary and to each other; default: 1/400 of the domain's diagonal")
+    ->check(CLI::NonNegativeNumber);
+  command->add_flag("--keep-all", options->keepAll,
+    "no singularity moves into the boundary or out of it, none that meet are taken out");
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Optimize(*options); });
 }

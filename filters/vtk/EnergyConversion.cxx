@@ -120,6 +120,8 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
   }
   data->AddArray(pairs);
   ColumnWriting::AddText(data, names::Reason, result.reason);
+  AddColumn<vtkStringArray>(
+    data, names::Events, result.events, [](const std::string& event) { return event; });
 }
 
 //------------------------------------------------------------------------------

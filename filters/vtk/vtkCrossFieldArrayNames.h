@@ -58,6 +58,7 @@ constexpr const char* Gradient = "Gradient";
 constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
 constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";
 constexpr const char* Annihilation = "Annihilation";
+constexpr const char* Events = "Events";
 constexpr const char* Iteration = "Iteration";
 constexpr const char* GradientNorm = "GradientNorm";
 constexpr const char* StepLength = "StepLength";

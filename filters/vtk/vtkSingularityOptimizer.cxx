@@ -51,6 +51,8 @@ int vtkSingularityOptimizer::RequestData(
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
       options.maximumIterations = this->MaximumIterations;
       options.tolerance = this->Tolerance;
+      options.clearance = this->Clearance;
+      options.keepAll = this->KeepAll;
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
@@ -79,4 +81,6 @@ void vtkSingularityOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Clearance: " << this->Clearance << "\n";
+  os << indent << "KeepAll: " << this->KeepAll << "\n";
 }

@@ -9,22 +9,25 @@
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
  * Port 1, the singularities to start from (points): point arrays `QuarterIndex` (integers) and
- * optionally `Radius`, inside or on the boundary as for vtkHField. Those on the boundary do not move.
+ * optionally `Radius`, inside or on the boundary as for vtkHField.
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkHField.
  *
  * Output port 0 (vtkPolyData): the singularities in their order, point arrays `QuarterIndex` (int) and
- * `Radius` (double, as given, 0 if not). Field data: `RenormalizedEnergyBefore`,
+ * `Radius` (double, as given or shrunk to fit, 0 if not given). Field data: `RenormalizedEnergyBefore`,
  * `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1), `HolonomyDefect` (per inner loop),
- * `Annihilation` (2 components, int: rows of two singularities of opposite sign that met; none if
- * none), `Reason` (string, one sentence).
+ * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
+ * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
+ * besides moving).
  * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
  * `RenormalizedEnergy`, `GradientNorm` (largest derivative of the Lagrangian, times the diagonal of the
  * domain), `HolonomyDefect` (the largest), `StepLength` (the longest way of a singularity).
  *
  * Singularities of like sign repel each other, and the boundary repels them; opposite signs attract.
- * When two of them meet, or one is pressed against the boundary, as at a corner that would rather
- * carry it, the run stops with `Converged` 0, a warning, and a reason that says what to do. The output
- * is then the last configuration. An abort gives the best configuration so far.
+ * Two that meet are taken out, or become one of the sum; one that is pressed against the boundary, as
+ * at a corner that would rather carry it, becomes one of the boundary, and one on the boundary moves
+ * inside where that is cheaper. All others stay at the Clearance, and do not stop the run. Where the
+ * singularities do not come to rest, `Converged` is 0, and a warning gives the reason. An abort gives
+ * the best configuration so far.
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles
  * refuses; a singularity outside; quarter indices that violate the Poincaré-Hopf theorem
@@ -79,6 +82,25 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Least distance of the singularities inside to the boundary and to each other, in the units of the
+   * domain; 0: 1/400 of the diagonal of the bounding box. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Clearance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Every singularity stays what it is: none moves into the boundary or out of it, and two of opposite
+   * sign that meet are not taken out but stay at the clearance. Default: off.
+   */
+  vtkSetMacro(KeepAll, bool);
+  vtkGetMacro(KeepAll, bool);
+  vtkBooleanMacro(KeepAll, bool);
+  ///@}
+
 protected:
   vtkSingularityOptimizer();
   ~vtkSingularityOptimizer() override = default;
@@ -94,6 +116,8 @@ private:
   double MeshSize = 0.0;
   int MaximumIterations = 200;
   double Tolerance = 1e-6;
+  double Clearance = 0.0;
+  bool KeepAll = false;
 };
 
 #endif
