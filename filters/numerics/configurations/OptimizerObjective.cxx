@@ -103,23 +103,43 @@ double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& place, std::s
   return SignedDistance(this->Length * PlaceOf(place, i), this->Domain) / this->Length;
 }
 
-double OptimizerObjective::Room(const Eigen::VectorXd& place, std::size_t i) const
-{
-  double room = this->BoundaryDistance(place, i);
-  for (std::size_t j = 0; j < this->Started.size(); ++j)
-  {
-    room = j == i ? room : std::min(room, (PlaceOf(place, j) - PlaceOf(place, i)).norm());
-  }
-  return room;
-}
-
 double OptimizerObjective::LongestPart(
   const Eigen::VectorXd& place, const Eigen::VectorXd& step) const
 {
+  constexpr double Least = 1e-9; // of no use
   double part = 1.0;
-  for (std::size_t i = 0; i < this->Started.size(); ++i)
+  for (std::size_t i = 0; i < this->Count(); ++i)
   {
-    part = std::min(part, 0.5 * this->Room(place, i) / std::max(PlaceOf(step, i).norm(), 1e-300));
+    const Point from = PlaceOf(place, i);
+    const Point way = PlaceOf(step, i);
+    const double room = this->BoundaryDistance(place, i);
+    const auto fits = [&]
+    {
+      // Within half its room it cannot have met anything.
+      if (part * way.norm() > 0.5 * room)
+      {
+        const double clear =
+          ClearWay(this->Domain, this->Length * from, way.normalized()) / this->Length;
+        const Eigen::VectorXd next = place + part * step;
+        if (clear < part * way.norm() || this->BoundaryDistance(next, i) < 0.5 * room)
+        {
+          return false;
+        }
+      }
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        const Point apart = PlaceOf(place, j) - from;
+        if ((apart + part * (PlaceOf(step, j) - way)).norm() < 0.5 * apart.norm())
+        {
+          return false;
+        }
+      }
+      return true;
+    };
+    while (part > Least && !fits())
+    {
+      part *= 0.5;
+    }
   }
   return part;
 }

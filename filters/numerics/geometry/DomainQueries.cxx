@@ -11,30 +11,43 @@ namespace crossfield
 {
 namespace
 {
-double DistanceToSegment(const Point& point, const Point& from, const Point& to)
+double SquaredDistanceToSegment(const Point& point, const Point& from, const Point& to)
 {
   const Point along = to - from;
   const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - from - t * along).norm();
+  return (point - from - t * along).squaredNorm();
+}
+
+/// How a segment counts in the winding number around a point: whether it crosses the ray to the
+/// right of the point upwards, 1, or downwards, −1.
+int RayCrossing(const Point& point, const Point& from, const Point& to)
+{
+  const bool below = from.y() <= point.y();
+  if (below == (to.y() <= point.y()))
+  {
+    return 0;
+  }
+  const double side = Cross(to - from, point - from);
+  return below ? (side > 0.0 ? 1 : 0) : (side < 0.0 ? -1 : 0);
 }
 }
 
 double SignedDistance(const Point& point, const PlanarDomain& domain)
 {
   double distance = std::numeric_limits<double>::infinity();
-  double winding = 0.0;
+  int winding = 0;
   for (const Loop& loop : domain.loops)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       const Point& from = loop[i];
       const Point& to = loop[(i + 1) % loop.size()];
-      distance = std::min(distance, DistanceToSegment(point, from, to));
-      winding += AngleBetween(from - point, to - point);
+      distance = std::min(distance, SquaredDistanceToSegment(point, from, to));
+      winding += RayCrossing(point, from, to);
     }
   }
   // The loops wind once around a point of the domain and not at all around any other.
-  return winding > Pi ? distance : -distance;
+  return winding > 0 ? std::sqrt(distance) : -std::sqrt(distance);
 }
 
 double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction)

@@ -196,19 +196,19 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     RequireConsistent(count);
   }
   Solution result;
+  // Nearer than this they are one point in single precision.
+  const double least = 1e-6 * this->Domain.Diagonal();
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     const Singularity& singularity = configuration[i];
-    if (!(SignedDistance(singularity.position, this->Domain) > 1e-6 * this->Domain.Diagonal()))
+    if (!(SignedDistance(singularity.position, this->Domain) > least))
     {
       throw Error("The singularity " + std::to_string(i) + " at " + Describe(singularity.position) +
         " lies outside the domain or on its boundary; move it inside.");
     }
     for (std::size_t j = 0; j < i; ++j)
     {
-      // Nearer than this they are one point in single precision.
-      if ((configuration[j].position - singularity.position).norm() <=
-        1e-6 * this->Domain.Diagonal())
+      if ((configuration[j].position - singularity.position).norm() <= least)
       {
         throw Error("Singularities " + std::to_string(j) + " and " + std::to_string(i) +
           " are at the same place " + Describe(singularity.position) +
