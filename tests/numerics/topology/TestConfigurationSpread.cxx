@@ -1,7 +1,7 @@
 // Proposed configurations, and what the solver makes of them and of others.
 
 #include "BuiltinDomains.h"
-#include "ConfigurationProposal.h"
+#include "ConfigurationSpread.h"
 #include "CornerClassification.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
@@ -46,7 +46,7 @@ TEST(DomainQueries, ClearWay)
   EXPECT_EQ(ClearWay(square, { 0.5, 0.0 }, { 0.0, -1.0 }), 0.0);
 }
 
-TEST(ConfigurationProposal, IsConsistentAndCanBeDrilledAndSolved)
+TEST(ConfigurationSpread, IsConsistentAndCanBeDrilledAndSolved)
 {
   for (const std::string& name : BuiltinDomainNames())
   {
@@ -54,9 +54,9 @@ TEST(ConfigurationProposal, IsConsistentAndCanBeDrilledAndSolved)
     {
       SCOPED_TRACE(name + (cancel ? " with pairs" : ""));
       const PlanarDomain domain = Builtin(name);
-      ProposalOptions options;
+      SpreadOptions options;
       options.cancelFlatCorners = cancel;
-      const Configuration proposal = ProposeConfiguration(domain, options);
+      const Configuration proposal = SpreadConfiguration(domain, options);
       EXPECT_EQ(TotalQuarters(proposal), Required(domain));
       if (!cancel)
       {
@@ -73,14 +73,14 @@ TEST(ConfigurationProposal, IsConsistentAndCanBeDrilledAndSolved)
   }
 }
 
-TEST(ConfigurationProposal, CancelsFlatAnglesAsInThePaper)
+TEST(ConfigurationSpread, CancelsFlatAnglesAsInThePaper)
 {
-  ProposalOptions options;
+  SpreadOptions options;
   options.cancelFlatCorners = true;
   const auto signs = [&](const char* name)
   {
     std::vector<int> quarters;
-    for (const Singularity& singularity : ProposeConfiguration(Builtin(name), options))
+    for (const Singularity& singularity : SpreadConfiguration(Builtin(name), options))
     {
       quarters.push_back(singularity.quarterIndex);
     }
@@ -92,10 +92,10 @@ TEST(ConfigurationProposal, CancelsFlatAnglesAsInThePaper)
   EXPECT_EQ(signs("angular-hole"), std::vector<int>({ 1, 1, -1, -1, -1, -1 }));
 }
 
-TEST(ConfigurationProposal, SpreadsOverTheDisk)
+TEST(ConfigurationSpread, SpreadsOverTheDisk)
 {
   // Four equal disks fit into the unit disk with their centres at 2 − √2 from its own.
-  const Configuration proposal = ProposeConfiguration(Builtin("disk"));
+  const Configuration proposal = SpreadConfiguration(Builtin("disk"));
   ASSERT_EQ(proposal.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -108,36 +108,36 @@ TEST(ConfigurationProposal, SpreadsOverTheDisk)
   }
 }
 
-TEST(ConfigurationProposal, CompletesWhatIsGiven)
+TEST(ConfigurationSpread, CompletesWhatIsGiven)
 {
-  ProposalOptions options;
+  SpreadOptions options;
   options.given = { { Point(0.3, 0.0), -1, 0.05 }, { Point(-0.3, 0.0), 2, 0.1 } };
   const PlanarDomain disk = Builtin("disk");
-  const Configuration proposal = ProposeConfiguration(disk, options);
+  const Configuration proposal = SpreadConfiguration(disk, options);
   ASSERT_EQ(proposal.size(), 5u);
   EXPECT_EQ(proposal[1].quarterIndex, 2);
   EXPECT_EQ(proposal[0].position, options.given[0].position);
   EXPECT_EQ(TotalQuarters(proposal), 4);
   EXPECT_NO_THROW(DrillHoles(disk, proposal));
   options.given[0].position = Point(3.0, 0.0);
-  EXPECT_TRUE(Refuses([&] { ProposeConfiguration(disk, options); }, { "outside" }));
+  EXPECT_TRUE(Refuses([&] { SpreadConfiguration(disk, options); }, { "outside" }));
 }
 
-TEST(ConfigurationProposal, FollowsChosenCorners)
+TEST(ConfigurationSpread, FollowsChosenCorners)
 {
-  ProposalOptions options;
+  SpreadOptions options;
   options.corners = { { Point(0.0, 0.0), 2 }, { Point(1.0, 1.0), 0 }, { Point(1.0, 0.0), 0 } };
-  EXPECT_EQ(TotalQuarters(ProposeConfiguration(Builtin("square"), options)), 1);
+  EXPECT_EQ(TotalQuarters(SpreadConfiguration(Builtin("square"), options)), 1);
 }
 
-TEST(ConfigurationProposal, IsScaleInvariant)
+TEST(ConfigurationSpread, IsScaleInvariant)
 {
   const PlanarDomain star = Builtin("star");
-  const Configuration plain = ProposeConfiguration(star);
+  const Configuration plain = SpreadConfiguration(star);
   for (const double scale : { 1e-6, 1e6 })
   {
     const Similarity move{ 0.0, scale, Point::Zero() };
-    const Configuration scaled = ProposeConfiguration(move(star));
+    const Configuration scaled = SpreadConfiguration(move(star));
     ASSERT_EQ(scaled.size(), plain.size());
     for (std::size_t i = 0; i < plain.size(); ++i)
     {
@@ -200,9 +200,9 @@ TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
     PerforatedOptions options;
     options.method = PerforatedMethod::UnitNorm;
     options.corners = { { Point(0.0, 0.0), k } };
-    ProposalOptions proposal;
+    SpreadOptions proposal;
     proposal.corners = options.corners;
-    const TriangleMesh mesh = DrillHoles(domain, ProposeConfiguration(domain, proposal));
+    const TriangleMesh mesh = DrillHoles(domain, SpreadConfiguration(domain, proposal));
     energy[k] = SolvePerforated(ShareTopology(mesh), options).energy;
   }
   EXPECT_LT(energy[1], energy[0]);
@@ -219,7 +219,7 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
   {
     SCOPED_TRACE(name);
     const PlanarDomain domain = Builtin(name);
-    Configuration wrong = ProposeConfiguration(domain);
+    Configuration wrong = SpreadConfiguration(domain);
     if (wrong.empty())
     {
       wrong.push_back({ Point(0.25, 0.25), 1, 0.02 });

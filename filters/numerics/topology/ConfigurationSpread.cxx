@@ -1,4 +1,4 @@
-#include "ConfigurationProposal.h"
+#include "ConfigurationSpread.h"
 
 #include "DomainQueries.h"
 #include "Error.h"
@@ -129,8 +129,8 @@ Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Co
 }
 }
 
-Configuration ProposeConfiguration(
-  const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
+Configuration SpreadConfiguration(
+  const PlanarDomain& domain, const SpreadOptions& options, const Progress& progress)
 {
   for (const Singularity& singularity : options.given)
   {
@@ -195,14 +195,27 @@ Configuration ProposeConfiguration(
       }
     }
   }
-
-  // 3. Radii that leave room for a mesh in between.
-  for (std::size_t i = given; i < result.size(); ++i)
-  {
-    const Point& place = result[i].position;
-    result[i].radius = std::min(
-      domain.Diagonal() / 40.0, Room(place, SignedDistance(place, domain), result, i) / 3.0);
-  }
+  GiveRadii(domain, result, given);
   return result;
+}
+
+std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configuration& others)
+{
+  const Candidates candidates(domain);
+  if (candidates.places.empty())
+  {
+    return std::nullopt;
+  }
+  return candidates.places[candidates.Best(others, others.size())];
+}
+
+void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first)
+{
+  for (std::size_t i = first; i < configuration.size(); ++i)
+  {
+    const Point& place = configuration[i].position;
+    configuration[i].radius = std::min(
+      domain.Diagonal() / 40.0, Room(place, SignedDistance(place, domain), configuration, i) / 3.0);
+  }
 }
 }

@@ -1,0 +1,125 @@
+#include "ConfigurationProposal.h"
+
+#include "ConfigurationStarts.h"
+#include "CornerEnergy.h"
+#include "DomainQueries.h"
+#include "PoincareHopf.h"
+#include "SingularityOptimizer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// A few steps of the optimiser, unless some have to stay where they are, and what the result costs.
+void Try(const PlanarDomain& domain, const ProposalOptions& options, double coreRadius,
+  const Progress& progress, ProposedConfiguration& proposal)
+{
+  constexpr int Steps = 8; // most of the way, as a rule
+  OptimizerOptions optimizer;
+  optimizer.corners = proposal.corners;
+  optimizer.maximumIterations = options.given.empty() && !options.cancelFlatCorners ? Steps : 0;
+  const OptimizerResult trial =
+    OptimizeSingularities(domain, proposal.singularities, optimizer, progress);
+  if (trial.aborted)
+  {
+    throw Aborted();
+  }
+  proposal.singularities = trial.configuration;
+  proposal.renormalized = trial.energyAfter;
+  proposal.logarithmCoefficient =
+    LogarithmCoefficient(domain, proposal.singularities, proposal.corners, options.cornerAngle);
+  proposal.energy = proposal.renormalized - proposal.logarithmCoefficient * std::log(coreRadius);
+  for (const double defect : trial.holonomyDefect)
+  {
+    proposal.holonomyDefect = std::max(proposal.holonomyDefect, std::abs(defect));
+  }
+}
+
+/// Whether two configurations are the same within a distance, in whatever order.
+bool Same(const Configuration& a, Configuration b, double distance)
+{
+  for (const Singularity& singularity : a)
+  {
+    const auto match = std::find_if(b.begin(), b.end(),
+      [&](const Singularity& other)
+      {
+        return other.quarterIndex == singularity.quarterIndex &&
+          (other.position - singularity.position).norm() <= distance;
+      });
+    if (match == b.end())
+    {
+      return false;
+    }
+    b.erase(match);
+  }
+  return b.empty();
+}
+}
+
+double LogarithmCoefficient(const PlanarDomain& domain, const Configuration& configuration,
+  const std::vector<CornerChoice>& corners, double cornerAngle)
+{
+  double coefficient = 0.0;
+  for (const Singularity& singularity : configuration)
+  {
+    coefficient += Pi * singularity.quarterIndex * singularity.quarterIndex;
+  }
+  for (const CountedCorner& corner :
+    CountQuarters(domain.loops, TotalQuarters(configuration), cornerAngle, corners).corners)
+  {
+    coefficient += 16.0 * CornerEnergy(corner.angle, corner.quarterIndex);
+  }
+  return coefficient;
+}
+
+std::vector<ProposedConfiguration> ProposeConfigurations(
+  const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
+{
+  RequireInside(domain, options.given);
+  std::vector<ProposedConfiguration> proposals =
+    FindStarts(domain, options, progress.Part(0.0, 0.5));
+  const double diagonal = domain.Diagonal();
+  const double coreRadius = options.coreRadius > 0.0 ? options.coreRadius : 0.01 * diagonal;
+  for (std::size_t i = 0; i < proposals.size(); ++i)
+  {
+    const auto part = [&](std::size_t number)
+    { return 0.5 + 0.5 * static_cast<double>(number) / static_cast<double>(proposals.size()); };
+    Try(domain, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
+  }
+
+  // The best first, each once.
+  constexpr double Vanishing = 0.05; // radians; what a few steps leave of a defect that can vanish
+  const auto rank = [&domain](const ProposedConfiguration& proposal)
+  {
+    const bool hopeless =
+      proposal.holonomyDefect > Vanishing && TooFewForHolonomy(domain, proposal.singularities);
+    return std::make_tuple(proposal.variation, hopeless, proposal.energy);
+  };
+  std::stable_sort(proposals.begin(), proposals.end(),
+    [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  std::vector<ProposedConfiguration> distinct;
+  for (ProposedConfiguration& proposal : proposals)
+  {
+    const bool repeated = std::any_of(distinct.begin(), distinct.end(),
+      [&](const ProposedConfiguration& better)
+      { return Same(better.singularities, proposal.singularities, 0.01 * diagonal); });
+    if (!repeated)
+    {
+      GiveRadii(domain, proposal.singularities, options.given.size());
+      distinct.push_back(std::move(proposal));
+    }
+  }
+  return distinct;
+}
+
+Configuration ProposeConfiguration(
+  const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
+{
+  return ProposeConfigurations(domain, options, progress).front().singularities;
+}
+}
