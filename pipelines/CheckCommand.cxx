@@ -109,18 +109,18 @@ int Check(const CheckOptions& options)
   if (!options.proposal.empty())
   {
     OutputFile::WriteConfiguration(proposal->GetOutput(),
-      DomainReader::HasHeight(check->GetOutput()), true, options.proposal, outputs);
+      DomainReader::HasHeight(check->GetOutput()), options.proposal, outputs);
   }
   const std::string reason = vtkStringArray::SafeDownCast(
     check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))
                                ->GetValue(0);
   const bool consistent = FieldValue(check->GetOutput(), names::Consistent) != 0.0;
-  if (options.json.empty())
+  if (options.json.empty() && !outputs.PrintsData())
   {
     PrintSummary(check);
     std::cout << (consistent ? reason + "\n" : "");
   }
-  else
+  if (!options.json.empty())
   {
     outputs.Write(TopologyJson::Write(check), options.json);
   }

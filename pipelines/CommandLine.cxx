@@ -15,11 +15,10 @@
 void MeshOptions::AddTo(CLI::App& command)
 {
   command.add_option("DOMAIN", this->domain, DomainReader::Help)->required();
-  command
-    .add_option("-s,--singularities", this->singularities,
-      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp")
-    ->required();
-  command.add_option("-o,--output", this->output, "the .vtu file to write");
+  command.add_option("-s,--singularities", this->singularities,
+    "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp, or - for standard "
+    "input; left out: chosen for the domain");
+  command.add_option("-o,--output", this->output, "the .vtu file to write, or - for output");
   command.add_option(
     "--size", this->size, "target edge length; default: 1/40 of the domain's diagonal");
 }
@@ -28,6 +27,12 @@ void AddCornersTo(CLI::App& command, std::string& corners)
 {
   command.add_option("--corners", corners,
     "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+}
+
+void AddSaveSingularitiesTo(CLI::App& command, std::string& file)
+{
+  command.add_option("--save-singularities", file,
+    "write the singularities, given or chosen, to this .csv file, or - for output");
 }
 
 void AddJsonTo(CLI::App& command, std::string& json)

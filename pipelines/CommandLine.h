@@ -47,6 +47,9 @@ struct MeshOptions
 /** Adds the option --corners. */
 void AddCornersTo(CLI::App& command, std::string& corners);
 
+/** Adds the option --save-singularities. */
+void AddSaveSingularitiesTo(CLI::App& command, std::string& file);
+
 /** Adds the option --json. */
 void AddJsonTo(CLI::App& command, std::string& json);
 

@@ -1,5 +1,5 @@
 /**
- * crossfield compare DOMAIN -s S.csv -o F.vtm: several methods on one domain and configuration, in
+ * crossfield compare DOMAIN [-s S.csv] -o F.vtm: several methods on one domain and configuration, in
  * one table and one multiblock file to look at side by side.
  *
  *   crossfield compare builtin:disk -s four.csv -o compared.vtm --epsilon 0.05
@@ -11,6 +11,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "SingularityInput.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
@@ -38,6 +39,7 @@ struct CompareOptions : MeshOptions
   bool inPlace = false;
   std::string csv;
   std::string json;
+  std::string savedSingularities;
 };
 
 /** A copy of a field that is moved along x. */
@@ -61,14 +63,14 @@ vtkSmartPointer<vtkUnstructuredGrid> Moved(vtkUnstructuredGrid* field, double of
 int Compare(const CompareOptions& options)
 {
   // 1. Check the outputs before any work.
-  OutputFile::RequireWritable(
-    { { options.output, ".vtm" }, { options.csv, "" }, { options.json, "" } });
+  OutputFile::RequireWritable({ { options.output, ".vtm" }, { options.csv, "" },
+    { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
   const auto domain = DomainReader::Open(options.domain, options.size);
   PipelineRun::Update(domain, "reading");
-  const auto singularities = DomainReader::OpenPoints(options.singularities);
-  PipelineRun::Update(singularities, "reading");
+  SingularityInput singularities(options.singularities, domain, options.size, "");
+  singularities.Update();
   const std::array<double, 6> bounds =
     DomainReader::Bounds(vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0)));
   const double width = bounds[1] - bounds[0];
@@ -112,6 +114,7 @@ int Compare(const CompareOptions& options)
 
   // 4. Write the fields and the table.
   OutputTransaction outputs;
+  singularities.Save(options.savedSingularities, outputs);
   if (!options.output.empty())
   {
     OutputFile::WriteBlocks(blocks, options.output, outputs);
@@ -124,8 +127,9 @@ int Compare(const CompareOptions& options)
   {
     outputs.Write(CompareTable::Json(rows), options.json);
   }
-  if (options.csv != "-" && options.json != "-")
+  if (options.json.empty() && !outputs.PrintsData())
   {
+    singularities.PrintChoice();
     std::cout << CompareTable::Text(rows);
   }
   outputs.Commit();
@@ -160,6 +164,7 @@ void AddCompareCommand(CLI::App& app, int& status)
   command->add_flag(
     "--in-place", options->inPlace, "leave the fields where they are instead of side by side");
   command->add_option("--csv", options->csv, "write the table to this file, or - for output");
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   command->add_option("--json", options->json, "write the table to this file, or - for output");
   command->callback([options, &status] { status = Compare(*options); });
 }

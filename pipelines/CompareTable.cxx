@@ -1,6 +1,7 @@
 #include "CompareTable.h"
 
 #include "CommandLine.h"
+#include "JsonText.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -11,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +152,7 @@ std::string Csv(const std::vector<CompareRow>& rows)
     const Fields fields = FieldsOf(row);
     for (std::size_t i = 0; i < fields.size(); ++i)
     {
-      text << (i == 0 ? "" : ",") << fields[i].second.dump();
+      text << (i == 0 ? "" : ",") << JsonText(fields[i].second, -1);
     }
     text << "\n";
   }
@@ -172,6 +171,6 @@ std::string Json(const std::vector<CompareRow>& rows)
     }
     methods.push_back(object);
   }
-  return nlohmann::ordered_json{ { "methods", methods } }.dump(2) + "\n";
+  return JsonText({ { "methods", methods } }) + "\n";
 }
 }

@@ -105,11 +105,11 @@ int Corners(const CornersOptions& options)
   {
     OutputFile::Write(classifier->GetOutput(), options.output, outputs);
   }
-  if (options.json.empty())
+  if (options.json.empty() && !outputs.PrintsData())
   {
     PrintSummary(classifier);
   }
-  else
+  if (!options.json.empty())
   {
     outputs.Write(TopologyJson::Write(classifier), options.json);
   }

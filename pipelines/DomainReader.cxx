@@ -2,12 +2,14 @@
 
 #include "IsolatedReading.h"
 #include "PipelineRun.h"
+#include "vtkCrossFieldArrayNames.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularitySource.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDelimitedTextReader.h"
 #include "vtkGenericDataObjectReader.h"
@@ -20,6 +22,7 @@
 #include "vtkSTLReader.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -229,6 +232,13 @@ vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file)
   auto source = vtkSmartPointer<vtkSingularitySource>::New();
   source->SetFileName(file);
   return source;
+}
+
+bool IsDrilled(vtkDataObject* domain)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(domain);
+  return grid != nullptr &&
+    grid->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr;
 }
 
 std::array<double, 6> Bounds(vtkDataSet* domain)

@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+class vtkDataObject;
 class vtkDataSet;
 
 /** The program's DOMAIN argument: a file, or builtin:NAME. */
@@ -35,6 +36,9 @@ void ConnectCorners(Filter* filter, const std::string& file)
     filter->SetCornersConnection(OpenPoints(file)->GetOutputPort());
   }
 }
+
+/** Whether a domain is a mesh of vtkDrillHoles, with what it says of its boundary. */
+bool IsDrilled(vtkDataObject* domain);
 
 /** The bounding box of the points that the lines and surface cells of a domain use. */
 std::array<double, 6> Bounds(vtkDataSet* domain);

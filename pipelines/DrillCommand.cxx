@@ -1,5 +1,5 @@
 /**
- * crossfield drill DOMAIN -s S.csv -o F.vtu: triangulates a domain with a hole at every singularity.
+ * crossfield drill DOMAIN [-s S.csv] -o F.vtu: triangulates a domain with a hole at every singularity.
  *
  *   crossfield drill builtin:disk -s four.csv -o drilled.vtu --size 0.05
  */
@@ -8,6 +8,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "SingularityInput.h"
 #include "vtkDrillHoles.h"
 
 #include "vtkAlgorithm.h"
@@ -24,6 +25,7 @@ namespace
 struct DrillCommandOptions : MeshOptions
 {
   std::string mode = "perforate";
+  std::string savedSingularities;
 };
 }
 
@@ -36,20 +38,23 @@ void AddDrillCommand(CLI::App& app, int& status)
   options->AddTo(*command);
   command->get_option("--output")->required();
   AddModeTo(*command, options->mode);
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   command->callback(
     [options, &status]
     {
       // 1. Check the output before any work.
-      OutputFile::RequireWritable({ { options->output, ".vtu" } });
+      OutputFile::RequireWritable(
+        { { options->output, ".vtu" }, { options->savedSingularities, ".csv" } });
 
       // 2. Read the domain and the configuration.
       const auto domain = DomainReader::Open(options->domain, options->size);
-      const auto singularities = DomainReader::OpenPoints(options->singularities);
+      SingularityInput singularities(options->singularities, domain, options->size, "");
+      singularities.Update();
 
       // 3. Drill.
       vtkNew<vtkDrillHoles> drill;
       drill->SetInputConnection(domain->GetOutputPort());
-      drill->SetSingularitiesConnection(singularities->GetOutputPort());
+      drill->SetSingularitiesConnection(singularities.GetOutputPort());
       drill->SetMeshSize(options->size);
       drill->SetMode(DrillModeCode(options->mode));
       PipelineRun::Update(drill, "drilling");
@@ -57,7 +62,13 @@ void AddDrillCommand(CLI::App& app, int& status)
       // 4. Write the mesh.
       OutputTransaction outputs;
       OutputFile::Write(drill->GetOutput(), options->output, outputs);
-      std::cout << options->output << ": " << CountTriangles(drill->GetOutput()) << " triangles\n";
+      singularities.Save(options->savedSingularities, outputs);
+      if (!outputs.PrintsData())
+      {
+        singularities.PrintChoice();
+        std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
+                  << " triangles\n";
+      }
       outputs.Commit();
       status = Done;
     });

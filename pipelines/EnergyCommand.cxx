@@ -1,5 +1,5 @@
 /**
- * crossfield energy DOMAIN -s A.csv [-s B.csv …]: energies of configurations, the best first.
+ * crossfield energy DOMAIN [-s A.csv] [-s B.csv …]: energies of configurations, the best first.
  *
  *   crossfield energy builtin:disk -s four.csv --json -
  */
@@ -9,6 +9,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityEnergy.h"
 
@@ -21,6 +22,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace
 {
@@ -68,23 +70,42 @@ int Energy(const EnergyOptions& options)
   vtkNew<vtkSingularityEnergy> energy;
   energy->SetInputConnection(domain->GetOutputPort());
   energy->SetMeshSize(options.size);
-  for (const std::string& file : options.configurations)
+  std::vector<std::string> files = options.configurations;
+  std::optional<SingularityInput> chosen;
+  if (files.empty())
   {
-    energy->AddConfigurationConnection(DomainReader::OpenPoints(file)->GetOutputPort());
+    files = { "chosen" };
+    chosen.emplace("", domain, options.size, options.corners);
+    chosen->Update();
+    energy->AddConfigurationConnection(chosen->GetOutputPort());
+    chosen->ConnectCorners(energy.Get());
   }
-  DomainReader::ConnectCorners(energy.Get(), options.corners);
+  else
+  {
+    for (const std::string& file : files)
+    {
+      energy->AddConfigurationConnection(DomainReader::OpenPoints(file)->GetOutputPort());
+    }
+    DomainReader::ConnectCorners(energy.Get(), options.corners);
+  }
 
   // 3. Compute and write.
   PipelineRun::Update(energy, "energies");
   vtkTable* table = energy->GetOutput();
   OutputTransaction outputs;
-  if (options.json.empty())
+  if (!options.json.empty())
   {
-    PrintSummary(table, options.configurations);
+    outputs.Write(
+      EnergyJson::Write(energy, files, chosen.has_value() ? chosen->GetOutput() : nullptr),
+      options.json);
   }
-  else
+  else if (!outputs.PrintsData())
   {
-    outputs.Write(EnergyJson::Write(energy, options.configurations), options.json);
+    if (chosen.has_value())
+    {
+      chosen->PrintChoice();
+    }
+    PrintSummary(table, files);
   }
   outputs.Commit();
 
@@ -108,8 +129,8 @@ void AddEnergyCommand(CLI::App& app, int& status)
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   command
     ->add_option("-s,--singularities", options->configurations,
-      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; may be repeated")
-    ->required()
+      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp, or - for standard "
+      "input; may be repeated; left out: chosen for the domain")
     ->expected(1)
     ->take_all();
   AddCornersTo(*command, options->corners);

@@ -1,5 +1,8 @@
 #include "EnergyJson.h"
 
+#include "DomainReader.h"
+#include "JsonText.h"
+#include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityEnergy.h"
 #include "vtkSingularityOptimizer.h"
@@ -12,8 +15,6 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <nlohmann/json.hpp>
-
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
@@ -22,7 +23,8 @@ using Json = nlohmann::ordered_json;
 
 namespace EnergyJson
 {
-std::string Write(vtkSingularityEnergy* energy, const std::vector<std::string>& files)
+std::string Write(
+  vtkSingularityEnergy* energy, const std::vector<std::string>& files, vtkDataSet* chosen)
 {
   vtkTable* table = energy->GetOutput();
   auto* gradients = vtkPolyData::SafeDownCast(energy->GetOutputDataObject(1));
@@ -65,7 +67,13 @@ std::string Write(vtkSingularityEnergy* energy, const std::vector<std::string>& 
     entry["consistent"] = consistent;
     list.push_back(entry);
   }
-  return Json{ { "configurations", list } }.dump(2) + "\n";
+  Json report = Json{ { "configurations", list } };
+  if (chosen != nullptr)
+  {
+    ReportJson::AddSingularities(report, chosen,
+      DomainReader::HasHeight(vtkDataSet::SafeDownCast(energy->GetInputDataObject(0, 0))));
+  }
+  return JsonText(report) + "\n";
 }
 
 std::string Write(vtkSingularityOptimizer* optimizer)
@@ -107,6 +115,6 @@ std::string Write(vtkSingularityOptimizer* optimizer)
     report["singularities"].push_back({ { "x", place[0] }, { "y", place[1] },
       { "quarter_index", static_cast<long long>(quarters->GetTuple1(i)) } });
   }
-  return report.dump(2) + "\n";
+  return JsonText(report) + "\n";
 }
 }

@@ -10,6 +10,7 @@
 #include "OutputTransaction.h"
 #include "PaperFigures.h"
 #include "PipelineRun.h"
+#include "SingularityInput.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldSingularities.h"
@@ -122,7 +123,7 @@ FigureResult Compute(
   }
   else
   {
-    run.Solve(figure.method, figure.size, figure.epsilon, domain, singularities);
+    run.Solve(figure.method, figure.size, figure.epsilon, domain, SingularityInput(singularities));
     field = run.GetField();
   }
   OutputFile::Write(field, folder + "/" + figure.name + ".vtu", outputs);

@@ -1,5 +1,5 @@
 /**
- * crossfield hfield DOMAIN -s S.csv -o F.vtu: the scalar H, its size map and its cross field.
+ * crossfield hfield DOMAIN [-s S.csv] -o F.vtu: the scalar H, its size map and its cross field.
  *
  *   crossfield hfield builtin:disk -s four.csv -o h.vtu --json -
  */
@@ -9,6 +9,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkHField.h"
 
@@ -32,6 +33,7 @@ struct HFieldOptions : MeshOptions
 {
   std::string corners;
   std::string json;
+  std::string savedSingularities;
   bool strict = false;
 };
 
@@ -60,19 +62,28 @@ void PrintSummary(vtkUnstructuredGrid* field)
 int SolveH(const HFieldOptions& options)
 {
   // 1. Check the outputs before any work.
-  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
+  OutputFile::RequireWritable(
+    { { options.output, ".vtu" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
   const auto domain = DomainReader::Open(options.domain, options.size);
   vtkNew<vtkHField> solver;
   solver->SetInputConnection(domain->GetOutputPort());
   solver->SetMeshSize(options.size);
-  if (!options.singularities.empty())
+  SingularityInput singularities(options.singularities, domain, options.size, options.corners);
+  PipelineRun::Update(domain, "reading");
+  const bool ofItsHoles =
+    options.singularities.empty() && DomainReader::IsDrilled(domain->GetOutputDataObject(0));
+  if (ofItsHoles)
   {
-    solver->SetSingularitiesConnection(
-      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
+    DomainReader::ConnectCorners(solver.Get(), options.corners);
   }
-  DomainReader::ConnectCorners(solver.Get(), options.corners);
+  else
+  {
+    singularities.Update();
+    solver->SetSingularitiesConnection(singularities.GetOutputPort());
+    singularities.ConnectCorners(solver.Get());
+  }
 
   // 3. Solve.
   PipelineRun::Update(solver, "solving");
@@ -87,13 +98,23 @@ int SolveH(const HFieldOptions& options)
   // 4. Write the field and the report.
   OutputTransaction outputs;
   seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
-  if (options.json.empty())
+  vtkDataSet* placed = nullptr;
+  if (!ofItsHoles)
   {
-    PrintSummary(field);
+    placed = singularities.GetOutput();
+    singularities.Save(options.savedSingularities, outputs);
   }
-  else
+  if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write(field, seconds), options.json);
+    outputs.Write(ReportJson::Write(field, seconds, placed), options.json);
+  }
+  else if (!outputs.PrintsData())
+  {
+    if (!ofItsHoles)
+    {
+      singularities.PrintChoice();
+    }
+    PrintSummary(field);
   }
   outputs.Commit();
 
@@ -112,10 +133,11 @@ void AddHFieldCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield hfield builtin:disk -s four.csv -o h.vtu --json -");
   options->AddTo(*command);
   command->get_option("--singularities")
-    ->required(false)
     ->description("singularities inside and on the boundary: .csv with the header "
-                  "x,y,quarter_index[,radius]; not needed on a drilled mesh");
+                  "x,y,quarter_index[,radius], or .vtp, or - for standard input; left out: chosen "
+                  "for the domain, and on a drilled mesh its holes");
   AddCornersTo(*command, options->corners);
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->add_flag(
     "--strict", options->strict, "exit with status 1 when there are unwanted singularities");

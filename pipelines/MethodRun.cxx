@@ -1,6 +1,7 @@
 #include "MethodRun.h"
 
 #include "PipelineRun.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
@@ -36,7 +37,7 @@ MethodRun::MethodRun() = default;
 MethodRun::~MethodRun() = default;
 
 CompareRow MethodRun::Solve(const std::string& method, double size, double epsilon,
-  vtkAlgorithm* domain, vtkAlgorithm* singularities)
+  vtkAlgorithm* domain, const SingularityInput& singularities)
 {
   const bool isReference = IsReference(method);
   vtkNew<vtkTimerLog> timer;
@@ -44,7 +45,7 @@ CompareRow MethodRun::Solve(const std::string& method, double size, double epsil
   this->None->RemoveAllSingularities();
   this->Drill->SetInputConnection(domain->GetOutputPort());
   this->Drill->SetSingularitiesConnection(
-    isReference ? this->None->GetOutputPort() : singularities->GetOutputPort());
+    isReference ? this->None->GetOutputPort() : singularities.GetOutputPort());
   this->Drill->SetMeshSize(size);
   this->Drill->SetMode(Contains(method, "imprint") ? vtkDrillHoles::ModeImprint
       : Contains(method, "triangle")               ? vtkDrillHoles::ModeTriangle
@@ -60,6 +61,7 @@ CompareRow MethodRun::Solve(const std::string& method, double size, double epsil
   }
   else
   {
+    singularities.ConnectCorners(this->Constrained.Get());
     this->Constrained->SetMethod(method == "unit-norm"
         ? vtkPerforatedCrossField::MethodUnitNorm
         : vtkPerforatedCrossField::MethodConstrained);

@@ -5,6 +5,7 @@
 
 #include "vtkNew.h"
 
+class SingularityInput;
 class vtkAlgorithm;
 class vtkCrossFieldSingularities;
 class vtkDrillHoles;
@@ -33,7 +34,7 @@ public:
    * PipelineRun::Error.
    */
   CompareRow Solve(const std::string& method, double size, double epsilon, vtkAlgorithm* domain,
-    vtkAlgorithm* singularities);
+    const SingularityInput& singularities);
 
   /** None before Solve. */
   vtkUnstructuredGrid* GetField() const { return this->Field; }

@@ -1,5 +1,5 @@
 /**
- * crossfield optimize DOMAIN -s S.csv -o BETTER.csv: moves the interior singularities to where the
+ * crossfield optimize DOMAIN [-s S.csv] -o BETTER.csv: moves the interior singularities to where the
  * renormalised energy is least.
  *
  *   crossfield optimize builtin:disk -s four.csv -o better.csv --json -
@@ -10,6 +10,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityOptimizer.h"
 
@@ -48,8 +49,18 @@ int Optimize(const OptimizeOptions& options)
   const auto domain = DomainReader::Open(options.domain, options.size);
   vtkNew<vtkSingularityOptimizer> optimizer;
   optimizer->SetInputConnection(domain->GetOutputPort());
-  optimizer->SetSingularitiesConnection(
-    DomainReader::OpenPoints(options.singularities)->GetOutputPort());
+  vtkNew<vtkConfigurationProposal> proposal;
+  if (options.singularities.empty())
+  {
+    proposal->SetInputConnection(domain->GetOutputPort());
+    DomainReader::ConnectCorners(proposal.Get(), options.corners);
+    optimizer->SetSingularitiesConnection(proposal->GetOutputPort());
+  }
+  else
+  {
+    optimizer->SetSingularitiesConnection(
+      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
+  }
   optimizer->SetMeshSize(options.size);
   optimizer->SetMaximumIterations(options.iterations);
   optimizer->SetClearance(options.clearance);
@@ -62,13 +73,11 @@ int Optimize(const OptimizeOptions& options)
   OutputTransaction outputs;
   if (!options.output.empty())
   {
-    vtkDataArray* radii = moved->GetPointData()->GetArray(names::Radius);
-    const bool hasRadii = moved->GetNumberOfPoints() > 0 && radii->GetRange()[1] > 0.0;
     const bool hasHeight =
       DomainReader::HasHeight(vtkDataSet::SafeDownCast(optimizer->GetInputDataObject(0, 0)));
-    OutputFile::WriteConfiguration(moved, hasHeight, hasRadii, options.output, outputs);
+    OutputFile::WriteConfiguration(moved, hasHeight, options.output, outputs);
   }
-  if (options.json.empty())
+  if (options.json.empty() && !outputs.PrintsData())
   {
     std::cout << "renormalized energy from " << FieldValue(moved, names::RenormalizedEnergyBefore)
               << " to " << FieldValue(moved, names::RenormalizedEnergyAfter) << " in "
@@ -84,7 +93,7 @@ int Optimize(const OptimizeOptions& options)
       std::cout << events->GetValue(i) << "\n";
     }
   }
-  else
+  if (!options.json.empty())
   {
     outputs.Write(EnergyJson::Write(optimizer), options.json);
   }
@@ -100,7 +109,9 @@ void AddOptimizeCommand(CLI::App& app, int& status)
     app.add_subcommand("optimize", "move the interior singularities to where the energy is least");
   command->footer("Example: crossfield optimize builtin:disk -s four.csv -o better.csv --json -");
   options->AddTo(*command);
-  command->get_option("--output")->description("the .csv file to write");
+  command->get_option("--output")->description("the .csv file to write, or - for output");
+  command->get_option("--singularities")
+    ->description("configuration to start from, as in `crossfield solve`; left out: a proposal");
   AddCornersTo(*command, options->corners);
   command->add_option("--iterations", options->iterations, "most iterations")
     ->capture_default_str()

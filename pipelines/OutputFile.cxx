@@ -71,7 +71,8 @@ void RequireWritable(std::initializer_list<Output> outputs)
     {
       continue;
     }
-    if (file != "-" || !ending.empty())
+    // A multiblock is an index and a folder beside it.
+    if (file != "-" || ending == ".vtm")
     {
       RequireWritableFile(file, ending);
     }
@@ -117,10 +118,13 @@ double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransact
   return timer->GetElapsedTime();
 }
 
-void WriteConfiguration(vtkPolyData* singularities, bool hasHeight, bool hasRadii,
-  const std::string& file, OutputTransaction& outputs)
+void WriteConfiguration(
+  vtkDataSet* singularities, bool hasHeight, const std::string& file, OutputTransaction& outputs)
 {
   namespace names = vtkCrossFieldArrayNames;
+  vtkDataArray* radii = singularities->GetPointData()->GetArray(names::Radius);
+  const bool hasRadii =
+    radii != nullptr && singularities->GetNumberOfPoints() > 0 && radii->GetRange()[1] > 0.0;
   std::ostringstream text;
   text.precision(17);
   text << (hasHeight ? "x,y,z" : "x,y") << ",quarter_index" << (hasRadii ? ",radius\n" : "\n");

@@ -10,12 +10,12 @@
 #include <vector>
 
 class OutputTransaction;
-class vtkPolyData;
+class vtkDataSet;
 
 /** Writes results as parts of a transaction, which puts all outputs of a command into place or none. */
 namespace OutputFile
 {
-/** A file that a command was asked for, if any; one that may have any ending may be "-" as well. */
+/** A file that a command was asked for, if any; "-" is standard output, whatever the ending. */
 struct Output
 {
   std::string file;
@@ -37,9 +37,9 @@ void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outp
 /** The same, unless no file is named; returns the seconds that it took. */
 double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
 
-/** Writes singularities as the .csv file that vtkSingularitySource reads. */
-void WriteConfiguration(vtkPolyData* singularities, bool hasHeight, bool hasRadii,
-  const std::string& file, OutputTransaction& outputs);
+/** Writes singularities as the .csv file that vtkSingularitySource reads, with the radii they have. */
+void WriteConfiguration(
+  vtkDataSet* singularities, bool hasHeight, const std::string& file, OutputTransaction& outputs);
 
 /** Data sets and their names. */
 using Blocks = std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>>;

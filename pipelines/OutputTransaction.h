@@ -24,6 +24,9 @@ public:
   /** Writes a text beside its place; "-" is standard output. Throws PipelineRun::Error. */
   void Write(const std::string& text, const std::string& file);
 
+  /** Whether data go to standard output, which then takes no text. */
+  bool PrintsData() const { return !this->Streams.empty(); }
+
   /** Makes a folder and those above it, where they are missing. */
   void MakeFolder(const std::string& folder);
 

@@ -2,15 +2,15 @@
 
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "JsonText.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cctype>
 #include <set>
@@ -81,15 +81,15 @@ Json Value(vtkDataArray* array)
   return list;
 }
 
-Json Singularities(vtkPolyData* points, bool hasHeight)
+Json Singularities(vtkDataSet* points, bool hasHeight)
 {
   vtkDataArray* quarters = points->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   Json list = Json::array();
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const double* place = points->GetPoint(i);
-    list.push_back(
-      { { "x", place[0] }, { "y", place[1] }, { "quarter_index", Number(quarters, i, 0) } });
+    list.push_back({ { "x", place[0] }, { "y", place[1] },
+      { "quarter_index", static_cast<long long>(quarters->GetComponent(i, 0)) } });
     if (hasHeight)
     {
       list.back()["z"] = place[2];
@@ -101,8 +101,22 @@ Json Singularities(vtkPolyData* points, bool hasHeight)
 
 namespace ReportJson
 {
+void AddSingularities(Json& report, vtkDataSet* singularities, bool hasHeight)
+{
+  report["singularities"] = Singularities(singularities, hasHeight);
+  if (auto* events = vtkStringArray::SafeDownCast(
+        singularities->GetFieldData()->GetAbstractArray(vtkCrossFieldArrayNames::Events)))
+  {
+    report["events"] = Json::array();
+    for (vtkIdType i = 0; i < events->GetNumberOfValues(); ++i)
+    {
+      report["events"].push_back(events->GetValue(i));
+    }
+  }
+}
+
 std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
-  vtkPolyData* singularities)
+  vtkDataSet* singularities)
 {
   Json report = Json::object();
   vtkFieldData* data = field->GetFieldData();
@@ -117,8 +131,8 @@ std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double
   report["seconds"] = seconds;
   if (singularities != nullptr)
   {
-    report["singularities"] = Singularities(singularities, DomainReader::HasHeight(field));
+    AddSingularities(report, singularities, DomainReader::HasHeight(field));
   }
-  return report.dump(2) + "\n";
+  return JsonText(report) + "\n";
 }
 }

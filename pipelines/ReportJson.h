@@ -1,10 +1,12 @@
 #ifndef ReportJson_h
 #define ReportJson_h
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <map>
 #include <string>
 
-class vtkPolyData;
+class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /** The numbers of a run as JSON. */
@@ -13,11 +15,16 @@ namespace ReportJson
 /**
  * One object with the field data of a field under their names in snake_case (`hole_degree`): arrays
  * per hole as lists, flags as true or false, other single values as numbers; then the number of
- * `triangles`, the `seconds` spent in each stage and, if given, the list `singularities` of x, y, z in
- * planes that are not z = const, and quarter_index.
+ * `triangles`, the `seconds` spent in each stage and, unless null, the singularities.
  */
 std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
-  vtkPolyData* singularities = nullptr);
+  vtkDataSet* singularities);
+
+/**
+ * Adds the list `singularities` of x, y, z in planes that are not z = const, and quarter_index, and
+ * where they were chosen the list `events`, a sentence for each thing that was decided.
+ */
+void AddSingularities(nlohmann::ordered_json& report, vtkDataSet* singularities, bool hasHeight);
 }
 
 #endif

@@ -1,5 +1,5 @@
 /**
- * crossfield solve DOMAIN -s S.csv -o F.vtu: the cross field with chosen singularities.
+ * crossfield solve DOMAIN [-s S.csv] -o F.vtu: the cross field with chosen singularities.
  *
  *   crossfield solve builtin:disk -s four.csv -o field.vtu --json -
  *   crossfield solve builtin:ring --method ginzburg-landau --epsilon 0.01 --start constant \
@@ -11,6 +11,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
@@ -39,7 +40,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct SolveOptions : MeshOptions
 {
-  std::string method = "constrained";
+  std::string method = "unit-norm";
   std::string start = "best";
   std::string mode = "perforate";
   bool unitHoles = false;
@@ -48,6 +49,7 @@ struct SolveOptions : MeshOptions
   double epsilon = 0.0;
   std::string corners;
   std::string json;
+  std::string savedSingularities;
   bool strict = false;
 };
 
@@ -92,24 +94,6 @@ void PrintReferenceSummary(vtkUnstructuredGrid* field)
             << FieldValue(field, names::UnwantedSingularities) << "\n";
 }
 
-/** One line for each singularity that was found. */
-void PrintSingularities(vtkPolyData* singularities, vtkUnstructuredGrid* field)
-{
-  const bool hasHeight = DomainReader::HasHeight(field);
-  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
-  {
-    const double* place = singularities->GetPoint(i);
-    std::cout << "quarter index "
-              << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
-              << " at " << place[0] << " " << place[1];
-    if (hasHeight)
-    {
-      std::cout << " " << place[2];
-    }
-    std::cout << "\n";
-  }
-}
-
 /** The names of all starts, of the constrained and the Ginzburg-Landau method. */
 std::vector<std::string> AllStarts()
 {
@@ -128,10 +112,6 @@ std::vector<std::string> AllStarts()
 void CheckUsage(const SolveOptions& options)
 {
   const bool reference = options.method == "ginzburg-landau";
-  if (!reference && options.singularities.empty())
-  {
-    throw CLI::RequiredError("--singularities");
-  }
   if (reference &&
     (options.mode != SolveOptions().mode || options.globalConstraint || options.unitHoles ||
       !options.unitHoleRows.empty()))
@@ -144,7 +124,10 @@ void CheckUsage(const SolveOptions& options)
   {
     throw CLI::ValidationError("--epsilon belongs to the methods constrained and ginzburg-landau");
   }
-  const std::vector<std::string>& starts = reference ? ReferenceStarts : Starts;
+  static const std::vector<std::string> none;
+  const std::vector<std::string>& starts = reference ? ReferenceStarts
+    : options.method == "unit-norm"                  ? none
+                                                     : Starts;
   const bool isDefault = options.start == SolveOptions().start;
   if (!isDefault && std::find(starts.begin(), starts.end(), options.start) == starts.end())
   {
@@ -157,31 +140,28 @@ int Solve(const SolveOptions& options)
 {
   CheckUsage(options);
   // 1. Check the outputs before any work.
-  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.json, "" } });
+  OutputFile::RequireWritable(
+    { { options.output, ".vtu" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration. The reference makes nothing of one, but a wrong name
   //    shall not go unnoticed.
   const bool isReference = options.method == "ginzburg-landau";
   const auto domain = DomainReader::Open(options.domain, options.size);
+  SingularityInput singularities(options.singularities, domain, options.size, options.corners);
+  if (!isReference || !singularities.AreChosen())
+  {
+    singularities.Update();
+  }
   vtkNew<vtkSingularitySource> none;
   none->RemoveAllSingularities();
-  vtkSmartPointer<vtkAlgorithm> singularities = none.Get();
-  if (!options.singularities.empty())
-  {
-    singularities = DomainReader::OpenPoints(options.singularities);
-  }
-  if (isReference)
-  {
-    PipelineRun::Update(singularities, "reading");
-    singularities = none.Get();
-  }
 
   // 3. Drill a hole at every singularity.
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
   vtkNew<vtkDrillHoles> drill;
   drill->SetInputConnection(domain->GetOutputPort());
-  drill->SetSingularitiesConnection(singularities->GetOutputPort());
+  drill->SetSingularitiesConnection(
+    isReference ? none->GetOutputPort() : singularities.GetOutputPort());
   drill->SetMeshSize(options.size);
   drill->SetMode(DrillModeCode(options.mode));
   PipelineRun::Update(drill, "drilling");
@@ -215,7 +195,7 @@ int Solve(const SolveOptions& options)
     }
     constrained->SetGlobalConstraint(options.globalConstraint);
     constrained->SetEpsilon(options.epsilon);
-    DomainReader::ConnectCorners(constrained.Get(), options.corners);
+    singularities.ConnectCorners(constrained.Get());
   }
   solver->SetInputConnection(drill->GetOutputPort());
   PipelineRun::Update(solver, "solving");
@@ -229,26 +209,36 @@ int Solve(const SolveOptions& options)
     isReference || options.mode != SolveOptions().mode || options.epsilon != 0.0;
   vtkNew<vtkCrossFieldSingularities> found;
   found->SetInputConnection(solver->GetOutputPort());
+  vtkDataSet* shown = singularities.GetOutput();
   if (mayAppear)
   {
     PipelineRun::Update(found, "reading singularities");
+    shown = found->GetOutput();
   }
 
   // 6. Write the field and the report.
   OutputTransaction outputs;
   seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
-  if (options.json.empty())
+  if (!options.savedSingularities.empty())
   {
+    OutputFile::WriteConfiguration(isReference ? shown : singularities.GetOutput(),
+      DomainReader::HasHeight(field), options.savedSingularities, outputs);
+  }
+  if (!options.json.empty())
+  {
+    outputs.Write(ReportJson::Write(field, seconds, shown), options.json);
+  }
+  else if (!outputs.PrintsData())
+  {
+    if (!isReference)
+    {
+      singularities.PrintChoice();
+    }
     isReference ? PrintReferenceSummary(field) : PrintSummary(field);
     if (mayAppear)
     {
-      PrintSingularities(found->GetOutput(), field);
+      PrintSingularities(shown, DomainReader::HasHeight(field));
     }
-  }
-  else
-  {
-    outputs.Write(
-      ReportJson::Write(field, seconds, mayAppear ? found->GetOutput() : nullptr), options.json);
   }
   outputs.Commit();
 
@@ -266,11 +256,11 @@ void AddSolveCommand(CLI::App& app, int& status)
   CLI::App* command = app.add_subcommand("solve", "compute the cross field");
   command->footer("Example: crossfield solve builtin:disk -s four.csv -o field.vtu --json -");
   options->AddTo(*command);
-  command->get_option("--singularities")->required(false);
   command
     ->add_option("--method", options->method,
-      "constrained, unit-norm, or ginzburg-landau, which places singularities by itself and makes "
-      "no use of -s")
+      "unit-norm, which has exactly the singularities asked for; constrained, that of the paper, "
+      "whose norm is free and may vanish elsewhere; or ginzburg-landau, which places singularities "
+      "by itself and makes no use of -s")
     ->capture_default_str()
     ->check(CLI::IsMember({ "constrained", "unit-norm", "ginzburg-landau" }));
   command
@@ -296,6 +286,7 @@ void AddSolveCommand(CLI::App& app, int& status)
   command->add_flag("--global-constraint", options->globalConstraint,
     "prescribe the sum of the degrees only, not that of every hole");
   AddCornersTo(*command, options->corners);
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,
     "exit with status 1 when there are unwanted singularities or a degree was not reached");

@@ -1,6 +1,7 @@
 #include "TopologyJson.h"
 
 #include "DomainReader.h"
+#include "JsonText.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkPoincareHopfCheck.h"
@@ -12,8 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <utility>
@@ -145,7 +144,7 @@ std::string Write(vtkPoincareHopfCheck* check)
       { "required_part", names::RequiredPart, Kind::Integer } },
     loops->GetNumberOfRows());
   report["reason"] = Text(data, names::Reason);
-  return report.dump(2) + "\n";
+  return JsonText(report) + "\n";
 }
 
 std::string Write(vtkBoundaryCornerClassifier* classifier)
@@ -180,6 +179,6 @@ std::string Write(vtkBoundaryCornerClassifier* classifier)
     domain);
   report["split"] = Points(vtkDataSet::SafeDownCast(classifier->GetOutputDataObject(2)),
     { { "quarter_index", names::QuarterIndex, Kind::Integer } }, domain);
-  return report.dump(2) + "\n";
+  return JsonText(report) + "\n";
 }
 }

@@ -94,6 +94,15 @@ void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
 }
 
 //------------------------------------------------------------------------------
+void WriteChoices(const std::vector<crossfield::CornerChoice>& choices,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  WritePlaces(choices, plane, output);
+  AddColumn<vtkIntArray>(output->GetPointData(), names::QuarterIndex, choices,
+    [](const crossfield::CornerChoice& choice) { return choice.quarterIndex; });
+}
+
+//------------------------------------------------------------------------------
 void WriteLoopTable(const crossfield::PoincareHopfCount& count,
   const std::vector<double>& holonomyDefects, vtkTable* output)
 {

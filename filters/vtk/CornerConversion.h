@@ -23,6 +23,10 @@ void WriteScenarios(const crossfield::CornerClassification& classification, vtkT
 void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
+/** Points with `QuarterIndex`, as ReadCorners takes them. */
+void WriteChoices(const std::vector<crossfield::CornerChoice>& choices,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
+
 /** One row per boundary loop; see vtkPoincareHopfCheck. */
 void WriteLoopTable(const crossfield::PoincareHopfCount& count,
   const std::vector<double>& holonomyDefects, vtkTable* output);

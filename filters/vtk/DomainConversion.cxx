@@ -419,8 +419,12 @@ void WriteConfiguration(const crossfield::Configuration& configuration,
   vtkFieldData* data = output->GetPointData();
   ColumnWriting::AddColumn<vtkIntArray>(data, vtkCrossFieldArrayNames::QuarterIndex, configuration,
     [](const Singularity& singularity) { return singularity.quarterIndex; });
-  ColumnWriting::AddColumn<vtkDoubleArray>(data, vtkCrossFieldArrayNames::Radius, configuration,
-    [](const Singularity& singularity) { return singularity.radius; });
+  if (std::any_of(configuration.begin(), configuration.end(),
+        [](const Singularity& singularity) { return singularity.radius > 0.0; }))
+  {
+    ColumnWriting::AddColumn<vtkDoubleArray>(data, vtkCrossFieldArrayNames::Radius, configuration,
+      [](const Singularity& singularity) { return singularity.radius; });
+  }
 }
 
 //------------------------------------------------------------------------------

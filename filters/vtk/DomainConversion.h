@@ -46,7 +46,7 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
 crossfield::Configuration ReadConfiguration(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
 
-/** Points with `QuarterIndex` and `Radius`. */
+/** Points with `QuarterIndex` and, if any of them has one, `Radius`. */
 void WriteConfiguration(const crossfield::Configuration& configuration,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 

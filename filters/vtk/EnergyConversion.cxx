@@ -125,6 +125,13 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
 }
 
 //------------------------------------------------------------------------------
+void WriteEvents(const std::vector<std::string>& events, vtkPolyData* output)
+{
+  AddColumn<vtkStringArray>(
+    output->GetFieldData(), names::Events, events, [](const std::string& event) { return event; });
+}
+
+//------------------------------------------------------------------------------
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output)
 {
   using crossfield::OptimizerStep;

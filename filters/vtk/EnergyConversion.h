@@ -21,6 +21,9 @@ void WriteGradients(const std::vector<crossfield::ConfigurationEnergy>& energies
 /** Field data; see vtkSingularityOptimizer. */
 void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output);
 
+/** Field data `Events`: one sentence each. */
+void WriteEvents(const std::vector<std::string>& events, vtkPolyData* output);
+
 /** One row per iteration; see vtkSingularityOptimizer. */
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output);
 }

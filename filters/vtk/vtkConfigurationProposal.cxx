@@ -1,8 +1,9 @@
 #include "vtkConfigurationProposal.h"
 
-#include "ConfigurationProposal.h"
+#include "AutomaticConfiguration.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 
@@ -18,12 +19,19 @@ vtkStandardNewMacro(vtkConfigurationProposal);
 vtkConfigurationProposal::vtkConfigurationProposal()
 {
   this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
 int vtkConfigurationProposal::FillInputPortInformation(int port, vtkInformation* info)
 {
   return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkConfigurationProposal::FillOutputPortInformation(int, vtkInformation* info)
+{
+  return FilterPorts::Give(info, "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------
@@ -37,14 +45,36 @@ int vtkConfigurationProposal::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      crossfield::ProposalOptions options;
+      crossfield::AutomaticOptions automatic;
+      crossfield::ProposalOptions& options = automatic.proposal;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
       options.cancelFlatCorners = this->CancelFlatCorners;
       options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
-      DomainConversion::WriteConfiguration(
-        crossfield::ProposeConfiguration(input.domain, options, progress), input.plane,
-        vtkPolyData::GetData(outputVector));
+      vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+      vtkPolyData* chosen = vtkPolyData::GetData(outputVector, 1);
+      if (!this->Automatic)
+      {
+        DomainConversion::WriteConfiguration(
+          crossfield::ProposeConfiguration(input.domain, options, progress), input.plane, output);
+        CornerConversion::WriteChoices(options.corners, input.plane, chosen);
+        return;
+      }
+      automatic.optimizer.meshSize = this->MeshSize;
+      const crossfield::AutomaticConfiguration result =
+        crossfield::ChooseConfiguration(input.domain, automatic, progress);
+      if (!result.optimum.converged && !result.optimum.aborted)
+      {
+        vtkWarningMacro(<< result.optimum.reason);
+      }
+      DomainConversion::WriteConfiguration(result.singularities, input.plane, output);
+      CornerConversion::WriteChoices(result.corners, input.plane, chosen);
+      EnergyConversion::WriteOptimizerReport(result.optimum, output);
+      EnergyConversion::WriteEvents(result.events, output);
+      if (result.optimum.aborted)
+      {
+        FilterRun::KeepAbortedOutput(this, 0);
+      }
     });
 }
 
@@ -54,4 +84,6 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "CancelFlatCorners: " << (this->CancelFlatCorners ? "on" : "off") << "\n";
+  os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
 }

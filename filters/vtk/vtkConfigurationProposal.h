@@ -5,25 +5,30 @@
  * Places singularities of quarter index +1 or −1 so that the Poincaré-Hopf theorem holds: as many
  * as vtkPoincareHopfCheck finds missing. Each is moved in turn to where the largest disk fits
  * between the boundary and the disks of the others, on a grid of 1/64 of the domain's size; the
- * result is spread, not optimal.
+ * result is spread, not optimal. With Automatic the singularities are then moved to where the
+ * renormalised energy is least, as by vtkSingularityOptimizer: nothing else has to be known of them.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
  * Port 1, optional, singularities that stay as they are (points): point arrays `QuarterIndex`
  * (integers) and optionally `Radius`.
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkPoincareHopfCheck.
  *
- * Output (vtkPolyData): vertices, first those of port 1, then those that cancel flat corners, then
- * the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance at
+ * Output port 0 (vtkPolyData): vertices, first those of port 1, then those that cancel flat corners,
+ * then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance at
  * which the hole would meet the boundary or another one, at most 1/40 of the domain's diagonal; of
- * port 1 as given, 0 if not.
+ * port 1 as given, 0 if not. With Automatic there is `Radius` only where port 1 gives it, and the field
+ * data of vtkSingularityOptimizer and `Events` (strings: one sentence for each thing that was decided).
+ * Output port 1 (vtkPolyData): the corners of which a quarter index is chosen, with `QuarterIndex`.
  *
  * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
  * refuses; a singularity of port 1 outside of it; arrays that are missing or not integer; a corner
- * that is no vertex of the boundary; a domain too thin for the grid.
+ * that is no vertex of the boundary; a domain too thin for the grid. An optimiser that does not
+ * converge is a warning and `Converged` 0.
  *
  * Paper: the algorithm that closes "Generalized Poincaré-Hopf theorem".
  *
- * @sa vtkPoincareHopfCheck, vtkDrillHoles, crossfield::ProposeConfiguration
+ * @sa vtkPoincareHopfCheck, vtkSingularityOptimizer, vtkDrillHoles, crossfield::ProposeConfiguration,
+ * crossfield::ChooseConfiguration
  */
 
 #ifndef vtkConfigurationProposal_h
@@ -62,11 +67,28 @@ public:
   vtkBooleanMacro(CancelFlatCorners, bool);
   ///@}
 
+  ///@{
+  /** Optimise what was proposed; those of port 1 inside the domain move as well. Default: off. */
+  vtkSetMacro(Automatic, bool);
+  vtkGetMacro(Automatic, bool);
+  vtkBooleanMacro(Automatic, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Target edge length of the mesh of the optimiser; 0: 1/40 of the diagonal of the bounding box.
+   * Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshSize, double);
+  ///@}
+
 protected:
   vtkConfigurationProposal();
   ~vtkConfigurationProposal() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -75,6 +97,8 @@ private:
 
   double CornerAngle = 30.0;
   bool CancelFlatCorners = false;
+  bool Automatic = false;
+  double MeshSize = 0.0;
 };
 
 #endif

@@ -54,6 +54,8 @@ constexpr const char* EnergyDegreeOnlyLowerBound = "EnergyDegreeOnlyLowerBound";
 constexpr const char* EnergyDegreeOnlyUpperBound = "EnergyDegreeOnlyUpperBound";
 constexpr const char* LogarithmCoefficient = "LogarithmCoefficient";
 constexpr const char* Gradient = "Gradient";
+// Field data: vtkConfigurationProposal.
+constexpr const char* Events = "Events";
 // Field data and history: vtkSingularityOptimizer.
 constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
 constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";

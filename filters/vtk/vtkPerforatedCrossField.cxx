@@ -73,7 +73,16 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   {
     options.corners.push_back({ singularity.position, singularity.quarterIndex });
   }
-  this->Publish(cells, crossfield::SolvePerforated(cells.topology, options, progress),
+  const crossfield::SolvedField field =
+    crossfield::SolvePerforated(cells.topology, options, progress);
+  if (options.method == crossfield::PerforatedMethod::Constrained &&
+    field.unwantedSingularities > 0)
+  {
+    vtkWarningMacro("The field has " << field.unwantedSingularities
+                                     << " unwanted singularities, counted by quarter index, where its "
+                                        "norm vanishes; the method Unit Norm has none.");
+  }
+  this->Publish(cells, field,
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), output);
 }

@@ -5,12 +5,14 @@
  * A cross is represented by u = e^{4iθ}. The field lives in the Crouzeix-Raviart space of the
  * drilled mesh (values at the midpoints of edges) with u = e^{4iτ} on every outer and inner boundary
  * edge, τ its direction angle. By Method:
- * - Constrained minimises ½ ∫ |∇u|² over complex u with, on every hole, the degree constraint
+ * - UnitNorm, the default, minimises ½ ∫ |∇φ|² over u = e^{iφ} whose phase turns k times around every
+ *   hole: a linear problem without iterations, |u| = 1 everywhere. The field has exactly the
+ *   singularities that are asked for.
+ * - Constrained, the method of the paper, minimises ½ ∫ |∇u|² over complex u with, on every hole, the degree constraint
  *     Σ_j Im(conj(u_j) u_{j+1}) = Σ_j sin(k Δα_j)
  *   over its edge midpoints, counter-clockwise, where k is the hole's quarter index and Δα_j the
- *   angle between neighbouring midpoints seen from the centre. |u| is free, and may vanish.
- * - UnitNorm minimises ½ ∫ |∇φ|² over u = e^{iφ} whose phase turns k times around every hole: a
- *   linear problem without iterations, |u| = 1 everywhere.
+ *   angle between neighbouring midpoints seen from the centre. |u| is free, and may vanish: there the
+ *   field has singularities that nobody asked for, which is a warning.
  *
  * Port 0, a mesh made by vtkDrillHoles (vtkUnstructuredGrid with its three cell arrays). Where it
  * has imprinted circles or triangles instead of holes, they carry the constraints and the field goes
@@ -53,7 +55,8 @@
  * Poincaré-Hopf theorem on a perforated domain without a penalty (GetErrorCode() is then
  * vtkCrossFieldErrorCodes::Inconsistent); a unit hole that the mesh does not have; options of
  * the constrained method or imprinted circles with UnitNorm; unit holes together with a penalty. An
- * iteration that does not converge is a warning and `Converged` 0.
+ * iteration that does not converge is a warning and `Converged` 0, and so is, with `Converged` 1, a
+ * field of Constrained with unwanted singularities.
  *
  * Cost: one sparse Cholesky factorisation with one unknown per vertex; the iterations work on a
  * dense matrix over the edges of the holes only. With imprinted circles, GlobalConstraint or chosen
@@ -104,7 +107,7 @@ public:
   };
 
   ///@{
-  /** The method; see the class comment. Default: MethodConstrained. */
+  /** The method; see the class comment. Default: MethodUnitNorm. */
   vtkSetClampMacro(Method, int, MethodConstrained, MethodUnitNorm);
   vtkGetMacro(Method, int);
   void SetMethodToConstrained() { this->SetMethod(MethodConstrained); }
@@ -185,7 +188,7 @@ private:
   vtkPerforatedCrossField(const vtkPerforatedCrossField&) = delete;
   void operator=(const vtkPerforatedCrossField&) = delete;
 
-  int Method = MethodConstrained;
+  int Method = MethodUnitNorm;
   int Start = StartBest;
   bool UnitHoles = false;
   std::vector<int> UnitHoleRows;

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ConfigurationProposal.h"
+#include "SingularityOptimizer.h"
+
+namespace crossfield
+{
+struct AutomaticOptions
+{
+  ProposalOptions proposal;   ///< What is given and what is asked of the corners.
+  OptimizerOptions optimizer; ///< Its corners are those of the proposal.
+};
+
+/// Singularities that were chosen for a domain, and how.
+struct AutomaticConfiguration
+{
+  Configuration singularities; ///< Those given first; without radii where none were given.
+  std::vector<CornerChoice>
+    corners;               ///< Quarter indices that the field has to take at the boundary.
+  OptimizerResult optimum; ///< The run that led here.
+  /// One sentence for each thing that was decided or happened.
+  std::vector<std::string> events;
+};
+
+/// Chooses the singularities of a domain of which nothing else is known: proposes
+/// (ConfigurationProposal.h) and moves what is inside to where the renormalised energy is least
+/// (SingularityOptimizer.h). An optimiser that does not converge is no error: optimum.converged says
+/// so, and the last event why.
+///
+/// Throws Error as the two do.
+AutomaticConfiguration ChooseConfiguration(
+  const PlanarDomain& domain, const AutomaticOptions& options = {}, const Progress& progress = {});
+}

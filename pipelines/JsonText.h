@@ -1,0 +1,17 @@
+#ifndef JsonText_h
+#define JsonText_h
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/**
+ * JSON as text, with two blanks for each level if `indent` is 2 and in one line if it is -1. Names of
+ * files may be any bytes: those that are not UTF-8 become the replacement character.
+ */
+inline std::string JsonText(const nlohmann::ordered_json& json, int indent = 2)
+{
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+#endif

@@ -1,0 +1,109 @@
+#include "SingularityInput.h"
+
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "PipelineRun.h"
+#include "vtkConfigurationProposal.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <iostream>
+
+namespace names = vtkCrossFieldArrayNames;
+
+SingularityInput::SingularityInput(
+  const std::string& file, vtkAlgorithm* domain, double size, const std::string& corners)
+  : Domain(domain)
+{
+  if (!file.empty())
+  {
+    this->Source = DomainReader::OpenPoints(file);
+    if (!corners.empty())
+    {
+      this->Corners = DomainReader::OpenPoints(corners);
+    }
+    return;
+  }
+  this->Proposal = vtkSmartPointer<vtkConfigurationProposal>::New();
+  this->Proposal->SetInputConnection(domain->GetOutputPort());
+  this->Proposal->AutomaticOn();
+  this->Proposal->SetMeshSize(size);
+  DomainReader::ConnectCorners(this->Proposal.Get(), corners);
+  this->Source = this->Proposal;
+  this->Corners = this->Proposal;
+  this->CornerPort = 1;
+}
+
+SingularityInput::SingularityInput(vtkAlgorithm* source)
+  : Source(source)
+{
+}
+
+void SingularityInput::Update()
+{
+  PipelineRun::Update(this->Source, this->AreChosen() ? "choosing" : "reading");
+}
+
+vtkDataSet* SingularityInput::GetOutput() const
+{
+  return vtkDataSet::SafeDownCast(this->Source->GetOutputDataObject(0));
+}
+
+std::vector<std::string> SingularityInput::GetEvents() const
+{
+  std::vector<std::string> events;
+  auto* array = vtkStringArray::SafeDownCast(
+    this->GetOutput()->GetFieldData()->GetAbstractArray(names::Events));
+  for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfValues(); ++i)
+  {
+    events.push_back(array->GetValue(i));
+  }
+  return events;
+}
+
+void SingularityInput::PrintChoice() const
+{
+  if (!this->AreChosen())
+  {
+    return;
+  }
+  for (const std::string& event : this->GetEvents())
+  {
+    std::cout << event << "\n";
+  }
+  PrintSingularities(this->GetOutput(),
+    DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0))));
+}
+
+void SingularityInput::Save(const std::string& file, OutputTransaction& outputs) const
+{
+  if (file.empty())
+  {
+    return;
+  }
+  OutputFile::WriteConfiguration(this->GetOutput(),
+    DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0))), file,
+    outputs);
+}
+
+void PrintSingularities(vtkDataSet* singularities, bool hasHeight)
+{
+  for (vtkIdType i = 0; i < singularities->GetNumberOfPoints(); ++i)
+  {
+    const double* place = singularities->GetPoint(i);
+    std::cout << "quarter index "
+              << singularities->GetPointData()->GetArray(names::QuarterIndex)->GetComponent(i, 0)
+              << " at " << place[0] << " " << place[1];
+    if (hasHeight)
+    {
+      std::cout << " " << place[2];
+    }
+    std::cout << "\n";
+  }
+}
