@@ -75,12 +75,14 @@ void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells
   }
   const crossfield::SolvedField field =
     crossfield::SolvePerforated(cells.topology, options, progress);
-  if (options.method == crossfield::PerforatedMethod::Constrained &&
+  // With a sum that the domain does not ask for there must be others.
+  if (options.method == crossfield::PerforatedMethod::Constrained && field.count.Consistent() &&
     field.unwantedSingularities > 0)
   {
-    vtkWarningMacro("The field has " << field.unwantedSingularities
-                                     << " unwanted singularities, counted by quarter index, where its "
-                                        "norm vanishes; the method Unit Norm has none.");
+    vtkWarningMacro("The field has "
+      << field.unwantedSingularities
+      << " unwanted singularities, counted by quarter index, where its "
+         "norm vanishes; the method Unit Norm has none.");
   }
   this->Publish(cells, field,
     "the field does not solve the problem. Make the holes larger or move them.",

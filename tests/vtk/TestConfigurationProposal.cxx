@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace
 {
 class ConfigurationProposalFilter : public testing::Test
@@ -38,7 +40,8 @@ TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
     [this] { this->Source->SetDomainName("star"); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter, false);
-  FilterChecks::CheckPrintSelf(this->Filter, { "CornerAngle", "CancelFlatCorners" });
+  FilterChecks::CheckPrintSelf(
+    this->Filter, { "CornerAngle", "CancelFlatCorners", "Automatic", "MeshSize" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -80,6 +83,41 @@ TEST_F(ConfigurationProposalFilter, KeepsWhatIsGivenAndCancelsFlatCorners)
   ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
   EXPECT_EQ(this->Quarters(0), 1.0);
   EXPECT_EQ(this->Quarters(1), -1.0);
+}
+
+TEST_F(ConfigurationProposalFilter, AutomaticOptimisesAndSaysSo)
+{
+  this->Filter->AutomaticOn();
+  this->Filter->SetMeshSize(0.1);
+  this->Source->SetEdgeLength(0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkPolyData* output = this->Filter->GetOutput();
+  // The minimum of W on the unit disk: four +1 at 0.8505 of the radius (docs/method.md §5.4).
+  ASSERT_EQ(output->GetNumberOfPoints(), 4);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(this->Quarters(i), 1.0);
+    EXPECT_NEAR(std::hypot(output->GetPoint(i)[0], output->GetPoint(i)[1]), 0.85, 0.01);
+  }
+  EXPECT_EQ(output->GetPointData()->GetArray("Radius"), nullptr);
+  vtkFieldData* data = output->GetFieldData();
+  EXPECT_EQ(FilterChecks::RequireArray(data, "Converged")->GetTuple1(0), 1.0);
+  ASSERT_NE(data->GetAbstractArray("Events"), nullptr);
+  EXPECT_GE(data->GetAbstractArray("Events")->GetNumberOfTuples(), 1);
+}
+
+TEST_F(ConfigurationProposalFilter, ChosenCornersGoOn)
+{
+  this->Source->SetDomainName("quarter-disk");
+  this->Filter->SetCornersData(TestInputs::Singularities({ { 0.0, 0.0, 1.0, 0.1 } }));
+  for (const bool automatic : { false, true })
+  {
+    this->Filter->SetAutomatic(automatic);
+    FilterChecks::UpdateWithoutError(this->Filter);
+    auto* corners = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1));
+    ASSERT_EQ(corners->GetNumberOfPoints(), 1);
+    EXPECT_EQ(corners->GetPointData()->GetArray("QuarterIndex")->GetTuple1(0), 1.0);
+  }
 }
 
 TEST_F(ConfigurationProposalFilter, Refusals)

@@ -14,15 +14,38 @@ using Complex = std::complex<double>;
 using PerforatedCrossFieldMethods = PerforatedCrossField;
 }
 
-TEST_F(PerforatedCrossFieldMethods, UnitNormKeepsTheRulesOfAFilter)
+TEST_F(PerforatedCrossFieldMethods, ConstrainedKeepsTheRulesOfAFilter)
 {
-  this->Filter->SetMethodToUnitNorm();
+  this->Filter->SetMethodToConstrained();
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Filter->SetInputData(TestInputs::DrilledDisk()); },
-    [this] { this->Filter->SetInputData(TestInputs::DrilledIsland()); });
+    [this] { this->Filter->SetInputData(TestInputs::DrilledDisk(0.2)); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckEmptyInput(this->Filter);
+}
+
+TEST_F(PerforatedCrossFieldMethods, UnitNormIsTheDefault)
+{
+  EXPECT_EQ(
+    vtkNew<vtkPerforatedCrossField>()->GetMethod(), vtkPerforatedCrossField::MethodUnitNorm);
+}
+
+TEST_F(PerforatedCrossFieldMethods, UnwantedSingularitiesAreAWarning)
+{
+  // The holes beside the island are far from where the relaxed field would like its singularities.
+  this->Filter->SetStartToHarmonic();
+  this->Filter->SetInputData(TestInputs::DrilledIsland());
+  for (const bool unitNorm : { false, true })
+  {
+    this->Filter->SetMethod(unitNorm ? vtkPerforatedCrossField::MethodUnitNorm
+                                     : vtkPerforatedCrossField::MethodConstrained);
+    FilterChecks::MessageRecorder messages(this->Filter);
+    this->Filter->Update();
+    EXPECT_TRUE(messages.errors.empty());
+    EXPECT_EQ(messages.warnings.empty(), unitNorm);
+    EXPECT_EQ(this->Value("UnwantedSingularities") == 0.0, unitNorm);
+  }
 }
 
 TEST_F(PerforatedCrossFieldMethods, UnitNormIsUnitAndTurnsAsPrescribed)
@@ -64,6 +87,7 @@ TEST_F(PerforatedCrossFieldMethods, UnitNormIsUnitAndTurnsAsPrescribed)
 
 TEST_F(PerforatedCrossFieldMethods, StartsLeadToMinima)
 {
+  this->Filter->SetMethodToConstrained();
   this->Filter->SetStartToHarmonic();
   this->Solve(TestInputs::DrilledDisk());
   const double harmonic = this->Value("Energy");
@@ -82,6 +106,7 @@ TEST_F(PerforatedCrossFieldMethods, StartsLeadToMinima)
 
 TEST_F(PerforatedCrossFieldMethods, UnitHolesHaveUnitCrosses)
 {
+  this->Filter->SetMethodToConstrained();
   this->Solve(TestInputs::DrilledDisk());
   const double free = this->Value("Energy");
   EXPECT_EQ(this->Value("UnitHoles"), 0.0);

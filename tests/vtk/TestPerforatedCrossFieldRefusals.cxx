@@ -160,6 +160,7 @@ TEST_F(PerforatedCrossFieldRefusals, HoleWithTooFewEdges)
       quarters->SetTuple1(cell, rows->GetTuple1(cell) == 2 ? 40 : -38);
     }
   }
+  this->Filter->SetMethodToConstrained();
   this->ExpectError(mesh, { "edges", "quarter index" });
 }
 

@@ -19,7 +19,13 @@
 namespace
 {
 using TestInputs::Circle;
-using Variants = PerforatedCrossField;
+
+/** All of them are of the constrained method. */
+class Variants : public PerforatedCrossField
+{
+public:
+  Variants() { this->Filter->SetMethodToConstrained(); }
+};
 
 constexpr double MeshSize = 0.12;
 
