@@ -228,6 +228,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options), progress);
+  return TriangulateDomain(
+    drilled, marks, MakeSizeField(drilled, meshSize, options), progress, options.vertices);
 }
 }

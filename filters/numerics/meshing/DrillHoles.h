@@ -30,6 +30,8 @@ struct DrillOptions
   DrillMode mode = DrillMode::Perforate;
   /// Further places that ask for small edges around them.
   std::vector<SizeSource> refinements;
+  /// Points inside the domain that become vertices. Perforate and Imprint.
+  std::vector<Point> vertices;
 };
 
 /// The mesh size that options ask for on a domain.

@@ -10,8 +10,11 @@
 
 namespace crossfield
 {
-TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize, const Progress& progress)
+namespace
+{
+/// Options with edges small enough at each singularity.
+DrillOptions RefineAt(
+  const Configuration& configuration, const PlanarDomain& domain, double meshSize)
 {
   DrillOptions options;
   options.meshSize = meshSize;
@@ -32,6 +35,31 @@ TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& conf
     // A thousandth is fine enough for any picture, and bounds the number of triangles.
     options.refinements.push_back({ singularity.position, std::max(0.25 * room, 1e-3 * size) });
   }
-  return DrillHoles(InsertBoundarySingularities(domain, configuration), {}, options, progress);
+  return options;
+}
+}
+
+TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize, const Progress& progress)
+{
+  return DrillHoles(InsertBoundarySingularities(domain, configuration), {},
+    RefineAt(configuration, domain, meshSize), progress);
+}
+
+TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize, const Progress& progress)
+{
+  DrillOptions options = RefineAt(configuration, domain, meshSize);
+  for (const Singularity& singularity : configuration)
+  {
+    // On the boundary they become vertices of it; SolveFlatMap refuses those outside.
+    if (singularity.position.allFinite() &&
+      SignedDistance(singularity.position, domain) > BoundaryReach * domain.Diagonal())
+    {
+      options.vertices.push_back(singularity.position);
+    }
+  }
+  return DrillHoles(
+    InsertBoundarySingularities(domain, configuration), {}, options, progress);
 }
 }

@@ -11,4 +11,8 @@ namespace crossfield
 /// fine enough to tell them from each other and from the boundary. `meshSize` 0: 1/40 of the diagonal.
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
+
+/// The same with a vertex on every singularity, as SolveFlatMap needs it.
+TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
+  double meshSize = 0.0, const Progress& progress = {});
 }

@@ -347,7 +347,8 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops)
 }
 
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
-  const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress)
+  const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress,
+  const std::vector<Point>& vertices)
 try
 {
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
@@ -358,6 +359,10 @@ try
   const std::vector<CgalPoint> rings =
     KeepClear(triangulation, HoleRings(domain, loopMarks, size), size);
   triangulation.insert(rings.begin(), rings.end());
+  for (const Point& vertex : vertices)
+  {
+    triangulation.insert(ToCgal(vertex));
+  }
   ComputeDepths(triangulation, imprinted);
   const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
   // What was predicted is right within a factor of two where holes grade the mesh. There are two

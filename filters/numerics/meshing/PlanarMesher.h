@@ -20,6 +20,8 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops);
 /// once, in the direction of their loop. `loopMarks[l]` says what loop l is part of; its kind, id and quarter index are copied to the
 /// edges that loop becomes. Throws Error where loops touch, or come so close that the gap between
 /// them takes many more triangles than the size asks for. Two runs on the same input give the same mesh.
+/// Each of `vertices`, points inside the domain, becomes a vertex.
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
-  const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {});
+  const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {},
+  const std::vector<Point>& vertices = {});
 }

@@ -1,0 +1,276 @@
+#include "CutGraph.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+class UnionFind
+{
+public:
+  explicit UnionFind(std::size_t count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+  int Find(int i)
+  {
+    while (this->Parent[Index(i)] != i)
+    {
+      i = this->Parent[Index(i)] = this->Parent[Index(this->Parent[Index(i)])];
+    }
+    return i;
+  }
+  /// Whether they were apart.
+  bool Join(int i, int j)
+  {
+    i = this->Find(i);
+    j = this->Find(j);
+    this->Parent[Index(std::max(i, j))] = std::min(i, j);
+    return i != j;
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+/// Shortest ways along edges from the boundary to all vertices.
+struct ShortestWays
+{
+  std::vector<double> length;
+  std::vector<int> edge; ///< The last edge of the way; −1 on the boundary.
+  std::vector<int> loop; ///< Where it starts.
+};
+
+ShortestWays WalkInwards(const MeshTopology& topology)
+{
+  const std::size_t count = topology.mesh.points.size();
+  const EdgeNumbering& edges = topology.edges;
+  // Edges at every vertex.
+  std::vector<int> start(count + 1, 0);
+  for (const auto& [a, b] : edges.vertices)
+  {
+    ++start[Index(a) + 1];
+    ++start[Index(b) + 1];
+  }
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<int> incident(static_cast<std::size_t>(start.back()));
+  std::vector<int> filled(start.begin(), start.end() - 1);
+  for (int e = 0; e < edges.Count(); ++e)
+  {
+    for (const int v : edges.vertices[Index(e)])
+    {
+      incident[Index(filled[Index(v)]++)] = e;
+    }
+  }
+
+  ShortestWays ways{ std::vector<double>(count, std::numeric_limits<double>::infinity()),
+    std::vector<int>(count, -1), std::vector<int>(count, -1) };
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  for (std::size_t l = 0; l < topology.loops.size(); ++l)
+  {
+    for (const int position : topology.loops[l].edges)
+    {
+      const int v = topology.BoundaryAt(position).vertices[0];
+      ways.length[Index(v)] = 0.0;
+      ways.loop[Index(v)] = static_cast<int>(l);
+      queue.emplace(0.0, v);
+    }
+  }
+  while (!queue.empty())
+  {
+    const auto [length, v] = queue.top();
+    queue.pop();
+    if (length > ways.length[Index(v)])
+    {
+      continue;
+    }
+    for (int i = start[Index(v)]; i < start[Index(v) + 1]; ++i)
+    {
+      const int e = incident[Index(i)];
+      const auto& [a, b] = edges.vertices[Index(e)];
+      const int other = a == v ? b : a;
+      const double reached = length + (topology.PointAt(a) - topology.PointAt(b)).norm();
+      if (reached < ways.length[Index(other)])
+      {
+        ways.length[Index(other)] = reached;
+        ways.edge[Index(other)] = e;
+        ways.loop[Index(other)] = ways.loop[Index(v)];
+        queue.emplace(reached, other);
+      }
+    }
+  }
+  return ways;
+}
+
+void MarkWay(const MeshTopology& topology, const ShortestWays& ways, int vertex,
+  std::vector<bool>& isCut)
+{
+  for (int e = ways.edge[Index(vertex)]; e >= 0 && !isCut[Index(e)]; e = ways.edge[Index(vertex)])
+  {
+    isCut[Index(e)] = true;
+    const auto& [a, b] = topology.edges.vertices[Index(e)];
+    vertex = a == vertex ? b : a;
+  }
+}
+
+/// Joins the loops by the shortest ways between them (Kruskal).
+void JoinLoops(const MeshTopology& topology, const ShortestWays& ways, std::vector<bool>& isCut)
+{
+  std::vector<std::pair<double, int>> bridges;
+  for (int e = 0; e < topology.edges.Count(); ++e)
+  {
+    const auto& [a, b] = topology.edges.vertices[Index(e)];
+    if (ways.loop[Index(a)] != ways.loop[Index(b)])
+    {
+      bridges.emplace_back(ways.length[Index(a)] + ways.length[Index(b)] +
+          (topology.PointAt(a) - topology.PointAt(b)).norm(),
+        e);
+    }
+  }
+  std::sort(bridges.begin(), bridges.end());
+  UnionFind loops(topology.loops.size());
+  for (const auto& [length, e] : bridges)
+  {
+    const auto& [a, b] = topology.edges.vertices[Index(e)];
+    if (loops.Join(ways.loop[Index(a)], ways.loop[Index(b)]))
+    {
+      isCut[Index(e)] = true;
+      MarkWay(topology, ways, a, isCut);
+      MarkWay(topology, ways, b, isCut);
+    }
+  }
+}
+
+/// The ways between vertices where something happens.
+std::vector<CutGraph::Chain> FindChains(
+  const MeshTopology& topology, const std::vector<bool>& isCut, const std::vector<int>& singular)
+{
+  const std::size_t count = topology.mesh.points.size();
+  std::vector<std::vector<int>> cutAt(count);
+  for (int e = 0; e < topology.edges.Count(); ++e)
+  {
+    if (isCut[Index(e)])
+    {
+      cutAt[Index(topology.edges.vertices[Index(e)][0])].push_back(e);
+      cutAt[Index(topology.edges.vertices[Index(e)][1])].push_back(e);
+    }
+  }
+  std::vector<bool> isNode(count, false);
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    isNode[v] = !cutAt[v].empty() && cutAt[v].size() != 2;
+  }
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    isNode[Index(edge.vertices[0])] = true;
+  }
+  for (const int v : singular)
+  {
+    isNode[Index(v)] = true;
+  }
+  std::vector<CutGraph::Chain> chains;
+  std::vector<bool> walked(isCut.size(), false);
+  for (int node = 0; node < static_cast<int>(count); ++node)
+  {
+    for (const int first : cutAt[Index(node)])
+    {
+      if (!isNode[Index(node)] || walked[Index(first)])
+      {
+        continue;
+      }
+      CutGraph::Chain chain;
+      chain.vertices.push_back(node);
+      for (int e = first;;)
+      {
+        walked[Index(e)] = true;
+        const auto& [a, b] = topology.edges.vertices[Index(e)];
+        const int v = a == chain.vertices.back() ? b : a;
+        chain.vertices.push_back(v);
+        chain.edges.push_back(e);
+        if (isNode[Index(v)])
+        {
+          break;
+        }
+        e = cutAt[Index(v)][0] == e ? cutAt[Index(v)][1] : cutAt[Index(v)][0];
+      }
+      chains.push_back(std::move(chain));
+    }
+  }
+  return chains;
+}
+
+/// Joins the corners of triangles on both sides of the edges that are not cut.
+void NumberCorners(const MeshTopology& topology, CutGraph& cut)
+{
+  const auto& triangles = topology.mesh.triangles;
+  UnionFind same(3 * triangles.size());
+  const auto cornerAt = [&triangles](int t, int vertex)
+  {
+    const auto& v = triangles[Index(t)];
+    return 3 * t + static_cast<int>(std::find(v.begin(), v.end(), vertex) - v.begin());
+  };
+  for (int e = 0; e < topology.edges.Count(); ++e)
+  {
+    const auto& [t, other] = topology.edges.triangles[Index(e)];
+    if (other >= 0 && !cut.isCut[Index(e)])
+    {
+      for (const int v : topology.edges.vertices[Index(e)])
+      {
+        same.Join(cornerAt(t, v), cornerAt(other, v));
+      }
+    }
+  }
+  // The first copy of a vertex keeps its number.
+  std::vector<int> number(3 * triangles.size(), -1);
+  std::vector<bool> taken(topology.mesh.points.size(), false);
+  cut.original.resize(topology.mesh.points.size());
+  std::iota(cut.original.begin(), cut.original.end(), 0);
+  cut.corners.resize(triangles.size());
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      int& mine = number[Index(same.Find(3 * t + i))];
+      const int v = triangles[Index(t)][Index(i)];
+      if (mine < 0)
+      {
+        mine = v;
+        if (taken[Index(v)])
+        {
+          mine = static_cast<int>(cut.original.size());
+          cut.original.push_back(v);
+        }
+        taken[Index(v)] = true;
+      }
+      cut.corners[Index(t)][Index(i)] = mine;
+    }
+  }
+}
+}
+
+CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
+{
+  CutGraph cut;
+  cut.isCut.assign(Index(topology.edges.Count()), false);
+  const ShortestWays ways = WalkInwards(topology);
+  for (const int vertex : singular)
+  {
+    MarkWay(topology, ways, vertex, cut.isCut);
+  }
+  JoinLoops(topology, ways, cut.isCut);
+  cut.chains = FindChains(topology, cut.isCut, singular);
+  NumberCorners(topology, cut);
+  return cut;
+}
+}

@@ -1,0 +1,117 @@
+#include "Elimination.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+Elimination::Row Elimination::Resolve(const Row& row)
+{
+  Row resolved;
+  for (const auto& [unknown, coefficient] : row)
+  {
+    const auto index = static_cast<std::size_t>(unknown);
+    if (!this->IsDependent[index])
+    {
+      resolved.emplace_back(unknown, coefficient);
+      continue;
+    }
+    Row& own = this->Dependent[index];
+    const bool outdated = std::any_of(
+      own.begin(), own.end(), [this](const auto& term) { return !this->IsFree(term.first); });
+    if (outdated)
+    {
+      own = this->Resolve(own);
+    }
+    for (const auto& [other, factor] : own)
+    {
+      resolved.emplace_back(other, coefficient * factor);
+    }
+  }
+  std::sort(resolved.begin(), resolved.end());
+  Row merged;
+  for (const auto& [unknown, coefficient] : resolved)
+  {
+    if (!merged.empty() && merged.back().first == unknown)
+    {
+      merged.back().second += coefficient;
+    }
+    else
+    {
+      merged.emplace_back(unknown, coefficient);
+    }
+  }
+  merged.erase(std::remove_if(merged.begin(), merged.end(),
+                 [](const auto& term) { return term.second == 0.0; }),
+    merged.end());
+  return merged;
+}
+
+void Elimination::Impose(const Row& row)
+{
+  Row rest = this->Resolve(row);
+  if (rest.empty())
+  {
+    return;
+  }
+  // An equation between even numbers is that between their halves, exactly.
+  while (std::all_of(rest.begin(), rest.end(),
+    [](const auto& term) { return std::fmod(term.second, 2.0) == 0.0; }))
+  {
+    for (auto& term : rest)
+    {
+      term.second *= 0.5;
+    }
+  }
+  auto pivot = rest.end();
+  for (auto term = rest.begin(); term != rest.end(); ++term)
+  {
+    const auto rank = [this](int unknown) { return this->Rank[static_cast<std::size_t>(unknown)]; };
+    if (std::abs(term->second) == 1.0 &&
+      (pivot == rest.end() || rank(term->first) < rank(pivot->first)))
+    {
+      pivot = term;
+    }
+  }
+  if (pivot == rest.end())
+  {
+    throw Error("The seams of the flat map have no whole-numbered solution; give the singularities' "
+                "and corners' quarter indices so that each is below 2.");
+  }
+  const auto [unknown, sign] = *pivot;
+  rest.erase(pivot);
+  for (auto& term : rest)
+  {
+    term.second *= -sign;
+  }
+  this->IsDependent[static_cast<std::size_t>(unknown)] = true;
+  this->Dependent[static_cast<std::size_t>(unknown)] = std::move(rest);
+}
+
+Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
+{
+  const auto count = static_cast<int>(this->Rank.size());
+  std::vector<int> column(this->Rank.size(), -1);
+  int columns = 0;
+  for (int unknown = 0; unknown < count; ++unknown)
+  {
+    if (this->IsFree(unknown))
+    {
+      column[static_cast<std::size_t>(unknown)] = columns++;
+    }
+  }
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, columns);
+  matrix.reserve(Eigen::VectorXi::Constant(count, 2));
+  for (int unknown = 0; unknown < count; ++unknown)
+  {
+    for (const auto& [other, factor] : this->Resolve({ { unknown, 1.0 } }))
+    {
+      matrix.insert(unknown, column[static_cast<std::size_t>(other)]) = factor;
+    }
+  }
+  matrix.makeCompressed();
+  return matrix;
+}
+}

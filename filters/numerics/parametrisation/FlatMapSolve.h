@@ -1,0 +1,26 @@
+#pragma once
+
+#include "BoundaryCorners.h"
+#include "FlatMap.h"
+#include "Progress.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+struct FlatMapOptions
+{
+  std::vector<CornerChoice> corners; ///< As for SolveHField.
+  /// Corners whose smallest rotation has index 2, where a flat map would have no angle, get 1; what
+  /// is missing must be among the singularities.
+  bool capCorners = false;
+};
+
+/// Solves for the map on a mesh with a vertex at every singularity (MeshOnPoints): one factorisation
+/// for H, one for w.
+///
+/// Throws Error when a singularity is of quarter index 3 or more or at no vertex, when a corner is of
+/// index 2 or more, when the configuration is not consistent, and, with the place, when the map folds over
+/// or the angles at a vertex do not add up.
+FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& configuration,
+  const FlatMapOptions& options = {}, const Progress& progress = {});
+}

@@ -1,0 +1,82 @@
+#include "InjectivityCheck.h"
+
+#include "Error.h"
+
+#include <cmath>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+/// What is to be done about a map that is not sound.
+std::string Mend(const FlatMap& map)
+{
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < map.holonomyDefect.size(); ++k)
+  {
+    if (std::abs(map.holonomyDefect[k]) > std::abs(map.holonomyDefect[worst]))
+    {
+      worst = k;
+    }
+  }
+  // Up to 0.2 radians of θ, four times that of the phase, a map was always found (docs/method.md §12.1).
+  constexpr double Harmless = 0.2;
+  if (!map.holonomyDefect.empty() && std::abs(map.holonomyDefect[worst]) > Harmless)
+  {
+    return "inner loop " + std::to_string(worst + 1) + " has a holonomy defect of " +
+      std::to_string(0.25 * map.holonomyDefect[worst]) +
+      " radians of the cross, move the singularities to make it smaller.";
+  }
+  return "use a finer mesh, or move singularities away from each other and from the boundary.";
+}
+}
+
+void RequireInjective(const FlatMap& map)
+{
+  const MeshTopology& topology = *map.topology;
+  const auto triangles = static_cast<int>(map.corners.size());
+  int flipped = 0;
+  Point place = Point::Zero();
+  Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
+  for (int t = 0; t < triangles; ++t)
+  {
+    const Point& a = map.At(t, 0);
+    const Point& b = map.At(t, 1);
+    const Point& c = map.At(t, 2);
+    const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
+    if (!(Cross(b - a, c - a) > 0.0))
+    {
+      place = flipped == 0 ? topology.PointAt(v[0]) : place;
+      ++flipped;
+    }
+    angles[v[0]] += AngleBetween(b - a, c - a);
+    angles[v[1]] += AngleBetween(c - b, a - b);
+    angles[v[2]] += AngleBetween(a - c, b - c);
+  }
+  if (flipped > 0)
+  {
+    throw Error("The flat map folds over in " + std::to_string(flipped) +
+      " triangles, the first near " + Describe(place) + "; " + Mend(map));
+  }
+  std::vector<int> quarters(topology.mesh.points.size(), 4);
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    quarters[static_cast<std::size_t>(edge.vertices[0])] = 2;
+  }
+  for (const Cone& cone : map.cones)
+  {
+    quarters[static_cast<std::size_t>(cone.vertex)] = cone.Quarters();
+  }
+  for (int v = 0; v < static_cast<int>(quarters.size()); ++v)
+  {
+    const double wanted = 0.5 * Pi * quarters[static_cast<std::size_t>(v)];
+    // Seams and sides allow multiples of a quarter turn only; the rest is rounding.
+    if (angles[v] > 0.0 && std::abs(angles[v] - wanted) > 0.25 * Pi)
+    {
+      throw Error("The angles of the flat map at " + Describe(topology.PointAt(v)) + " add up to " +
+        std::to_string(angles[v]) + " instead of " + std::to_string(wanted) + "; " + Mend(map));
+    }
+  }
+}
+}

@@ -1,0 +1,187 @@
+#include "TriangleFrames.h"
+
+#include "Error.h"
+
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// The phase 4θ along straight steps inside of triangles: its increase is that of the conjugate of R
+/// and the angles at which the logarithms' places see the step.
+class PhaseWalk
+{
+public:
+  PhaseWalk(const PointPotential& potential, const PointPotential::Solution& solution)
+    : Topology(potential.GetProblem().Topology())
+    , Logs(solution.logs)
+    , Gradient(potential.GetProblem().potential->Gradient(solution.aligned))
+  {
+  }
+
+  Point Centre(int triangle) const
+  {
+    const auto& v = this->Topology.mesh.triangles[static_cast<std::size_t>(triangle)];
+    return (this->Topology.PointAt(v[0]) + this->Topology.PointAt(v[1]) +
+             this->Topology.PointAt(v[2])) /
+      3.0;
+  }
+
+  double Increase(int triangle, const Point& from, const Point& to) const
+  {
+    double sum = Cross(this->Gradient.block<2, 1>(0, triangle), to - from);
+    for (const LogSource& log : this->Logs)
+    {
+      sum += log.strength * log.Turn(from, to);
+    }
+    return sum;
+  }
+
+  /// From the centre of a triangle to the midpoint of an edge.
+  double ToEdge(int triangle, int edge) const
+  {
+    return this->Increase(triangle, this->Centre(triangle), this->Topology.Midpoint(edge));
+  }
+
+private:
+  const MeshTopology& Topology;
+  const std::vector<LogSource>& Logs;
+  const Eigen::MatrixXd Gradient;
+};
+
+/// 4H at the centres: R is linear on a triangle, the logarithms are exact.
+Eigen::VectorXd CentreValues(const PointPotential& potential,
+  const PointPotential::Solution& solution, const PhaseWalk& walk)
+{
+  const PotentialSolver& solver = *potential.GetProblem().potential;
+  const TriangleMesh& mesh = solver.GetTopology().mesh;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.triangles.size()));
+  for (int t = 0; t < static_cast<int>(values.size()); ++t)
+  {
+    const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
+    values[t] =
+      (solution.aligned[v[0]] + solution.aligned[v[1]] + solution.aligned[v[2]]) / 3.0 +
+      SumOfLogs(solution.logs, walk.Centre(t));
+  }
+  for (Eigen::Index k = 0; k < solution.periods.size(); ++k)
+  {
+    for (const LoopStrip::Step& step : solver.GetStrips()[static_cast<std::size_t>(k)].steps)
+    {
+      values[step.triangle] +=
+        solution.periods[k] * (step.left[0] + step.left[1] + step.left[2]) / 3.0;
+    }
+  }
+  return values;
+}
+}
+
+TriangleFrames FrameTriangles(
+  const PointPotential& potential, const PointPotential::Solution& solution)
+{
+  const PotentialProblem& problem = potential.GetProblem();
+  const MeshTopology& topology = problem.Topology();
+  const PhaseWalk walk(potential, solution);
+  const auto count = static_cast<Eigen::Index>(topology.mesh.triangles.size());
+  const double turn = 2.0 * Pi;
+
+  TriangleFrames frames;
+  frames.h = 0.25 * CentreValues(potential, solution, walk);
+  frames.jump.assign(static_cast<std::size_t>(count), { 0, 0, 0 });
+  const auto wholeTurns = [&frames, turn](double phase)
+  {
+    const double whole = std::round(phase / turn);
+    frames.residual = std::max(frames.residual, 0.25 * std::abs(phase - whole * turn));
+    return static_cast<int>(whole);
+  };
+
+  // The phase of the cross along a boundary edge, at its midpoint.
+  const auto boundaryPhase = [&](int position)
+  {
+    const auto& [from, to] = topology.BoundaryAt(position).vertices;
+    const Point along = topology.PointAt(to) - topology.PointAt(from);
+    return 4.0 * std::atan2(along.y(), along.x()) + potential.GetMidpointShift()[position];
+  };
+
+  // 1. Breadth-first from the outer loop: a branch everywhere.
+  Eigen::VectorXd phase(count);
+  std::vector<bool> known(static_cast<std::size_t>(count), false);
+  const int first = topology.FirstOuterEdge();
+  const int firstEdge = topology.EdgeOfBoundary(first);
+  const int start = topology.edges.triangles[static_cast<std::size_t>(firstEdge)][0];
+  phase[start] = boundaryPhase(first) - walk.ToEdge(start, firstEdge);
+  known[static_cast<std::size_t>(start)] = true;
+  std::vector<int> queue = { start };
+  const auto neighbour = [&topology](int triangle, int edge)
+  {
+    const auto& two = topology.edges.triangles[static_cast<std::size_t>(edge)];
+    return two[0] == triangle ? two[1] : two[0];
+  };
+  // The increase from the centre to the midpoint of each side.
+  std::vector<std::array<double, 3>> toSide(static_cast<std::size_t>(count));
+  for (int t = 0; t < static_cast<int>(count); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      toSide[static_cast<std::size_t>(t)][i] =
+        walk.ToEdge(t, topology.edges.ofTriangle[static_cast<std::size_t>(t)][i]);
+    }
+  }
+  const auto sideOf = [&topology](int triangle, int edge)
+  {
+    const auto& sides = topology.edges.ofTriangle[static_cast<std::size_t>(triangle)];
+    return static_cast<std::size_t>(
+      std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  };
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const int t = queue[next];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const int edge = topology.edges.ofTriangle[static_cast<std::size_t>(t)][i];
+      const int other = neighbour(t, edge);
+      if (other >= 0 && !known[static_cast<std::size_t>(other)])
+      {
+        known[static_cast<std::size_t>(other)] = true;
+        phase[other] = phase[t] + toSide[static_cast<std::size_t>(t)][i] -
+          toSide[static_cast<std::size_t>(other)][sideOf(other, edge)];
+        queue.push_back(other);
+      }
+    }
+  }
+
+  // 2. What the branches differ by.
+  for (int t = 0; t < static_cast<int>(count); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const int edge = topology.edges.ofTriangle[static_cast<std::size_t>(t)][i];
+      const int other = neighbour(t, edge);
+      if (other >= 0)
+      {
+        const double carried = phase[t] + toSide[static_cast<std::size_t>(t)][i] -
+          toSide[static_cast<std::size_t>(other)][sideOf(other, edge)];
+        frames.jump[static_cast<std::size_t>(t)][i] = wholeTurns(carried - phase[other]);
+      }
+    }
+  }
+  for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
+  {
+    const int edge = topology.EdgeOfBoundary(position);
+    const int t = topology.edges.triangles[static_cast<std::size_t>(edge)][0];
+    const std::size_t i = sideOf(t, edge);
+    frames.jump[static_cast<std::size_t>(t)][i] = wholeTurns(
+      boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]);
+  }
+  // Rounding of as many steps as there are triangles across the domain, by far.
+  constexpr double LargestResidual = 1e-6;
+  if (!(frames.residual <= LargestResidual))
+  {
+    throw Error("The cross field does not close around the domain, by " +
+      std::to_string(frames.residual) +
+      " radians; the mesh may have degenerate triangles, remesh the domain.");
+  }
+  frames.angle = 0.25 * phase;
+  return frames;
+}
+}

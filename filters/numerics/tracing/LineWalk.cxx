@@ -1,0 +1,165 @@
+#include "LineWalk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+}
+
+double LineWalk::Across(const LineSegment& segment, int corner) const
+{
+  return this->Map.At(segment.triangle, corner)[segment.AlongU() ? 1 : 0];
+}
+
+double LineWalk::Along(const LineSegment& segment, int corner) const
+{
+  return this->Map.At(segment.triangle, corner)[segment.AlongU() ? 0 : 1];
+}
+
+bool LineWalk::IsLeft(const LineSegment& segment, int corner) const
+{
+  const double across = this->Across(segment, corner);
+  // Left of +u is +v, left of +v is −u.
+  const bool leftIsMore = segment.direction == 0 || segment.direction == 3;
+  return leftIsMore ? across >= segment.level : across <= segment.level;
+}
+
+void LineWalk::Leave(LineSegment& segment, int side) const
+{
+  const int next = (side + 1) % 3;
+  const double from = this->Across(segment, side);
+  const double to = this->Across(segment, next);
+  const double fraction =
+    from == to ? 0.5 : std::clamp((segment.level - from) / (to - from), 0.0, 1.0);
+  segment.exit = { side, fraction };
+  const double start = this->Along(segment, side);
+  const double along = start + fraction * (this->Along(segment, next) - start);
+  segment.exitLength = std::max(segment.entryLength, segment.LengthAt(along));
+}
+
+LineSegment LineWalk::Start(const Departure& departure) const
+{
+  LineSegment segment;
+  segment.triangle = departure.triangle;
+  segment.direction = departure.direction;
+  segment.level = this->Across(segment, departure.corner);
+  segment.offset = -segment.Sign() * this->Along(segment, departure.corner);
+  segment.entry = { departure.corner, 0.0 };
+  this->Leave(segment, (departure.corner + 1) % 3);
+  return segment;
+}
+
+LineSegment LineWalk::StartFromSide(int boundaryPosition) const
+{
+  const MeshTopology& topology = *this->Map.topology;
+  const int edge = topology.EdgeOfBoundary(boundaryPosition);
+  LineSegment segment;
+  segment.triangle = topology.edges.triangles[Index(edge)][0];
+  const auto& sides = topology.edges.ofTriangle[Index(segment.triangle)];
+  const auto side = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  segment.direction = (this->Map.directions[Index(boundaryPosition)] + 1) % 4;
+  const Point middle = 0.5 *
+    (this->Map.At(segment.triangle, side) + this->Map.At(segment.triangle, (side + 1) % 3));
+  segment.level = middle[segment.AlongU() ? 1 : 0];
+  segment.offset = -segment.Sign() * middle[segment.AlongU() ? 0 : 1];
+  segment.entry = { side, 0.5 };
+  this->Leave(segment, this->IsLeft(segment, (side + 2) % 3) ? (side + 1) % 3 : (side + 2) % 3);
+  return segment;
+}
+
+LineSegment LineWalk::StartInside(int triangle, const Point& w, int direction) const
+{
+  LineSegment segment;
+  segment.triangle = triangle;
+  segment.direction = direction;
+  segment.level = w[segment.AlongU() ? 1 : 0];
+  segment.offset = -segment.Sign() * w[segment.AlongU() ? 0 : 1];
+  segment.startsInside = true;
+  // Out between a corner on the right and the next one on the left.
+  for (int side = 0; side < 3; ++side)
+  {
+    if (!this->IsLeft(segment, side) && this->IsLeft(segment, (side + 1) % 3))
+    {
+      this->Leave(segment, side);
+      return segment;
+    }
+  }
+  // The point is a corner that the triangle lies beside, as seen along the line.
+  int furthest = 0;
+  for (int corner = 1; corner < 3; ++corner)
+  {
+    furthest = segment.Sign() * this->Along(segment, corner) >
+        segment.Sign() * this->Along(segment, furthest)
+      ? corner
+      : furthest;
+  }
+  this->Leave(segment, furthest);
+  return segment;
+}
+
+int LineWalk::Beyond(const LineSegment& segment) const
+{
+  const EdgeNumbering& edges = this->Map.topology->edges;
+  const auto& two =
+    edges.triangles[Index(edges.ofTriangle[Index(segment.triangle)][Index(segment.exit.side)])];
+  return two[0] == segment.triangle ? two[1] : two[0];
+}
+
+LineSegment LineWalk::Continue(const LineSegment& segment) const
+{
+  const EdgeNumbering& edges = this->Map.topology->edges;
+  const int edge = edges.ofTriangle[Index(segment.triangle)][Index(segment.exit.side)];
+  LineSegment next;
+  next.triangle = this->Beyond(segment);
+  const auto& sides = edges.ofTriangle[Index(next.triangle)];
+  const auto side = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  next.direction = segment.direction;
+  next.level = segment.level;
+  next.offset = segment.offset;
+  next.entryLength = segment.exitLength;
+  next.entry = { side, 1.0 - segment.exit.fraction };
+  if (this->Map.seams[Index(segment.triangle)][Index(segment.exit.side)] != 0)
+  {
+    const SeamTransition across = this->Map.Across(segment.triangle, segment.exit.side);
+    next.direction = (segment.direction + across.rotation) % 4;
+    const double along = segment.CoordinateAt(segment.exitLength);
+    const Point w =
+      across(segment.AlongU() ? Point(along, segment.level) : Point(segment.level, along));
+    next.level = w[next.AlongU() ? 1 : 0];
+    next.offset = segment.exitLength - next.Sign() * w[next.AlongU() ? 0 : 1];
+  }
+  // The start of the side is on the left of a line that enters; it leaves between left and right.
+  this->Leave(next, this->IsLeft(next, (side + 2) % 3) ? (side + 1) % 3 : (side + 2) % 3);
+  return next;
+}
+
+Point LineWalk::PlaneAt(int triangle, const OutlinePoint& point) const
+{
+  const auto& v = this->Map.topology->mesh.triangles[Index(triangle)];
+  const Point& from = this->Map.topology->PointAt(v[Index(point.side)]);
+  const Point& to = this->Map.topology->PointAt(v[Index((point.side + 1) % 3)]);
+  return from + point.fraction * (to - from);
+}
+
+Point LineWalk::PlaneAt(const LineSegment& segment, double length) const
+{
+  const Point w = segment.At(length);
+  const Point a = this->Map.At(segment.triangle, 0);
+  const Point b = this->Map.At(segment.triangle, 1) - a;
+  const Point c = this->Map.At(segment.triangle, 2) - a;
+  const double twiceArea = Cross(b, c);
+  const double beta = std::clamp(Cross(w - a, c) / twiceArea, 0.0, 1.0);
+  const double gamma = std::clamp(Cross(b, w - a) / twiceArea, 0.0, 1.0 - beta);
+  const auto& v = this->Map.topology->mesh.triangles[Index(segment.triangle)];
+  const Point& origin = this->Map.topology->PointAt(v[0]);
+  return origin + beta * (this->Map.topology->PointAt(v[1]) - origin) +
+    gamma * (this->Map.topology->PointAt(v[2]) - origin);
+}
+}

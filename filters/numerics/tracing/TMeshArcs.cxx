@@ -1,0 +1,312 @@
+#include "TMeshArcs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// A node on a line or loop.
+struct Stop
+{
+  double at = 0.0;
+  int node = 0;
+  int forward = 0;  ///< Slots of the directions along the way
+  int backward = 0; ///< and against it.
+};
+
+bool Before(const Stop& a, const Stop& b)
+{
+  return a.at < b.at;
+}
+
+class ArcLayer
+{
+public:
+  ArcLayer(const FlatMap& map, const TraceGraph& graph)
+    : Map(map)
+    , Topology(*map.topology)
+    , Walk(map)
+    , Lines(graph.lines)
+    , OnLine(graph.lines.size())
+    , OnBoundary(map.topology->mesh.boundary.size())
+  {
+    this->Mesh.lineCount = static_cast<int>(graph.lines.size());
+    this->Mesh.extraLines = graph.extraLines;
+    this->Mesh.headOn = graph.headOn;
+  }
+
+  TMesh Lay()
+  {
+    this->PlaceCones();
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      this->PlaceStart(i);
+    }
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      this->PlaceEnd(i);
+      this->Mesh.longest = std::max(this->Mesh.longest, this->Lines[i].length);
+    }
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      this->LayLine(i);
+    }
+    for (std::size_t l = 0; l < this->Topology.alignedVertices.size(); ++l)
+    {
+      this->LayLoop(static_cast<int>(l));
+    }
+    return std::move(this->Mesh);
+  }
+
+private:
+  int AddNode(const TNode& node)
+  {
+    this->Mesh.nodes.push_back(node);
+    return static_cast<int>(this->Mesh.nodes.size()) - 1;
+  }
+
+  /// The entry of mesh.boundary that starts at each vertex.
+  int PositionAt(int vertex)
+  {
+    if (this->Positions.empty())
+    {
+      this->Positions.assign(this->Topology.mesh.points.size(), -1);
+      for (std::size_t i = 0; i < this->Topology.mesh.boundary.size(); ++i)
+      {
+        this->Positions[Index(this->Topology.mesh.boundary[i].vertices[0])] = static_cast<int>(i);
+      }
+    }
+    return this->Positions[Index(vertex)];
+  }
+
+  void PlaceCones()
+  {
+    for (std::size_t i = 0; i < this->Map.cones.size(); ++i)
+    {
+      const Cone& cone = this->Map.cones[i];
+      const int node =
+        this->AddNode({ cone.onBoundary ? NodeKind::Corner : NodeKind::Singularity,
+          static_cast<int>(i), cone.Quarters(), this->Topology.PointAt(cone.vertex) });
+      if (cone.onBoundary)
+      {
+        this->OnBoundary[Index(this->PositionAt(cone.vertex))].push_back(
+          { 0.0, node, 0, cone.Quarters() });
+      }
+    }
+  }
+
+  /// How far a point of a boundary edge's chart is along it.
+  double AlongEdge(int position, const Point& w) const
+  {
+    const auto [triangle, side] = this->SideOf(position);
+    const Point way = w - this->Map.At(triangle, side);
+    return std::max(0.0, TurnByQuarters(way, -this->Map.directions[Index(position)]).x());
+  }
+
+  std::pair<int, int> SideOf(int position) const
+  {
+    const int edge = this->Topology.EdgeOfBoundary(position);
+    const int triangle = this->Topology.edges.triangles[Index(edge)][0];
+    const auto& sides = this->Topology.edges.ofTriangle[Index(triangle)];
+    return { triangle,
+      static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin()) };
+  }
+
+  int AddBoundaryNode(int position, const Point& w, const Point& place)
+  {
+    const int node = this->AddNode({ NodeKind::OnBoundary, -1, 2, place });
+    this->OnBoundary[Index(position)].push_back({ this->AlongEdge(position, w), node, 0, 2 });
+    return node;
+  }
+
+  void PlaceStart(std::size_t i)
+  {
+    const TracedLine& line = this->Lines[i];
+    Stop start;
+    start.node = line.cone;
+    start.forward = line.slot;
+    if (line.cone < 0)
+    {
+      const LineSegment& first = line.segments.front();
+      start.node = this->AddBoundaryNode(line.startPosition, first.At(0.0),
+        this->Walk.PlaneAt(first.triangle, first.entry));
+      start.forward = 1;
+    }
+    this->OnLine[i].push_back(start);
+  }
+
+  void PlaceEnd(std::size_t i)
+  {
+    const TracedLine& line = this->Lines[i];
+    const LineSegment& last = line.segments[Index(line.lastSegment)];
+    Stop end;
+    end.at = line.length;
+    if (line.end == LineEnd::Boundary)
+    {
+      end.node = this->AddBoundaryNode(line.endPosition, last.At(line.length),
+        this->Walk.PlaneAt(last.triangle, last.exit));
+      end.backward = 1;
+      this->OnLine[i].push_back(end);
+    }
+    else if (line.end == LineEnd::Line)
+    {
+      end.node = this->AddNode(
+        { NodeKind::OnLine, -1, 4, this->Walk.PlaneAt(last, line.length) });
+      end.backward = (line.endDirection + 2 - line.otherDirection + 4) % 4;
+      this->OnLine[i].push_back(end);
+      this->OnLine[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2 });
+    }
+  }
+
+  void AddArc(TArc arc, const Stop& from, const Stop& to)
+  {
+    this->Mesh.arcs.push_back(std::move(arc));
+    this->Mesh.halfEdges.push_back({ from.node, from.forward });
+    this->Mesh.halfEdges.push_back({ to.node, to.backward });
+  }
+
+  /// What a line passes through strictly between two lengths, and the ends.
+  std::vector<Point> Polyline(const TracedLine& line, double from, double to) const
+  {
+    std::vector<Point> points;
+    for (const LineSegment& segment : line.segments)
+    {
+      if (segment.exitLength > from && segment.exitLength < to)
+      {
+        points.push_back(this->Walk.PlaneAt(segment.triangle, segment.exit));
+      }
+    }
+    return points;
+  }
+
+  void LayLine(std::size_t i)
+  {
+    const TracedLine& line = this->Lines[i];
+    std::vector<Stop> stops = this->OnLine[i];
+    const bool both = line.end == LineEnd::HeadOn;
+    if (both && line.other < static_cast<int>(i))
+    {
+      return; // laid with the other one
+    }
+    if (both)
+    {
+      for (Stop stop : this->OnLine[Index(line.other)])
+      {
+        std::swap(stop.forward, stop.backward);
+        stop.at = line.headOnLength - stop.at;
+        stops.push_back(stop);
+      }
+    }
+    std::stable_sort(stops.begin() + 1, stops.end(), Before);
+    // What starts or ends it comes first or last, whatever rounding says.
+    const int end = both ? this->OnLine[Index(line.other)].front().node
+      : line.end == LineEnd::None ? -1
+                                  : this->EndNode(i);
+    const auto last = std::find_if(stops.begin() + 1, stops.end(),
+      [end](const Stop& stop) { return stop.node == end; });
+    if (last != stops.end())
+    {
+      std::rotate(last, last + 1, stops.end());
+    }
+    for (std::size_t j = 0; j + 1 < stops.size(); ++j)
+    {
+      TArc arc;
+      arc.line = static_cast<int>(i);
+      arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
+      arc.polyline = { this->Mesh.nodes[Index(stops[j].node)].place };
+      const auto add = [&arc](const std::vector<Point>& points)
+      { arc.polyline.insert(arc.polyline.end(), points.begin(), points.end()); };
+      add(this->Polyline(line, stops[j].at, std::min(stops[j + 1].at, line.length)));
+      if (both)
+      {
+        const TracedLine& other = this->Lines[Index(line.other)];
+        std::vector<Point> rest = this->Polyline(other, line.headOnLength - stops[j + 1].at,
+          std::min(line.headOnLength - stops[j].at, other.length));
+        std::reverse(rest.begin(), rest.end());
+        add(rest);
+      }
+      arc.polyline.push_back(this->Mesh.nodes[Index(stops[j + 1].node)].place);
+      this->AddArc(std::move(arc), stops[j], stops[j + 1]);
+    }
+  }
+
+  /// The node at the end of a line: PlaceEnd put it second but for those of others.
+  int EndNode(std::size_t i) const
+  {
+    const auto& stops = this->OnLine[i];
+    const auto found = std::find_if(stops.begin() + 1, stops.end(),
+      [](const Stop& stop) { return stop.forward == 0 && stop.backward % 2 == 1; });
+    return found == stops.end() ? -1 : found->node;
+  }
+
+  void LayLoop(int loop)
+  {
+    // One chain of stops around the loop, and the vertices in between.
+    std::vector<Stop> stops;
+    std::vector<std::pair<double, Point>> vertices;
+    double way = 0.0;
+    for (const int vertex : this->Topology.alignedVertices[Index(loop)])
+    {
+      const int position = this->PositionAt(vertex);
+      const auto [triangle, side] = this->SideOf(position);
+      vertices.emplace_back(way, this->Topology.PointAt(vertex));
+      const double length =
+        (this->Map.At(triangle, (side + 1) % 3) - this->Map.At(triangle, side)).norm();
+      std::vector<Stop>& own = this->OnBoundary[Index(position)];
+      std::stable_sort(own.begin(), own.end(), Before);
+      for (Stop stop : own)
+      {
+        stop.at = way + std::min(stop.at, length);
+        stops.push_back(stop);
+      }
+      way += length;
+    }
+    for (std::size_t j = 0; j < stops.size(); ++j)
+    {
+      const Stop& from = stops[j];
+      const Stop& to = stops[(j + 1) % stops.size()];
+      const bool around = j + 1 == stops.size();
+      const double end = around ? to.at + way : to.at;
+      TArc arc;
+      arc.onBoundary = true;
+      arc.loop = loop;
+      arc.length = end - from.at;
+      arc.polyline = { this->Mesh.nodes[Index(from.node)].place };
+      for (const double turn : { 0.0, way })
+      {
+        for (const auto& [at, point] : vertices)
+        {
+          if (at + turn > from.at && at + turn < end)
+          {
+            arc.polyline.push_back(point);
+          }
+        }
+      }
+      arc.polyline.push_back(this->Mesh.nodes[Index(to.node)].place);
+      this->AddArc(std::move(arc), from, to);
+    }
+  }
+
+  const FlatMap& Map;
+  const MeshTopology& Topology;
+  const LineWalk Walk;
+  const std::vector<TracedLine>& Lines;
+  std::vector<std::vector<Stop>> OnLine;
+  std::vector<std::vector<Stop>> OnBoundary; ///< Per entry of mesh.boundary.
+  std::vector<int> Positions;
+  TMesh Mesh;
+};
+}
+
+TMesh LayArcs(const FlatMap& map, const TraceGraph& graph)
+{
+  return ArcLayer(map, graph).Lay();
+}
+}

@@ -1,0 +1,407 @@
+#include "TraceGraph.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Lines this near, relative to the extent, are on one isoline: above what a solve is off by
+/// rounding (1e-13), and too narrow for any strip of quads.
+constexpr double SameIsoline = 1e-11;
+/// Lines have different head starts, up to this part of the extent, so that no two are anywhere at
+/// the same time in domains that are symmetric; irregular and much larger than SameIsoline.
+constexpr double LargestDelay = 1e-6;
+constexpr double GoldenRatio = 0.6180339887498949;
+/// A line is at most a few times as long as the domain wide (docs/method.md §13.1).
+constexpr double LongestLine = 1000.0;
+
+struct Event
+{
+  enum Kind
+  {
+    Advance,  ///< `line` enters the next triangle, or ends on the boundary.
+    Crossing, ///< `line` comes to `other`, which was there before.
+    Meeting   ///< `line` and `other` meet head-on; length is that of both.
+  };
+  double time = 0.0;
+  int number = 0; ///< Of events at one time the first that was found.
+  Kind kind = Advance;
+  int line = 0;
+  int other = 0;
+  double length = 0.0;
+  double otherLength = 0.0;
+  int segment = 0; ///< Of the line.
+  int otherDirection = 0;
+
+  bool operator<(const Event& event) const // last is on top
+  {
+    return this->time > event.time || (this->time == event.time && this->number > event.number);
+  }
+};
+
+class Tracer
+{
+public:
+  Tracer(const FlatMap& map, const Progress& progress)
+    : Map(map)
+    , Topology(*map.topology)
+    , Walk(map)
+    , Extent(map.Extent())
+    , Tolerance(SameIsoline * Extent)
+    , Latest(map.topology->mesh.triangles.size(), -1)
+    , Reports(progress)
+  {
+  }
+
+  TraceGraph Run()
+  {
+    const auto departures = FindDepartures(this->Map);
+    for (std::size_t cone = 0; cone < departures.size(); ++cone)
+    {
+      for (std::size_t i = 0; i < departures[cone].size(); ++i)
+      {
+        TracedLine line;
+        line.cone = static_cast<int>(cone);
+        // At a corner slot 0 is the side that starts there.
+        line.slot = static_cast<int>(i) + (this->Map.cones[cone].onBoundary ? 1 : 0);
+        line.segments = { this->Walk.Start(departures[cone][i]) };
+        this->Add(std::move(line));
+      }
+    }
+    this->TraceAll();
+    for (int position = this->FreeLoop(); position >= 0; position = this->FreeLoop())
+    {
+      TracedLine line;
+      line.startPosition = position;
+      line.segments = { this->Walk.StartFromSide(position) };
+      line.delay = this->Now; // the others were there before
+      ++this->Graph.extraLines;
+      this->Add(std::move(line));
+      this->TraceAll();
+    }
+    return std::move(this->Graph);
+  }
+
+private:
+  /// Where a segment is entered in the list of its triangle.
+  struct Entry
+  {
+    int line;
+    int segment;
+    int next;
+  };
+
+  void Add(TracedLine line)
+  {
+    const auto number = static_cast<int>(this->Graph.lines.size());
+    line.delay += LargestDelay * this->Extent * std::fmod((number + 1) * GoldenRatio, 1.0);
+    this->Graph.lines.push_back(std::move(line));
+    this->Enter(number);
+  }
+
+  double Time(int line, double length) const
+  {
+    return length + this->Graph.lines[Index(line)].delay;
+  }
+
+  void Push(Event event)
+  {
+    event.number = this->EventCount++;
+    this->Events.push(event);
+  }
+
+  void TraceAll()
+  {
+    while (!this->Events.empty())
+    {
+      const Event event = this->Events.top();
+      this->Events.pop();
+      this->Now = event.time;
+      if (this->Graph.lines[Index(event.line)].end != LineEnd::None)
+      {
+        continue;
+      }
+      if (event.kind == Event::Advance)
+      {
+        this->Advance(event.line);
+      }
+      else if (event.kind == Event::Crossing)
+      {
+        this->Cross(event);
+      }
+      else
+      {
+        this->Meet(event);
+      }
+    }
+  }
+
+  void Advance(int number)
+  {
+    TracedLine& line = this->Graph.lines[Index(number)];
+    const LineSegment& last = line.segments.back();
+    if (this->Walk.Beyond(last) < 0)
+    {
+      const int edge =
+        this->Topology.edges.ofTriangle[Index(last.triangle)][Index(last.exit.side)];
+      line.end = LineEnd::Boundary;
+      line.length = last.exitLength;
+      line.endPosition = this->BoundaryPosition(edge);
+      line.lastSegment = static_cast<int>(line.segments.size()) - 1;
+      line.endDirection = last.direction;
+      return;
+    }
+    if (last.exitLength > LongestLine * this->Extent)
+    {
+      throw Error("A line of the flat map goes around without an end; use a finer mesh.");
+    }
+    line.segments.push_back(this->Walk.Continue(last));
+    this->Enter(number);
+  }
+
+  /// Finds whom a line meets in the triangle that it has come into.
+  void Enter(int number)
+  {
+    const TracedLine& line = this->Graph.lines[Index(number)];
+    const auto segment = static_cast<int>(line.segments.size()) - 1;
+    const LineSegment& mine = line.segments.back();
+    for (int e = this->Latest[Index(mine.triangle)]; e >= 0; e = this->Entries[Index(e)].next)
+    {
+      const Entry& entry = this->Entries[Index(e)];
+      const LineSegment& theirs =
+        this->Graph.lines[Index(entry.line)].segments[Index(entry.segment)];
+      if ((mine.direction - theirs.direction) % 2 != 0)
+      {
+        if (this->Interleave(mine, number, theirs, entry.line))
+        {
+          this->FindCrossing(number, segment, entry.line, entry.segment);
+        }
+      }
+      else if (mine.direction != theirs.direction &&
+        std::abs(mine.level - theirs.level) <= this->Tolerance)
+      {
+        this->FindMeeting(number, entry.line, mine.offset + theirs.offset);
+      }
+    }
+    this->Entries.push_back({ number, segment, this->Latest[Index(mine.triangle)] });
+    this->Latest[Index(mine.triangle)] = static_cast<int>(this->Entries.size()) - 1;
+    Event event;
+    event.kind = Event::Advance;
+    event.time = this->Time(number, mine.exitLength);
+    event.line = number;
+    this->Push(event);
+  }
+
+  /// A position on the outline of a triangle, and which of two lines at one place comes first,
+  /// the same as seen from both sides of an edge.
+  std::pair<double, int> OnOutline(int triangle, const OutlinePoint& point, int line) const
+  {
+    const auto& v = this->Topology.mesh.triangles[Index(triangle)];
+    const bool upwards = v[Index(point.side)] < v[Index((point.side + 1) % 3)];
+    return { point.side + point.fraction, upwards ? line : -line };
+  }
+
+  /// Whether two lines cross in a triangle: where they enter and leave alternates around it.
+  bool Interleave(const LineSegment& a, int lineA, const LineSegment& b, int lineB) const
+  {
+    // Lines of one vertex only meet there.
+    const auto atCorner = [](const LineSegment& s)
+    { return s.entryLength == 0.0 && s.entry.fraction == 0.0; };
+    if (atCorner(a) && atCorner(b) && a.entry.side == b.entry.side)
+    {
+      return false;
+    }
+    auto start = this->OnOutline(a.triangle, a.entry, lineA);
+    auto end = this->OnOutline(a.triangle, a.exit, lineA);
+    if (end < start)
+    {
+      std::swap(start, end);
+    }
+    const auto between = [&start, &end](const std::pair<double, int>& x)
+    { return start < x && x < end; };
+    return between(this->OnOutline(b.triangle, b.entry, lineB)) !=
+      between(this->OnOutline(b.triangle, b.exit, lineB));
+  }
+
+  void FindCrossing(int a, int segmentA, int b, int segmentB)
+  {
+    const LineSegment& first = this->Graph.lines[Index(a)].segments[Index(segmentA)];
+    const LineSegment& second = this->Graph.lines[Index(b)].segments[Index(segmentB)];
+    const double lengthA =
+      std::clamp(first.LengthAt(second.level), first.entryLength, first.exitLength);
+    const double lengthB =
+      std::clamp(second.LengthAt(first.level), second.entryLength, second.exitLength);
+    Event event;
+    event.kind = Event::Crossing;
+    const bool firstIsLater = this->Time(a, lengthA) >= this->Time(b, lengthB);
+    event.line = firstIsLater ? a : b;
+    event.other = firstIsLater ? b : a;
+    event.length = firstIsLater ? lengthA : lengthB;
+    event.otherLength = firstIsLater ? lengthB : lengthA;
+    event.segment = firstIsLater ? segmentA : segmentB;
+    event.otherDirection = firstIsLater ? second.direction : first.direction;
+    event.time = this->Time(event.line, event.length);
+    this->Push(event);
+  }
+
+  /// How far a line got, or may still get. Where two meet head-on, no other can pass between them.
+  double Reach(const TracedLine& line) const
+  {
+    return line.end == LineEnd::None ? this->Extent * 2.0 * LongestLine
+      : line.end == LineEnd::HeadOn  ? line.length + this->Tolerance
+                                     : line.length;
+  }
+
+  void Cross(const Event& event)
+  {
+    TracedLine& line = this->Graph.lines[Index(event.line)];
+    if (this->Reach(this->Graph.lines[Index(event.other)]) < event.otherLength)
+    {
+      return; // the other one was stopped before
+    }
+    line.end = LineEnd::Line;
+    line.length = event.length;
+    line.other = event.other;
+    line.otherLength = event.otherLength;
+    line.lastSegment = event.segment;
+    line.endDirection = line.segments[Index(event.segment)].direction;
+    line.otherDirection = event.otherDirection;
+  }
+
+  void FindMeeting(int a, int b, double together)
+  {
+    if (a == b || together <= this->Tolerance)
+    {
+      return; // they move apart
+    }
+    Event event;
+    event.kind = Event::Meeting;
+    event.line = a;
+    event.other = b;
+    event.length = together;
+    event.time = std::max(this->Now,
+      0.5 * (together + this->Graph.lines[Index(a)].delay + this->Graph.lines[Index(b)].delay));
+    this->Push(event);
+  }
+
+  void Meet(const Event& event)
+  {
+    TracedLine& line = this->Graph.lines[Index(event.line)];
+    TracedLine& other = this->Graph.lines[Index(event.other)];
+    if (other.end != LineEnd::None)
+    {
+      return;
+    }
+    line.length = std::clamp(event.time - line.delay, 0.0, event.length);
+    other.length = event.length - line.length;
+    const auto close = [&event](TracedLine& one, int partner)
+    {
+      one.end = LineEnd::HeadOn;
+      one.other = partner;
+      one.headOnLength = event.length;
+      one.lastSegment = static_cast<int>(one.segments.size()) - 1;
+      while (one.lastSegment > 0 &&
+        one.segments[Index(one.lastSegment)].entryLength > one.length)
+      {
+        --one.lastSegment;
+      }
+    };
+    close(line, event.other);
+    close(other, event.line);
+    ++this->Graph.headOn;
+  }
+
+  int BoundaryPosition(int edge)
+  {
+    if (this->PositionOfEdge.empty())
+    {
+      this->PositionOfEdge.assign(Index(this->Topology.edges.Count()), -1);
+      for (std::size_t i = 0; i < this->Topology.edges.ofBoundary.size(); ++i)
+      {
+        this->PositionOfEdge[Index(this->Topology.edges.ofBoundary[i])] = static_cast<int>(i);
+      }
+    }
+    return this->PositionOfEdge[Index(edge)];
+  }
+
+  /// An edge of a loop without corners that no line starts or ends at; −1 if there is none.
+  int FreeLoop() const
+  {
+    std::vector<bool> met(this->Topology.mesh.boundary.size(), false);
+    std::vector<bool> corner(this->Topology.mesh.points.size(), false);
+    for (const Cone& cone : this->Map.cones)
+    {
+      corner[Index(cone.vertex)] = true;
+    }
+    for (const TracedLine& line : this->Graph.lines)
+    {
+      for (const int position : { line.startPosition, line.endPosition })
+      {
+        if (position >= 0)
+        {
+          met[Index(position)] = true;
+        }
+      }
+    }
+    for (const BoundaryLoop& loop : this->Topology.loops)
+    {
+      const bool isMet = std::any_of(loop.edges.begin(), loop.edges.end(),
+        [&](int position)
+        {
+          return met[Index(position)] ||
+            corner[Index(this->Topology.BoundaryAt(position).vertices[0])];
+        });
+      if (!isMet)
+      {
+        return loop.edges.front();
+      }
+    }
+    return -1;
+  }
+
+  const FlatMap& Map;
+  const MeshTopology& Topology;
+  const LineWalk Walk;
+  const double Extent;
+  const double Tolerance;
+  std::vector<int> Latest; ///< Per triangle the entry that came last.
+  std::vector<Entry> Entries;
+  std::priority_queue<Event> Events;
+  std::vector<int> PositionOfEdge;
+  double Now = 0.0;
+  int EventCount = 0;
+  Progress Reports;
+  TraceGraph Graph;
+};
+}
+
+TraceGraph TraceLines(const FlatMap& map, const Progress& progress)
+{
+  progress.Report(0.0);
+  TraceGraph graph = Tracer(map, progress).Run();
+  progress.Report(1.0);
+  return graph;
+}
+
+std::vector<LineSegment> TraceStreamline(
+  const FlatMap& map, int triangle, const Point& w, int direction, double longest)
+{
+  const LineWalk walk(map);
+  std::vector<LineSegment> segments = { walk.StartInside(triangle, w, direction) };
+  while (segments.back().exitLength < longest && walk.Beyond(segments.back()) >= 0)
+  {
+    segments.push_back(walk.Continue(segments.back()));
+  }
+  return segments;
+}
+}

@@ -1,0 +1,157 @@
+#include "VertexFan.h"
+
+#include "Error.h"
+
+#include <algorithm>
+#include <string>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Where a direction is, in eighths of a turn: 2q on the axis i^q, 2q + 1 between it and the next.
+int Eighths(const Point& direction)
+{
+  const double x = direction.x();
+  const double y = direction.y();
+  if (y == 0.0)
+  {
+    return x > 0.0 ? 0 : 4;
+  }
+  if (x == 0.0)
+  {
+    return y > 0.0 ? 2 : 6;
+  }
+  if (y > 0.0)
+  {
+    return x > 0.0 ? 1 : 3;
+  }
+  return x < 0.0 ? 5 : 7;
+}
+
+int Modulo(int value, int modulus)
+{
+  return ((value % modulus) + modulus) % modulus;
+}
+
+class FanWalk
+{
+public:
+  explicit FanWalk(const FlatMap& map)
+    : Map(map)
+    , Topology(*map.topology)
+    , Start(this->Topology.mesh.points.size(), -1)
+    , Boundary(this->Topology.mesh.points.size(), -1)
+  {
+    for (int t = 0; t < static_cast<int>(this->Topology.mesh.triangles.size()); ++t)
+    {
+      for (const int v : this->Topology.mesh.triangles[Index(t)])
+      {
+        this->Start[Index(v)] = t;
+      }
+    }
+    for (int i = 0; i < static_cast<int>(this->Topology.mesh.boundary.size()); ++i)
+    {
+      this->Boundary[Index(this->Topology.BoundaryAt(i).vertices[0])] = i;
+    }
+  }
+
+  std::vector<Departure> Around(const Cone& cone) const
+  {
+    int triangle = this->Start[Index(cone.vertex)];
+    int here = 0; // of the spoke that the triangle starts with, in its chart
+    if (cone.onBoundary)
+    {
+      const int position = this->Boundary[Index(cone.vertex)];
+      triangle = this->Topology.edges.triangles[Index(this->Topology.EdgeOfBoundary(position))][0];
+      here = 2 * this->Map.directions[Index(position)];
+    }
+    else
+    {
+      const int corner = this->CornerOf(triangle, cone.vertex);
+      here = Eighths(
+        this->Map.At(triangle, (corner + 1) % 3) - this->Map.At(triangle, corner));
+    }
+    std::vector<Departure> departures;
+    const int first = triangle;
+    int total = 0;
+    do
+    {
+      const int corner = this->CornerOf(triangle, cone.vertex);
+      const int side = (corner + 2) % 3; // the spoke that the triangle ends with
+      const int edge = this->Topology.edges.ofTriangle[Index(triangle)][Index(side)];
+      const auto& two = this->Topology.edges.triangles[Index(edge)];
+      const int next = two[0] == triangle ? two[1] : two[0];
+      const int end = next >= 0 ? Eighths(this->Map.At(triangle, side) - this->Map.At(triangle, corner))
+                                : 2 * (this->DirectionOf(edge) + 2);
+      const int span = Modulo(end - here, 8);
+      for (int eighth = 1; eighth <= span; ++eighth)
+      {
+        const bool alongBoundary = next < 0 && eighth == span;
+        if ((here + eighth) % 2 == 0 && !alongBoundary)
+        {
+          departures.push_back({ triangle, corner, Modulo((here + eighth) / 2, 4) });
+        }
+      }
+      total += span;
+      if (next >= 0)
+      {
+        here = Modulo(end + 2 * this->Map.Across(triangle, side).rotation, 8);
+      }
+      triangle = next;
+    } while (triangle >= 0 && triangle != first);
+    const auto expected = static_cast<std::size_t>(cone.Quarters() - (cone.onBoundary ? 1 : 0));
+    if (total != 2 * cone.Quarters() || departures.size() != expected)
+    {
+      throw Error("The triangles of the flat map around " +
+        Describe(this->Topology.PointAt(cone.vertex)) + " make up " + std::to_string(total) +
+        " eighths of a turn instead of " + std::to_string(2 * cone.Quarters()) +
+        "; use a finer mesh there.");
+    }
+    return departures;
+  }
+
+private:
+  int CornerOf(int triangle, int vertex) const
+  {
+    const auto& v = this->Topology.mesh.triangles[Index(triangle)];
+    return static_cast<int>(std::find(v.begin(), v.end(), vertex) - v.begin());
+  }
+
+  int DirectionOf(int edge) const
+  {
+    // The boundary edge that ends at the vertex.
+    for (const int v : this->Topology.edges.vertices[Index(edge)])
+    {
+      const int position = this->Boundary[Index(v)];
+      if (position >= 0 && this->Topology.EdgeOfBoundary(position) == edge)
+      {
+        return this->Map.directions[Index(position)];
+      }
+    }
+    return 0;
+  }
+
+  const FlatMap& Map;
+  const MeshTopology& Topology;
+  std::vector<int> Start;    ///< A triangle at every vertex.
+  std::vector<int> Boundary; ///< The entry of mesh.boundary that starts there.
+};
+}
+
+std::vector<std::vector<Departure>> FindDepartures(const FlatMap& map)
+{
+  const FanWalk walk(map);
+  std::vector<std::vector<Departure>> departures;
+  for (const Cone& cone : map.cones)
+  {
+    departures.push_back(walk.Around(cone));
+  }
+  return departures;
+}
+}
