@@ -54,9 +54,7 @@ constexpr const char* EnergyDegreeOnlyLowerBound = "EnergyDegreeOnlyLowerBound";
 constexpr const char* EnergyDegreeOnlyUpperBound = "EnergyDegreeOnlyUpperBound";
 constexpr const char* LogarithmCoefficient = "LogarithmCoefficient";
 constexpr const char* Gradient = "Gradient";
-// Field data: vtkConfigurationProposal.
-constexpr const char* Events = "Events";
-// Field data and history: vtkSingularityOptimizer.
+// Field data and history: vtkSingularityOptimizer; Events also: vtkConfigurationProposal.
 constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
 constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";
 constexpr const char* Annihilation = "Annihilation";

@@ -42,7 +42,7 @@ double OptimizerStage::CoreEnergy(const OptimizerPlace& place) const
   {
     coefficient += Pi * singularity.quarterIndex * singularity.quarterIndex;
   }
-  for (const LogSource& corner : this->potential->GetCorners())
+  for (const LogSource& corner : this->potential->GetBoundaryLogs())
   {
     coefficient += 0.5 * corner.angle * corner.strength * corner.strength;
   }
