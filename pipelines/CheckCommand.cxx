@@ -10,6 +10,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "TopologyJson.h"
+#include "vtkBoundaryCornerClassifier.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkPoincareHopfCheck.h"
@@ -72,6 +73,21 @@ void PrintSummary(vtkPoincareHopfCheck* check)
   }
 }
 
+/** Says so where `crossfield corners` asks for another sum, and which of the two is followed. */
+void PrintHint(vtkAlgorithm* domain, double required)
+{
+  vtkNew<vtkBoundaryCornerClassifier> classifier;
+  classifier->SetInputConnection(domain->GetOutputPort());
+  PipelineRun::Update(classifier, "corners");
+  const double cheapest = FieldValue(classifier->GetOutput(), names::InteriorQuarters);
+  if (cheapest != required)
+  {
+    std::cout
+      << "the cheapest quarter indices of corners ask for " << cheapest
+      << " inside instead; to follow them give --corners what `crossfield corners` writes\n";
+  }
+}
+
 int Check(const CheckOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -117,8 +133,14 @@ int Check(const CheckOptions& options)
   const bool consistent = FieldValue(check->GetOutput(), names::Consistent) != 0.0;
   if (options.json.empty() && !outputs.PrintsData())
   {
+    std::cout << reason << "\n";
     PrintSummary(check);
-    std::cout << (consistent ? reason + "\n" : "");
+    const bool isField =
+      check->GetOutput()->GetFieldData()->GetArray(names::UnwantedSingularities) != nullptr;
+    if (options.corners.empty() && !isField)
+    {
+      PrintHint(domain, FieldValue(check->GetOutput(), names::RequiredInteriorQuarters));
+    }
   }
   if (!options.json.empty())
   {

@@ -35,12 +35,13 @@ struct EnergyOptions
   std::string corners;
   std::string json;
   double size = 0.0;
+  double coreRadius = 0.0;
 };
 
 void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
 {
   std::cout << "configuration energy lower_bound upper_bound degree_only logarithm_coefficient "
-               "renormalized_energy\n";
+               "renormalized_energy energy_at_core_radius\n";
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const auto value = [&](const char* name)
@@ -51,8 +52,9 @@ void PrintSummary(vtkTable* table, const std::vector<std::string>& files)
       std::cout << " is not consistent; see `crossfield check`\n";
       continue;
     }
-    for (const char* name : { names::Energy, names::EnergyLowerBound, names::EnergyUpperBound,
-           names::EnergyDegreeOnly, names::LogarithmCoefficient, names::RenormalizedEnergy })
+    for (const char* name :
+      { names::Energy, names::EnergyLowerBound, names::EnergyUpperBound, names::EnergyDegreeOnly,
+        names::LogarithmCoefficient, names::RenormalizedEnergy, names::EnergyAtCoreRadius })
     {
       std::cout << " " << value(name);
     }
@@ -70,6 +72,7 @@ int Energy(const EnergyOptions& options)
   vtkNew<vtkSingularityEnergy> energy;
   energy->SetInputConnection(domain->GetOutputPort());
   energy->SetMeshSize(options.size);
+  energy->SetCoreRadius(options.coreRadius);
   std::vector<std::string> files = options.configurations;
   std::optional<SingularityInput> chosen;
   if (files.empty())
@@ -136,6 +139,10 @@ void AddEnergyCommand(CLI::App& app, int& status)
   AddCornersTo(*command, options->corners);
   command->add_option(
     "--size", options->size, "target edge length; default: 1/40 of the domain's diagonal");
+  command
+    ->add_option("--core-radius", options->coreRadius,
+      "radius of cores at which energies are compared; default: 1/100 of the domain's diagonal")
+    ->check(CLI::NonNegativeNumber);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Energy(*options); });
 }

@@ -48,6 +48,8 @@ std::string Write(
       entry["energy_degree_only_upper_bound"] = value(names::EnergyDegreeOnlyUpperBound);
       entry["logarithm_coefficient"] = value(names::LogarithmCoefficient);
       entry["renormalized_energy"] = value(names::RenormalizedEnergy);
+      entry["core_radius"] = value(names::CoreRadius);
+      entry["energy_at_core_radius"] = value(names::EnergyAtCoreRadius);
       entry["holonomy_defect"] = value(names::HolonomyDefect);
       entry["gradient"] = Json::array();
       for (vtkIdType i = 0; i < gradients->GetNumberOfPoints(); ++i)

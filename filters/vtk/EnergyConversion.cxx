@@ -68,6 +68,8 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
   add(names::LogarithmCoefficient,
     [](const Energy& e) { return e.renormalized.logarithmCoefficient; });
   add(names::RenormalizedEnergy, [](const Energy& e) { return e.renormalized.energy; });
+  add(names::CoreRadius, [](const Energy& e) { return e.coreRadius; });
+  add(names::EnergyAtCoreRadius, [](const Energy& e) { return e.atCoreRadius; });
   add(
     names::HolonomyDefect, [](const Energy& e) { return Largest(e.renormalized.holonomyDefect); });
 }

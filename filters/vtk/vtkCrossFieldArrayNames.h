@@ -42,6 +42,8 @@ constexpr const char* HolonomyDefect = "HolonomyDefect";
 constexpr const char* H = "H";
 constexpr const char* SizeMap = "SizeMap";
 constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
+constexpr const char* CoreRadius = "CoreRadius";
+constexpr const char* EnergyAtCoreRadius = "EnergyAtCoreRadius";
 constexpr const char* PointSingularities = "PointSingularities";
 // Field data: vtkDrillHoles.
 constexpr const char* BoundarySingularities = "BoundarySingularities";

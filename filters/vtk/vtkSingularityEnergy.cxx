@@ -59,6 +59,7 @@ int vtkSingularityEnergy::RequestData(
       }
       crossfield::ConfigurationEnergyOptions options;
       options.meshSize = this->MeshSize;
+      options.coreRadius = this->CoreRadius;
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies =
         crossfield::CompareConfigurations(input.domain, configurations, options, progress);
@@ -73,4 +74,5 @@ void vtkSingularityEnergy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "CoreRadius: " << this->CoreRadius << "\n";
 }

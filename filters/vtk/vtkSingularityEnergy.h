@@ -11,11 +11,11 @@
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
  * Port 1, one or more connections, a configuration each (points): point arrays `QuarterIndex`
  * (integers) and optionally `Radius`, inside or on the boundary as for vtkHField. Without radii holes
- * have the mesh size as radius. Compare configurations with equal radii, or by W.
+ * have the mesh size as radius.
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkHField.
  *
- * Output port 0 (vtkTable): one row per configuration, sorted by the coefficient of the logarithm,
- * then by W, which is the order of E_ρ for small ρ; inconsistent ones last. Columns:
+ * Output port 0 (vtkTable): one row per configuration, sorted by the energy at the core radius;
+ * inconsistent ones last. Columns:
  * - `Configuration` (int): number of the connection on port 1, from 0;
  * - `Consistent` (int): whether it satisfies the Poincaré-Hopf theorem; else all numbers are NaN;
  * - `Energy`: E_ρ of the field aligned with the boundary, that of vtkPerforatedCrossField (UnitNorm);
@@ -25,6 +25,8 @@
  * - `EnergyDegreeOnly`, `EnergyDegreeOnlyLowerBound`, `EnergyDegreeOnlyUpperBound`: E_ρ of a field
  *   that may rotate along the boundary: the middle of its bounds, and these;
  * - `LogarithmCoefficient`, `RenormalizedEnergy`: see above, W of the aligned field;
+ * - `CoreRadius`, `EnergyAtCoreRadius`: ρ, and W + coefficient × log(1/ρ): compare by this. W alone
+ *   compares configurations of equal coefficients only;
  * - `HolonomyDefect`: the largest by size of the inner loops, radians in (−π, π]; 0 without any. Its
  *   harmonic field is part of the aligned energies and of W.
  * Output port 1 (vtkPolyData): the interior singularities of all rows in that order, with the point
@@ -78,6 +80,15 @@ public:
   vtkGetMacro(MeshSize, double);
   ///@}
 
+  ///@{
+  /**
+   * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the bounding
+   * box. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(CoreRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CoreRadius, double);
+  ///@}
+
 protected:
   vtkSingularityEnergy();
   ~vtkSingularityEnergy() override = default;
@@ -91,6 +102,7 @@ private:
   void operator=(const vtkSingularityEnergy&) = delete;
 
   double MeshSize = 0.0;
+  double CoreRadius = 0.0;
 };
 
 #endif

@@ -98,6 +98,22 @@ class Energy(EnergiesTest):
         self.assertAlmostEqual(best["renormalized_energy"], -7.2962, delta=0.02)
         self.assertAlmostEqual(inner["renormalized_energy"], 2.0498, delta=0.02)
 
+    def test_compares_different_sums_of_squares(self):
+        # W of two is less than that of four, which cost half as much at every core.
+        write_configuration(self.folder / "two.csv", [(0.5, 0, 2, 0.1), (-0.5, 0, 2, 0.1)])
+        write_configuration(self.folder / "four.csv",
+                            [(x, y, 1, 0.1) for x in (0.42, -0.42) for y in (0.42, -0.42)])
+        report = self.report("energy", "builtin:disk", "-s", "two.csv", "-s", "four.csv",
+                             "--core-radius", "0.01")
+        four, two = report["configurations"]
+        self.assertEqual([four["file"], two["file"]], ["four.csv", "two.csv"])
+        self.assertLess(two["renormalized_energy"], four["renormalized_energy"])
+        for row in (four, two):
+            self.assertEqual(row["core_radius"], 0.01)
+            self.assertAlmostEqual(
+                row["energy_at_core_radius"],
+                row["renormalized_energy"] + row["logarithm_coefficient"] * math.log(100))
+
     def test_exact_energies(self):
         row, = self.report("energy", "builtin:disk", "-s", "centre.csv")["configurations"]
         exact = 16 * math.pi * math.log(10)

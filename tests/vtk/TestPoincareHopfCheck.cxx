@@ -95,8 +95,7 @@ TEST_F(PoincareHopfCheck, InconsistentIsNoError)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Consistent"), 0.0);
   EXPECT_NE(this->Reason().find("add up to 1 "), std::string::npos);
-  EXPECT_NE(this->Reason().find("add singularities of total 3 or remove some of total -3."),
-    std::string::npos);
+  EXPECT_NE(this->Reason().find("; add singularities of total 3."), std::string::npos);
   // The verdict says the same in short lines.
   std::istringstream lines(this->Verdict());
   std::string joined;

@@ -6,45 +6,15 @@
 #include "Error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <tuple>
 #include <utility>
 
 namespace crossfield
 {
-namespace
+double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain)
 {
-/// Coefficients are sums of π k², 2π k² and 16 e(α, k). The former are exact, and differ by π at least.
-/// Angles come from coordinates, which may have gone through single precision: by as much as that may
-/// change them, equal corners at other places have other coefficients, which must not decide.
-constexpr double CoefficientRounding = 1e-5;
-
-/// In the order of E_ρ for small ρ: by W where the coefficients of the logarithm are equal.
-void SortByEnergy(std::vector<ConfigurationEnergy>& energies)
-{
-  const auto coefficient = [](const ConfigurationEnergy& energy)
-  { return energy.renormalized.logarithmCoefficient; };
-  std::stable_sort(energies.begin(), energies.end(),
-    [&](const auto& a, const auto& b)
-    {
-      return std::make_tuple(!a.consistent, coefficient(a)) <
-        std::make_tuple(!b.consistent, coefficient(b));
-    });
-  // Runs of equal ones: "nearer than" by itself is no order.
-  for (auto first = energies.begin(); first != energies.end() && first->consistent;)
-  {
-    auto last = first + 1;
-    while (last != energies.end() && last->consistent &&
-      coefficient(*last) - coefficient(*(last - 1)) <= CoefficientRounding * coefficient(*last))
-    {
-      ++last;
-    }
-    std::stable_sort(first, last,
-      [](const auto& a, const auto& b) { return a.renormalized.energy < b.renormalized.energy; });
-    first = last;
-  }
-}
+  return coreRadius > 0.0 ? coreRadius : 0.01 * domain.Diagonal();
 }
 
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
@@ -62,6 +32,7 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
   const auto potential = std::make_shared<const PotentialSolver>(
     ShareTopology(DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1))));
   const MeshTopology& topology = potential->GetTopology();
+  const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)
   {
@@ -80,6 +51,8 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       const PointPotential points(
         potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
+      energy.coreRadius = coreRadius;
+      energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);
       TriangleMesh drilled =
         DrillHoles(refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
       energy.perforated =
@@ -99,7 +72,12 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
     energies.push_back(std::move(energy));
     progress.Report(step(1.0));
   }
-  SortByEnergy(energies);
+  std::stable_sort(energies.begin(), energies.end(),
+    [](const auto& a, const auto& b)
+    {
+      return std::make_tuple(!a.consistent, a.atCoreRadius) <
+        std::make_tuple(!b.consistent, b.atCoreRadius);
+    });
   return energies;
 }
 }

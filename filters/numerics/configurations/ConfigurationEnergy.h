@@ -14,7 +14,9 @@ struct ConfigurationEnergy
   std::string reason;          ///< Verdict of the Poincaré-Hopf theorem.
   PerforatedEnergy perforated; ///< E_ρ, with a hole at every singularity.
   RenormalizedEnergyValue renormalized;
-  Configuration interior; ///< The columns of the gradient, in the order given.
+  double coreRadius = 0.0;   ///< As in the options, resolved,
+  double atCoreRadius = 0.0; ///< and the energy at it.
+  Configuration interior;    ///< The columns of the gradient, in the order given.
 
   /// Of the energy of a field that may rotate along the boundary: the middle of its bounds, whose
   /// errors have opposite signs.
@@ -28,11 +30,15 @@ struct ConfigurationEnergyOptions
 {
   double meshSize = 0.0; ///< As in DrillOptions.
   std::vector<CornerChoice> corners;
+  double coreRadius = 0.0; ///< As in ResolveCoreRadius.
 };
 
-/// Energies of configurations on a domain, the best first: the least coefficient of the logarithm, equal
-/// within 1e-5 of it, then the least W, which is the order of E_ρ for small ρ; inconsistent ones come
-/// last. Singularities may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every
+/// The core radius at which configurations of different Σ k² are compared, a length; 0: 1/100 of the
+/// diagonal, where the error o(1) of the energy is small and cores cost what they do in a quad mesh.
+double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
+
+/// Energies of configurations on a domain, the best first: the least at the core radius ρ,
+/// W + coefficient × log(1/ρ) (docs/method.md §5.6); inconsistent ones come last. Singularities may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every
 /// configuration; W takes one without holes for all of them, factored once.
 ///
 /// Throws Error when a singularity lies outside, or its hole cuts the boundary or another hole.

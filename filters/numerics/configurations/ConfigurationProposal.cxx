@@ -1,6 +1,8 @@
 #include "ConfigurationProposal.h"
 
+#include "ConfigurationEnergy.h"
 #include "ConfigurationStarts.h"
+#include "ConfigurationSymmetry.h"
 #include "CornerEnergy.h"
 #include "DomainQueries.h"
 #include "PoincareHopf.h"
@@ -15,21 +17,42 @@ namespace crossfield
 {
 namespace
 {
-/// A few steps of the optimiser, unless some have to stay where they are, and what the result costs.
-void Try(const PlanarDomain& domain, const ProposalOptions& options, double coreRadius,
-  const Progress& progress, ProposedConfiguration& proposal)
+/// The optimiser's result, unless it was aborted.
+OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration& proposal,
+  int steps, const Progress& progress)
 {
-  constexpr int Steps = 8; // most of the way, as a rule
-  OptimizerOptions optimizer;
-  optimizer.corners = proposal.corners;
-  optimizer.maximumIterations = options.given.empty() && !options.cancelFlatCorners ? Steps : 0;
-  const OptimizerResult trial =
-    OptimizeSingularities(domain, proposal.singularities, optimizer, progress);
-  if (trial.aborted)
+  OptimizerOptions options;
+  options.corners = proposal.corners;
+  options.maximumIterations = steps;
+  OptimizerResult result = OptimizeSingularities(domain, proposal.singularities, options, progress);
+  if (result.aborted)
   {
     throw Aborted();
   }
+  return result;
+}
+
+/// A few steps of the optimiser and the symmetry of the domain, unless some have to stay where they are, and
+/// what the result costs.
+void Try(const PlanarDomain& domain, const SymmetryGroup& symmetries,
+  const ProposalOptions& options, double coreRadius, const Progress& progress,
+  ProposedConfiguration& proposal)
+{
+  const bool mayMove = options.given.empty() && !options.cancelFlatCorners;
+  constexpr int Steps = 8; // most of the way, as a rule
+  OptimizerResult trial = Optimize(domain, proposal, mayMove ? Steps : 0, progress.Part(0.0, 0.8));
   proposal.singularities = trial.configuration;
+  if (mayMove)
+  {
+    // The field is read within an edge of its mesh, a seventieth of the diagonal, as a rule.
+    const ConfigurationSymmetry symmetry =
+      MatchSymmetry(proposal.singularities, symmetries, 0.02 * domain.Diagonal());
+    if (!symmetry.IsTrivial())
+    {
+      symmetry.Project(proposal.singularities);
+      trial = Optimize(domain, proposal, 0, progress.Part(0.8, 1.0));
+    }
+  }
   proposal.renormalized = trial.energyAfter;
   proposal.logarithmCoefficient =
     LogarithmCoefficient(domain, proposal.singularities, proposal.corners, options.cornerAngle);
@@ -84,12 +107,13 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   std::vector<ProposedConfiguration> proposals =
     FindStarts(domain, options, progress.Part(0.0, 0.5));
   const double diagonal = domain.Diagonal();
-  const double coreRadius = options.coreRadius > 0.0 ? options.coreRadius : 0.01 * diagonal;
+  const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
+  const SymmetryGroup symmetries = FindSymmetries(domain);
   for (std::size_t i = 0; i < proposals.size(); ++i)
   {
     const auto part = [&](std::size_t number)
     { return 0.5 + 0.5 * static_cast<double>(number) / static_cast<double>(proposals.size()); };
-    Try(domain, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
+    Try(domain, symmetries, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
   }
 
   // The best first, each once.
@@ -110,7 +134,12 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
       { return Same(better.singularities, proposal.singularities, 0.01 * diagonal); });
     if (!repeated)
     {
-      GiveRadii(domain, proposal.singularities, options.given.size());
+      // Where given ones go without, so do the others: a radius of 0 could not be drilled.
+      if (std::all_of(options.given.begin(), options.given.end(),
+            [](const Singularity& given) { return given.radius > 0.0; }))
+      {
+        GiveRadii(domain, proposal.singularities, options.given.size());
+      }
       distinct.push_back(std::move(proposal));
     }
   }

@@ -11,6 +11,8 @@ namespace crossfield
 /// radius. Those with too few singularities for the inner loops (TooFewForHolonomy) come with pairs as
 /// well, and last if a defect stays. Variations follow, sorted likewise. Equal ones are given once.
 ///
+/// Where a domain has symmetries (BoundarySymmetry.h), places that are about symmetric are so to rounding.
+///
 /// With given singularities, or `cancelFlatCorners`, for which the one that is spread is the only one,
 /// nothing is moved. What the field shows nearest to given ones is theirs. Throws Error when a given
 /// singularity lies outside the domain, where there is no room, or as OptimizeSingularities does.

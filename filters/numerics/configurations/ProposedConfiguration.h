@@ -9,7 +9,7 @@ namespace crossfield
 {
 struct ProposalOptions : SpreadOptions
 {
-  /// Core radius at which energies are compared, a length; 0: 1/100 of the diagonal.
+  /// Core radius at which energies are compared, as in ConfigurationEnergy.h.
   double coreRadius = 0.0;
   /// Also other quarter indices of corners than the smallest rotations or those given, where the corner
   /// classifier finds others as cheap or the Ginzburg-Landau field takes others.

@@ -2,6 +2,8 @@
 
 #include "PointPotential.h"
 
+#include <cmath>
+
 namespace crossfield
 {
 /// The renormalised energy of a configuration: what remains of the energy ½ ∫ |∇φ|² of the aligned
@@ -14,6 +16,12 @@ struct RenormalizedEnergyValue
   double energy = 0.0;             ///< W, with the harmonic field of the holonomy defects.
   double singleValuedEnergy = 0.0; ///< W without it.
   double logarithmCoefficient = 0.0;
+  /// Of the energy at a core radius ρ, without the o(1): between configurations of different
+  /// coefficients this can be compared, and W cannot.
+  double AtCoreRadius(double radius) const
+  {
+    return this->energy - this->logarithmCoefficient * std::log(radius);
+  }
   Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity,
   Eigen::Matrix2Xd singleValuedGradient; ///< and of W without the harmonic field.
   std::vector<double> holonomyDefect;

@@ -79,8 +79,10 @@ struct Cluster
   Point weighted = Point::Zero();
   VertexRole role; ///< Of its vertices as long as all are on a loop.
   bool onBoundary = true;
-  double edge = 0.0;        ///< Longest edge at its vertices and those of its triangles.
-  std::vector<Point> zeros; ///< Of the piecewise linear field, with the sign of quarterIndex.
+  double edge = 0.0;            ///< Longest edge at its vertices and those of its triangles.
+  std::vector<Point> zeros;     ///< Of the piecewise linear field, with the sign of quarterIndex.
+  bool touchesBoundary = false; ///< Then the mean may be outside the domain, and one of these is
+  std::vector<Point> places;    ///< taken: of all if all are on the boundary, else of those inside.
 
   void Add(int index, const Point& place, const VertexRole& at, double longestEdge)
   {
@@ -88,7 +90,17 @@ struct Cluster
     this->quarterIndex += index;
     this->weight += std::abs(index);
     this->weighted += std::abs(index) * place;
-    this->onBoundary = this->onBoundary && at.place != Place::Inside;
+    const bool boundary = at.place != Place::Inside;
+    if (this->onBoundary && !boundary)
+    {
+      this->places.clear();
+    }
+    this->onBoundary = this->onBoundary && boundary;
+    if (this->onBoundary || !boundary)
+    {
+      this->places.push_back(place);
+    }
+    this->touchesBoundary = this->touchesBoundary || boundary;
     this->role = at;
   }
 };
@@ -192,7 +204,12 @@ std::map<int, Cluster> FindClusters(
       const auto [a, b, c] = mesh.triangles[t];
       const double edge = std::max({ longest[static_cast<std::size_t>(a)],
         longest[static_cast<std::size_t>(b)], longest[static_cast<std::size_t>(c)] });
-      clusters[sets.Find(a)].Add(indices.ofTriangle[t], Centroid(mesh, t), VertexRole(), edge);
+      Cluster& cluster = clusters[sets.Find(a)];
+      cluster.Add(indices.ofTriangle[t], Centroid(mesh, t), VertexRole(), edge);
+      cluster.touchesBoundary = cluster.touchesBoundary ||
+        std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+          [&roles](int vertex)
+          { return roles[static_cast<std::size_t>(vertex)].place != Place::Inside; });
     }
   }
   for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v)
@@ -222,6 +239,14 @@ std::map<int, Cluster> FindClusters(
   return clusters;
 }
 
+/// The one of some points that is nearest to another.
+const Point& Nearest(const std::vector<Point>& points, const Point& centre)
+{
+  return *std::min_element(points.begin(), points.end(),
+    [&centre](const Point& a, const Point& b)
+    { return (a - centre).squaredNorm() < (b - centre).squaredNorm(); });
+}
+
 FieldSingularity Describe(const Cluster& cluster)
 {
   FieldSingularity singularity;
@@ -233,12 +258,13 @@ FieldSingularity Describe(const Cluster& cluster)
     singularity.place = cluster.role.place;
     singularity.id = cluster.role.id;
   }
-  else if (std::abs(cluster.quarterIndex) == 1 && !cluster.zeros.empty())
+  if (!cluster.onBoundary && std::abs(cluster.quarterIndex) == 1 && !cluster.zeros.empty())
   {
-    const Point centre = singularity.position;
-    singularity.position = *std::min_element(cluster.zeros.begin(), cluster.zeros.end(),
-      [&centre](const Point& a, const Point& b)
-      { return (a - centre).squaredNorm() < (b - centre).squaredNorm(); });
+    singularity.position = Nearest(cluster.zeros, singularity.position);
+  }
+  else if (cluster.touchesBoundary)
+  {
+    singularity.position = Nearest(cluster.places, singularity.position);
   }
   return singularity;
 }

@@ -46,8 +46,8 @@ struct FieldSingularityOptions
 /// their triangles (MergeAtVertices) and are merged with nothing else, they are of the boundary.
 ///
 /// The position is the zero of the piecewise linear field if |k| = 1 and one lies in the merged
-/// triangles, else the mean of the centroids and vertices weighted by |index|. A singularity of
-/// which nothing but vertices of a loop is left has moved into the boundary: the place says so.
+/// triangles, else the mean of the centroids and vertices weighted by |index|; next to the boundary, where
+/// the mean may be outside, the one of them nearest to it. A singularity of which nothing but vertices of a loop is left has moved into the boundary: the place says so.
 ///
 /// The result is sorted by place, then by x and y. Throws Error for values that are not finite, and
 /// if the indices inside, on the boundary and on holes do not add up to 4χ, as they do for every

@@ -124,9 +124,13 @@ std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& h
             " radians; move singularities until it vanishes if H has to be single-valued.");
   }
   const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
-  return sums + " but the Poincaré-Hopf theorem asks for " +
+  const std::string mend = sums + " but the Poincaré-Hopf theorem asks for " +
     std::to_string(count.requiredInteriorQuarters) + domain + "; add singularities of total " +
-    std::to_string(missing) + " or remove some of total " + std::to_string(-missing) + ".";
+    std::to_string(missing);
+  // As many are surely there only where what is left has the sign of what was given.
+  const bool removable = missing * count.givenInteriorQuarters < 0 &&
+    std::abs(missing) <= std::abs(count.givenInteriorQuarters);
+  return mend + (removable ? " or remove some of total " + std::to_string(-missing) + "." : ".");
 }
 
 void RequireConsistent(const PoincareHopfCount& count)

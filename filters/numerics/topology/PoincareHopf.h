@@ -61,7 +61,8 @@ PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInterio
 PoincareHopfCount CountMeshQuarters(
   const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
 
-/// One sentence: the sums agree, or by how much they differ and what to add or remove. When they
+/// One sentence: the sums agree, or by how much they differ and what to add, or to remove if the sum given
+/// says that there is as much. When they
 /// agree it also names the first inner loop with a holonomy defect (HolonomyCheck.h) of more than a
 /// hundredth of a radian, below which it may come from the mesh.
 std::string Verdict(

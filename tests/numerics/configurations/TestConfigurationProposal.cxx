@@ -3,6 +3,7 @@
 #include "ConfigurationEnergy.h"
 #include "ConfigurationPairs.h"
 #include "ConfigurationProposal.h"
+#include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 #include "FieldConfiguration.h"
 #include "MakePlanarDomain.h"
@@ -137,6 +138,24 @@ TEST(ConfigurationProposal, RanksByAnEnergyThatCanBeCompared)
     [](const ProposedConfiguration& proposal) { return proposal.singularities.size() == 3; });
   ASSERT_NE(merged, proposals.end());
   EXPECT_GT(merged->energy, proposals.front().energy);
+}
+
+TEST(ConfigurationProposal, IsAsSymmetricAsTheDomain)
+{
+  // Four holes of a plate: two reflections.
+  std::vector<Loop> loops = { Rectangle(4.0, 2.4) };
+  for (const Point& centre : { Point(1.0, 0.7), Point(3.0, 0.7), Point(1.0, 1.7), Point(3.0, 1.7) })
+  {
+    loops.push_back(RegularPolygon(24, 0.25, centre));
+  }
+  for (const PlanarDomain& domain : { MakePlanarDomain(loops), Builtin("disk"), Builtin("star") })
+  {
+    const Configuration proposal = ProposeConfiguration(domain);
+    ASSERT_FALSE(proposal.empty());
+    const ConfigurationSymmetry symmetry =
+      MatchSymmetry(proposal, FindSymmetries(domain), 1e-9 * domain.Diagonal());
+    EXPECT_FALSE(symmetry.IsTrivial());
+  }
 }
 
 TEST(ConfigurationProposal, TheCoefficientIsThatOfTheEnergies)

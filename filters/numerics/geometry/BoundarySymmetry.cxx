@@ -1,0 +1,187 @@
+#include "BoundarySymmetry.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// Without vertices at which the boundary goes straight on.
+Loop Corners(const Loop& loop, double reach)
+{
+  Loop corners;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point& before =
+      corners.empty() ? loop[(i + loop.size() - 1) % loop.size()] : corners.back();
+    const Point chord = loop[(i + 1) % loop.size()] - before;
+    const Point way = loop[i] - before;
+    if (std::abs(Cross(chord, way)) > reach * chord.norm() || chord.dot(way) < 0.0)
+    {
+      corners.push_back(loop[i]);
+    }
+  }
+  return corners;
+}
+
+/// Of the area that a loop encloses.
+Point Centroid(const Loop& loop)
+{
+  Point sum = Point::Zero();
+  double area = 0.0;
+  const Point& origin = loop.front(); // far from it the products would lose digits
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point from = loop[i] - origin;
+    const Point to = loop[(i + 1) % loop.size()] - origin;
+    area += Cross(from, to);
+    sum += Cross(from, to) * (from + to);
+  }
+  return origin + sum / (3.0 * area);
+}
+
+/// Whether vertices `from` on of one loop, forwards, are mapped to those of another, from `to` on, forwards
+/// or backwards.
+bool Fits(const Loop& a, const Loop& b, const Isometry& map, std::size_t to, double reach)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    const std::size_t image = (map.reflects ? to + b.size() - i : to + i) % b.size();
+    if ((map(a[i]) - b[image]).norm() > reach)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+class Search
+{
+public:
+  Search(const PlanarDomain& domain, double tolerance)
+    : Reach(tolerance * domain.Diagonal())
+  {
+    for (const Loop& loop : domain.loops)
+    {
+      this->Loops.push_back(Corners(loop, this->Reach));
+    }
+    this->Centre = Centroid(domain.loops[0]);
+  }
+
+  /// The map that takes the first vertex of the outer loop to another one.
+  Isometry To(std::size_t vertex, bool reflects) const
+  {
+    Point from = this->Loops[0][0] - this->Centre;
+    const Point to = this->Loops[0][vertex] - this->Centre;
+    if (reflects)
+    {
+      from.y() = -from.y();
+    }
+    return { this->Centre, AngleBetween(from, to), reflects };
+  }
+
+  bool IsSymmetry(const Isometry& map, std::size_t vertex) const
+  {
+    const Loop& outer = this->Loops[0];
+    if (!Fits(outer, outer, map, vertex, this->Reach))
+    {
+      return false;
+    }
+    return std::all_of(this->Loops.begin() + 1, this->Loops.end(),
+      [&](const Loop& loop) { return this->HasImage(loop, map); });
+  }
+
+  std::size_t Count() const { return this->Loops[0].size(); }
+  const Point& GetCentre() const { return this->Centre; }
+
+private:
+  bool HasImage(const Loop& loop, const Isometry& map) const
+  {
+    const Point first = map(loop[0]);
+    return std::any_of(this->Loops.begin() + 1, this->Loops.end(),
+      [&](const Loop& other)
+      {
+        if (other.size() != loop.size())
+        {
+          return false;
+        }
+        for (std::size_t i = 0; i < other.size(); ++i)
+        {
+          if ((first - other[i]).norm() <= this->Reach && Fits(loop, other, map, i, this->Reach))
+          {
+            return true;
+          }
+        }
+        return false;
+      });
+  }
+
+  std::vector<Loop> Loops;
+  Point Centre;
+  double Reach;
+};
+}
+
+Point Isometry::operator()(const Point& point) const
+{
+  Point way = point - this->centre;
+  if (this->reflects)
+  {
+    way.y() = -way.y();
+  }
+  return this->centre + Eigen::Rotation2Dd(this->angle) * way;
+}
+
+Isometry Isometry::Inverse() const
+{
+  return { this->centre, this->reflects ? this->angle : -this->angle, this->reflects };
+}
+
+std::vector<Isometry> SymmetryGroup::Elements() const
+{
+  std::vector<Isometry> elements;
+  for (const bool reflecting : { false, true })
+  {
+    for (int i = 0; i < this->order && (this->reflects || !reflecting); ++i)
+    {
+      const double turn = 2.0 * Pi * i / this->order;
+      elements.push_back({ this->centre, reflecting ? 2.0 * this->axis + turn : turn, reflecting });
+    }
+  }
+  return elements;
+}
+
+SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance)
+{
+  const Search search(domain, tolerance);
+  SymmetryGroup group;
+  group.centre = search.GetCentre();
+  std::size_t step = search.Count();
+  for (std::size_t vertex = 1; vertex < search.Count(); ++vertex)
+  {
+    // The smallest rotation, so a divisor of the number of vertices.
+    if (search.Count() % vertex == 0 && search.IsSymmetry(search.To(vertex, false), vertex))
+    {
+      step = vertex;
+      group.order = static_cast<int>(search.Count() / vertex);
+      break;
+    }
+  }
+  for (std::size_t vertex = 0; vertex < step; ++vertex)
+  {
+    const Isometry map = search.To(vertex, true);
+    if (search.IsSymmetry(map, vertex))
+    {
+      group.reflects = true;
+      const double period = Pi / group.order;
+      group.axis = std::fmod(0.5 * map.angle, period);
+      group.axis += group.axis < 0.0 ? period : 0.0;
+      break;
+    }
+  }
+  return group;
+}
+}

@@ -1,0 +1,140 @@
+#include "ConfigurationSymmetry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace crossfield
+{
+namespace
+{
+/// The subgroups that contain rotations by 2π / d, the largest first: with one of the axes, or none.
+std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int mostRotations)
+{
+  std::vector<SymmetryGroup> subgroups;
+  for (int order = 1; order <= std::min(group.order, mostRotations); ++order)
+  {
+    if (group.order % order != 0)
+    {
+      continue;
+    }
+    subgroups.push_back({ group.centre, order, false, 0.0 });
+    for (int i = 0; group.reflects && i < group.order / order; ++i)
+    {
+      subgroups.push_back({ group.centre, order, true, group.axis + Pi * i / group.order });
+    }
+  }
+  const auto size = [](const SymmetryGroup& subgroup)
+  { return (subgroup.reflects ? 2 : 1) * subgroup.order; };
+  std::stable_sort(subgroups.begin(), subgroups.end(),
+    [&size](const auto& a, const auto& b) { return size(a) > size(b); });
+  return subgroups;
+}
+
+/// The rows that an isometry takes those of a configuration to, the nearest of equal quarter index;
+/// nothing where they are farther than a distance, or two would be the same.
+std::optional<std::vector<std::size_t>> FindImages(
+  const Configuration& configuration, const Isometry& map, double distance)
+{
+  std::vector<std::size_t> images;
+  std::vector<bool> taken(configuration.size(), false);
+  for (const Singularity& singularity : configuration)
+  {
+    const Point place = map(singularity.position);
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t image = 0;
+    for (std::size_t j = 0; j < configuration.size(); ++j)
+    {
+      const double apart = (configuration[j].position - place).norm();
+      if (configuration[j].quarterIndex == singularity.quarterIndex && apart < nearest)
+      {
+        nearest = apart;
+        image = j;
+      }
+    }
+    if (!(nearest <= distance) || taken[image])
+    {
+      return std::nullopt;
+    }
+    taken[image] = true;
+    images.push_back(image);
+  }
+  return images;
+}
+
+std::optional<ConfigurationSymmetry> Match(
+  const Configuration& configuration, const SymmetryGroup& group, double distance)
+{
+  ConfigurationSymmetry symmetry;
+  for (const Isometry& map : group.Elements())
+  {
+    // What is off by the distance may have its image off by as much, on the other side.
+    const auto images = FindImages(configuration, map, 2.0 * distance);
+    if (!images)
+    {
+      return std::nullopt;
+    }
+    symmetry.elements.push_back(map);
+    symmetry.images.push_back(*images);
+  }
+  Configuration projected = configuration;
+  symmetry.Project(projected);
+  // The images of a group action: otherwise the mean is not symmetric.
+  Configuration again = projected;
+  symmetry.Project(again);
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const double moved = (projected[i].position - configuration[i].position).norm();
+    if (moved > distance || (again[i].position - projected[i].position).norm() > 1e-9 * distance)
+    {
+      return std::nullopt;
+    }
+  }
+  return symmetry;
+}
+}
+
+void ConfigurationSymmetry::Project(Configuration& configuration) const
+{
+  if (this->IsTrivial())
+  {
+    return;
+  }
+  std::vector<Point> means(configuration.size(), Point::Zero());
+  for (std::size_t g = 0; g < this->elements.size(); ++g)
+  {
+    const Isometry inverse = this->elements[g].Inverse();
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+    {
+      means[i] += inverse(configuration[this->images[g][i]].position) - inverse.centre;
+    }
+  }
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    configuration[i].position =
+      this->elements[0].centre + means[i] / static_cast<double>(this->elements.size());
+  }
+}
+
+ConfigurationSymmetry MatchSymmetry(
+  const Configuration& configuration, const SymmetryGroup& group, double distance)
+{
+  // One at the centre is alone, any other has as many images as there are rotations.
+  const int mostRotations =
+    configuration.size() < 2 ? group.order : static_cast<int>(configuration.size());
+  for (const SymmetryGroup& subgroup : Subgroups(group, mostRotations))
+  {
+    if (const auto symmetry = Match(configuration, subgroup, distance))
+    {
+      return *symmetry;
+    }
+  }
+  ConfigurationSymmetry none;
+  none.elements.resize(1);
+  none.images.emplace_back(configuration.size());
+  std::iota(none.images[0].begin(), none.images[0].end(), std::size_t{ 0 });
+  return none;
+}
+}

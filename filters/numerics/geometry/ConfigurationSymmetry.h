@@ -1,0 +1,27 @@
+#pragma once
+
+#include "BoundarySymmetry.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+/// Symmetries of a domain under which a configuration is about the same.
+struct ConfigurationSymmetry
+{
+  std::vector<Isometry> elements; ///< A group, the identity first.
+  /// Of every element and row the row that it takes its place to.
+  std::vector<std::vector<std::size_t>> images;
+
+  bool IsTrivial() const { return this->elements.size() < 2; }
+
+  /// Projects places to the symmetric ones: every one becomes the mean of what the elements bring to it.
+  /// The result is symmetric to rounding.
+  void Project(Configuration& configuration) const;
+};
+
+/// The largest subgroup under which places are moved by at most a distance when they are projected.
+/// Circles have more symmetries than any four singularities: so subgroups are tried, the largest first,
+/// and of these with rotations by 2π / d only those where d is at most the number of singularities.
+ConfigurationSymmetry MatchSymmetry(
+  const Configuration& configuration, const SymmetryGroup& group, double distance);
+}
