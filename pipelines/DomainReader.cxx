@@ -1,6 +1,7 @@
 #include "DomainReader.h"
 
 #include "IsolatedReading.h"
+#include "LoopText.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkPlanarDomainSource.h"
@@ -8,22 +9,17 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkDelimitedTextReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSTLReader.h"
-#include "vtkTable.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -33,17 +29,37 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
 #include <vector>
 
 namespace
 {
 using PipelineRun::Error;
 
+/** Gives a reader the file, or the text; only some readers take one. */
 template <class Reader>
-vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
+auto SetInput(Reader* reader, const std::string& file, const std::string* text, int)
+  -> decltype(reader->ReadFromInputStringOn())
+{
+  reader->SetFileName(file.c_str());
+  if (text != nullptr)
+  {
+    reader->SetReadFromInputString(1);
+    reader->SetInputString(*text);
+  }
+}
+template <class Reader>
+void SetInput(Reader* reader, const std::string& file, const std::string*, long)
+{
+  reader->SetFileName(file.c_str());
+}
+
+/** Reads the file, or the text if that is known already. */
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, const std::string* text = nullptr)
 {
   vtkNew<Reader> reader;
-  reader->SetFileName(file.c_str());
+  SetInput(reader.Get(), file, text, 0);
   try
   {
     return IsolatedReading::Read(file, reader);
@@ -57,9 +73,9 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file)
 }
 
 template <class Reader>
-vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file, const std::string* text = nullptr)
 {
-  auto source = Read<Reader>(file);
+  auto source = Read<Reader>(file, text);
   auto* data = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
   if (data == nullptr || data->GetNumberOfCells() == 0)
   {
@@ -109,50 +125,57 @@ void RequireNumbers(const std::string& file)
   }
 }
 
-/** The points of a table with columns x, y and maybe z, joined to one closed polyline. */
-vtkSmartPointer<vtkAlgorithm> OpenLoop(const std::string& file)
+/** The whole text of a file, a pipe or a device. */
+std::string ReadText(const std::string& file)
 {
-  vtkNew<vtkDelimitedTextReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->SetHaveHeaders(true);
-  PipelineRun::Update(reader, "reading");
-  vtkTable* table = reader->GetOutput();
-  vtkAbstractArray* columns[3] = { table->GetColumnByName("x"), table->GetColumnByName("y"),
-    table->GetColumnByName("z") };
-  if (columns[0] == nullptr || columns[1] == nullptr)
-  {
-    throw Error("The file '" + file + "' has no columns x and y; its first line must be x,y.");
-  }
-  if (table->GetNumberOfRows() == 0)
-  {
-    throw Error("The file '" + file + "' holds no points; give those of one loop.");
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(table->GetNumberOfRows()) + 1);
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    double place[3] = { 0.0, 0.0, 0.0 };
-    for (int i = 0; i < 3 && columns[i] != nullptr; ++i)
-    {
-      bool valid = true;
-      place[i] = columns[i]->GetVariantValue(row).ToDouble(&valid);
-      if (!valid)
-      {
-        throw Error("Row " + std::to_string(row) + " of '" + file +
-          "' does not hold numbers for its coordinates; correct it.");
-      }
-    }
-    lines->InsertCellPoint(points->InsertNextPoint(place));
-  }
-  lines->InsertCellPoint(0);
-  vtkNew<vtkPolyData> loop;
-  loop->SetPoints(points);
-  loop->SetLines(lines);
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+vtkSmartPointer<vtkAlgorithm> SourceOf(vtkPolyData* loop)
+{
   auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
   producer->SetOutput(loop);
   return producer;
+}
+
+bool BeginsWith(const std::string& text, const std::string& part)
+{
+  return text.compare(0, part.size(), part) == 0;
+}
+
+/** What comes through a pipe can be read once only, and has no ending that tells what it is. */
+vtkSmartPointer<vtkAlgorithm> OpenStream(const std::string& file)
+{
+  const std::string text = ReadText(file);
+  if (BeginsWith(text, "<?xml") || BeginsWith(text, "<VTKFile"))
+  {
+    return text.find("\"UnstructuredGrid\"") != std::string::npos
+      ? OpenWith<vtkXMLUnstructuredGridReader>(file, &text)
+      : OpenWith<vtkXMLPolyDataReader>(file, &text);
+  }
+  if (BeginsWith(text, "# vtk DataFile"))
+  {
+    return OpenWith<vtkGenericDataObjectReader>(file, &text);
+  }
+  const std::string firstLine = text.substr(0, text.find('\n'));
+  return SourceOf(firstLine.find(',') != std::string::npos ? LoopText::ReadTable(text, file)
+                                                           : LoopText::ReadAerofoil(text, file));
+}
+
+/** "-" is standard input. */
+std::string NameOfInput(const std::string& argument)
+{
+  return argument == "-" ? "/dev/stdin" : argument;
+}
+
+/** Whether it is a pipe or a device. */
+bool IsStream(const std::string& file)
+{
+  struct stat status = {};
+  return stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 }
 
@@ -160,10 +183,12 @@ namespace DomainReader
 {
 const char* const Help =
   "boundary loops or a triangle mesh: a .vtp .vtu .vtk .stl .obj .ply file, a .csv file with the "
-  "points x,y or x,y,z of one loop, or builtin:NAME (see `crossfield domain --help`)";
+  "points x,y or x,y,z of one loop, an aerofoil .dat, - for standard input, or builtin:NAME (see "
+  "`crossfield domain --help`)";
 
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength)
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
 {
+  const std::string argument = NameOfInput(name);
   const std::string builtin = "builtin:";
   if (argument.compare(0, builtin.size(), builtin) == 0)
   {
@@ -175,6 +200,10 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   if (!vtksys::SystemTools::FileExists(argument, true))
   {
     throw Error("There is no file '" + argument + "'; check the name of the domain.");
+  }
+  if (IsStream(argument))
+  {
+    return OpenStream(argument);
   }
   const std::string ending =
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(argument));
@@ -206,7 +235,11 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
   }
   if (ending == ".csv")
   {
-    return OpenLoop(argument);
+    return SourceOf(LoopText::ReadTable(ReadText(argument), argument));
+  }
+  if (ending == ".dat")
+  {
+    return SourceOf(LoopText::ReadAerofoil(ReadText(argument), argument));
   }
   if (ending == ".msh")
   {
@@ -219,11 +252,12 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLengt
       "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
   }
   throw Error("The domain '" + argument +
-    "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply or .csv file.");
+    "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply, .csv or .dat file.");
 }
 
-vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& name)
 {
+  const std::string file = NameOfInput(name);
   if (vtksys::SystemTools::FileExists(file, true) &&
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)) == ".vtp")
   {

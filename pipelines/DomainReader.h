@@ -18,14 +18,14 @@ extern const char* const Help;
 
 /**
  * A source or reader for the argument: .vtp .vtu .vtk .stl .obj .ply through VTK's
- * readers, .csv as one loop of points x,y or x,y,z, builtin:NAME with curves sampled at `edgeLength` (0: the
- * default). Throws PipelineRun::Error for a file that is missing,
+ * readers, .csv and .dat as one loop (LoopText.h), builtin:NAME with curves sampled at `edgeLength` (0:
+ * the default). "-" is standard input; of it and of other pipes the first bytes say what they are. Throws PipelineRun::Error for a file that is missing,
  * cannot be read or holds no cells, and for an unknown ending.
  */
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& argument, double edgeLength);
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength);
 
-/** A source or reader for points with quarter indices: a .vtp file, else .csv. */
-vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& file);
+/** A source or reader for points with quarter indices: a .vtp file, else .csv; "-" is standard input. */
+vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& name);
 
 /** Gives a filter the corners of a file, if one is named. */
 template <class Filter>

@@ -150,9 +150,9 @@ std::vector<crossfield::CornerChoice> ReadCorners(
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const int quarterIndex = crossfield::RequireQuarterIndex(
-      quarters->GetTuple1(i), "The quarter index of corner " + std::to_string(i), "1 or 0");
-    choices.push_back({ plane.RequireInPlane(
-                          Eigen::Vector3d(input->GetPoint(i)), "The corner " + std::to_string(i)),
+      quarters->GetTuple1(i), "The quarter index of corner " + std::to_string(i + 1), "1 or 0");
+    choices.push_back({ plane.RequireInPlane(Eigen::Vector3d(input->GetPoint(i)),
+                          "The corner " + std::to_string(i + 1)),
       quarterIndex });
   }
   return choices;

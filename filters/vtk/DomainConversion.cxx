@@ -391,17 +391,17 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield:
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     const int quarterIndex = crossfield::RequireQuarterIndex(
-      quarters->GetTuple1(i), "The quarter index of singularity " + std::to_string(i));
+      quarters->GetTuple1(i), "The quarter index of singularity " + std::to_string(i + 1));
     crossfield::Singularity singularity;
     singularity.position = plane.RequireInPlane(
-      Eigen::Vector3d(input->GetPoint(i)), "The singularity " + std::to_string(i));
+      Eigen::Vector3d(input->GetPoint(i)), "The singularity " + std::to_string(i + 1));
     singularity.quarterIndex = quarterIndex;
     if (radii != nullptr)
     {
       singularity.radius = radii->GetTuple1(i);
       if (!(singularity.radius > 0.0))
       {
-        throw Error("The radius of singularity " + std::to_string(i) +
+        throw Error("The radius of singularity " + std::to_string(i + 1) +
           " is not positive; give a positive radius, or leave the array 'Radius' out.");
       }
     }

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -63,7 +64,12 @@ RowTable ReadRows(const std::string& fileName)
     throw Error("There is no file '" + fileName + "' with singularities; check the name.");
   }
   vtkNew<vtkDelimitedTextReader> reader;
-  reader->SetFileName(fileName.c_str());
+  // Read here: a pipe can be read once, from the beginning to the end.
+  std::ifstream stream(fileName, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(text.str() + "\n"); // no text at all would be no string to VTK
   reader->SetHaveHeaders(true);
   reader->SetFieldDelimiterCharacters(",");
   reader->Update();
@@ -91,7 +97,7 @@ RowTable ReadRows(const std::string& fileName)
       numbers[i] = columns[i] == nullptr ? 0.0 : columns[i]->GetVariantValue(row).ToDouble(&valid);
       if (!valid)
       {
-        throw Error("Row " + std::to_string(row) + " of '" + fileName +
+        throw Error("Row " + std::to_string(row + 1) + " of '" + fileName +
           "' has no number in column '" + names[i] + "'; correct it.");
       }
     }
@@ -137,11 +143,11 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
     const double z = table.z.empty() ? 0.0 : table.z[i];
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || !std::isfinite(radius))
     {
-      throw Error("Row " + std::to_string(i) +
+      throw Error("Row " + std::to_string(i + 1) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
     }
     const int wholeIndex = crossfield::RequireQuarterIndex(
-      quarterIndex, "The quarter index of singularity " + std::to_string(i));
+      quarterIndex, "The quarter index of singularity " + std::to_string(i + 1));
     const vtkIdType id = points->InsertNextPoint(x, y, z);
     vertices->InsertNextCell({ id });
     quarters->InsertNextValue(wholeIndex);

@@ -106,8 +106,8 @@ class Domains(ProgramTest):
 
     def test_malformed_csv(self):
         self.refuse_text("loop.csv", "a,b\n0,0\n1,0\n1,1\n", "x and y")
-        self.refuse_text("loop.csv", "x,y\n0,0\n1,zero\n1,1\n", "Row 1")
-        self.refuse_text("loop.csv", "x,y\n0,0\n1\n1,1\n", "Row 1")
+        self.refuse_text("loop.csv", "x,y\n0,0\n1,zero\n1,1\n", "Row 2")
+        self.refuse_text("loop.csv", "x,y\n0,0\n1\n1,1\n", "Row 2")
         self.refuse_text("loop.csv", "x,y\n")
 
     def test_gmsh(self):
@@ -142,17 +142,17 @@ class Singularities(ProgramTest):
         self.refuse_text("", "no column 'x'")
         self.refuse_text("0.5,0.5,1\n", "no column 'x'")
         self.refuse_text("x,y\n0,0\n", "no column 'quarter_index'")
-        self.refuse_text("x,y,quarter_index\n0,zero,1\n", "Row 0", "'y'")
-        self.refuse_text("x,y,quarter_index\n0,0\n", "Row 0", "'quarter_index'")
+        self.refuse_text("x,y,quarter_index\n0,zero,1\n", "Row 1", "'y'")
+        self.refuse_text("x,y,quarter_index\n0,0\n", "Row 1", "'quarter_index'")
 
     def test_hole_outside(self):
-        self.refuse_rows(FOUR[:3] + [(3.0, 0.0, 1, 0.1)], "singularity 3", "outside")
+        self.refuse_rows(FOUR[:3] + [(3.0, 0.0, 1, 0.1)], "singularity 4", "outside")
 
     def test_hole_cuts_the_boundary(self):
-        self.refuse_rows(FOUR[:3] + [(0.95, 0.0, 1, 0.1)], "singularity 3", "cuts the boundary")
+        self.refuse_rows(FOUR[:3] + [(0.95, 0.0, 1, 0.1)], "singularity 4", "cuts the boundary")
 
     def test_overlapping_holes(self):
-        self.refuse_rows(FOUR[:3] + [(0.42, 0.42, 1, 0.1)], "singularity 0", "singularity 3",
+        self.refuse_rows(FOUR[:3] + [(0.42, 0.42, 1, 0.1)], "singularity 1", "singularity 4",
                          "overlap")
 
     def test_radius_that_is_not_positive(self):
@@ -176,7 +176,7 @@ class Singularities(ProgramTest):
                     self.refuse_rows(FOUR[:3] + [row])
 
     def test_quarter_index_that_is_not_an_integer(self):
-        self.refuse_rows(FOUR[:3] + [(0.42, -0.42, 0.25, 0.1)], "singularity 3", "not an integer")
+        self.refuse_rows(FOUR[:3] + [(0.42, -0.42, 0.25, 0.1)], "singularity 4", "not an integer")
 
     def test_inconsistent_configuration(self):
         write_configuration(self.folder / "three.csv", FOUR[:3])
@@ -201,7 +201,7 @@ class Usage(ProgramTest):
                 self.refuse(command)
         self.refuse("domain", "disk", says=["-o"])
         self.refuse("drill", "builtin:disk", "-s", "four.csv", says=["-o"])
-        self.refuse("solve", "builtin:disk", says=["-s"])
+        self.refuse("solve", "builtin:disk", "-s", says=["-s"])
         self.refuse("solve", "builtin:disk", "-s", "four.csv", "-o", says=["-o"])
 
     def test_size_that_is_not_a_length(self):

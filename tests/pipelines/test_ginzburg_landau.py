@@ -67,7 +67,6 @@ class GinzburgLandau(ProgramTest):
         self.refuse("solve", "builtin:disk", "--method", "ginzburg-landau", "--start", "unit-norm",
                     says=["--start unit-norm", "ginzburg-landau"])
         self.refuse("solve", "builtin:disk", "-s", "four.csv", "--start", "constant",
-                    says=["--start constant", "constrained"])
+                    "--method", "constrained", says=["--start constant", "constrained"])
         self.refuse("solve", "builtin:disk", "--method", "ginzburg-landau", "--epsilon", -1,
                     says=["--epsilon"])
-        self.refuse("solve", "builtin:disk", says=["--singularities"])

@@ -12,8 +12,8 @@ ON_CIRCLE = [math.pi / 4 + i * math.pi / 2 for i in range(4)]
 class Variants(ProgramTest):
     def test_quarter_disk_with_an_imprinted_minus_one(self):
         write_configuration(self.folder / "minus.csv", [(0.42, 0.42, -1, 0.15)])
-        report = self.solve("builtin:quarter-disk", "--mode", "imprint", "--unit-holes",
-                            "-o", "field.vtu", singularities="minus.csv")
+        report = self.solve("builtin:quarter-disk", "--method", "constrained", "--mode", "imprint",
+                            "--unit-holes", "-o", "field.vtu", singularities="minus.csv")
         self.assertEqual(report["hole_degree"], [-1])
         for norm in report["hole_norm_range"][0]:
             self.assertAlmostEqual(norm, 1, places=9)
@@ -33,8 +33,8 @@ class Variants(ProgramTest):
         # Perforated, the same configuration is refused; strictly, two are too many.
         self.refuse_solve("builtin:quarter-disk", singularities="minus.csv", status=1,
                           says=["add up to -1", "asks for 1"])
-        strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--mode",
-                                  "imprint", "--unit-hole", 0, "--strict")
+        strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--method",
+                                  "constrained", "--mode", "imprint", "--unit-hole", 0, "--strict")
         self.assertEqual((strict.returncode, strict.stderr), (1, ""))
 
     def test_drill_modes(self):
@@ -53,14 +53,16 @@ class Variants(ProgramTest):
             write_configuration(
                 self.folder / "t.csv",
                 [(distance * math.cos(a), distance * math.sin(a), 1, 0.1) for a in ON_CIRCLE])
-            report = self.solve("builtin:disk", "--mode", "triangle", "--epsilon", 0.05,
-                                "--size", 0.05, singularities="t.csv")
+            arguments = ("solve", "builtin:disk", "-s", "t.csv", "--method", "constrained",
+                         "--mode", "triangle", "--epsilon", 0.05, "--size", 0.05)
+            result = self.run_program(*arguments, "--json", "-")
+            self.assertEqual((result.returncode, result.stderr.count("unwanted")),
+                             (0, 0 if reached else 1))
+            report = json.loads(result.stdout)
             self.assertIs(report["degrees_reached"], reached)
             self.assertEqual(report["hole_degree"] == [1] * 4, reached)
             self.assertEqual(report["unwanted_singularities"] == 0, reached)
-        text = self.succeed("solve", "builtin:disk", "-s", "t.csv", "--mode", "triangle",
-                            "--epsilon", 0.05, "--size", 0.05)
-        self.assertIn("NOT those asked for", text)
+        self.assertIn("NOT those asked for", self.run_program(*arguments).stdout)
 
     def test_five_with_the_penalty(self):
         rows = [(0.6 * math.cos(0.3 + i * 0.4 * math.pi), 0.6 * math.sin(0.3 + i * 0.4 * math.pi),
@@ -68,23 +70,25 @@ class Variants(ProgramTest):
         write_configuration(self.folder / "five.csv", rows)
         self.refuse_solve("builtin:disk", singularities="five.csv", status=1,
                           says=["add up to 5", "asks for 4"])
-        report = self.solve("builtin:disk", "--epsilon", 0.07, "-o", "five.vtu",
-                            singularities="five.csv")
+        report = self.solve("builtin:disk", "--method", "constrained", "--epsilon", 0.07,
+                            "-o", "five.vtu", singularities="five.csv")
         self.assertEqual(report["hole_degree"], [1] * 5)
         self.assertEqual(report["unwanted_singularities"], 1)
         self.assertEqual([one["quarter_index"] for one in report["singularities"]], [-1])
         self.assertAlmostEqual(report["gradient_energy"] + report["penalty_energy"],
                                report["energy"], places=9)
         self.assertEqual(report["epsilon"], 0.07)
-        text = self.succeed("solve", "builtin:disk", "-s", "five.csv", "--epsilon", 0.07)
+        text = self.succeed("solve", "builtin:disk", "-s", "five.csv", "--method",
+                            "constrained", "--epsilon", 0.07)
         self.assertEqual(len(re.findall("quarter index -1 at ", text)), 1)
 
     def test_global_constraint_and_chosen_unit_holes(self):
-        each = self.solve("builtin:disk")
-        together = self.solve("builtin:disk", "--global-constraint")
+        each = self.solve("builtin:disk", "--method", "constrained")
+        together = self.solve("builtin:disk", "--method", "constrained", "--global-constraint")
         self.assertLessEqual(together["energy"], each["energy"] * (1 + 1e-9))
         self.assertEqual(together["hole_degree"], [1] * 4)
-        chosen = self.solve("builtin:disk", "--unit-hole", 1, "--unit-hole", 3)
+        chosen = self.solve("builtin:disk", "--method", "constrained", "--unit-hole", 1,
+                            "--unit-hole", 3)
         self.assertIs(chosen["unit_holes"], True)
         unit = [abs(low - 1) < 1e-9 and abs(high - 1) < 1e-9
                 for low, high in chosen["hole_norm_range"]]
@@ -92,9 +96,17 @@ class Variants(ProgramTest):
         self.assertGreater(chosen["energy"], each["energy"])
 
     def test_options_that_do_not_belong_together(self):
-        self.refuse_solve("builtin:disk", "--unit-hole", 7, says=["hole 7", "does not have"])
-        self.refuse_solve("builtin:disk", "--unit-holes", "--epsilon", 0.1,
+        constrained = ("--method", "constrained")
+        self.refuse_solve("builtin:disk", *constrained, "--unit-hole", 7,
+                          says=["hole 7", "does not have"])
+        self.refuse_solve("builtin:disk", *constrained, "--unit-holes", "--epsilon", 0.1,
                           says=["cannot be combined"])
+        # They belong to the constrained method, and unit norm is the default.
+        for option in (("--unit-hole", 1), ("--global-constraint",), ("--epsilon", 0.1),
+                       ("--mode", "imprint")):
+            self.refuse_solve("builtin:disk", *option, says=["constrained"])
+        self.refuse_solve("builtin:disk", "--start", "harmonic",
+                          says=["--start harmonic", "unit-norm"])
         self.refuse_solve("builtin:disk", "--method", "unit-norm", "--epsilon", 0.1,
                           says=["--epsilon", "constrained"])
         self.refuse_solve("builtin:disk", "--method", "unit-norm", "--mode", "imprint",
@@ -112,6 +124,8 @@ class Compare(ProgramTest):
                             "-o", "all.vtm", "--csv", "all.csv", "--json", "all.json")
         table = json.loads((self.folder / "all.json").read_text())["methods"]
         self.assertEqual([row["method"] for row in table], self.METHODS)
+        self.assertEqual(text, "")
+        text = self.succeed("compare", "builtin:disk", "-s", "four.csv", "--size", 0.1)
         self.assertEqual(len(text.splitlines()), 1 + len(table))
         lines = (self.folder / "all.csv").read_text().splitlines()
         self.assertEqual(lines[0].split(","), list(table[0]))
@@ -137,7 +151,7 @@ class Compare(ProgramTest):
             self.assertIn(b'type="Float64" Name="Points"', data)
 
     def test_it_agrees_with_solve(self):
-        solved = self.solve("builtin:disk")
+        solved = self.solve("builtin:disk", "--method", "constrained")
         report = json.loads(self.succeed("compare", "builtin:disk", "-s", "four.csv", "--methods",
                                          "constrained", "--json", "-"))
         self.assertEqual(report["methods"][0]["energy"], solved["energy"])

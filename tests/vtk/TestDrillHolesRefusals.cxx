@@ -206,17 +206,17 @@ TEST_F(DrillHolesRefusals, Cells3D)
 TEST_F(DrillHolesRefusals, HoleOutside)
 {
   this->SetRows({ { 1.0, 1.0, 1.0, 0.2 }, { 7.0, 1.0, 1.0, 0.2 } });
-  this->ExpectError({ "singularity 1 at (7, 1)", "outside" });
+  this->ExpectError({ "singularity 2 at (7, 1)", "outside" });
   // In an island is outside as well.
   this->SetCurves({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 3.0 }) });
   this->SetRows({ { 2.5, 2.5, 1.0, 0.2 } });
-  this->ExpectError({ "singularity 0 at (2.5, 2.5)", "outside" });
+  this->ExpectError({ "singularity 1 at (2.5, 2.5)", "outside" });
 }
 
 TEST_F(DrillHolesRefusals, HoleCutsTheBoundary)
 {
   this->SetRows({ { 1.0, 0.1, 1.0, 0.2 } });
-  this->ExpectError({ "singularity 0 at (1, 0.1)", "cuts the boundary", "0.2" });
+  this->ExpectError({ "singularity 1 at (1, 0.1)", "cuts the boundary", "0.2" });
   this->SetRows({ { 1.0, 0.25, 1.0, 0.25 } }); // touches it
   this->ExpectError({ "cuts the boundary" });
 }
@@ -231,7 +231,7 @@ TEST_F(DrillHolesRefusals, HoleAroundAnIsland)
 TEST_F(DrillHolesRefusals, OverlappingHoles)
 {
   this->SetRows({ { 1.0, 1.0, 1.0, 0.2 }, { 3.0, 3.0, 1.0, 0.2 }, { 1.3, 1.0, 1.0, 0.15 } });
-  this->ExpectError({ "singularity 0 at (1, 1)", "singularity 2 at (1.3, 1)", "overlap" });
+  this->ExpectError({ "singularity 1 at (1, 1)", "singularity 3 at (1.3, 1)", "overlap" });
   this->SetRows({ { 1.0, 1.0, 1.0, 0.2 }, { 1.0, 1.0, 1.0, 0.2 } });
   this->ExpectError({ "overlap" });
   this->SetRows({ { 2.0, 2.0, 1.0, 1.0 }, { 2.1, 2.0, 1.0, 0.1 } }); // one within the other
@@ -241,9 +241,9 @@ TEST_F(DrillHolesRefusals, OverlappingHoles)
 TEST_F(DrillHolesRefusals, RadiusThatIsNotPositive)
 {
   this->SetRows({ { 1.0, 1.0, 1.0, -0.2 } });
-  this->ExpectError({ "singularity 0", "not positive" });
+  this->ExpectError({ "singularity 1", "not positive" });
   this->SetRows({ { 1.0, 1.0, 1.0, 0.0 } });
-  this->ExpectError({ "singularity 0", "not positive" });
+  this->ExpectError({ "singularity 1", "not positive" });
 }
 
 TEST_F(DrillHolesRefusals, NumbersOfTheSingularitiesThatAreNotFinite)
@@ -251,22 +251,22 @@ TEST_F(DrillHolesRefusals, NumbersOfTheSingularitiesThatAreNotFinite)
   for (double bad : { NotANumber, Infinity, -Infinity })
   {
     this->SetRows({ { bad, 1.0, 1.0, 0.2 } });
-    this->ExpectError({ "Row 0", "not a finite number" });
+    this->ExpectError({ "Row 1", "not a finite number" });
     this->SetRows({ { 1.0, bad, 1.0, 0.2 } });
-    this->ExpectError({ "Row 0", "not a finite number" });
+    this->ExpectError({ "Row 1", "not a finite number" });
     this->SetRows({ { 1.0, 1.0, 1.0, bad } });
     this->ExpectError({ "radius" });
     this->SetArray("QuarterIndex", { bad });
-    this->ExpectError({ "quarter index of singularity 0", "not an integer" });
+    this->ExpectError({ "quarter index of singularity 1", "not an integer" });
   }
 }
 
 TEST_F(DrillHolesRefusals, QuarterIndexThatIsNotAnInteger)
 {
   this->SetArray("QuarterIndex", { 0.25 });
-  this->ExpectError({ "quarter index of singularity 0", "not an integer" });
+  this->ExpectError({ "quarter index of singularity 1", "not an integer" });
   this->SetArray("QuarterIndex", { NotANumber });
-  this->ExpectError({ "quarter index of singularity 0", "not an integer" });
+  this->ExpectError({ "quarter index of singularity 1", "not an integer" });
 }
 
 TEST_F(DrillHolesRefusals, QuarterIndexBeyondTheLargest)
@@ -274,7 +274,7 @@ TEST_F(DrillHolesRefusals, QuarterIndexBeyondTheLargest)
   for (double bad : { 1001.0, -1001.0, 2147483647.0, -2147483648.0, 1e300 })
   {
     this->SetArray("QuarterIndex", { bad });
-    this->ExpectError({ "quarter index of singularity 0", "beyond 1000" });
+    this->ExpectError({ "quarter index of singularity 1", "beyond 1000" });
   }
 }
 

@@ -311,7 +311,7 @@ TEST(PlanesRefusals, SingularityOffThePlane)
 {
   Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
   chain.Drill->SetSingularitiesData(Pair());
-  FilterChecks::CaptureError(chain.Drill, { "The singularity 0 at (1, 3, 0)", "off the plane" });
+  FilterChecks::CaptureError(chain.Drill, { "The singularity 1 at (1, 3, 0)", "off the plane" });
   chain.Drill->SetSingularitiesData(chain.Singularities);
   FilterChecks::UpdateWithoutError(chain.Drill);
 }

@@ -252,7 +252,7 @@ TEST_F(PoincareHopfCheck, ReadsASolvedField)
     this->Filter->SetInputData(other);
     FilterChecks::UpdateWithoutError(this->Filter);
     EXPECT_EQ(this->Value("Consistent"), 0.0);
-    EXPECT_NE(this->Reason().find("degree 1 instead of 2 on hole 0"), std::string::npos)
+    EXPECT_NE(this->Reason().find("degree 1 instead of 2 on hole 1"), std::string::npos)
       << this->Reason();
   }
 }
@@ -268,7 +268,7 @@ TEST_F(PoincareHopfCheck, Refusals)
     EXPECT_EQ(this->Verdict().rfind("No verdict\n", 0), 0u) << this->Verdict();
   };
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.1 } }));
-  refuse({ "singularity 0", "(3, 0)", "outside" });
+  refuse({ "singularity 1", "(3, 0)", "outside" });
   auto bare = TestInputs::Singularities({ { 0.0, 0.0, 4.0, 0.1 } });
   bare->GetPointData()->RemoveArray("QuarterIndex");
   this->Filter->SetSingularitiesData(bare);

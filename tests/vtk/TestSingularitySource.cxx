@@ -218,8 +218,8 @@ TEST_F(SingularitySource, RefusesFilesItCannotUse)
     { "x,y,quarter_index\n0,1.5m,1\n", "no number in column 'y'" },
     { "x,y,quarter_index\n0,0\n", "no number in column 'quarter_index'" },
     { "x,y,quarter_index,radius\n0,0,1\n", "no number in column 'radius'" },
-    { "x,y,quarter_index\n0,nan,1\n", "Row 0" }, { "x,y,quarter_index\n0,0,1\n0,inf,1\n", "Row 1" },
-    { "x,y,quarter_index,radius\n0,0,1,nan\n", "Row 0" },
+    { "x,y,quarter_index\n0,nan,1\n", "Row 1" }, { "x,y,quarter_index\n0,0,1\n0,inf,1\n", "Row 2" },
+    { "x,y,quarter_index,radius\n0,0,1,nan\n", "Row 1" },
     { "x,y,quarter_index\n0,0,0.25\n", "not an integer" },
     { "x,y,quarter_index\n0,0,nan\n", "quarter" } };
   for (const Case& test : cases)
@@ -236,11 +236,11 @@ TEST_F(SingularitySource, RefusesRowsThatAreNoNumbers)
 {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   this->Source->SetSingularity(3, 0.0, 0.0, 0.5, 0.1);
-  FilterChecks::CaptureError(this->Source, { "singularity 3", "not an integer" });
+  FilterChecks::CaptureError(this->Source, { "singularity 4", "not an integer" });
   this->Source->SetSingularity(3, notANumber, 0.0, 1.0, 0.1);
-  FilterChecks::CaptureError(this->Source, { "Row 3", "not a finite number" });
+  FilterChecks::CaptureError(this->Source, { "Row 4", "not a finite number" });
   this->Source->SetSingularity(3, 0.0, 0.0, 1.0, notANumber);
-  FilterChecks::CaptureError(this->Source, { "Row 3", "not a finite number" });
+  FilterChecks::CaptureError(this->Source, { "Row 4", "not a finite number" });
   FilterChecks::MessageRecorder messages(this->Source);
   this->Source->SetSingularity(-1, 0.0, 0.0, 1.0, 0.1);
   EXPECT_EQ(messages.errors.size(), 1u);

@@ -1,5 +1,8 @@
 #include "AutomaticConfiguration.h"
 
+#include "DrillHoles.h"
+#include "MeshBudget.h"
+
 #include <map>
 #include <sstream>
 
@@ -16,6 +19,10 @@ std::string DescribeChoice(const Configuration& configuration)
     ++counts[singularity.quarterIndex];
   }
   std::ostringstream text;
+  if (configuration.empty())
+  {
+    return "The domain needs no singularities.";
+  }
   text << configuration.size()
        << (configuration.size() == 1 ? " singularity was chosen" : " singularities were chosen");
   const char* separator = ": ";
@@ -40,6 +47,11 @@ std::string DescribeOptimum(const OptimizerResult& optimum)
 AutomaticConfiguration ChooseConfiguration(
   const PlanarDomain& domain, const AutomaticOptions& options, const Progress& progress)
 {
+  // Before the proposal, which takes its time on a boundary of very many segments.
+  DrillOptions drillOptions;
+  drillOptions.meshSize = options.optimizer.meshSize;
+  RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
+
   Configuration proposal = ProposeConfiguration(domain, options.proposal, progress.Part(0.0, 0.2));
   for (std::size_t i = options.proposal.given.size(); i < proposal.size(); ++i)
   {

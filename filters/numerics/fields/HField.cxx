@@ -236,7 +236,7 @@ PlacedConfiguration Place(const MeshTopology& topology, const Configuration& con
   {
     if (!configuration[i].position.allFinite())
     {
-      throw Error("Row " + std::to_string(i) +
+      throw Error("Row " + std::to_string(i + 1) +
         " of the singularities has a coordinate that is not a finite number; correct it.");
     }
   }

@@ -72,10 +72,10 @@ std::vector<Loop> AngularHoleDomain(double width, double edgeLength)
   const double radius = 0.1 * width;
   // A polygon of fewer sides would have corners; a multiple of 4 keeps the symmetry.
   const double segments = std::max(4.0, std::ceil(0.5 * Pi * radius / edgeLength));
-  if (!(segments < 2.5e6))
+  if (!(segments < 2.5e5))
   {
-    throw Error("The edge length of a built-in domain would cut its curve into more than ten "
-                "million segments; give a larger one.");
+    throw Error("The edge length of a built-in domain would cut its curve into more than a million "
+                "segments; give a larger one.");
   }
   const auto quarter = static_cast<int>(segments);
   Loop hole;

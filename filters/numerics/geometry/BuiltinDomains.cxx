@@ -29,10 +29,11 @@ Loop Arc(double semiAxisX, double semiAxisY, double from, double to, double edge
   const double quarters = (to - from) / (0.5 * Pi);
   const double segments =
     quarters * std::max(2.0, std::ceil(length / quarters / edgeLength * (1.0 - 1e-12)));
-  if (!(segments < 1e7))
+  // A mesh with so many edges on its boundary has ten times as many triangles or more.
+  if (!(segments < 1e6))
   {
-    throw Error("The edge length of a built-in domain would cut its curve into more than ten "
-                "million segments; give a larger one.");
+    throw Error("The edge length of a built-in domain would cut its curve into more than a million "
+                "segments; give a larger one.");
   }
   const auto count = static_cast<int>(segments);
   Loop points;

@@ -85,14 +85,14 @@ void RequireInside(const PlanarDomain& domain, const Configuration& configuratio
     const Point& place = configuration[i].position;
     if (!place.allFinite())
     {
-      throw Error("Row " + std::to_string(i) +
+      throw Error("Row " + std::to_string(i + 1) +
         " of the singularities has a coordinate that is not a finite number; correct it.");
     }
     if (!(SignedDistance(place, domain) > -reach))
     {
       std::ostringstream text;
       text.precision(9);
-      text << "The singularity " << i << " at (" << place.x() << ", " << place.y()
+      text << "The singularity " << i + 1 << " at (" << place.x() << ", " << place.y()
            << ") lies outside the domain; move it inside.";
       throw Error(text.str());
     }

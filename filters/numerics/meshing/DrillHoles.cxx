@@ -19,14 +19,15 @@ namespace
 {
 std::string Describe(std::size_t row, const Singularity& singularity)
 {
-  return "singularity " + std::to_string(row) + " at " + crossfield::Describe(singularity.position);
+  return "singularity " + std::to_string(row + 1) + " at " +
+    crossfield::Describe(singularity.position);
 }
 
 void CheckSingularity(std::size_t row, const Singularity& singularity)
 {
   if (!singularity.position.allFinite() || !std::isfinite(singularity.radius))
   {
-    throw Error("Row " + std::to_string(row) +
+    throw Error("Row " + std::to_string(row + 1) +
       " of the singularities has a coordinate or radius that is not a finite number; correct it.");
   }
   if (!(singularity.radius > 0.0))

@@ -23,7 +23,7 @@ EdgeEnds Sorted(int a, int b)
 
 std::string Name(std::size_t row, const Singularity& singularity)
 {
-  return "singularity " + std::to_string(row) + " at " + Describe(singularity.position);
+  return "singularity " + std::to_string(row + 1) + " at " + Describe(singularity.position);
 }
 
 /// How far a point is inside a triangle: its least distance to a side, negative outside.
@@ -43,7 +43,7 @@ void CheckPoint(const PlanarDomain& domain, std::size_t row, const Singularity& 
 {
   if (!singularity.position.allFinite())
   {
-    throw Error("Row " + std::to_string(row) +
+    throw Error("Row " + std::to_string(row + 1) +
       " of the singularities has a coordinate that is not a finite number; correct it.");
   }
   if (std::abs(singularity.quarterIndex) != 1)

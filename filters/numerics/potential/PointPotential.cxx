@@ -203,14 +203,15 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     const Singularity& singularity = configuration[i];
     if (!(SignedDistance(singularity.position, this->Domain) > least))
     {
-      throw Error("The singularity " + std::to_string(i) + " at " + Describe(singularity.position) +
+      throw Error("The singularity " + std::to_string(i + 1) + " at " +
+        Describe(singularity.position) +
         " lies outside the domain or on its boundary; move it inside.");
     }
     for (std::size_t j = 0; j < i; ++j)
     {
       if ((configuration[j].position - singularity.position).norm() <= least)
       {
-        throw Error("Singularities " + std::to_string(j) + " and " + std::to_string(i) +
+        throw Error("Singularities " + std::to_string(j + 1) + " and " + std::to_string(i + 1) +
           " are at the same place " + Describe(singularity.position) +
           "; replace them by one with the sum of their quarter indices.");
       }

@@ -63,7 +63,7 @@ std::string Describe(const FieldCheck& check, int otherCorners)
     {
       ++wrongHoles;
       wrong = "The field has degree " + std::to_string(check.holes[i].degree) + " instead of " +
-        std::to_string(check.prescribedDegrees[i]) + " on hole " + std::to_string(i);
+        std::to_string(check.prescribedDegrees[i]) + " on hole " + std::to_string(i + 1);
     }
   }
   if (wrongHoles > 1)

@@ -426,17 +426,17 @@ TEST(HField, RefusesWhatHasNoSolution)
     [&] {
       SolveHField(ShareTopology(mesh), { { { 1.3, 0.2 }, 4, 0.0 } });
     },
-    { "singularity 0", "outside the domain" }));
+    { "singularity 1", "outside the domain" }));
   EXPECT_TRUE(Refuses(
     [&] {
       SolveHField(ShareTopology(mesh), { { { std::nan(""), 0.2 }, 4, 0.0 } });
     },
-    { "Row 0", "not a finite number" }));
+    { "Row 1", "not a finite number" }));
   EXPECT_TRUE(Refuses(
     [&] {
       SolveHField(ShareTopology(mesh), { { { 0.1, 0.2 }, 2, 0.0 }, { { 0.1, 0.2 }, 2, 0.0 } });
     },
-    { "Singularities 0 and 1", "same place", "(0.1, 0.2)" }));
+    { "Singularities 1 and 2", "same place", "(0.1, 0.2)" }));
   const Configuration holes = OnCircle(4, 0.6, 0.3, 1, 0.1);
   const TriangleMesh drilled = Mesh(Builtin("disk", 0.1), 0.1, holes);
   EXPECT_NO_THROW(SolveHField(ShareTopology(drilled), holes));

@@ -257,16 +257,16 @@ TEST(DrillHoles, RefusesHolesThatDoNotFit)
   const Singularity good{ { 0.7, 0.0 }, 1, 0.1 };
   // Beyond the outer loop, and in the ring's own hole.
   EXPECT_TRUE(Refuses(drill({ good, { { 2.0, 0.0 }, 1, 0.1 } }),
-    { "singularity 1", "(2, 0)", "outside", "move it" }));
-  EXPECT_TRUE(Refuses(drill({ { { 0.1, 0.0 }, 1, 0.01 } }), { "singularity 0", "outside" }));
+    { "singularity 2", "(2, 0)", "outside", "move it" }));
+  EXPECT_TRUE(Refuses(drill({ { { 0.1, 0.0 }, 1, 0.01 } }), { "singularity 1", "outside" }));
   // Too close to either boundary: the distance is in the sentence.
   EXPECT_TRUE(Refuses(drill({ { { 0.0, 0.75 }, 1, 0.5 } }),
-    { "singularity 0", "(0, 0.75)", "radius 0.5", "cuts the boundary", "only 0.24", "smaller" }));
+    { "singularity 1", "(0, 0.75)", "radius 0.5", "cuts the boundary", "only 0.24", "smaller" }));
   EXPECT_TRUE(Refuses(drill({ { { 0.5, 0.0 }, 1, 0.101 } }), { "cuts the boundary" }));
   EXPECT_FALSE(Refuses(drill({ { { 0.5, 0.0 }, 1, 0.09 } }), {}));
   // Overlap, tangency, and one inside another: both rows and both numbers are in the sentence.
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.125 }, -1, 0.1 } }),
-    { "singularity 0", "singularity 1", "overlap", "0.125 apart", "add up to 0.2" }));
+    { "singularity 1", "singularity 2", "overlap", "0.125 apart", "add up to 0.2" }));
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.2 }, -1, 0.1 } }), { "overlap" }));
   EXPECT_TRUE(Refuses(drill({ good, good }), { "overlap" }));
 }
@@ -280,7 +280,7 @@ TEST(DrillHoles, RefusesNumbersThatMakeNoSense)
     [&] {
       DrillHoles(disk, { { { 0.0, 0.0 }, 1, -0.1 } });
     },
-    { "singularity 0", "radius", "not positive" }));
+    { "singularity 1", "radius", "not positive" }));
   for (const double bad : { NotANumber, Infinity })
   {
     for (const Singularity& hole : { Singularity{ { bad, 0.0 }, 1, 0.1 },
@@ -290,7 +290,7 @@ TEST(DrillHoles, RefusesNumbersThatMakeNoSense)
         [&] {
           DrillHoles(disk, { { { 0.5, 0.0 }, 1, 0.1 }, hole });
         },
-        { "Row 1", "not a finite number" }));
+        { "Row 2", "not a finite number" }));
     }
   }
   for (const double bad : { -0.1, NotANumber, Infinity })

@@ -248,12 +248,12 @@ TEST(RequireInside, RefusesPlacesOutside)
     [&] {
       RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 }, { Point(0.0, 0.1), 1, 0.0 } });
     },
-    { "singularity 1", "(0, 0.1)", "outside" }));
+    { "singularity 2", "(0, 0.1)", "outside" }));
   EXPECT_TRUE(Refuses(
     [&] {
       RequireInside(ring, { { Point(std::nan(""), 0.0), 1, 0.0 } });
     },
-    { "Row 0", "finite" }));
+    { "Row 1", "finite" }));
 }
 
 TEST(FieldCheck, CountsWhatTheFieldHas)
