@@ -85,6 +85,33 @@ constexpr const char* Sum = "Sum";
 constexpr const char* Feasible = "Feasible";
 constexpr const char* Chosen = "Chosen";
 constexpr const char* InteriorQuarters = "InteriorQuarters";
+// Points, cells and field data: vtkCrossFieldMap.
+constexpr const char* UV = "UV";
+constexpr const char* VertexId = "VertexId";
+constexpr const char* Cone = "Cone";
+constexpr const char* Seam = "Seam";
+constexpr const char* Direction = "Direction";
+constexpr const char* SeamRotation = "SeamRotation";
+constexpr const char* SeamTranslation = "SeamTranslation";
+constexpr const char* ConeRow = "ConeRow";
+constexpr const char* Flips = "Flips";
+constexpr const char* Misfit = "Misfit";
+// Lines, faces and field data: vtkSeparatrices.
+constexpr const char* Line = "Line";
+constexpr const char* Singularity = "Singularity";
+constexpr const char* EndsAt = "EndsAt";
+constexpr const char* Seed = "Seed";
+constexpr const char* Length = "Length";
+constexpr const char* NodeKind = "NodeKind";
+constexpr const char* USize = "USize";
+constexpr const char* VSize = "VSize";
+constexpr const char* Lines = "Lines";
+constexpr const char* Faces = "Faces";
+constexpr const char* Arcs = "Arcs";
+constexpr const char* ExtraLines = "ExtraLines";
+constexpr const char* HeadOn = "HeadOn";
+constexpr const char* Longest = "Longest";
+constexpr const char* Mismatch = "Mismatch";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";

@@ -59,7 +59,6 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
       options.vertices.push_back(singularity.position);
     }
   }
-  return DrillHoles(
-    InsertBoundarySingularities(domain, configuration), {}, options, progress);
+  return DrillHoles(InsertBoundarySingularities(domain, configuration), {}, options, progress);
 }
 }

@@ -113,8 +113,8 @@ ShortestWays WalkInwards(const MeshTopology& topology)
   return ways;
 }
 
-void MarkWay(const MeshTopology& topology, const ShortestWays& ways, int vertex,
-  std::vector<bool>& isCut)
+void MarkWay(
+  const MeshTopology& topology, const ShortestWays& ways, int vertex, std::vector<bool>& isCut)
 {
   for (int e = ways.edge[Index(vertex)]; e >= 0 && !isCut[Index(e)]; e = ways.edge[Index(vertex)])
   {

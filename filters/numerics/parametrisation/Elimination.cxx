@@ -43,8 +43,8 @@ Elimination::Row Elimination::Resolve(const Row& row)
       merged.emplace_back(unknown, coefficient);
     }
   }
-  merged.erase(std::remove_if(merged.begin(), merged.end(),
-                 [](const auto& term) { return term.second == 0.0; }),
+  merged.erase(std::remove_if(
+                 merged.begin(), merged.end(), [](const auto& term) { return term.second == 0.0; }),
     merged.end());
   return merged;
 }
@@ -57,8 +57,8 @@ void Elimination::Impose(const Row& row)
     return;
   }
   // An equation between even numbers is that between their halves, exactly.
-  while (std::all_of(rest.begin(), rest.end(),
-    [](const auto& term) { return std::fmod(term.second, 2.0) == 0.0; }))
+  while (std::all_of(
+    rest.begin(), rest.end(), [](const auto& term) { return std::fmod(term.second, 2.0) == 0.0; }))
   {
     for (auto& term : rest)
     {
@@ -77,8 +77,9 @@ void Elimination::Impose(const Row& row)
   }
   if (pivot == rest.end())
   {
-    throw Error("The seams of the flat map have no whole-numbered solution; give the singularities' "
-                "and corners' quarter indices so that each is below 2.");
+    throw Error(
+      "The seams of the flat map have no whole-numbered solution; give the singularities' "
+      "and corners' quarter indices so that each is below 2.");
   }
   const auto [unknown, sign] = *pivot;
   rest.erase(pivot);

@@ -13,7 +13,8 @@ SeamTransition FlatMap::Across(int triangle, int side) const
   {
     return {};
   }
-  const SeamTransition& transition = this->transitions[static_cast<std::size_t>(std::abs(seam) - 1)];
+  const SeamTransition& transition =
+    this->transitions[static_cast<std::size_t>(std::abs(seam) - 1)];
   return seam > 0 ? transition : transition.Inverse();
 }
 

@@ -12,14 +12,14 @@ inline Point TurnByQuarters(const Point& vector, int quarters)
 {
   switch (((quarters % 4) + 4) % 4)
   {
-    case 1:
-      return { -vector.y(), vector.x() };
-    case 2:
-      return { -vector.x(), -vector.y() };
-    case 3:
-      return { vector.y(), -vector.x() };
-    default:
-      return vector;
+  case 1:
+    return { -vector.y(), vector.x() };
+  case 2:
+    return { -vector.x(), -vector.y() };
+  case 3:
+    return { vector.y(), -vector.x() };
+  default:
+    return vector;
   }
 }
 

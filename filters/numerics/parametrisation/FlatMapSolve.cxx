@@ -3,8 +3,8 @@
 #include "ConfigurationPlacement.h"
 #include "Error.h"
 #include "InjectivityCheck.h"
-#include "SeamlessPoisson.h"
 #include "SeamEquations.h"
+#include "SeamlessPoisson.h"
 #include "TriangleFrames.h"
 
 #include <algorithm>
@@ -52,8 +52,8 @@ int VertexAt(const MeshTopology& topology, const Point& position, double reach)
   return nearest;
 }
 
-std::vector<Cone> FindCones(const MeshTopology& topology, const PlacedConfiguration& placed,
-  const PoincareHopfCount& count)
+std::vector<Cone> FindCones(
+  const MeshTopology& topology, const PlacedConfiguration& placed, const PoincareHopfCount& count)
 {
   std::vector<Cone> cones;
   const double reach = BoundaryReach * BoundingDiagonal(topology.AlignedLoops());
@@ -78,8 +78,7 @@ std::vector<Cone> FindCones(const MeshTopology& topology, const PlacedConfigurat
         " is at no vertex of the mesh; give the domain instead of the mesh, or a mesh with a vertex "
         "there.");
     }
-    cones.push_back(
-      { vertex, singularity.quarterIndex, false, static_cast<int>(placed.rows[i]) });
+    cones.push_back({ vertex, singularity.quarterIndex, false, static_cast<int>(placed.rows[i]) });
   }
   for (const CountedCorner& corner : count.corners)
   {
@@ -107,8 +106,7 @@ void ContinueBranches(const MeshTopology& topology, const CutGraph& cut, Triangl
   known[0] = true;
   const auto neighbour = [&topology](int t, std::size_t side)
   {
-    const auto& two =
-      topology.edges.triangles[Index(topology.edges.ofTriangle[Index(t)][side])];
+    const auto& two = topology.edges.triangles[Index(topology.edges.ofTriangle[Index(t)][side])];
     return two[0] == t ? two[1] : two[0];
   };
   for (std::size_t next = 0; next < queue.size(); ++next)
@@ -134,8 +132,7 @@ void ContinueBranches(const MeshTopology& topology, const CutGraph& cut, Triangl
       int& jump = frames.jump[Index(t)][side];
       const int other = neighbour(t, side);
       jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
-      if (other >= 0 && jump != 0 &&
-        !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
+      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
       {
         throw Error("The cross field has a singularity near " +
           Describe(topology.Midpoint(topology.edges.ofTriangle[Index(t)][side])) +
@@ -252,9 +249,8 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
   map.topology = topology;
   map.cones = FindCones(*topology, placed, alignment.count);
   progress.Report(0.05);
-  const PointPotential potential(
-    std::make_shared<const PotentialSolver>(
-      topology, PotentialSolver::Boundary::Natural, progress.Part(0.05, 0.3)),
+  const PointPotential potential(std::make_shared<const PotentialSolver>(topology,
+                                   PotentialSolver::Boundary::Natural, progress.Part(0.05, 0.3)),
     std::move(alignment));
   const PointPotential::Solution solution = potential.Solve(placed.interior);
   map.holonomyDefect = solution.holonomyDefect;
@@ -275,11 +271,11 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
   map.corners = cut.corners;
   map.original = cut.original;
   CollectTransitions(cut, frames, map);
-  const auto prolongation = EliminateSeams(*topology, cut, map.transitions, map.directions, map.cones);
+  const auto prolongation =
+    EliminateSeams(*topology, cut, map.transitions, map.directions, map.cones);
   const SeamlessPoisson poisson = AssemblePoisson(map, frames);
   progress.Report(0.5);
-  const Eigen::VectorXd w =
-    SolveSeamless(map, poisson, prolongation, progress.Part(0.5, 0.95));
+  const Eigen::VectorXd w = SolveSeamless(map, poisson, prolongation, progress.Part(0.5, 0.95));
 
   SetPoints(w, poisson.Misfit(w), map);
   RequireInjective(map);

@@ -38,7 +38,8 @@ void RequireInjective(const FlatMap& map)
   const auto triangles = static_cast<int>(map.corners.size());
   int flipped = 0;
   Point place = Point::Zero();
-  Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
+  Eigen::VectorXd angles =
+    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
   for (int t = 0; t < triangles; ++t)
   {
     const Point& a = map.At(t, 0);

@@ -93,8 +93,7 @@ private:
     std::vector<int> ranks(2 * (vertices + cut.chains.size()), Vertices);
     std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(2 * topology.mesh.points.size()),
       ranks.end(), Copies);
-    std::fill(
-      ranks.begin() + static_cast<std::ptrdiff_t>(2 * vertices), ranks.end(), Translations);
+    std::fill(ranks.begin() + static_cast<std::ptrdiff_t>(2 * vertices), ranks.end(), Translations);
     for (const Cone& cone : cones)
     {
       ranks[2 * Index(cone.vertex)] = ranks[2 * Index(cone.vertex) + 1] = Cones;
@@ -105,8 +104,8 @@ private:
   int Copy(int triangle, int vertex) const
   {
     const auto& v = this->Topology.mesh.triangles[Index(triangle)];
-    return this->Cut.corners[Index(triangle)]
-                            [static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin())];
+    return this->Cut.corners[Index(triangle)][static_cast<std::size_t>(
+      std::find(v.begin(), v.end(), vertex) - v.begin())];
   }
 
   const MeshTopology& Topology;

@@ -4,7 +4,9 @@
 #include "Error.h"
 #include "P1Laplacian.h"
 
+#include <array>
 #include <cmath>
+#include <complex>
 
 namespace crossfield
 {
@@ -13,6 +15,31 @@ namespace
 std::size_t Index(int i)
 {
   return static_cast<std::size_t>(i);
+}
+
+using Complex = std::complex<double>;
+
+/// Values at the corners of a triangle of a function with the derivative wanted: that at the centre,
+/// times (ζ / ζ_c)^{−d/4} near a logarithm d log|ζ|, whose singular part the map then has exactly.
+std::array<Complex, 3> LocalPrimitive(
+  const std::array<Point, 3>& corners, Complex derivative, const LogSource* log)
+{
+  std::array<Complex, 3> values;
+  const Point centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const auto complex = [](const Point& point) { return Complex(point.x(), point.y()); };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    if (log == nullptr)
+    {
+      values[i] = derivative * complex(corners[i] - corners[0]);
+      continue;
+    }
+    const double power = 1.0 - 0.25 * log->strength;
+    const Complex toCentre = complex(centre - log->position);
+    const Complex ratio = complex(corners[i] - log->position) / toCentre;
+    values[i] = ratio == 0.0 ? 0.0 : derivative * toCentre / power * std::pow(ratio, power);
+  }
+  return values;
 }
 }
 
@@ -24,21 +51,28 @@ SeamlessPoisson AssemblePoisson(const FlatMap& map, const TriangleFrames& frames
   problem.sources = Eigen::MatrixX2d::Zero(count, 2);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * mesh.triangles.size());
+  auto near = frames.near.begin();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto here = static_cast<Eigen::Index>(t);
     const double weight = std::exp(2.0 * frames.h[here]);
     const Eigen::Matrix3d element = weight * P1ElementStiffness(mesh, t);
     const auto& v = mesh.triangles[t];
-    // The linear function of x whose gradient is wanted: w = e^{−(H + iθ)} z.
-    const double size = std::exp(-frames.h[here]);
-    const double cosine = size * std::cos(frames.angle[here]);
-    const double sine = size * std::sin(frames.angle[here]);
-    Eigen::Matrix<double, 3, 2> wanted;
-    for (int i = 0; i < 3; ++i)
+    const Complex derivative = std::polar(std::exp(-frames.h[here]), -frames.angle[here]);
+    const LogSource* log = nullptr;
+    if (near != frames.near.end() && near->triangle == static_cast<int>(t))
     {
-      const Point z = map.topology->PointAt(v[Index(i)]) - map.topology->PointAt(v[0]);
-      wanted.row(i) << cosine * z.x() + sine * z.y(), cosine * z.y() - sine * z.x();
+      log = &near->log;
+      ++near;
+    }
+    const std::array<Complex, 3> values = LocalPrimitive(
+      { map.topology->PointAt(v[0]), map.topology->PointAt(v[1]), map.topology->PointAt(v[2]) },
+      derivative, log);
+    Eigen::Matrix<double, 3, 2> wanted;
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+      const Complex value = values[static_cast<std::size_t>(i)];
+      wanted.row(i) << value.real(), value.imag();
     }
     const Eigen::Matrix<double, 3, 2> flux = element * wanted;
     problem.constant += wanted.cwiseProduct(flux).sum();
@@ -85,8 +119,7 @@ Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson
       sources[2 * c + part] = poisson.sources(c, part);
       for (Eigen::SparseMatrix<double>::InnerIterator entry(poisson.matrix, column); entry; ++entry)
       {
-        entries.emplace_back(
-          2 * static_cast<int>(entry.row()) + part, 2 * c + part, entry.value());
+        entries.emplace_back(2 * static_cast<int>(entry.row()) + part, 2 * c + part, entry.value());
       }
     }
   }
@@ -95,7 +128,8 @@ Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson
   entries = {};
   const Eigen::SparseMatrix<double> columns = prolongation;
   const Eigen::SparseMatrix<double> transposed = columns.transpose();
-  const Eigen::SparseMatrix<double> matrix = transposed * Eigen::SparseMatrix<double>(both * columns);
+  const Eigen::SparseMatrix<double> matrix =
+    transposed * Eigen::SparseMatrix<double>(both * columns);
 
   // 2. Unknowns that many others depend on come last. The two of one vertex that none depends on are
   // the origin, which is free.

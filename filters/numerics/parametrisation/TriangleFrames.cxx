@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crossfield
@@ -51,8 +52,8 @@ private:
 };
 
 /// 4H at the centres: R is linear on a triangle, the logarithms are exact.
-Eigen::VectorXd CentreValues(const PointPotential& potential,
-  const PointPotential::Solution& solution, const PhaseWalk& walk)
+Eigen::VectorXd CentreValues(
+  const PointPotential& potential, const PointPotential::Solution& solution, const PhaseWalk& walk)
 {
   const PotentialSolver& solver = *potential.GetProblem().potential;
   const TriangleMesh& mesh = solver.GetTopology().mesh;
@@ -60,8 +61,7 @@ Eigen::VectorXd CentreValues(const PointPotential& potential,
   for (int t = 0; t < static_cast<int>(values.size()); ++t)
   {
     const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
-    values[t] =
-      (solution.aligned[v[0]] + solution.aligned[v[1]] + solution.aligned[v[2]]) / 3.0 +
+    values[t] = (solution.aligned[v[0]] + solution.aligned[v[1]] + solution.aligned[v[2]]) / 3.0 +
       SumOfLogs(solution.logs, walk.Centre(t));
   }
   for (Eigen::Index k = 0; k < solution.periods.size(); ++k)
@@ -73,6 +73,49 @@ Eigen::VectorXd CentreValues(const PointPotential& potential,
     }
   }
   return values;
+}
+}
+
+namespace
+{
+/// Triangles within a few edges of a logarithm: beyond, the second-order error of taking one value for
+/// a triangle is small.
+std::vector<TriangleFrames::NearLog> FindNear(
+  const MeshTopology& topology, const std::vector<LogSource>& logs, const PhaseWalk& walk)
+{
+  constexpr double Edges = 6.0;
+  // Halfway between two neither is taken, so that what is symmetric stays so.
+  constexpr double EquallyNear = 1e-9;
+  std::vector<TriangleFrames::NearLog> near;
+  for (int t = 0; t < static_cast<int>(topology.mesh.triangles.size()); ++t)
+  {
+    const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
+    const Point centre = walk.Centre(t);
+    // Of an equilateral triangle the square of an edge is 4 / √3 times the area.
+    const double area = 0.5 *
+      Cross(topology.PointAt(v[1]) - topology.PointAt(v[0]),
+        topology.PointAt(v[2]) - topology.PointAt(v[0]));
+    double nearest = Edges * Edges * 4.0 / std::sqrt(3.0) * area;
+    const LogSource* found = nullptr;
+    for (const LogSource& log : logs)
+    {
+      const double distance = (centre - log.position).squaredNorm();
+      if (found != nullptr && std::abs(distance - nearest) <= EquallyNear * nearest)
+      {
+        found = nullptr;
+      }
+      else if (distance < nearest)
+      {
+        nearest = distance;
+        found = &log;
+      }
+    }
+    if (found != nullptr)
+    {
+      near.push_back({ t, *found });
+    }
+  }
+  return near;
 }
 }
 
@@ -130,8 +173,7 @@ TriangleFrames FrameTriangles(
   const auto sideOf = [&topology](int triangle, int edge)
   {
     const auto& sides = topology.edges.ofTriangle[static_cast<std::size_t>(triangle)];
-    return static_cast<std::size_t>(
-      std::find(sides.begin(), sides.end(), edge) - sides.begin());
+    return static_cast<std::size_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   };
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
@@ -170,8 +212,8 @@ TriangleFrames FrameTriangles(
     const int edge = topology.EdgeOfBoundary(position);
     const int t = topology.edges.triangles[static_cast<std::size_t>(edge)][0];
     const std::size_t i = sideOf(t, edge);
-    frames.jump[static_cast<std::size_t>(t)][i] = wholeTurns(
-      boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]);
+    frames.jump[static_cast<std::size_t>(t)][i] =
+      wholeTurns(boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]);
   }
   // Rounding of as many steps as there are triangles across the domain, by far.
   constexpr double LargestResidual = 1e-6;
@@ -182,6 +224,7 @@ TriangleFrames FrameTriangles(
       " radians; the mesh may have degenerate triangles, remesh the domain.");
   }
   frames.angle = 0.25 * phase;
+  frames.near = FindNear(topology, solution.logs, walk);
   return frames;
 }
 }

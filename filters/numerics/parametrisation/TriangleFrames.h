@@ -12,11 +12,19 @@ namespace crossfield
 /// way through their edge differs from the branch there by quarter turns.
 struct TriangleFrames
 {
+  /// A triangle near a singularity or corner, where e^{−(H + iθ)} is far from constant.
+  struct NearLog
+  {
+    int triangle;
+    LogSource log;
+  };
+
   Eigen::VectorXd h;     ///< Up to a constant.
   Eigen::VectorXd angle; ///< θ, radians.
   /// Across side i (p_i to p_i+1) of a triangle: θ carried over minus the neighbour's θ is `jump` π/2.
   /// On an aligned boundary edge: its direction minus θ, in quarter turns.
   std::vector<std::array<int, 3>> jump;
+  std::vector<NearLog> near; ///< By triangle, with the nearest logarithm.
   /// Largest distance, radians of θ, of these from whole quarter turns: rounding.
   double residual = 0.0;
 };

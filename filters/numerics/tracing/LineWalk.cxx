@@ -65,8 +65,8 @@ LineSegment LineWalk::StartFromSide(int boundaryPosition) const
   const auto& sides = topology.edges.ofTriangle[Index(segment.triangle)];
   const auto side = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   segment.direction = (this->Map.directions[Index(boundaryPosition)] + 1) % 4;
-  const Point middle = 0.5 *
-    (this->Map.At(segment.triangle, side) + this->Map.At(segment.triangle, (side + 1) % 3));
+  const Point middle =
+    0.5 * (this->Map.At(segment.triangle, side) + this->Map.At(segment.triangle, (side + 1) % 3));
   segment.level = middle[segment.AlongU() ? 1 : 0];
   segment.offset = -segment.Sign() * middle[segment.AlongU() ? 0 : 1];
   segment.entry = { side, 0.5 };

@@ -7,9 +7,9 @@ namespace crossfield
 enum class NodeKind
 {
   Singularity,
-  Corner,       ///< Of the boundary, with a quarter index.
-  OnBoundary,   ///< A line ends there, or an extra one starts.
-  OnLine        ///< A line ends at another one.
+  Corner,     ///< Of the boundary, with a quarter index.
+  OnBoundary, ///< A line ends there, or an extra one starts.
+  OnLine      ///< A line ends at another one.
 };
 
 struct TNode
@@ -23,8 +23,8 @@ struct TNode
 /// One direction of an arc, with its face on the left.
 struct THalfEdge
 {
-  int node = 0; ///< Where it starts.
-  int slot = 0; ///< Its direction there: quarter turns, counter-clockwise from the node's first.
+  int node = 0;  ///< Where it starts.
+  int slot = 0;  ///< Its direction there: quarter turns, counter-clockwise from the node's first.
   int next = -1; ///< Around the face.
   int face = -1; ///< −1 outside of the domain.
 };
@@ -34,8 +34,8 @@ struct TArc
 {
   double length = 0.0; ///< In the map.
   bool onBoundary = false;
-  int line = -1;       ///< Of interior ones, in TraceGraph::lines; the first of two that met head-on.
-  int loop = -1;       ///< Of boundary ones, the loop in MeshTopology::loops.
+  int line = -1; ///< Of interior ones, in TraceGraph::lines; the first of two that met head-on.
+  int loop = -1; ///< Of boundary ones, the loop in MeshTopology::loops.
   std::vector<Point> polyline; ///< In the plane, along half-edge 2a, ends included.
 };
 
@@ -56,6 +56,7 @@ struct TMesh
   int lineCount = 0;
   int extraLines = 0;
   int headOn = 0;
+  int crossings = 0;    ///< Nodes where lines end at one point of a third from both sides.
   double longest = 0.0; ///< Line, in the map.
 
   static int Twin(int halfEdge) { return halfEdge ^ 1; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace crossfield
 {
@@ -19,6 +20,7 @@ struct Stop
   int node = 0;
   int forward = 0;  ///< Slots of the directions along the way
   int backward = 0; ///< and against it.
+  int side = 0;     ///< Of a line that ends here: 1 from the left, 3 from the right of the way.
 };
 
 bool Before(const Stop& a, const Stop& b)
@@ -54,6 +56,13 @@ public:
       this->PlaceEnd(i);
       this->Mesh.longest = std::max(this->Mesh.longest, this->Lines[i].length);
     }
+    this->Shift.assign(this->Mesh.nodes.size(), 0);
+    this->Same.resize(this->Mesh.nodes.size());
+    std::iota(this->Same.begin(), this->Same.end(), 0);
+    for (std::size_t i = 0; i < this->Lines.size(); ++i)
+    {
+      this->JoinCrossings(this->StopsOn(i));
+    }
     for (std::size_t i = 0; i < this->Lines.size(); ++i)
     {
       this->LayLine(i);
@@ -62,10 +71,30 @@ public:
     {
       this->LayLoop(static_cast<int>(l));
     }
+    this->DropJoinedNodes();
     return std::move(this->Mesh);
   }
 
 private:
+  void DropJoinedNodes()
+  {
+    std::vector<int> number(this->Mesh.nodes.size(), -1);
+    std::vector<TNode> kept;
+    for (std::size_t n = 0; n < this->Mesh.nodes.size(); ++n)
+    {
+      if (this->Same[n] == static_cast<int>(n))
+      {
+        number[n] = static_cast<int>(kept.size());
+        kept.push_back(this->Mesh.nodes[n]);
+      }
+    }
+    this->Mesh.nodes = std::move(kept);
+    for (THalfEdge& half : this->Mesh.halfEdges)
+    {
+      half.node = number[Index(half.node)];
+    }
+  }
+
   int AddNode(const TNode& node)
   {
     this->Mesh.nodes.push_back(node);
@@ -91,9 +120,8 @@ private:
     for (std::size_t i = 0; i < this->Map.cones.size(); ++i)
     {
       const Cone& cone = this->Map.cones[i];
-      const int node =
-        this->AddNode({ cone.onBoundary ? NodeKind::Corner : NodeKind::Singularity,
-          static_cast<int>(i), cone.Quarters(), this->Topology.PointAt(cone.vertex) });
+      const int node = this->AddNode({ cone.onBoundary ? NodeKind::Corner : NodeKind::Singularity,
+        static_cast<int>(i), cone.Quarters(), this->Topology.PointAt(cone.vertex) });
       if (cone.onBoundary)
       {
         this->OnBoundary[Index(this->PositionAt(cone.vertex))].push_back(
@@ -135,8 +163,8 @@ private:
     if (line.cone < 0)
     {
       const LineSegment& first = line.segments.front();
-      start.node = this->AddBoundaryNode(line.startPosition, first.At(0.0),
-        this->Walk.PlaneAt(first.triangle, first.entry));
+      start.node = this->AddBoundaryNode(
+        line.startPosition, first.At(0.0), this->Walk.PlaneAt(first.triangle, first.entry));
       start.forward = 1;
     }
     this->OnLine[i].push_back(start);
@@ -150,26 +178,32 @@ private:
     end.at = line.length;
     if (line.end == LineEnd::Boundary)
     {
-      end.node = this->AddBoundaryNode(line.endPosition, last.At(line.length),
-        this->Walk.PlaneAt(last.triangle, last.exit));
+      end.node = this->AddBoundaryNode(
+        line.endPosition, last.At(line.length), this->Walk.PlaneAt(last.triangle, last.exit));
       end.backward = 1;
       this->OnLine[i].push_back(end);
     }
     else if (line.end == LineEnd::Line)
     {
-      end.node = this->AddNode(
-        { NodeKind::OnLine, -1, 4, this->Walk.PlaneAt(last, line.length) });
+      end.node = this->AddNode({ NodeKind::OnLine, -1, 4, this->Walk.PlaneAt(last, line.length) });
       end.backward = (line.endDirection + 2 - line.otherDirection + 4) % 4;
       this->OnLine[i].push_back(end);
-      this->OnLine[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2 });
+      this->OnLine[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2, end.backward });
     }
   }
 
+  /// Slots count from the first node where several were joined.
   void AddArc(TArc arc, const Stop& from, const Stop& to)
   {
     this->Mesh.arcs.push_back(std::move(arc));
-    this->Mesh.halfEdges.push_back({ from.node, from.forward });
-    this->Mesh.halfEdges.push_back({ to.node, to.backward });
+    const auto add = [this](int node, int slot)
+    {
+      const int shift = this->Shift[Index(node)];
+      this->Mesh.halfEdges.push_back(
+        { this->Same[Index(node)], shift == 0 ? slot : (slot + shift) % 4 });
+    };
+    add(from.node, from.forward);
+    add(to.node, to.backward);
   }
 
   /// What a line passes through strictly between two lengths, and the ends.
@@ -186,39 +220,71 @@ private:
     return points;
   }
 
-  void LayLine(std::size_t i)
+  /// The nodes on a line, or on two that met head-on, from start to end; none of the second of those.
+  std::vector<Stop> StopsOn(std::size_t i) const
   {
     const TracedLine& line = this->Lines[i];
-    std::vector<Stop> stops = this->OnLine[i];
     const bool both = line.end == LineEnd::HeadOn;
     if (both && line.other < static_cast<int>(i))
     {
-      return; // laid with the other one
+      return {};
     }
+    std::vector<Stop> stops = this->OnLine[i];
     if (both)
     {
       for (Stop stop : this->OnLine[Index(line.other)])
       {
         std::swap(stop.forward, stop.backward);
+        stop.side = (stop.side + 2) % 4;
         stop.at = line.headOnLength - stop.at;
         stops.push_back(stop);
       }
     }
     std::stable_sort(stops.begin() + 1, stops.end(), Before);
     // What starts or ends it comes first or last, whatever rounding says.
-    const int end = both ? this->OnLine[Index(line.other)].front().node
-      : line.end == LineEnd::None ? -1
-                                  : this->EndNode(i);
-    const auto last = std::find_if(stops.begin() + 1, stops.end(),
-      [end](const Stop& stop) { return stop.node == end; });
+    const int end = both ? this->OnLine[Index(line.other)].front().node : this->EndNode(i);
+    const auto last = std::find_if(
+      stops.begin() + 1, stops.end(), [end](const Stop& stop) { return stop.node == end; });
     if (last != stops.end())
     {
       std::rotate(last, last + 1, stops.end());
     }
+    return stops;
+  }
+
+  /// Lines that end at one point of another one from both sides have one node. This is exact where
+  /// the two would have met head-on, as those that follow a boundary without corners all around.
+  void JoinCrossings(const std::vector<Stop>& stops)
+  {
+    const double tolerance = SameIsoline * this->Map.Extent();
+    for (std::size_t j = 1; j + 2 < stops.size(); ++j)
+    {
+      const Stop& first = stops[j];
+      const Stop& second = stops[j + 1];
+      if (first.side % 2 == 1 && second.side % 2 == 1 && first.side != second.side &&
+        second.at - first.at <= tolerance && this->Same[Index(first.node)] == first.node)
+      {
+        this->Same[Index(second.node)] = first.node;
+        // A slot on the way is the slot of its frame plus the frame's first direction.
+        this->Shift[Index(second.node)] = (first.forward - second.forward + 4) % 4;
+        ++this->Mesh.crossings;
+      }
+    }
+  }
+
+  void LayLine(std::size_t i)
+  {
+    const TracedLine& line = this->Lines[i];
+    const bool both = line.end == LineEnd::HeadOn;
+    const std::vector<Stop> stops = this->StopsOn(i);
     for (std::size_t j = 0; j + 1 < stops.size(); ++j)
     {
       TArc arc;
       arc.line = static_cast<int>(i);
+      if (this->Same[Index(stops[j].node)] == this->Same[Index(stops[j + 1].node)])
+      {
+        continue; // between two that were joined
+      }
       arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
       arc.polyline = { this->Mesh.nodes[Index(stops[j].node)].place };
       const auto add = [&arc](const std::vector<Point>& points)
@@ -301,6 +367,8 @@ private:
   std::vector<std::vector<Stop>> OnLine;
   std::vector<std::vector<Stop>> OnBoundary; ///< Per entry of mesh.boundary.
   std::vector<int> Positions;
+  std::vector<int> Same;  ///< Per node the one that it was joined to,
+  std::vector<int> Shift; ///< and the slot there of its slot 0.
   TMesh Mesh;
 };
 }

@@ -25,7 +25,8 @@ std::vector<std::vector<int>> Stars(const TMesh& mesh)
   for (std::vector<int>& star : stars)
   {
     std::sort(star.begin(), star.end(),
-      [&mesh](int a, int b) { return mesh.halfEdges[Index(a)].slot < mesh.halfEdges[Index(b)].slot; });
+      [&mesh](int a, int b)
+      { return mesh.halfEdges[Index(a)].slot < mesh.halfEdges[Index(b)].slot; });
   }
   return stars;
 }
@@ -56,7 +57,8 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
     else if (!AtBoundary(mesh.nodes[Index(at)]))
     {
       mesh.halfEdges[Index(h)].next = star.back();
-      angles[Index(h)] = slot - mesh.halfEdges[Index(star.back())].slot + mesh.nodes[Index(at)].quarters;
+      angles[Index(h)] =
+        slot - mesh.halfEdges[Index(star.back())].slot + mesh.nodes[Index(at)].quarters;
     }
   }
   return angles;

@@ -15,9 +15,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// Lines this near, relative to the extent, are on one isoline: above what a solve is off by
-/// rounding (1e-13), and too narrow for any strip of quads.
-constexpr double SameIsoline = 1e-11;
 /// Lines have different head starts, up to this part of the extent, so that no two are anywhere at
 /// the same time in domains that are symmetric; irregular and much larger than SameIsoline.
 constexpr double LargestDelay = 1e-6;
@@ -152,8 +149,7 @@ private:
     const LineSegment& last = line.segments.back();
     if (this->Walk.Beyond(last) < 0)
     {
-      const int edge =
-        this->Topology.edges.ofTriangle[Index(last.triangle)][Index(last.exit.side)];
+      const int edge = this->Topology.edges.ofTriangle[Index(last.triangle)][Index(last.exit.side)];
       line.end = LineEnd::Boundary;
       line.length = last.exitLength;
       line.endPosition = this->BoundaryPosition(edge);
@@ -310,8 +306,7 @@ private:
       one.other = partner;
       one.headOnLength = event.length;
       one.lastSegment = static_cast<int>(one.segments.size()) - 1;
-      while (one.lastSegment > 0 &&
-        one.segments[Index(one.lastSegment)].entryLength > one.length)
+      while (one.lastSegment > 0 && one.segments[Index(one.lastSegment)].entryLength > one.length)
       {
         --one.lastSegment;
       }
@@ -356,8 +351,7 @@ private:
     for (const BoundaryLoop& loop : this->Topology.loops)
     {
       const bool isMet = std::any_of(loop.edges.begin(), loop.edges.end(),
-        [&](int position)
-        {
+        [&](int position) {
           return met[Index(position)] ||
             corner[Index(this->Topology.BoundaryAt(position).vertices[0])];
         });

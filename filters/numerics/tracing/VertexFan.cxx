@@ -74,8 +74,7 @@ public:
     else
     {
       const int corner = this->CornerOf(triangle, cone.vertex);
-      here = Eighths(
-        this->Map.At(triangle, (corner + 1) % 3) - this->Map.At(triangle, corner));
+      here = Eighths(this->Map.At(triangle, (corner + 1) % 3) - this->Map.At(triangle, corner));
     }
     std::vector<Departure> departures;
     const int first = triangle;
@@ -87,8 +86,9 @@ public:
       const int edge = this->Topology.edges.ofTriangle[Index(triangle)][Index(side)];
       const auto& two = this->Topology.edges.triangles[Index(edge)];
       const int next = two[0] == triangle ? two[1] : two[0];
-      const int end = next >= 0 ? Eighths(this->Map.At(triangle, side) - this->Map.At(triangle, corner))
-                                : 2 * (this->DirectionOf(edge) + 2);
+      const int end = next >= 0
+        ? Eighths(this->Map.At(triangle, side) - this->Map.At(triangle, corner))
+        : 2 * (this->DirectionOf(edge) + 2);
       const int span = Modulo(end - here, 8);
       for (int eighth = 1; eighth <= span; ++eighth)
       {

@@ -28,8 +28,8 @@ double SeamDefect(const FlatMap& map)
   {
     for (int side = 0; side < 3; ++side)
     {
-      const int edge = topology.edges.ofTriangle[static_cast<std::size_t>(t)]
-                                                [static_cast<std::size_t>(side)];
+      const int edge =
+        topology.edges.ofTriangle[static_cast<std::size_t>(t)][static_cast<std::size_t>(side)];
       const auto& two = topology.edges.triangles[static_cast<std::size_t>(edge)];
       const int other = two[0] == t ? two[1] : two[0];
       if (other < 0)
@@ -41,8 +41,8 @@ double SeamDefect(const FlatMap& map)
       const auto& theirs = topology.mesh.triangles[static_cast<std::size_t>(other)];
       for (const int corner : { side, (side + 1) % 3 })
       {
-        const auto there = std::find(
-          theirs.begin(), theirs.end(), mine[static_cast<std::size_t>(corner)]);
+        const auto there =
+          std::find(theirs.begin(), theirs.end(), mine[static_cast<std::size_t>(corner)]);
         const Point w = map.At(other, static_cast<int>(there - theirs.begin()));
         largest = std::max(largest, (across(map.At(t, corner)) - w).norm());
       }
@@ -55,8 +55,9 @@ double SeamDefect(const FlatMap& map)
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     const auto corner = [&](int end)
     {
-      return static_cast<int>(
-        std::find(v.begin(), v.end(), topology.mesh.boundary[i].vertices[static_cast<std::size_t>(end)]) - v.begin());
+      return static_cast<int>(std::find(v.begin(), v.end(),
+                                topology.mesh.boundary[i].vertices[static_cast<std::size_t>(end)]) -
+        v.begin());
     };
     const Point along = map.At(t, corner(1)) - map.At(t, corner(0));
     const Point turned = TurnByQuarters(along, -map.directions[i]);

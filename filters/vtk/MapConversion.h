@@ -1,0 +1,44 @@
+#ifndef MapConversion_h
+#define MapConversion_h
+
+#include "DomainPlane.h"
+#include "FlatMap.h"
+#include "TMesh.h"
+
+#include <vector>
+
+class vtkFieldData;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+/** Conversion of flat maps and what is traced in them; every function throws crossfield::Error. */
+namespace MapConversion
+{
+/** A map, and the plane in space that its domain lies in. */
+struct Map
+{
+  crossfield::FlatMap map;
+  crossfield::DomainPlane plane;
+};
+
+/** The mesh cut along the seams, with the arrays of vtkCrossFieldMap. */
+void WriteMap(const Map& map, vtkUnstructuredGrid* output);
+
+/** What WriteMap has written. */
+Map ReadMap(vtkUnstructuredGrid* input);
+
+/**
+ * A polyline for each line, and four from each seed, of lengths up to `longest` in the map; see
+ * vtkSeparatrices.
+ */
+void WriteTraces(const Map& map, const crossfield::TraceGraph& graph,
+  const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
+
+/** A polygon for each face, with its nodes. */
+void WriteFaces(const Map& map, const crossfield::TMesh& mesh, vtkPolyData* output);
+
+/** The field data of vtkSeparatrices. */
+void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field);
+}
+
+#endif

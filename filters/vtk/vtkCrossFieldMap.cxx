@@ -1,0 +1,95 @@
+#include "vtkCrossFieldMap.h"
+
+#include "CornerConversion.h"
+#include "DomainConversion.h"
+#include "FilterPorts.h"
+#include "FilterRun.h"
+#include "FlatMapSolve.h"
+#include "MapConversion.h"
+#include "MeshForPoints.h"
+#include "Stopwatch.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkCrossFieldMap);
+
+//------------------------------------------------------------------------------
+vtkCrossFieldMap::vtkCrossFieldMap()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldMap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkCrossFieldMap::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
+  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  return FilterRun::Run(this, this->ErrorCode, domain,
+    [&](const crossfield::Progress& progress)
+    {
+      crossfield::Stopwatch stopwatch;
+      auto* given = vtkUnstructuredGrid::SafeDownCast(domain);
+      MapConversion::Map result;
+      crossfield::SharedTopology topology;
+      crossfield::Configuration configuration;
+      if (given != nullptr &&
+        given->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr)
+      {
+        const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(given);
+        result.plane = cells.plane;
+        topology = cells.topology;
+        configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+      }
+      else
+      {
+        const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+        result.plane = input.plane;
+        configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+        topology = crossfield::ShareTopology(crossfield::MeshOnPoints(
+          input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.3)));
+      }
+      this->StageSeconds[0] = stopwatch.Lap();
+      crossfield::FlatMapOptions options;
+      options.corners = CornerConversion::ReadCorners(corners, result.plane);
+      options.capCorners = this->CapCorners;
+      result.map =
+        crossfield::SolveFlatMap(topology, configuration, options, progress.Part(0.3, 1.0));
+      this->StageSeconds[1] = stopwatch.Lap();
+      for (std::size_t k = 0; k < result.map.holonomyDefect.size(); ++k)
+      {
+        const double defect = result.map.holonomyDefect[k];
+        if (std::abs(defect) > 1e-2) // below it may come from the mesh, as in Verdict
+        {
+          vtkWarningMacro("The map is not conformal: at inner loop "
+            << k + 1 << " there is a holonomy defect of " << defect
+            << " radians. Move singularities until the defect vanishes.");
+        }
+      }
+      MapConversion::WriteMap(result, output);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkCrossFieldMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "CapCorners: " << this->CapCorners << "\n";
+  os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << "\n";
+}
