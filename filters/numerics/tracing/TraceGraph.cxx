@@ -71,7 +71,7 @@ public:
         line.cone = static_cast<int>(cone);
         // At a corner slot 0 is the side that starts there.
         line.slot = static_cast<int>(i) + (this->Map.cones[cone].onBoundary ? 1 : 0);
-        line.segments = { this->Walk.Start(departures[cone][i]) };
+        line.segments.push_back(this->Walk.Start(departures[cone][i]));
         this->Add(std::move(line));
       }
     }
@@ -80,7 +80,7 @@ public:
     {
       TracedLine line;
       line.startPosition = position;
-      line.segments = { this->Walk.StartFromSide(position) };
+      line.segments.push_back(this->Walk.StartFromSide(position));
       line.delay = this->Now; // the others were there before
       ++this->Graph.extraLines;
       this->Add(std::move(line));

@@ -82,46 +82,46 @@ TEST(BoundarySymmetry, ToleranceIsRelative)
   square[0] += Point(1e-6, 0.0);
   EXPECT_EQ(FindSymmetries(MakePlanarDomain({ square })).order, 1);
   EXPECT_EQ(FindSymmetries(MakePlanarDomain({ square }), 1e-5).order, 4);
+}
 
-  TEST(ConfigurationSymmetry, ProjectsToTheLargestSubgroupThatFits)
+TEST(ConfigurationSymmetry, ProjectsToTheLargestSubgroupThatFits)
+{
+  const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(48) });
+  const SymmetryGroup group = FindSymmetries(disk);
+  EXPECT_EQ(group.order, 48);
+  Random random(3);
+  Configuration places = OnCircle(4, 0.85, 0.3, 1, 0.0);
+  for (Singularity& singularity : places)
   {
-    const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(48) });
-    const SymmetryGroup group = FindSymmetries(disk);
-    EXPECT_EQ(group.order, 48);
-    Random random(3);
-    Configuration places = OnCircle(4, 0.85, 0.3, 1, 0.0);
-    for (Singularity& singularity : places)
-    {
-      singularity.position += 0.01 * Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
-    }
-    const Configuration before = places;
-    const ConfigurationSymmetry symmetry = MatchSymmetry(places, group, 0.05);
-    EXPECT_EQ(symmetry.elements.size(), 8u) << "those of the square";
-    symmetry.Project(places);
-    for (std::size_t g = 0; g < symmetry.elements.size(); ++g)
-    {
-      for (std::size_t i = 0; i < places.size(); ++i)
-      {
-        EXPECT_LT(
-          (symmetry.elements[g](places[i].position) - places[symmetry.images[g][i]].position)
-            .norm(),
-          1e-14);
-      }
-    }
+    singularity.position += 0.01 * Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
+  }
+  const Configuration before = places;
+  const ConfigurationSymmetry symmetry = MatchSymmetry(places, group, 0.05);
+  EXPECT_EQ(symmetry.elements.size(), 8u) << "those of the square";
+  symmetry.Project(places);
+  for (std::size_t g = 0; g < symmetry.elements.size(); ++g)
+  {
     for (std::size_t i = 0; i < places.size(); ++i)
     {
-      EXPECT_LT((places[i].position - before[i].position).norm(), 0.05);
+      EXPECT_LT(
+        (symmetry.elements[g](places[i].position) - places[symmetry.images[g][i]].position).norm(),
+        1e-14);
     }
-    // Another index at one place leaves the reflection through it, and only that.
-    Configuration odd = OnCircle(4, 0.85, 0.0, 1, 0.0);
-    odd[0].quarterIndex = -1;
-    EXPECT_EQ(MatchSymmetry(odd, group, 0.05).elements.size(), 2u);
-    // No symmetry, and nothing moves.
-    Configuration none = { { Point(0.1, 0.2), 1, 0.0 }, { Point(-0.5, 0.3), -1, 0.0 } };
-    const ConfigurationSymmetry trivial = MatchSymmetry(none, group, 0.001);
-    EXPECT_TRUE(trivial.IsTrivial());
-    trivial.Project(none);
-    EXPECT_EQ(none[0].position, Point(0.1, 0.2));
   }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    EXPECT_LT((places[i].position - before[i].position).norm(), 0.05);
+  }
+  // Another index at one place leaves the reflection through it, and only that.
+  Configuration odd = OnCircle(4, 0.85, 0.0, 1, 0.0);
+  odd[0].quarterIndex = -1;
+  EXPECT_EQ(MatchSymmetry(odd, group, 0.05).elements.size(), 2u);
+  // No symmetry, and nothing moves.
+  Configuration none = { { Point(0.1, 0.2), 1, 0.0 }, { Point(-0.5, 0.3), -1, 0.0 } };
+  const ConfigurationSymmetry trivial = MatchSymmetry(none, group, 0.001);
+  EXPECT_TRUE(trivial.IsTrivial());
+  trivial.Project(none);
+  EXPECT_EQ(none[0].position, Point(0.1, 0.2));
+}
 }
 }
