@@ -4,12 +4,14 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from . import names
+from ._configurations import checked, chosen as choose, corner_points, report_choice
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
-    Corners, CrossField, Mesh, Verdict, copied, field_of, mesh_of, places, report_of)
+    Corners, CrossField, HField, Mesh, Verdict, copied, field_of, h_field_of, mesh_of, places,
+    report_of)
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
-    vtkBoundaryCornerClassifier, vtkDrillHoles, vtkGinzburgLandauCrossField,
+    vtkBoundaryCornerClassifier, vtkDrillHoles, vtkGinzburgLandauCrossField, vtkHField,
     vtkPerforatedCrossField, vtkPoincareHopfCheck)
 
 _STARTS = {"constrained": {"best": vtkPerforatedCrossField.StartBest,
@@ -27,17 +29,12 @@ def _choice(value: str, choices: Any, what: str) -> Any:
     return choices[value]
 
 
-def _corner_points(corners: Union[Corners, Singularities]) -> Any:
-    return corners.data if isinstance(corners, Corners) else as_configuration(corners, "corners")
-
-
-def _drilled(pipeline: Pipeline, domain: Domain, singularities: Singularities,
+def _drilled(pipeline: Pipeline, domain: Any, singularities: Any,
              size: Optional[float], minimum_hole_edges: int, gradation: float) -> Any:
-    if size is not None and not size > 0:
-        raise Error("The size %s is not positive; give a length, or None." % size)
+    checked(size)
     drill_holes = pipeline.add(vtkDrillHoles())
-    drill_holes.SetInputData(as_domain(domain, size))
-    drill_holes.SetSingularitiesData(as_configuration(singularities))
+    drill_holes.SetInputData(domain)
+    drill_holes.SetSingularitiesData(singularities)
     drill_holes.SetMeshSize(size or 0.0)
     drill_holes.SetMinimumHoleEdges(minimum_hole_edges)
     drill_holes.SetGradation(gradation)
@@ -48,7 +45,7 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
     """Triangulates a domain with a small hole at every singularity.
 
-    The arguments are those of `solve`. `gradation` is the largest growth of the edge length per unit
+    The arguments are those of `solve`; singularities that are not given are chosen. `gradation` is the largest growth of the edge length per unit
     of distance.
 
     >>> mesh = drill("builtin:square", [(1.5, 1, 1, 0.1), (0.5, 1, -1, 0.1)])
@@ -56,12 +53,15 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
     [-1, 0, 1]
     """
     pipeline = Pipeline()
-    found = _drilled(pipeline, domain, singularities, size, minimum_hole_edges, gradation)
+    data = as_domain(domain, size)
+    rows = (choose(pipeline, data, None, size, None).data if singularities is None
+            else as_configuration(singularities))
+    found = _drilled(pipeline, data, rows, size, minimum_hole_edges, gradation)
     return mesh_of(pipeline.update(found).GetOutput())
 
 
 def solve(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
-          method: str = "constrained", start: Optional[str] = None, unit_holes: bool = False,
+          method: str = "unit-norm", start: Optional[str] = None, unit_holes: bool = False,
           corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> CrossField:
     """The smoothest cross field that is aligned with the boundary and has these singularities.
@@ -70,10 +70,13 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
                    lines or a surface mesh; a file; or "builtin:NAME". Loops may be in any plane of
                    space, (n, 3).
     singularities  an array (m, 3) of x, y, quarter index, or (m, 4) with a radius; any vtkDataSet of
-                   points with `QuarterIndex`, see `configuration`; a .csv or .vtp file; or None
+                   points with `QuarterIndex`, see `configuration`; a .csv or .vtp file; what
+                   `propose` and `optimize` give; [] for none. None, the default: they are chosen for
+                   the domain, and report["events"] says how
     size           edge length of the mesh; default: 1/40 of the diagonal of the domain
-    method         "constrained", "unit-norm", or "ginzburg-landau", which places singularities by
-                   itself and takes none
+    method         "unit-norm": the norm is one, with exactly these singularities; "constrained", that
+                   of the paper, whose norm is free: where it vanishes there are others, which is a
+                   RuntimeWarning; "ginzburg-landau", which places singularities by itself
     start          "constrained": "best" (default), "harmonic", "unit-norm"; "ginzburg-landau":
                    "harmonic" (default), "constant", "zero"
     unit_holes     force unit crosses on the holes
@@ -84,6 +87,9 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
 
     Raises Error with one sentence if the input is bad or no such field exists. An iteration that
     does not converge is a RuntimeWarning, and report["converged"] is False.
+
+    >>> len(solve("builtin:disk").report["singularities"])
+    4
 
     >>> import numpy as np
     >>> outer = [(0, 0), (6, 0), (6, 4), (0, 4)]
@@ -100,6 +106,9 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     """
     starts = _choice(method, _STARTS, "method")
     pipeline = Pipeline()
+    data = as_domain(domain, size)
+    chosen = None
+    rows = as_configuration([] if singularities is None else singularities)
     if method == "ginzburg-landau":
         if singularities is not None:
             raise Error("The method ginzburg-landau has its own singularities; give none.")
@@ -115,13 +124,52 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
         if method == "unit-norm":
             solver.SetMethodToUnitNorm()
         solver.SetUnitHoles(unit_holes)
-        if corners is not None:
-            solver.SetCornersData(_corner_points(corners))
+        if singularities is None:
+            chosen = choose(pipeline, data, None, size, corners)
+            rows = chosen.data
+            solver.SetCornersData(chosen.corners)
+        elif corners is not None:
+            solver.SetCornersData(corner_points(corners))
     if start is not None:
         solver.SetStart(_choice(start, starts, "start of the method " + method))
-    found = _drilled(pipeline, domain, singularities, size, minimum_hole_edges, gradation)
+    found = _drilled(pipeline, data, rows, size, minimum_hole_edges, gradation)
     solver.SetInputConnection(found.GetOutputPort())
-    return field_of(pipeline.update(solver).GetOutput())
+    field = field_of(pipeline.update(solver).GetOutput())
+    if chosen is not None:
+        report_choice(field.report, chosen)
+    return field
+
+
+def hfield(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
+           corners: Union[Corners, Singularities] = None) -> HField:
+    """The scalar H, its size map and its cross field of norm one, with singularities as points.
+
+    The arguments are those of `solve`; singularities may lie on the boundary. `domain` can also be the
+    `grid` of a drilled mesh, whose holes are then the singularities.
+
+    >>> field = hfield("builtin:disk", [(0, 0, 4)])
+    >>> field.h.shape == field.size_map.shape == (len(field.points),)
+    True
+    """
+    pipeline = Pipeline()
+    data = as_domain(domain, size)
+    solver = pipeline.add(vtkHField())
+    solver.SetInputData(data)
+    solver.SetMeshSize(checked(size))
+    chosen = None
+    if singularities is not None:
+        solver.SetSingularitiesData(as_configuration(singularities))
+    elif not data.GetCellData().HasArray(names.BoundaryKind):
+        chosen = choose(pipeline, data, None, size, corners)
+        solver.SetSingularitiesData(chosen.data)
+    if chosen is not None:
+        solver.SetCornersData(chosen.corners)
+    elif corners is not None:
+        solver.SetCornersData(corner_points(corners))
+    field = h_field_of(pipeline.update(solver).GetOutput())
+    if chosen is not None:
+        report_choice(field.report, chosen)
+    return field
 
 
 def check(domain: Domain, singularities: Singularities = None, *,
@@ -144,7 +192,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     if singularities is not None:
         filter_.SetSingularitiesData(as_configuration(singularities))
     if corners is not None:
-        filter_.SetCornersData(_corner_points(corners))
+        filter_.SetCornersData(corner_points(corners))
     filter_.SetCornerAngle(corner_angle)
     filter_.SetHolonomy(holonomy)
     checked = pipeline.update(filter_).GetOutput()

@@ -31,6 +31,11 @@ _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
             ".ply": vtkPLYReader}
 
 
+#: Columns of a table of points, as people and ParaView call them; numpy leaves the colon out.
+_AXES = {name: axis for i, axis in enumerate("xyz")
+         for name in (axis, "points%d" % i, "points_%d" % i)}
+
+
 def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
     """Rows of numbers with one of the widths; no rows at all are fine."""
     try:
@@ -72,7 +77,7 @@ def _loops(loops: Any) -> vtkPolyData:
         raise Error("The domain has no loops; give at least one array of points.")
     if np.ndim(loops[0]) == 1:
         loops = [loops]
-    arrays = [_numbers(loop, (2, 3), "loop %d of the domain" % i) for i, loop in enumerate(loops)]
+    arrays = [_numbers(loop, (2, 3), "loop %d of the domain" % (i + 1)) for i, loop in enumerate(loops)]
     padded = [np.pad(array, ((0, 0), (0, 3 - array.shape[1]))) for array in arrays]
     first, lines = 0, []
     for array in padded:
@@ -94,10 +99,34 @@ def _read_csv(path: str) -> vtkPolyData:
     except ValueError as error:
         raise Error("The file '%s' is no table of numbers (%s); correct it."
                     % (path, str(error).splitlines()[0])) from None
-    columns = table.dtype.names or ()
-    if not {"x", "y"} <= set(columns):
+    found = {_AXES[name.lower()]: name for name in table.dtype.names or ()
+             if name.lower() in _AXES}
+    if not {"x", "y"} <= set(found):
         raise Error("The file '%s' has no columns x and y; its first line must be x,y." % path)
-    return _loops(np.column_stack([table[name] for name in ("x", "y", "z") if name in columns]))
+    return _loops(np.column_stack([table[found[axis]] for axis in "xyz" if axis in found]))
+
+
+def _read_aerofoil(path: str) -> vtkPolyData:
+    """Selig's format: a line with a name, then x and y of a point of the profile in each line."""
+    points = []
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for number, line in enumerate(file, 1):
+            words = line.split()
+            try:
+                row = [float(word) for word in words]
+            except ValueError:
+                row = []
+            if len(row) == 2:
+                points.append(row)
+            elif words and number > 1:
+                raise Error("Line %d of '%s' does not hold the two numbers x and y; correct it."
+                            % (number, path))
+    if len(points) < 3:
+        raise Error("The file '%s' holds fewer than three points; give those of a profile." % path)
+    if sum(points[0]) == len(points) - 1 and points[0][1] > 1:
+        raise Error("The file '%s' is in Lednicer's format, which lists both sides from the leading "
+                    "edge; save it in Selig's, from the trailing edge around the profile." % path)
+    return _loops(np.array(points))
 
 
 def _read_gmsh(path: str) -> vtkPolyData:
@@ -132,8 +161,8 @@ def _read_gmsh(path: str) -> vtkPolyData:
 
 
 def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of one loop, or a
-    .msh of Gmsh if meshio is installed.
+    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of one loop, an aerofoil
+    .dat, or a .msh of Gmsh if meshio is installed.
 
     Raises Error if there is no such file, it cannot be read or holds no cells.
     """
@@ -143,12 +172,14 @@ def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     ending = os.path.splitext(path)[1].lower()
     if ending == ".csv":
         return _read_csv(path)
+    if ending == ".dat":
+        return _read_aerofoil(path)
     if ending == ".msh":
         data = _read_gmsh(path)
     elif ending in _READERS:
         data = _read_with(_READERS[ending], path)
     else:
-        raise Error("The file '%s' has an unknown ending; give one of %s, .csv or .msh."
+        raise Error("The file '%s' has an unknown ending; give one of %s, .csv, .dat or .msh."
                     % (path, ", ".join(_READERS)))
     if not isinstance(data, vtkDataSet) or data.GetNumberOfCells() == 0:
         raise Error(
@@ -229,6 +260,8 @@ def configuration(points: ArrayLike, quarter_index: ArrayLike,
 
 def as_configuration(rows: Singularities, what: str = "singularities") -> vtkDataSet:
     """The points of singularities or corners with their quarter indices."""
+    data = getattr(rows, "data", None)  # of what propose, optimize and corners give
+    rows = data if isinstance(data, vtkDataSet) else rows
     if isinstance(rows, vtkDataSet):
         return rows
     if isinstance(rows, (str, os.PathLike)):

@@ -19,7 +19,7 @@ from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 # Field data that is true or false, and that has one entry for each hole or inner loop.
 _FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
           names.UnitHoles)
-_LISTS = (names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange, names.HolonomyDefect,
+_LISTS = (names.Annihilation, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange, names.HolonomyDefect,
           names.PointSingularities)
 
 
@@ -33,6 +33,11 @@ def places(data: Any) -> np.ndarray:
     if data.GetNumberOfPoints() == 0:
         return np.empty((0, 3))
     return vtk_to_numpy(data.GetPoints().GetData()).copy()
+
+
+def snake_case(name: str) -> str:
+    """The name of an array as the program writes it."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, Any]:
@@ -50,7 +55,7 @@ def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, An
             values = [value != 0 for value in values]
         elif name not in _LISTS:
             values = values[0]
-        report[re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()] = values
+        report[snake_case(name)] = values
     return report
 
 
@@ -125,6 +130,54 @@ class CrossField(Mesh):
         return places(found), copied(found.GetPointData(), names.QuarterIndex)
 
 
+@dataclass(frozen=True)
+class HField(CrossField):
+    """A cross field of norm one with singularities as points, the scalar H and its size map.
+
+    h              (n,) float, at each point
+    size_map       (n,) float, e^H, larger where the lines of the field spread
+    """
+
+    h: np.ndarray
+    size_map: np.ndarray
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """Singularities that were proposed or optimised; all functions take it as `singularities`.
+
+    points         (m, 3) float
+    quarter_index  (m,) int
+    radius         (m,) float of their holes, or None where they have none
+    events         what was decided, a sentence each
+    report         the numbers of the optimiser, under the names of `crossfield optimize --json`
+    data           the points as vtkPolyData
+    corners        the corners whose quarter index was chosen, as vtkPolyData, or None
+    """
+
+    points: np.ndarray
+    quarter_index: np.ndarray
+    radius: Optional[np.ndarray]
+    events: list[str]
+    report: dict[str, Any]
+    data: vtkPolyData
+    corners: Optional[vtkPolyData]
+
+
+def configuration_of(algorithm: Any) -> Configuration:
+    """The singularities in the first output of a filter, and the corners in its second, if any."""
+    data = algorithm.GetOutput()
+    events = data.GetFieldData().GetAbstractArray(names.Events)
+    has_radii = bool(data.GetPointData().HasArray(names.Radius))
+    corners = algorithm.GetOutputDataObject(1)
+    return Configuration(
+        points=places(data), quarter_index=copied(data.GetPointData(), names.QuarterIndex),
+        radius=copied(data.GetPointData(), names.Radius) if has_radii else None,
+        events=[events.GetValue(i) for i in range(events.GetNumberOfValues())] if events else [],
+        report=report_of(data), data=data,
+        corners=corners if isinstance(corners, vtkPolyData) else None)
+
+
 def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     types = vtk_to_numpy(grid.GetCellTypesArray())
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -148,8 +201,7 @@ def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
     return Mesh(**_mesh_arrays(grid))
 
 
-def field_of(grid: vtkUnstructuredGrid) -> CrossField:
-    """The arrays of a field."""
+def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     mesh = _mesh_arrays(grid)
     triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
 
@@ -162,13 +214,25 @@ def field_of(grid: vtkUnstructuredGrid) -> CrossField:
     exact = on_triangles(names.CrossFieldCR)
     report = report_of(grid)
     report["triangles"] = len(mesh["triangles"])
-    return CrossField(
-        **mesh, u=exact[:, 0::2] + 1j * exact[:, 1::2],
-        angle=angles(on_triangles(names.Representation)),
-        point_angle=angles(copied(grid.GetPointData(), names.Representation)),
-        norm=on_triangles(names.CrossNorm), point_norm=copied(grid.GetPointData(), names.CrossNorm),
-        cross=on_triangles(names.Cross), point_cross=copied(grid.GetPointData(), names.Cross),
-        hole_degrees=copied(grid.GetFieldData(), names.HoleDegree), report=report)
+    return {
+        **mesh, "u": exact[:, 0::2] + 1j * exact[:, 1::2],
+        "angle": angles(on_triangles(names.Representation)),
+        "point_angle": angles(copied(grid.GetPointData(), names.Representation)),
+        "norm": on_triangles(names.CrossNorm),
+        "point_norm": copied(grid.GetPointData(), names.CrossNorm),
+        "cross": on_triangles(names.Cross), "point_cross": copied(grid.GetPointData(), names.Cross),
+        "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree), "report": report}
+
+
+def field_of(grid: vtkUnstructuredGrid) -> CrossField:
+    """The arrays of a field."""
+    return CrossField(**_field_arrays(grid))
+
+
+def h_field_of(grid: vtkUnstructuredGrid) -> HField:
+    """The arrays of a field with H."""
+    return HField(**_field_arrays(grid), h=copied(grid.GetPointData(), names.H),
+                  size_map=copied(grid.GetPointData(), names.SizeMap))
 
 
 @dataclass(frozen=True)

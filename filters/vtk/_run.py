@@ -66,6 +66,7 @@ class Pipeline:
         self._errors += re.findall(r"^ERROR: In .*\n(.*)", inside.GetOutput(), re.MULTILINE)
         for text in self._warnings:
             warnings.warn(_sentence(text), RuntimeWarning, stacklevel=4)
+        self._warnings.clear()  # another filter may follow
         codes = [found.GetErrorCode() for found in self._filters]
         if self._errors or any(codes):
             text = self._errors[0] if self._errors else "VTK does not say why it failed."
