@@ -2,11 +2,12 @@
 from . import names as names
 from ._configurations import energy as energy, optimize as optimize, propose as propose
 from ._functions import (
-    check as check, corners as corners, drill as drill, hfield as hfield, solve as solve)
+    check as check, corners as corners, drill as drill, hfield as hfield, separatrices as separatrices,
+    solve as solve)
 from ._input import configuration as configuration, read as read
 from ._results import (
     Configuration as Configuration, Corners as Corners, CrossField as CrossField, HField as HField,
-    Mesh as Mesh, Verdict as Verdict)
+    Mesh as Mesh, Separatrices as Separatrices, Verdict as Verdict)
 from ._run import Error as Error
 from .vtkCrossFieldFilters import *
 

@@ -7,12 +7,12 @@ from . import names
 from ._configurations import checked, chosen as choose, corner_points, report_choice
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
-    Corners, CrossField, HField, Mesh, Verdict, copied, field_of, h_field_of, mesh_of, places,
-    report_of)
+    Corners, CrossField, HField, Mesh, Separatrices, Verdict, copied, field_of, h_field_of, mesh_of,
+    places, report_of, separatrices_of)
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
-    vtkBoundaryCornerClassifier, vtkDrillHoles, vtkGinzburgLandauCrossField, vtkHField,
-    vtkPerforatedCrossField, vtkPoincareHopfCheck)
+    vtkBoundaryCornerClassifier, vtkCrossFieldMap, vtkDrillHoles, vtkGinzburgLandauCrossField,
+    vtkHField, vtkPerforatedCrossField, vtkPoincareHopfCheck, vtkSeparatrices)
 
 _STARTS = {"constrained": {"best": vtkPerforatedCrossField.StartBest,
                            "harmonic": vtkPerforatedCrossField.StartHarmonic,
@@ -253,3 +253,34 @@ def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: 
         scenario=found.GetFieldData().GetAbstractArray(names.Scenario).GetValue(0),
         energy=report["energy"], interior_quarters=report["interior_quarters"],
         scenarios=scenarios, data=found)
+
+
+def separatrices(domain: Domain, singularities: Singularities = None, *,
+                 size: Optional[float] = None, corners: Union[Corners, Singularities] = None,
+                 cap_corners: bool = False, seeds: Singularities = None) -> Separatrices:
+    """The lines that leave the singularities of a cross field, and the rectangles between them.
+
+    The arguments are those of `solve`, without holes. `cap_corners` gives sharp corners of quarter
+    index 2 index 1. From each of `seeds`, points as `singularities`, four streamlines are drawn.
+
+    >>> found = separatrices("builtin:l-shape")
+    >>> len(found.lines), len(found.faces)
+    (2, 3)
+    """
+    if size is not None and not size > 0:
+        raise Error("The size %s is not positive; give a length, or None." % size)
+    pipeline = Pipeline()
+    flat = pipeline.add(vtkCrossFieldMap())
+    flat.SetInputData(as_domain(domain, size))
+    if singularities is not None:
+        flat.SetSingularitiesData(as_configuration(singularities))
+    if corners is not None:
+        flat.SetCornersData(_corner_points(corners))
+    flat.SetMeshSize(size or 0.0)
+    flat.SetCapCorners(cap_corners)
+    traced = pipeline.add(vtkSeparatrices())
+    traced.SetInputConnection(flat.GetOutputPort())
+    if seeds is not None:
+        traced.SetSeedsData(as_configuration(seeds, "seeds"))
+    pipeline.update(traced)
+    return separatrices_of(traced.GetOutput(0), traced.GetOutput(1), flat.GetOutput())

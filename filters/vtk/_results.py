@@ -290,3 +290,51 @@ class Corners:
     interior_quarters: int
     scenarios: dict[str, dict[str, Any]]
     data: vtkPolyData
+
+
+@dataclass(frozen=True)
+class Separatrices:
+    """The lines that leave the singularities of a cross field, and the rectangles between them.
+
+    lines          list of (n, 3) float, a polyline each; streamlines from seeds at the end
+    singularity    (l,) int, row of the singularity where a line starts; -1 at corners and of others
+    seed           (l,) int, of streamlines the seed, else -1
+    ends_at        (l,) int: 1 the side of another line, 2 the boundary, 3 head-on, 0 too long
+    length         (l,) float, in the map
+    faces          list of (n, 3) float, a polygon each, counter-clockwise
+    face_sizes     (f, 2) float, sides of the rectangles in the map, whose area is that of the domain
+    report         the numbers, under the names of `crossfield separatrices --json`
+    line_data, face_data, map
+                   all of it as vtkPolyData, and the map as a vtkUnstructuredGrid
+    """
+
+    lines: list[np.ndarray]
+    singularity: np.ndarray
+    seed: np.ndarray
+    ends_at: np.ndarray
+    length: np.ndarray
+    faces: list[np.ndarray]
+    face_sizes: np.ndarray
+    report: dict[str, Any]
+    line_data: vtkPolyData
+    face_data: vtkPolyData
+    map: vtkUnstructuredGrid
+
+
+def _chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
+    ids = vtk_to_numpy(cells.GetConnectivityArray())
+    starts = vtk_to_numpy(cells.GetOffsetsArray())
+    return [points[ids[first:last]] for first, last in zip(starts[:-1], starts[1:])]
+
+
+def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
+                    map: vtkUnstructuredGrid) -> Separatrices:
+    """The arrays of lines, faces and their map."""
+    data, sizes = lines.GetCellData(), faces.GetCellData()
+    return Separatrices(
+        lines=_chains(places(lines), lines.GetLines()),
+        singularity=copied(data, names.Singularity), seed=copied(data, names.Seed),
+        ends_at=copied(data, names.EndsAt), length=copied(data, names.Length),
+        faces=_chains(places(faces), faces.GetPolys()),
+        face_sizes=np.column_stack([copied(sizes, names.USize), copied(sizes, names.VSize)]),
+        report=report_of(lines), line_data=lines, face_data=faces, map=map)

@@ -33,6 +33,8 @@ PROXIES = {
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize"),
+    "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners"),
+    "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize"),
     "SingularityOptimizer": (
         "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
@@ -96,6 +98,19 @@ def test_h_field():
     drilled = fetch(HField(Input=DrillHoles(
         Input=PlanarDomainSource(), Singularities=SingularitySource())))
     check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
+
+
+def test_separatrices():
+    flat = CrossFieldMap(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    lines = Separatrices(Input=flat)
+    data = fetch(lines)
+    check_equal(data.GetNumberOfCells(), 12, "the number of lines")
+    faces = servermanager.Fetch(lines, idx=1)
+    # docs/method.md §13.3: T - N + 1, where no two of them meet head-on.
+    check_equal(faces.GetNumberOfCells(), 9 - value(data, "HeadOn"), "the number of faces")
+    check(value(data, "Mismatch") < 1e-12, "opposite sides of faces")
+    lines.Seeds = SingularitySource(Singularities=[0.1, 0.2, 1, 0.1])
+    check_equal(fetch(lines).GetNumberOfCells(), 16, "the number of lines with streamlines")
 
 
 def test_energies():
@@ -276,7 +291,7 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_default_chain, test_h_field, test_energies, test_other_domains,
+for test in (test_proxies, test_default_chain, test_h_field, test_separatrices, test_energies, test_other_domains,
              test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
              test_changed_input, test_input_untouched):
     test()

@@ -17,6 +17,7 @@ import alignment
 import counts
 import energies
 import field as fields
+import flatmap
 import hfield
 import indices as winding
 import singularities as singular
@@ -35,6 +36,10 @@ def verify(name):
     report = Report(str(name))
     try:
         data = Data(name)
+        if "UV" in data.at_points and len(data.points) > 0:
+            report.kind = "flat map"
+            flatmap.check_map(data, report)
+            return report
         if not all(array in data.cells for array in MESH_ARRAYS) or len(data.points) == 0:
             return report
         report.kind = "drilled mesh"

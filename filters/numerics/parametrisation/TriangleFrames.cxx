@@ -17,8 +17,20 @@ public:
   PhaseWalk(const PointPotential& potential, const PointPotential::Solution& solution)
     : Topology(potential.GetProblem().Topology())
     , Logs(solution.logs)
+    , FirstOnCurve(solution.logs.size() - potential.GetBoundaryLogs().size())
+    , FirstAtCorner(this->FirstOnCurve + potential.CurveLogCount())
+    , SeenFromCurves(static_cast<std::size_t>(this->Topology.edges.Count()))
     , Gradient(potential.GetProblem().potential->Gradient(solution.aligned))
   {
+    for (int e = 0; e < this->Topology.edges.Count(); ++e)
+    {
+      this->SeenFromCurves[static_cast<std::size_t>(e)] = this->Topology.Midpoint(e);
+    }
+    for (std::size_t i = 0; i < this->Topology.edges.ofBoundary.size(); ++i)
+    {
+      this->SeenFromCurves[static_cast<std::size_t>(this->Topology.edges.ofBoundary[i])] =
+        potential.GetCurveMiddles()[i];
+    }
   }
 
   Point Centre(int triangle) const
@@ -29,25 +41,34 @@ public:
       3.0;
   }
 
-  double Increase(int triangle, const Point& from, const Point& to) const
+  /// From the centre of a triangle to the midpoint of an edge. Singularities of curves see the boundary
+  /// on the curve.
+  double ToEdge(int triangle, int edge) const
   {
+    const Point from = this->Centre(triangle);
+    const Point to = this->Topology.Midpoint(edge);
     double sum = Cross(this->Gradient.block<2, 1>(0, triangle), to - from);
-    for (const LogSource& log : this->Logs)
+    for (std::size_t m = 0; m < this->Logs.size(); ++m)
     {
-      sum += log.strength * log.Turn(from, to);
+      const Point& seen =
+        this->IsOnCurve(m) ? this->SeenFromCurves[static_cast<std::size_t>(edge)] : to;
+      sum += this->Logs[m].strength * this->Logs[m].Turn(from, seen);
     }
     return sum;
   }
 
-  /// From the centre of a triangle to the midpoint of an edge.
-  double ToEdge(int triangle, int edge) const
+  /// Whether a logarithm is that of a singularity of a curve: it need not be at a vertex.
+  bool IsOnCurve(std::size_t log) const
   {
-    return this->Increase(triangle, this->Centre(triangle), this->Topology.Midpoint(edge));
+    return log >= this->FirstOnCurve && log < this->FirstAtCorner;
   }
 
 private:
   const MeshTopology& Topology;
   const std::vector<LogSource>& Logs;
+  const std::size_t FirstOnCurve;
+  const std::size_t FirstAtCorner;
+  std::vector<Point> SeenFromCurves; ///< The midpoint of every edge.
   const Eigen::MatrixXd Gradient;
 };
 
@@ -97,8 +118,13 @@ std::vector<TriangleFrames::NearLog> FindNear(
         topology.PointAt(v[2]) - topology.PointAt(v[0]));
     double nearest = Edges * Edges * 4.0 / std::sqrt(3.0) * area;
     const LogSource* found = nullptr;
-    for (const LogSource& log : logs)
+    for (std::size_t m = 0; m < logs.size(); ++m)
     {
+      if (walk.IsOnCurve(m))
+      {
+        continue;
+      }
+      const LogSource& log = logs[m];
       const double distance = (centre - log.position).squaredNorm();
       if (found != nullptr && std::abs(distance - nearest) <= EquallyNear * nearest)
       {

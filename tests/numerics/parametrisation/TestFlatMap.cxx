@@ -1,5 +1,6 @@
 #include "FlatMapSolve.h"
 
+#include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "Support.h"
 
@@ -67,11 +68,100 @@ double SeamDefect(const FlatMap& map)
   return largest / map.Extent();
 }
 
-TEST(FlatMap, OfTheDiskWithFour)
+TEST(FlatMap, ClosesAtSeamsAndSides)
 {
   const FlatMap map = MapOf(Builtin("disk", 0.05), Four, 0.05);
   EXPECT_LT(SeamDefect(map), 1e-12);
-  std::printf("misfit %g extent %g n %zu\n", map.misfit, map.Extent(), map.corners.size());
+  double area = 0.0;
+  for (int t = 0; t < static_cast<int>(map.corners.size()); ++t)
+  {
+    area += 0.5 * Cross(map.At(t, 1) - map.At(t, 0), map.At(t, 2) - map.At(t, 0));
+  }
+  EXPECT_NEAR(area, MeshArea(map.topology->mesh), 1e-10);
+}
+
+TEST(FlatMap, OfTheSquareIsTheSquare)
+{
+  const FlatMap map = MapOf(Builtin("square"), {}, 0.2);
+  EXPECT_LT(map.misfit, 1e-8);
+  const Point first = map.points.front();
+  const Point place = map.topology->PointAt(map.original.front());
+  for (std::size_t p = 0; p < map.points.size(); ++p)
+  {
+    const Point moved = map.topology->PointAt(map.original[p]) - place;
+    EXPECT_NEAR((map.points[p] - first).norm(), moved.norm(), 1e-9);
+  }
+}
+
+TEST(FlatMap, BecomesConformal)
+{
+  std::vector<double> sizes;
+  std::vector<double> misfits;
+  for (const double size : { 0.1, 0.07, 0.05, 0.035 })
+  {
+    sizes.push_back(size);
+    misfits.push_back(MapOf(Builtin("disk", size), Four, size).misfit);
+  }
+  // The gradient of a piecewise linear function is of first order.
+  EXPECT_GT(ConvergenceRate(sizes, misfits), 0.8);
+}
+
+TEST(FlatMap, CoarseMeshesAreInjective)
+{
+  for (const double size : { 0.5, 0.3, 0.2 })
+  {
+    EXPECT_LT(SeamDefect(MapOf(Builtin("disk", size), Four, size)), 1e-12);
+  }
+}
+
+TEST(FlatMap, TakesNodesOfValenceTwoAndMany)
+{
+  const FlatMap two =
+    MapOf(Builtin("disk", 0.05), { { { 0.5, 0.1 }, 2 }, { { -0.5, -0.1 }, 2 } }, 0.05);
+  EXPECT_LT(SeamDefect(two), 1e-12);
+  Configuration many = OnCircle(7, 0.7, 0.1, 1, 0.0);
+  many.push_back({ { 0.0, 0.0 }, -3 });
+  EXPECT_LT(SeamDefect(MapOf(Builtin("disk", 0.05), many, 0.05)), 1e-12);
+}
+
+TEST(FlatMap, WithSmallHolonomyDefectIsInjective)
+{
+  // The defect of a ring is Σ k_j arg b_j (docs/method.md §7.3).
+  const PlanarDomain ring = Builtin("ring", 0.05);
+  Configuration configuration = OnCircle(4, 0.8, 0.1, 1, 0.0);
+  const Configuration inner = OnCircle(4, 0.6, 0.1 + 0.1, -1, 0.0);
+  configuration.insert(configuration.end(), inner.begin(), inner.end());
+  const FlatMap map = MapOf(ring, configuration, 0.05);
+  ASSERT_EQ(map.holonomyDefect.size(), 1U);
+  EXPECT_NEAR(std::abs(map.holonomyDefect[0]), 0.4, 0.05);
+  EXPECT_LT(SeamDefect(map), 1e-12);
+}
+
+TEST(FlatMap, RefusesWhatHasNoMap)
+{
+  const PlanarDomain disk = Builtin("disk", 0.1);
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MapOf(disk, { { { 0.3, 0.0 }, 3 }, { { -0.3, 0.0 }, 1 } }, 0.1);
+    },
+    { "quarter index 3", "split it" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MapOf(disk, { { { 0.3, 0.0 }, 1 } }, 0.1);
+    },
+    { "add up to 1" }, Error::Kind::Inconsistent));
+  // A mesh without a vertex there.
+  const TriangleMesh mesh = MeshForPoints(disk, {}, 0.3);
+  EXPECT_TRUE(Refuses([&] { SolveFlatMap(ShareTopology(mesh), OnCircle(4, 0.511, 0.3, 1, 0.0)); },
+    { "at no vertex", "give the domain" }));
+  // A corner of 20° makes the smallest rotation with index 2.
+  const double height = std::tan(10.0 / 180.0 * Pi);
+  const PlanarDomain wedge =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, -height }, { 1.0, height } } });
+  EXPECT_TRUE(Refuses([&] { MapOf(wedge, {}, 0.03); }, { "quarter index 2", "cap corners" }));
+  FlatMapOptions capped;
+  capped.capCorners = true;
+  EXPECT_LT(SeamDefect(MapOf(wedge, { { { 0.5, 0.0 }, 1 } }, 0.03, capped)), 1e-12);
 }
 }
 }

@@ -1,0 +1,169 @@
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkCrossFieldErrorCodes.h"
+#include "vtkCrossFieldMap.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkSeparatrices.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+class Separatrices : public testing::Test
+{
+public:
+  void SetUp() override
+  {
+    this->Domain->SetEdgeLength(0.1);
+    this->Map->SetInputConnection(this->Domain->GetOutputPort());
+    this->Map->SetSingularitiesConnection(this->Singularities->GetOutputPort());
+    this->Map->SetMeshSize(0.1);
+    this->Filter->SetInputConnection(this->Map->GetOutputPort());
+  }
+
+  double Value(const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  }
+
+  vtkNew<vtkPlanarDomainSource> Domain;
+  vtkNew<vtkSingularitySource> Singularities;
+  vtkNew<vtkCrossFieldMap> Map;
+  vtkNew<vtkSeparatrices> Filter;
+};
+}
+
+TEST_F(Separatrices, KeepTheRulesOfAFilter)
+{
+  FilterChecks::CheckInputUntouched(this->Filter);
+  FilterChecks::CheckProgressAndAbort(this->Filter);
+  FilterChecks::CheckPrintSelf(this->Filter, { "LongestStreamline", "StageSeconds" });
+  FilterChecks::CheckEmptyInput(this->Filter);
+}
+
+TEST_F(Separatrices, MapKeepsTheRulesOfAFilter)
+{
+  FilterChecks::CheckInputUntouched(this->Map);
+  FilterChecks::CheckProgressAndAbort(this->Map);
+  FilterChecks::CheckPrintSelf(this->Map, { "MeshSize", "CapCorners", "StageSeconds" });
+  FilterChecks::CheckEmptyInput(this->Map);
+}
+
+TEST_F(Separatrices, MapHasTheAreaOfTheDomainAndIsCutAtSingularities)
+{
+  FilterChecks::UpdateWithoutError(this->Map);
+  vtkUnstructuredGrid* map = this->Map->GetOutput();
+  vtkDataArray* uv = FilterChecks::RequireArray(map->GetPointData(), "UV");
+  ASSERT_EQ(uv->GetNumberOfComponents(), 2);
+  double mapped = 0.0;
+  double area = 0.0;
+  for (vtkIdType cell = 0; cell < map->GetNumberOfCells(); ++cell)
+  {
+    if (map->GetCellType(cell) != VTK_TRIANGLE)
+    {
+      continue;
+    }
+    vtkNew<vtkIdList> ids;
+    map->GetCellPoints(cell, ids);
+    const auto twice = [&ids](const auto& at)
+    {
+      const std::array<double, 2> a = at(ids->GetId(0));
+      const std::array<double, 2> b = at(ids->GetId(1));
+      const std::array<double, 2> c = at(ids->GetId(2));
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    };
+    const double inMap = twice(
+      [uv](vtkIdType i) {
+        return std::array<double, 2>{ uv->GetComponent(i, 0), uv->GetComponent(i, 1) };
+      });
+    EXPECT_GT(inMap, 0.0);
+    mapped += 0.5 * inMap;
+    area += 0.5 *
+      twice(
+        [map](vtkIdType i) {
+          return std::array<double, 2>{ map->GetPoint(i)[0], map->GetPoint(i)[1] };
+        });
+  }
+  EXPECT_NEAR(mapped, area, 1e-10 * area);
+  vtkDataArray* quarters = FilterChecks::RequireArray(map->GetPointData(), "QuarterIndex");
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < quarters->GetNumberOfTuples(); ++i)
+  {
+    sum += quarters->GetTuple1(i); // the ends of seams have one copy
+  }
+  EXPECT_EQ(sum, 4.0);
+}
+
+TEST_F(Separatrices, OfFourOnTheDisk)
+{
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkPolyData* lines = this->Filter->GetOutput();
+  vtkPolyData* faces = this->Filter->GetOutput(1);
+  EXPECT_EQ(lines->GetNumberOfCells(), 12);
+  EXPECT_EQ(this->Value("Lines"), 12.0);
+  EXPECT_EQ(this->Value("Faces"), 9.0 - this->Value("HeadOn"));
+  EXPECT_EQ(faces->GetNumberOfCells(), static_cast<vtkIdType>(this->Value("Faces")));
+  EXPECT_EQ(this->Value("Flips"), 0.0);
+  EXPECT_LT(this->Value("Mismatch"), 1e-12);
+  // docs/method.md §13.4, at the size of this mesh.
+  vtkDataArray* u = FilterChecks::RequireArray(faces->GetCellData(), "USize");
+  vtkDataArray* v = FilterChecks::RequireArray(faces->GetCellData(), "VSize");
+  double square = 0.0;
+  double area = 0.0;
+  for (vtkIdType i = 0; i < faces->GetNumberOfCells(); ++i)
+  {
+    square = std::max(square, std::min(u->GetTuple1(i), v->GetTuple1(i)));
+    area += u->GetTuple1(i) * v->GetTuple1(i);
+  }
+  EXPECT_NEAR(square, 1.094482, 0.01);
+  EXPECT_NEAR(area, 3.14, 0.02);
+  for (const char* name : { "Line", "Seed", "Singularity", "QuarterIndex", "EndsAt", "Length" })
+  {
+    EXPECT_EQ(FilterChecks::RequireArray(lines->GetCellData(), name)->GetNumberOfTuples(), 12);
+  }
+  EXPECT_EQ(FilterChecks::RequireArray(faces->GetPointData(), "NodeKind")->GetNumberOfTuples(),
+    faces->GetNumberOfPoints());
+}
+
+TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)
+{
+  this->Filter->SetSeedsData(TestInputs::Singularities({ { 0.1, 0.2, 1, 0.1 } }));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkPolyData* lines = this->Filter->GetOutput();
+  ASSERT_EQ(lines->GetNumberOfCells(), 16);
+  vtkDataArray* seed = FilterChecks::RequireArray(lines->GetCellData(), "Seed");
+  vtkDataArray* end = FilterChecks::RequireArray(lines->GetCellData(), "EndsAt");
+  for (vtkIdType cell = 12; cell < 16; ++cell)
+  {
+    EXPECT_EQ(seed->GetTuple1(cell), 0.0);
+    EXPECT_EQ(end->GetTuple1(cell), 2.0);
+    vtkNew<vtkIdList> ids;
+    lines->GetCellPoints(cell, ids);
+    const double* last = lines->GetPoint(ids->GetId(ids->GetNumberOfIds() - 1));
+    EXPECT_NEAR(std::hypot(last[0], last[1]), 1.0, 0.01);
+  }
+  this->Filter->SetSeedsData(TestInputs::Singularities({ { 3.0, 0.0, 1, 0.1 } }));
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "seed 0", "outside", "move it inside" }),
+    vtkCrossFieldErrorCodes::BadInput);
+}
+
+TEST_F(Separatrices, RefuseWhatIsNoMap)
+{
+  this->Filter->SetInputData(TestInputs::DrilledDisk());
+  FilterChecks::CaptureError(this->Filter, { "no array 'UV'", "cross field map" });
+}
