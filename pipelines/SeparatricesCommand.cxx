@@ -9,6 +9,8 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "ReportJson.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldMap.h"
 #include "vtkSeparatrices.h"
@@ -35,10 +37,12 @@ struct SeparatricesOptions : MeshOptions
   std::string faces;
   std::string map;
   std::string json;
+  std::string savedSingularities;
   bool capCorners = false;
 };
 
-std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices* separatrices)
+std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices* separatrices,
+  vtkDataSet* singularities)
 {
   const auto count = [lines](const char* name)
   { return static_cast<long long>(FieldValue(lines, name)); };
@@ -53,6 +57,7 @@ std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices
   report["misfit"] = FieldValue(map->GetOutput(), names::Misfit);
   report["seconds"] = { { "mesh", map->GetStageSeconds()[0] }, { "map", map->GetStageSeconds()[1] },
     { "trace", separatrices->GetStageSeconds() } };
+  ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(map->GetOutput()));
   return report.dump(2) + "\n";
 }
 
@@ -60,7 +65,7 @@ int Trace(const SeparatricesOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable({ { options.output, ".vtp" }, { options.faces, ".vtp" },
-    { options.map, ".vtu" }, { options.json, "" } });
+    { options.map, ".vtu" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
   const auto domain = DomainReader::Open(options.domain, options.size);
@@ -68,12 +73,10 @@ int Trace(const SeparatricesOptions& options)
   map->SetInputConnection(domain->GetOutputPort());
   map->SetMeshSize(options.size);
   map->SetCapCorners(options.capCorners);
-  if (!options.singularities.empty())
-  {
-    map->SetSingularitiesConnection(
-      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
-  }
-  DomainReader::ConnectCorners(map.Get(), options.corners);
+  SingularityInput singularities(options.singularities, domain, options.size, options.corners);
+  singularities.Update();
+  map->SetSingularitiesConnection(singularities.GetOutputPort());
+  singularities.ConnectCorners(map.Get());
   vtkNew<vtkSeparatrices> separatrices;
   separatrices->SetInputConnection(map->GetOutputPort());
   if (!options.seeds.empty())
@@ -91,15 +94,17 @@ int Trace(const SeparatricesOptions& options)
   OutputFile::WriteIfNamed(lines, options.output, outputs);
   OutputFile::WriteIfNamed(separatrices->GetOutput(1), options.faces, outputs);
   OutputFile::WriteIfNamed(map->GetOutput(), options.map, outputs);
-  if (options.json.empty())
+  singularities.Save(options.savedSingularities, outputs);
+  if (!options.json.empty())
   {
+    outputs.Write(WriteJson(lines, map, separatrices, singularities.GetOutput()), options.json);
+  }
+  else if (!outputs.PrintsData())
+  {
+    singularities.PrintChoice();
     std::cout << FieldValue(lines, names::Lines) << " lines, " << FieldValue(lines, names::Faces)
               << " faces, " << FieldValue(lines, names::Arcs) << " arcs, longest line "
               << FieldValue(lines, names::Longest) << "\n";
-  }
-  else
-  {
-    outputs.Write(WriteJson(lines, map, separatrices), options.json);
   }
   outputs.Commit();
   return Done;
@@ -115,9 +120,9 @@ void AddSeparatricesCommand(CLI::App& app, int& status)
     "Example: crossfield separatrices builtin:disk -s four.csv -o lines.vtp --json -");
   options->AddTo(*command);
   command->get_option("--singularities")
-    ->required(false)
     ->description("singularities inside and on the boundary: .csv with the header "
-                  "x,y,quarter_index; not needed where the corners suffice");
+                  "x,y,quarter_index, or .vtp, or - for standard input; left out: chosen for the "
+                  "domain");
   command->get_option("--output")->description("the .vtp file to write, with the lines");
   command->add_option("--faces", options->faces, "write the rectangles to this .vtp file");
   command->add_option(
@@ -127,6 +132,7 @@ void AddSeparatricesCommand(CLI::App& app, int& status)
   command->add_flag("--cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
   AddCornersTo(*command, options->corners);
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Trace(*options); });
 }

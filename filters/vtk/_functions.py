@@ -267,16 +267,19 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     >>> len(found.lines), len(found.faces)
     (2, 3)
     """
-    if size is not None and not size > 0:
-        raise Error("The size %s is not positive; give a length, or None." % size)
     pipeline = Pipeline()
+    data = as_domain(domain, size)
     flat = pipeline.add(vtkCrossFieldMap())
-    flat.SetInputData(as_domain(domain, size))
-    if singularities is not None:
+    flat.SetInputData(data)
+    flat.SetMeshSize(checked(size))
+    if singularities is None:
+        chosen = choose(pipeline, data, None, size, corners)
+        flat.SetSingularitiesData(chosen.data)
+        flat.SetCornersData(chosen.corners)
+    else:
         flat.SetSingularitiesData(as_configuration(singularities))
-    if corners is not None:
-        flat.SetCornersData(_corner_points(corners))
-    flat.SetMeshSize(size or 0.0)
+        if corners is not None:
+            flat.SetCornersData(corner_points(corners))
     flat.SetCapCorners(cap_corners)
     traced = pipeline.add(vtkSeparatrices())
     traced.SetInputConnection(flat.GetOutputPort())
