@@ -62,7 +62,7 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     this->Filter, [this] { this->Domain->SetDomainName("disk"); },
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckPrintSelf(this->Filter, { "MeshSize", "MaximumIterations", "Tolerance" });
+  FilterChecks::CheckPrintSelf(this->Filter, { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -96,7 +96,7 @@ TEST_F(SingularityOptimizer, MovesTheFourToTheRadiusOfTheTheory)
   }
 }
 
-TEST_F(SingularityOptimizer, ProposesToAnnihilate)
+TEST_F(SingularityOptimizer, SaysWhatHappened)
 {
   this->Domain->SetDomainName("l-shape");
   this->Filter->SetSingularitiesData(
@@ -104,13 +104,28 @@ TEST_F(SingularityOptimizer, ProposesToAnnihilate)
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
   EXPECT_TRUE(messages.errors.empty());
-  ASSERT_EQ(messages.warnings.size(), 1u);
-  EXPECT_EQ(this->Value("Converged"), 0.0);
+  EXPECT_TRUE(messages.warnings.empty());
+  EXPECT_EQ(this->Value("Converged"), 1.0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
   vtkDataArray* pairs = this->Filter->GetOutput()->GetFieldData()->GetArray("Annihilation");
   ASSERT_EQ(pairs->GetNumberOfTuples(), 1);
   EXPECT_EQ(pairs->GetComponent(0, 0), 0.0);
   EXPECT_EQ(pairs->GetComponent(0, 1), 1.0);
-  EXPECT_NE(this->Reason().find("of opposite sign have met"), std::string::npos);
+  auto* events = vtkStringArray::SafeDownCast(
+    this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("Events"));
+  ASSERT_TRUE(events);
+  ASSERT_EQ(events->GetNumberOfValues(), 1);
+  EXPECT_NE(events->GetValue(0).find("of opposite sign, met at"), std::string::npos);
+
+  this->Filter->KeepAllOn();
+  this->Filter->SetClearance(0.04);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
+  EXPECT_NEAR(std::hypot(this->Filter->GetOutput()->GetPoint(0)[0] -
+                  this->Filter->GetOutput()->GetPoint(1)[0],
+                this->Filter->GetOutput()->GetPoint(0)[1] -
+                  this->Filter->GetOutput()->GetPoint(1)[1]),
+    1.15 * 0.04, 0.1 * 0.04);
 }
 
 TEST_F(SingularityOptimizer, AnAbortKeepsTheBest)

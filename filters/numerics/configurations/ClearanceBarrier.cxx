@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 namespace crossfield
 {
 namespace
 {
+/// See the constructor.
+constexpr double Repelling = 0.1;
+
 /// b and its derivatives in d for κ = 1.
 struct Well
 {
@@ -33,16 +35,32 @@ Well EvaluateWell(double d, double distance)
   return { -rest * rest * logarithm, (2.0 * rest * logarithm - rest * rest / t) / distance,
     (-2.0 * logarithm + 4.0 * rest / t + rest * rest / (t * t)) / (distance * distance) };
 }
+
+/// Second derivatives of a distance.
+Eigen::Matrix2d Bend(const Point& normal, double d)
+{
+  return (Eigen::Matrix2d::Identity() - normal * normal.transpose()) / d;
 }
 
-ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration,
-  double distance, double strength)
+/// Second derivatives of a function of the difference of two places.
+void AddPair(
+  Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column, const Eigen::Matrix2d& block)
+{
+  matrix.block<2, 2>(row, row) += block;
+  matrix.block<2, 2>(column, column) += block;
+  matrix.block<2, 2>(row, column) -= block;
+  matrix.block<2, 2>(column, row) -= block;
+}
+}
+
+ClearanceBarrier::ClearanceBarrier(
+  const PlanarDomain& domain, const Configuration& configuration, double distance)
   : Distance(distance)
-  , Strength(strength)
 {
   for (const Singularity& singularity : configuration)
   {
-    this->Quarters.push_back(std::max(1.0, std::abs(static_cast<double>(singularity.quarterIndex))));
+    this->Quarters.push_back(
+      singularity.quarterIndex == 0 ? 1.0 : static_cast<double>(singularity.quarterIndex));
   }
   for (const Loop& loop : domain.loops)
   {
@@ -59,11 +77,12 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& places
   Value result;
   result.gradient = Eigen::VectorXd::Zero(places.size());
   result.hessian = Eigen::MatrixXd::Zero(places.size(), places.size());
+  result.bend = result.hessian;
   for (std::size_t i = 0; i < this->Quarters.size(); ++i)
   {
     const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
     const Point here = places.segment<2>(row);
-    const double own = this->Strength * this->Quarters[i];
+    const double own = this->Quarters[i];
     for (const Side& side : this->Sides)
     {
       const Point along = side.to - side.from;
@@ -73,11 +92,15 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& places
       if (d < 2.0 * this->Distance)
       {
         const Well well = EvaluateWell(d, this->Distance);
-        const double factor = own * this->Quarters[i] * side.weight;
+        const double factor = Repelling * own * own * side.weight;
         const Point normal = apart / d;
         result.energy += factor * well.value;
         result.gradient.segment<2>(row) += factor * well.first * normal;
         result.hessian.block<2, 2>(row, row) += factor * well.second * normal * normal.transpose();
+        if (t == 0.0 || t == 1.0)
+        {
+          result.bend.block<2, 2>(row, row) += factor * well.first * Bend(normal, d);
+        }
       }
     }
     for (std::size_t j = 0; j < i; ++j)
@@ -88,16 +111,14 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& places
       if (d < 2.0 * this->Distance)
       {
         const Well well = EvaluateWell(d, this->Distance);
-        const double factor = own * this->Quarters[j];
+        const double product = own * this->Quarters[j];
+        const double factor = product < 0.0 ? -product : Repelling * product;
         const Point normal = apart / d;
         result.energy += factor * well.value;
         result.gradient.segment<2>(row) += factor * well.first * normal;
         result.gradient.segment<2>(column) -= factor * well.first * normal;
-        const Eigen::Matrix2d block = factor * well.second * normal * normal.transpose();
-        result.hessian.block<2, 2>(row, row) += block;
-        result.hessian.block<2, 2>(column, column) += block;
-        result.hessian.block<2, 2>(row, column) -= block;
-        result.hessian.block<2, 2>(column, row) -= block;
+        AddPair(result.hessian, row, column, factor * well.second * normal * normal.transpose());
+        AddPair(result.bend, row, column, factor * well.first * Bend(normal, d));
       }
     }
   }

@@ -22,13 +22,15 @@ public:
     Eigen::VectorXd gradient;
     /// Σ b'' ∇d ∇dᵀ, the positive part of the second derivatives.
     Eigen::MatrixXd hessian;
+    /// Σ b' ∇∇d, the rest of the second derivatives, negative.
+    Eigen::MatrixXd bend;
   };
 
-  /// κ is `strength` times the product of the two quarter indices, or their square at the boundary.
-  /// Energies of singularities change by π times that on the way from 2δ to δ: a hundredth is felt
-  /// close to δ only, and W's own minima at 1.5 δ move by less than a hundredth of δ.
-  ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance,
-    double strength = 0.01);
+  /// κ is 1/10 of the product of the two quarter indices, or of their square at the boundary: forces of
+  /// singularities are about π/δ, so that minima of W at 1.5 δ move by 0.04 δ. Opposite signs attract and
+  /// have none there: κ is their product, which holds them at 1.1 δ and the iteration well conditioned.
+  ClearanceBarrier(
+    const PlanarDomain& domain, const Configuration& configuration, double distance);
 
   /// `places`: two coordinates per singularity, lengths in those of the domain.
   Value Evaluate(const Eigen::VectorXd& places) const;
@@ -43,8 +45,7 @@ private:
   };
 
   std::vector<Side> Sides;
-  std::vector<double> Quarters; ///< |k| of every singularity, at least 1.
+  std::vector<double> Quarters; ///< k of every singularity, 1 instead of 0.
   double Distance;
-  double Strength;
 };
 }

@@ -1,11 +1,13 @@
 #include "ConfigurationChange.h"
 
 #include "DomainQueries.h"
+#include "StageBoundary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace crossfield
 {
@@ -13,46 +15,15 @@ namespace
 {
 /// Nearer than this times the clearance is held by the barrier, whose slope begins at 2.
 constexpr double Held = 1.25;
-/// A corner within this times the clearance is where a held singularity wants to go.
-constexpr double CornerReach = 6.0;
+/// A corner within this times the clearance is where a held singularity goes, if it relieves it.
+constexpr double CornerReach = 20.0;
+/// How far it may go along the boundary otherwise.
+constexpr double VertexReach = 6.0;
 
 Point PlaceOf(const OptimizerPlace& here, std::size_t i)
 {
   return here.place.segment<2>(2 * static_cast<Eigen::Index>(i));
 }
-
-/// Coefficient of log(1/ρ) of a corner: s²/(2α), s the jump of the phase.
-double CornerCoefficient(const Corner& corner, int quarters)
-{
-  const double jump = 4.0 * (corner.Turning() - quarters * 0.5 * Pi);
-  return jump * jump / (2.0 * corner.angle);
-}
-
-/// The boundary vertices of a stage as corners, with the quarter index that each has.
-struct BoundaryVertices
-{
-  std::vector<Corner> vertices;
-  std::vector<int> quarters;
-
-  explicit BoundaryVertices(const OptimizerStage& stage)
-  {
-    const MeshTopology& topology = stage.potential->GetProblem().Topology();
-    const Alignment& alignment = stage.potential->GetProblem().alignment;
-    const std::vector<Loop> loops = topology.AlignedLoops();
-    for (std::size_t loop = 0; loop < loops.size(); ++loop)
-    {
-      for (std::size_t vertex = 0; vertex < loops[loop].size(); ++vertex)
-      {
-        const Corner corner = DescribeVertex(loops, loop, vertex);
-        const auto chosen = alignment.chosenQuarters.find(topology.VertexOf(corner));
-        this->vertices.push_back(corner);
-        this->quarters.push_back(chosen != alignment.chosenQuarters.end()
-            ? chosen->second
-            : SmallestRotationIndex(corner.Turning()));
-      }
-    }
-  }
-};
 
 std::string Capital(std::string sentence)
 {
@@ -60,15 +31,52 @@ std::string Capital(std::string sentence)
   return sentence;
 }
 
-/// Row of a singularity at a boundary vertex, or the number of rows.
-std::size_t RowAt(const OptimizerStage& stage, const Point& position)
+
+/// The corner nearby that a singularity relieves most, else the vertex nearby at which it costs least.
+std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
+  const OptimizerPlace& here, std::size_t i)
 {
-  const Configuration& all = stage.tracked.singularities;
-  const double reach = BoundaryReach * stage.objective->Unit();
-  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(),
-                                    [&](const Singularity& other)
-                                    { return (other.position - position).norm() <= reach; }) -
-    all.begin());
+  const int quarters = stage.placed.interior[i].quarterIndex;
+  const Point place = stage.objective->Unit() * PlaceOf(here, i);
+  const double clearance = stage.objective->Clearance() * stage.objective->Unit();
+  double relief = 0.0;
+  std::size_t target = 0;
+  std::vector<std::pair<double, std::size_t>> near; // by distance
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+  {
+    const Corner& corner = boundary.vertices[v];
+    const double distance = (corner.position - place).norm();
+    near.emplace_back(distance, v);
+    const double own = CornerCoefficient(corner, boundary.quarters[v]) + Pi * quarters * quarters -
+      CornerCoefficient(corner, boundary.quarters[v] + quarters);
+    if (distance <= CornerReach * clearance && own > relief)
+    {
+      relief = own;
+      target = v;
+    }
+  }
+  if (relief > 0.0)
+  {
+    return target;
+  }
+  constexpr std::size_t MostVertices = 16;
+  const std::size_t count = std::min(MostVertices, near.size());
+  std::partial_sort(
+    near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+  target = near.front().second;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 0; n < count && near[n].first <= VertexReach * clearance; ++n)
+  {
+    const std::size_t v = near[n].second;
+    const double energy = stage.CoreEnergyOf(
+      MovedToVertex(stage, stage.At(here.place), stage.placed.rows[i], boundary, v).singularities);
+    if (energy < least)
+    {
+      least = energy;
+      target = v;
+    }
+  }
+  return target;
 }
 }
 
@@ -140,29 +148,7 @@ std::optional<ConfigurationChange> FindPressed(
     const std::size_t row = stage.placed.rows[i];
     const int quarters = stage.placed.interior[i].quarterIndex;
     const Point place = stage.objective->Unit() * PlaceOf(here, i);
-    // The corner nearby that it relieves most, else the nearest vertex.
-    double best = 0.0;
-    double nearest = std::numeric_limits<double>::infinity();
-    std::size_t target = 0;
-    for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
-    {
-      const Corner& corner = boundary.vertices[v];
-      const double distance = (corner.position - place).norm();
-      const double relief = CornerCoefficient(corner, boundary.quarters[v]) + Pi * quarters * quarters -
-        CornerCoefficient(corner, boundary.quarters[v] + quarters);
-      const bool corners =
-        distance <= CornerReach * stage.objective->Clearance() * stage.objective->Unit();
-      if (corners && relief > best)
-      {
-        best = relief;
-        target = v;
-      }
-      else if (best == 0.0 && distance < nearest)
-      {
-        nearest = distance;
-        target = v;
-      }
-    }
+    const std::size_t target = FindTarget(stage, boundary, here, i);
     const Corner& corner = boundary.vertices[target];
     // Only where W falls on the way there.
     const Point pull = here.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
@@ -180,16 +166,8 @@ std::optional<ConfigurationChange> FindPressed(
       std::to_string(quarters) + ", was pressed against the boundary at " +
       Describe(corner.position) + " and became part of it: the quarter index there is now " +
       std::to_string(sum) + " instead of " + std::to_string(boundary.quarters[target]) + ".";
-    const std::size_t present = RowAt(stage, corner.position);
-    if (present < change.tracked.singularities.size())
-    {
-      change.tracked.singularities[present].quarterIndex = sum;
-      change.tracked.Erase(row);
-    }
-    else
-    {
-      change.tracked.singularities[row] = { corner.position, sum, 0.0 };
-    }
+    change.tracked.absorbed.insert(change.tracked.origins[row]);
+    change.tracked = MovedToVertex(stage, change.tracked, row, boundary, target);
     return change;
   }
   return std::nullopt;
@@ -247,5 +225,48 @@ std::optional<ConfigurationChange> FindLoose(
     }
   }
   return std::nullopt;
+}
+
+std::optional<ConfigurationChange> FindSlide(
+  const OptimizerStage& stage, const OptimizerPlace& here, const std::set<std::string>& refused)
+{
+  const TrackedConfiguration tracked = stage.At(here.place);
+  if (tracked.absorbed.empty())
+  {
+    return std::nullopt;
+  }
+  const BoundaryVertices boundary(stage);
+  const double reach = VertexReach * stage.objective->Clearance() * stage.objective->Unit();
+  double least = stage.CoreEnergyOf(tracked.singularities);
+  std::optional<ConfigurationChange> best;
+  for (std::size_t row = 0; row < tracked.singularities.size(); ++row)
+  {
+    const std::string key = "along " + std::to_string(tracked.origins[row]);
+    const Point& place = tracked.singularities[row].position;
+    const bool slides = tracked.absorbed.count(tracked.origins[row]) != 0 &&
+      refused.count(key) == 0 && boundary.IsSmooth(place);
+    for (std::size_t v = 0; slides && v < boundary.vertices.size(); ++v)
+    {
+      const Point& target = boundary.vertices[v].position;
+      if ((target - place).norm() > reach || !boundary.IsSmooth(target) ||
+        RowAt(stage, target) < tracked.singularities.size())
+      {
+        continue;
+      }
+      TrackedConfiguration moved = tracked;
+      moved.singularities[row].position = target;
+      const double energy = stage.CoreEnergyOf(moved.singularities);
+      if (energy < least)
+      {
+        least = energy;
+        best = ConfigurationChange();
+        best->tracked = moved;
+        best->key = key;
+        best->event = Capital(tracked.Name(row)) + " went on along the boundary to " +
+          Describe(target) + ".";
+      }
+    }
+  }
+  return best;
 }
 }

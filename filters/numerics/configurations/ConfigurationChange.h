@@ -34,6 +34,11 @@ std::optional<ConfigurationChange> FindPressed(
 std::optional<ConfigurationChange> FindLoose(
   const OptimizerStage& stage, const OptimizerPlace& here, const std::set<std::string>& refused);
 
+/// A singularity that was made part of the boundary at a vertex where it does not turn, moved to the
+/// vertex nearby that lowers the energy most.
+std::optional<ConfigurationChange> FindSlide(
+  const OptimizerStage& stage, const OptimizerPlace& here, const std::set<std::string>& refused);
+
 /// Numbers of the interior singularities that the barrier holds off the boundary.
 std::vector<std::size_t> HeldSingularities(const OptimizerStage& stage, const OptimizerPlace& here);
 }

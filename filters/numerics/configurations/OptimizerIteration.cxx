@@ -19,6 +19,24 @@ double LargestEntry(const Eigen::VectorXd& values)
   return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff();
 }
 
+/// A valley, as around the centre of a disk: derivatives below the first, times the diagonal, and so many
+/// steps that lower the energy by less than 1e-8 of it. Meshes change W by more.
+constexpr double ValleyGradient = 1e-2;
+constexpr std::size_t ValleySteps = 10;
+constexpr double ValleyGain = 1e-8;
+
+bool IsValley(const std::vector<OptimizerStep>& history, double tolerance)
+{
+  if (history.size() <= ValleySteps)
+  {
+    return false;
+  }
+  const OptimizerStep& now = history.back();
+  const OptimizerStep& before = history[history.size() - 1 - ValleySteps];
+  return now.gradientNorm <= ValleyGradient && now.holonomyDefect <= tolerance &&
+    std::abs(before.energy - now.energy) <= ValleyGain * (1.0 + std::abs(now.energy));
+}
+
 /// The combinations of defects that the singularities can change: orthonormal columns.
 Eigen::MatrixXd ReachableDefects(const Eigen::MatrixXd& gradient)
 {
@@ -46,6 +64,20 @@ struct QuadraticStep
   Eigen::VectorXd pull;       ///< Aᵀ of the multipliers, for the curvature, in all defects: U λ.
 };
 
+/// The factor of a matrix, with as much added to its diagonal as makes it positive definite.
+Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
+{
+  Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  double shift = 1e-3 * LargestEntry(matrix.diagonal());
+  while (factor.info() != Eigen::Success && std::isfinite(shift))
+  {
+    matrix.diagonal().array() += shift;
+    shift *= 4.0;
+    factor.compute(matrix);
+  }
+  return factor;
+}
+
 QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& here)
 {
   QuadraticStep result;
@@ -53,7 +85,7 @@ QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& h
   result.defects = result.reachable.transpose() * here.defects;
   const Eigen::MatrixXd rows = result.reachable.transpose() * here.defectGradient;
   const Eigen::VectorXd gradient = here.ObjectiveGradient();
-  const Eigen::LLT<Eigen::MatrixXd> factor(hessian + here.barrier.hessian);
+  const Eigen::LLT<Eigen::MatrixXd> factor = FactorShifted(hessian + here.barrier.hessian);
   const Eigen::VectorXd free = factor.solve(gradient);
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(rows.rows());
   if (rows.rows() > 0)
@@ -83,6 +115,25 @@ void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen:
   }
   hessian +=
     change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
+}
+
+/// The same by differences of the gradients: as many evaluations as there are coordinates.
+Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective, const OptimizerPlace& here,
+  const Eigen::VectorXd& multipliers)
+{
+  // Of the diagonal: far above rounding, far below any distance between singularities.
+  constexpr double Step = 1e-6;
+  Eigen::MatrixXd hessian(here.place.size(), here.place.size());
+  for (Eigen::Index i = 0; i < here.place.size(); ++i)
+  {
+    Eigen::VectorXd place = here.place;
+    place[i] += Step;
+    const OptimizerPlace next = objective.Evaluate(place);
+    hessian.col(i) = (next.gradient - here.gradient +
+                       (next.defectGradient - here.defectGradient).transpose() * multipliers) /
+      Step;
+  }
+  return 0.5 * (hessian + hessian.transpose()) + here.barrier.bend;
 }
 
 double LongestMove(const Eigen::VectorXd& step)
@@ -128,6 +179,7 @@ OptimizerEnd OptimizerIteration::Run(
 {
   double penalty = 0.0;
   bool fresh = false; // whether the curvature was just forgotten
+  int shortSteps = 0; // that followed each other
   for (;;)
   {
     if (this->Hessian.rows() != here.place.size())
@@ -151,7 +203,8 @@ OptimizerEnd OptimizerIteration::Run(
     {
       this->history.push_back(now);
     }
-    if (residual <= this->tolerance && defect <= this->tolerance)
+    if ((residual <= this->tolerance && defect <= this->tolerance) ||
+      IsValley(this->history, this->tolerance))
     {
       return OptimizerEnd::Rest;
     }
@@ -190,7 +243,8 @@ OptimizerEnd OptimizerIteration::Run(
     }
     const Eigen::VectorXd step = next.place - here.place;
     const Eigen::VectorXd change = next.gradient - here.gradient +
-      (next.defectGradient - here.defectGradient).transpose() * model.pull;
+      (next.defectGradient - here.defectGradient).transpose() * model.pull +
+      next.barrier.bend * step;
     if (fresh && step.dot(change) > 0.0)
     {
       this->Hessian = (change.squaredNorm() / step.dot(change)) *
@@ -201,6 +255,16 @@ OptimizerEnd OptimizerIteration::Run(
     here = next;
     this->Moved = LongestMove(step);
     ++this->iterations;
+    // Held by barriers that bend, updates may learn a curvature that is none: steps become short.
+    constexpr int MostShortSteps = 5;
+    constexpr double Short = 0.01; // of the clearance
+    constexpr Eigen::Index MostCoordinates = 60; // more would take longer than going on
+    shortSteps = this->Moved < Short * objective.Clearance() ? shortSteps + 1 : 0;
+    if (shortSteps == MostShortSteps && here.place.size() <= MostCoordinates)
+    {
+      this->Hessian = DifferenceHessian(objective, here, model.pull);
+      shortSteps = 0;
+    }
   }
 }
 }

@@ -21,7 +21,7 @@ struct OptimizerStep
 /// Why an iteration on one mesh ended.
 enum class OptimizerEnd
 {
-  Rest,    ///< All derivatives are below the tolerance.
+  Rest,    ///< All derivatives are below the tolerance, or steps gain nothing any more.
   Mesh,    ///< A singularity came nearer to the boundary than the mesh resolves.
   Change,  ///< The caller's wish; see OptimizerIteration::changes.
   Limit,   ///< The iterations are used up.
@@ -52,7 +52,9 @@ struct OptimizerIteration
   void Restart() { this->Hessian.resize(0, 0); }
 
 private:
-  Eigen::MatrixXd Hessian; ///< Of the Lagrangian without the barrier.
+  /// Of the Lagrangian without the positive part of the barrier: where that holds two against W the
+  /// curvature of both along their circle cancels.
+  Eigen::MatrixXd Hessian;
   double Moved = 0.0;
 };
 }

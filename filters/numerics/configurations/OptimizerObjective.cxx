@@ -71,6 +71,7 @@ ClearanceBarrier::Value OptimizerObjective::EvaluateBarrier(const Eigen::VectorX
   ClearanceBarrier::Value value = this->Barrier.Evaluate(this->Length * place);
   value.gradient *= this->Length;
   value.hessian *= this->Length * this->Length;
+  value.bend *= this->Length * this->Length;
   return value;
 }
 
@@ -107,6 +108,8 @@ double OptimizerObjective::LongestPart(
   const Eigen::VectorXd& place, const Eigen::VectorXd& step) const
 {
   constexpr double Least = 1e-9; // of no use
+  // In one step along a boundary, as far as the first step goes.
+  constexpr double Farthest = 0.05;
   double part = 1.0;
   for (std::size_t i = 0; i < this->Count(); ++i)
   {
@@ -121,15 +124,16 @@ double OptimizerObjective::LongestPart(
         const double clear =
           ClearWay(this->Domain, this->Length * from, way.normalized()) / this->Length;
         const Eigen::VectorXd next = place + part * step;
-        if (clear < part * way.norm() || this->BoundaryDistance(next, i) < 0.5 * room)
+        if (part * way.norm() > Farthest || clear < part * way.norm() ||
+          this->BoundaryDistance(next, i) < 0.5 * room)
         {
           return false;
         }
       }
       for (std::size_t j = 0; j < i; ++j)
       {
-        const Point apart = PlaceOf(place, j) - from;
-        if ((apart + part * (PlaceOf(step, j) - way)).norm() < 0.5 * apart.norm())
+        const double apart = (PlaceOf(place, j) - from).norm();
+        if (part * std::max(way.norm(), PlaceOf(step, j).norm()) > 0.5 * apart)
         {
           return false;
         }

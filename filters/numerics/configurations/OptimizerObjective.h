@@ -37,9 +37,9 @@ public:
 
   /// Distance of singularity i to the boundary, negative outside the domain, in units of the diagonal.
   double BoundaryDistance(const Eigen::VectorXd& place, std::size_t i) const;
-  /// The part of a step, at most 1 and a half of its half and so on, in which no singularity comes
-  /// nearer than half its distance to the boundary or to another one, where W may tend to infinity, or
-  /// leaves the domain on the way.
+  /// The part of a step, 1, 1/2, 1/4, …, in which no singularity comes nearer to the boundary than half
+  /// its distance, where W may tend to infinity, leaves the domain on the way, or goes farther than half
+  /// of the way to another one, or than both half of its distance to the boundary and 1/20 of the diagonal.
   double LongestPart(const Eigen::VectorXd& place, const Eigen::VectorXd& step) const;
   /// Whether an edge of the boundary next to a singularity is longer than its distance, below which the
   /// mesh does not see its image (docs/method.md §5.5).

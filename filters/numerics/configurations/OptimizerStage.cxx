@@ -3,10 +3,12 @@
 #include "BoundarySingularities.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
+#include "Error.h"
 #include "RenormalizedEnergy.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -46,8 +48,32 @@ double OptimizerStage::CoreEnergy(const OptimizerPlace& place) const
   {
     coefficient += 0.5 * corner.angle * corner.strength * corner.strength;
   }
-  return place.fullEnergy -
-    coefficient * std::log(this->objective->Clearance() * this->objective->Unit());
+  return place.fullEnergy - coefficient * std::log(CoreRadius(this->potential->GetDomain()));
+}
+
+double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
+{
+  try
+  {
+    const std::shared_ptr<const PotentialSolver>& solver = this->potential->GetProblem().potential;
+    const PlacedConfiguration other =
+      PlaceConfiguration(solver->GetTopology(), configuration, this->corners);
+    const PointPotential points(
+      solver, AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior)));
+    const RenormalizedEnergyValue value =
+      EvaluateRenormalizedEnergy(points, points.Solve(other.interior));
+    return value.energy -
+      value.logarithmCoefficient * std::log(CoreRadius(this->potential->GetDomain()));
+  }
+  catch (const Error&)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+}
+
+double CoreRadius(const PlanarDomain& domain)
+{
+  return domain.Diagonal() / 400.0;
 }
 
 OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration& tracked,
@@ -71,6 +97,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   const SharedTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
   OptimizerStage stage;
   stage.tracked = tracked;
+  stage.corners = options.corners;
   stage.placed = PlaceConfiguration(*topology, singularities, options.corners);
   Alignment alignment =
     AlignWithBoundary(*topology, stage.placed.corners, TotalQuarters(stage.placed.interior));

@@ -4,6 +4,9 @@
 #include "OptimizerObjective.h"
 #include "Progress.h"
 
+#include <set>
+#include <string>
+
 namespace crossfield
 {
 /// Singularities that remember which row of the start they were.
@@ -11,6 +14,7 @@ struct TrackedConfiguration
 {
   Configuration singularities;
   std::vector<int> origins; ///< Row of the start, counted from 0; −1: from the boundary.
+  std::set<int> absorbed;   ///< Origins of those that became singularities of the boundary.
 
   /// "singularity 3", counted from 1 in the order of the start.
   std::string Name(std::size_t row) const;
@@ -23,15 +27,23 @@ struct OptimizerStage
 {
   TrackedConfiguration tracked;
   PlacedConfiguration placed; ///< Of tracked.singularities.
+  std::vector<CornerChoice> corners; ///< As they were given.
   std::shared_ptr<const PointPotential> potential;
   std::shared_ptr<const OptimizerObjective> objective; ///< Of placed.interior.
 
   /// The singularities with the interior ones at a place of the objective.
   TrackedConfiguration At(const Eigen::VectorXd& place) const;
-  /// Energy E_ρ of a place, but for what vanishes with ρ = clearance: comparable whatever the
-  /// number of singularities.
+  /// Energy E_ρ of a place, but for what vanishes with ρ = 1/400 of the diagonal: comparable whatever
+  /// the number of singularities.
   double CoreEnergy(const OptimizerPlace& place) const;
+  /// The same of another configuration on this mesh, of which singularities on the boundary are at
+  /// vertices; infinite if it cannot exist. It costs no factorisation.
+  double CoreEnergyOf(const Configuration& configuration) const;
 };
+
+/// Radius of cores, and least distances where none is asked for: a tenth of the default mesh size;
+/// nearer to each other or to the boundary no mesh for a field would tell them apart.
+double CoreRadius(const PlanarDomain& domain);
 
 struct StageOptions
 {

@@ -45,14 +45,14 @@ public:
     this->Stages.meshSize = options.meshSize;
     this->Stages.corners = options.corners;
     this->Stages.clearance =
-      options.clearance > 0.0 ? options.clearance : domain.Diagonal() / 400.0;
+      options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
     this->Iteration.tolerance = options.tolerance;
     this->Iteration.maximumIterations = options.maximumIterations;
   }
 
   void Start(const Configuration& start, const Progress& progress)
   {
-    TrackedConfiguration tracked{ start, std::vector<int>(start.size()) };
+    TrackedConfiguration tracked{ start, std::vector<int>(start.size()), {} };
     std::iota(tracked.origins.begin(), tracked.origins.end(), 0);
     const double asked = this->Stages.clearance;
     this->Stages.clearance = ClearStart(this->Domain, asked, tracked.singularities);
@@ -143,9 +143,18 @@ private:
   bool Persists(const OptimizerPlace& place)
   {
     constexpr int Steps = 5;
+    constexpr double Still = 0.2; // of the clearance: one that glides along the boundary is not there yet
+    bool still = this->Last.size() == place.place.size();
+    for (const std::size_t i : HeldSingularities(this->Stage, place))
+    {
+      const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
+      still = still &&
+        (place.place - this->Last).segment<2>(row).norm() < Still * this->Stage.objective->Clearance();
+    }
+    this->Last = place.place;
     const bool wanted =
       FindMeeting(this->Stage, place) || FindPressed(this->Stage, place, this->Refused);
-    this->Wanted = wanted ? this->Wanted + 1 : 0;
+    this->Wanted = wanted && still ? this->Wanted + 1 : 0;
     return this->Wanted >= Steps;
   }
 
@@ -158,6 +167,9 @@ private:
       auto change = FindMeeting(this->Stage, this->Here);
       change = change ? change : FindPressed(this->Stage, this->Here, this->Refused);
       change = change ? change : FindLoose(this->Stage, this->Here, this->Refused);
+      change = change || this->Slides == MostSlides
+        ? change
+        : FindSlide(this->Stage, this->Here, this->Refused);
       if (!change)
       {
         return false;
@@ -166,6 +178,7 @@ private:
       {
         this->Say(change->event);
         this->Changed = true;
+        this->Slides += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
         if (change->meets)
         {
           this->Result.annihilations.push_back(change->pair);
@@ -259,6 +272,10 @@ private:
   OptimizerPlace Here;
   OptimizerIteration Iteration;
   std::set<std::string> Refused; ///< Changes that were tried in vain.
+  /// Moves along the boundary; each is a few clearances long, and a nose has no room for more.
+  static constexpr int MostSlides = 10;
+  int Slides = 0;
+  Eigen::VectorXd Last;          ///< Where the singularities were a step ago.
   int Wanted = 0;                ///< Steps for which a change has been wanted.
   bool Changed = false;
 };

@@ -52,7 +52,7 @@ struct OptimizerResult
 /// edges are long. A barrier keeps singularities at the clearance; one that is held there does not stop
 /// the others. Unless all are to be kept:
 /// - one that is pressed against the boundary becomes one of the boundary, at a corner or vertex next to
-///   it, and one on the boundary moves inside, where that lowers the energy E_ρ at ρ = clearance;
+///   it, and one on the boundary moves inside, where that lowers the energy E_ρ at ρ = 1/400 of the diagonal;
 /// - two of opposite sign that meet are taken out, or become one of their sum.
 /// A start nearer to the boundary than the clearance is moved off it.
 ///

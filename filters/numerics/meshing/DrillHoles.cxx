@@ -3,6 +3,7 @@
 #include "BoundarySingularities.h"
 #include "DomainQueries.h"
 #include "Error.h"
+#include "HoleRadii.h"
 #include "MemoryBudget.h"
 #include "MeshBudget.h"
 #include "PlanarMesher.h"
@@ -207,11 +208,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     MarkTriangles(domain, configuration, mesh);
     return mesh;
   }
-  Configuration holes = configuration;
-  for (Singularity& hole : holes)
-  {
-    hole.radius = hole.radius == 0.0 ? meshSize : hole.radius;
-  }
+  const Configuration holes = WithChosenRadii(domain, configuration, meshSize);
   CheckPlacement(domain, holes);
 
   PlanarDomain drilled = InsertBoundarySingularities(domain, configuration);

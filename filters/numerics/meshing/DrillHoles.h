@@ -38,8 +38,8 @@ struct DrillOptions
 double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain);
 
 /// Triangulates the domain without the disks |x − b_i| < ρ_i; each hole is a regular polygon with
-/// its vertices on the circle. A singularity without a radius gets the mesh size as radius. One on the
-/// boundary gets no hole but a vertex of the mesh (BoundarySingularities.h).
+/// its vertices on the circle. A singularity without a radius gets one that fits (HoleRadii.h). One on
+/// the boundary gets no hole but a vertex of the mesh (BoundarySingularities.h).
 ///
 /// Imprint: the same polygons are edges of the mesh, and the disks are kept. Triangle: the mesh is
 /// that of the domain alone, and the edges of the triangle that contains b_i are marked; radii mean

@@ -25,6 +25,10 @@ PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
       });
     if (atVertex)
     {
+      placed.corners.erase(std::remove_if(placed.corners.begin(), placed.corners.end(),
+                             [&](const CornerChoice& choice)
+                             { return (choice.position - singularity.position).norm() <= reach; }),
+        placed.corners.end());
       placed.corners.push_back({ singularity.position, singularity.quarterIndex });
     }
     else

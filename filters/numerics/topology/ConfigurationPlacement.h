@@ -16,7 +16,8 @@ struct PlacedConfiguration
 };
 
 /// Tells singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from those
-/// inside, and completes the corners; see SolveHField.
+/// inside, and completes the corners; see SolveHField. A singularity at a corner replaces a choice for it
+/// in `corners`: the optimiser makes such singularities.
 PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
   const Configuration& configuration, const std::vector<CornerChoice>& corners);
 }

@@ -216,31 +216,166 @@ TEST(SingularityOptimizer, OnAnLShapeWithRoundedCorners)
   ExpectConsistentGradient(domain, result.configuration, 0.02);
 }
 
-TEST(SingularityOptimizer, OppositeSignsThatMeetAreToBeAnnihilated)
+bool Says(const OptimizerResult& result, const std::string& words)
+{
+  return std::any_of(result.events.begin(), result.events.end(),
+    [&words](const std::string& event) { return event.find(words) != std::string::npos; });
+}
+
+TEST(SingularityOptimizer, OppositeSignsThatMeetAreTakenOut)
 {
   const PlanarDomain shape = Builtin("l-shape");
-  const OptimizerResult result =
-    Optimize(shape, { { { 0.3, 0.3 }, 1, 0.0 }, { { 0.7, 0.2 }, -1, 0.0 } }, 0.04);
-  EXPECT_FALSE(result.converged);
+  const Configuration pair = { { { 0.3, 0.3 }, 1, 0.0 }, { { 0.7, 0.2 }, -1, 0.0 } };
+  OptimizerOptions options;
+  options.meshSize = 0.04;
+  const OptimizerResult result = OptimizeSingularities(shape, pair, options);
+  EXPECT_TRUE(result.converged) << result.reason;
   ASSERT_EQ(result.annihilations.size(), 1u);
   EXPECT_EQ(result.annihilations[0][0], 0);
   EXPECT_EQ(result.annihilations[0][1], 1);
-  EXPECT_NE(result.reason.find("of opposite sign have met"), std::string::npos);
-  EXPECT_LT(result.energyAfter, result.energyBefore);
-  ExpectConsistentGradient(shape, { { { 0.3, 0.3 }, 1, 0.0 }, { { 0.7, 0.2 }, -1, 0.0 } }, 0.04);
+  EXPECT_TRUE(result.configuration.empty());
+  EXPECT_TRUE(Says(result, "Singularity 1 and singularity 2, of opposite sign, met at"));
+  ExpectConsistentGradient(shape, pair, 0.04);
+
+  // Kept, they stay at the clearance.
+  options.keepAll = true;
+  options.clearance = 0.02;
+  const OptimizerResult kept = OptimizeSingularities(shape, pair, options);
+  EXPECT_TRUE(kept.converged) << kept.reason;
+  ASSERT_EQ(kept.configuration.size(), 2u);
+  const double apart =
+    (kept.configuration[0].position - kept.configuration[1].position).norm();
+  EXPECT_GT(apart, 0.02);
+  EXPECT_LT(apart, 1.25 * 0.02);
+  EXPECT_LT(kept.energyAfter, kept.energyBefore);
 }
 
-TEST(SingularityOptimizer, ACornerThatLacksAQuarterDrawsASingularity)
+TEST(SingularityOptimizer, OppositeSignsOfOtherStrengthBecomeTheirSum)
 {
   OptimizerOptions options;
+  options.meshSize = 0.05;
+  const OptimizerResult result = OptimizeSingularities(Builtin("disk", 0.05),
+    { { { 0.5, 0.3 }, 2, 0.0 }, { { 0.55, 0.3 }, -1, 0.0 }, { { -0.6, 0.3 }, 1, 0.0 },
+      { { 0.5, -0.5 }, 1, 0.0 }, { { -0.5, -0.5 }, 1, 0.0 } },
+    options);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_TRUE(Says(result, "became one with quarter index 1"));
+  ASSERT_EQ(result.configuration.size(), 4u);
+  EXPECT_NEAR(result.energyAfter, -7.2962, 0.02); // of the four at (3/11)^(1/8)
+}
+
+TEST(SingularityOptimizer, ACornerThatLacksAQuarterTakesTheSingularity)
+{
+  // The corner of index 1 is given as 0, on the boundary.
+  const Configuration start = { { { 0.3, 0.3 }, 1, 0.0 }, { { 1.0, 0.0 }, 0, 0.0 } };
+  OptimizerOptions options;
   options.meshSize = 0.04;
-  options.corners = { { { 1.0, 0.0 }, 0 } };
+  const OptimizerResult result = OptimizeSingularities(Builtin("l-shape"), start, options);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_TRUE(Says(result, "Singularity 1, quarter index 1, was pressed against the boundary"));
+  ASSERT_EQ(result.configuration.size(), 1u);
+  EXPECT_EQ(result.configuration[0].position, Point(1.0, 0.0));
+  EXPECT_EQ(result.configuration[0].quarterIndex, 1);
+  EXPECT_NEAR(result.energyAfter, 0.0, 1e-9); // an L of straight sides has a constant cross
+
+  options.keepAll = true;
+  const OptimizerResult kept = OptimizeSingularities(Builtin("l-shape"), start, options);
+  EXPECT_TRUE(kept.converged) << kept.reason;
+  ASSERT_EQ(kept.configuration.size(), 2u);
+  const double clearance = Builtin("l-shape").Diagonal() / 400.0;
+  EXPECT_LT((kept.configuration[0].position - Point(1.0, 0.0)).norm(), 3.0 * clearance);
+  EXPECT_TRUE(Says(kept, "The clearance holds singularity 1"));
+  EXPECT_LT(kept.energyAfter, kept.energyBefore);
+}
+
+TEST(SingularityOptimizer, AQuarterThatACornerHasTooMuchMovesInside)
+{
+  // A disk with its four quarters in one point of the boundary.
+  const PlanarDomain disk = Builtin("disk", 0.05);
+  OptimizerOptions options;
+  options.meshSize = 0.05;
+  options.maximumIterations = 400;
   const OptimizerResult result =
-    OptimizeSingularities(Builtin("l-shape"), { { { 0.3, 0.3 }, 1, 0.0 } }, options);
-  EXPECT_FALSE(result.converged);
-  EXPECT_NE(result.reason.find("nearer to the boundary"), std::string::npos);
-  EXPECT_LT((result.configuration[0].position - Point(1.0, 0.0)).norm(), 0.2);
-  EXPECT_LT(result.energyAfter, result.energyBefore);
+    OptimizeSingularities(disk, { { disk.loops[0][0], 4, 0.0 } }, options);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_TRUE(Says(result, "sent a singularity of quarter index 1 inside"));
+  ASSERT_EQ(result.configuration.size(), 4u);
+  EXPECT_NEAR(result.energyAfter, -7.2962, 0.01);
+}
+
+TEST(SingularityOptimizer, OneAtItsClearanceDoesNotStopTheOthers)
+{
+  // Four on a disk want to be 0.15 away from the boundary.
+  OptimizerOptions options;
+  options.meshSize = 0.05;
+  options.clearance = 0.3;
+  const OptimizerResult result =
+    OptimizeSingularities(Builtin("disk", 0.05), OnCircle(4, 0.5, 0.3, 1, 0.0), options);
+  EXPECT_TRUE(result.converged) << result.reason;
+  ASSERT_EQ(result.configuration.size(), 4u);
+  for (const Singularity& singularity : result.configuration)
+  {
+    EXPECT_NEAR(singularity.position.norm(), 0.7, 0.01);
+  }
+  EXPECT_TRUE(Says(result, "The clearance holds singularity 4"));
+}
+
+TEST(SingularityOptimizer, AStartAtTheBoundaryIsMovedOffIt)
+{
+  OptimizerOptions options;
+  options.meshSize = 0.05;
+  Configuration start = OnCircle(4, 0.5, 0.3, 1, 0.0);
+  start[2].position = 0.998 * start[2].position.normalized();
+  const OptimizerResult result = OptimizeSingularities(Builtin("disk", 0.05), start, options);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_TRUE(Says(result, "Singularity 3 at"));
+  EXPECT_NEAR(result.energyAfter, -7.2962, 0.01);
+}
+
+TEST(SingularityOptimizer, GivenRadiiShrinkToFit)
+{
+  OptimizerOptions options;
+  options.meshSize = 0.05;
+  const OptimizerResult result =
+    OptimizeSingularities(Builtin("disk", 0.05), OnCircle(4, 0.5, 0.3, 1, 0.2), options);
+  EXPECT_TRUE(Says(result, "was shrunk from 0.2 to"));
+  for (const Singularity& singularity : result.configuration)
+  {
+    EXPECT_GT(singularity.radius, 0.04);
+    EXPECT_LT(singularity.radius, 0.06); // a third of 0.15
+  }
+  for (const Singularity& singularity :
+    OptimizeSingularities(Builtin("disk", 0.05), OnCircle(4, 0.5, 0.3, 1, 0.0), options)
+      .configuration)
+  {
+    EXPECT_EQ(singularity.radius, 0.0);
+  }
+}
+
+TEST(SingularityOptimizer, TheBarriersDerivativesAreThoseOfItsValues)
+{
+  const PlanarDomain square = Builtin("square");
+  const Configuration two = { { { 0.12, 0.13 }, 1, 0.0 }, { { 0.25, 0.16 }, -2, 0.0 } };
+  const ClearanceBarrier barrier(square, two, 0.1);
+  Eigen::VectorXd place(4);
+  place << 0.12, 0.13, 0.25, 0.16;
+  const ClearanceBarrier::Value here = barrier.Evaluate(place);
+  ASSERT_TRUE(std::isfinite(here.energy));
+  EXPECT_GT(here.energy, 0.0);
+  const double step = 1e-6;
+  for (Eigen::Index i = 0; i < 4; ++i)
+  {
+    Eigen::VectorXd moved = place;
+    moved[i] += step;
+    const double above = barrier.Evaluate(moved).energy;
+    moved[i] -= 2.0 * step;
+    EXPECT_NEAR(here.gradient[i], (above - barrier.Evaluate(moved).energy) / (2.0 * step),
+      1e-6 * here.gradient.norm());
+  }
+  place[0] = 0.09;
+  EXPECT_FALSE(std::isfinite(barrier.Evaluate(place).energy));
+  place << 0.5, 0.5, 0.25, 0.7;
+  EXPECT_EQ(barrier.Evaluate(place).energy, 0.0);
 }
 
 TEST(SingularityOptimizer, KeepsTheBestWhenAborted)
@@ -263,6 +398,22 @@ TEST(SingularityOptimizer, NothingToMoveIsAtRest)
   const OptimizerResult result = Optimize(Builtin("square"), {}, 0.1);
   EXPECT_TRUE(result.converged);
   EXPECT_EQ(result.iterations, 0);
+  EXPECT_NE(result.reason.find("No singularity lies inside"), std::string::npos);
+}
+
+TEST(SingularityOptimizer, ADefectThatNothingCanChangeIsSaid)
+{
+  // Two squares, the inner one turned by 0.2: no singularities, and a phase that does not fit.
+  Loop hole = RegularPolygon(4, 0.2, { 0.5, 0.5 });
+  for (Point& point : hole)
+  {
+    point = Similarity{ 0.25 * Pi + 0.2, 1.0, Point::Zero() }(Point(point - Point(0.5, 0.5))) +
+      Point(0.5, 0.5);
+  }
+  const PlanarDomain domain = MakePlanarDomain({ Builtin("square").loops[0], hole });
+  const OptimizerResult result = Optimize(domain, {}, 0.05);
+  EXPECT_TRUE(result.converged);
+  EXPECT_TRUE(Says(result, "A holonomy defect of 0.8"));
 }
 
 TEST(SingularityOptimizer, SingularitiesOnTheBoundaryStay)

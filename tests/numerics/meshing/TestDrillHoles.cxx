@@ -1,4 +1,5 @@
 #include "DrillHoles.h"
+#include "HoleRadii.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -225,9 +226,10 @@ TEST(DrillHoles, MeshSizeDefaultsToAFortiethOfTheDiagonal)
   DrillOptions options;
   options.meshSize = 0.3;
   EXPECT_EQ(ResolveMeshSize(options, square), 0.3);
-  // A singularity without a radius gets the mesh size.
+  // A singularity without a radius gets the mesh size, or a third of the distance to the boundary.
   const Configuration holes = { { { 0.5, 0.5 }, 1, 0.0 } };
-  const Drilled drilled{ square, { { { 0.5, 0.5 }, 1, 0.3 } }, options,
+  EXPECT_EQ(WithChosenRadii(square, holes, 0.1)[0].radius, 0.1);
+  const Drilled drilled{ square, { { { 0.5, 0.5 }, 1, 0.5 / 3.0 } }, options,
     DrillHoles(square, holes, options) };
   EXPECT_GE(PolygonCorners(drilled, 0), 32);
 }
