@@ -3,13 +3,19 @@
 #include "DrillHoles.h"
 #include "MeshBudget.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
+/// Radians; a smaller holonomy defect may come from the mesh , as in PoincareHopf.h.
+constexpr double NoticeableDefect = 1e-2;
+
 /// "6 singularities were chosen: 5 of quarter index 1, 1 of −1."
 std::string DescribeChoice(const Configuration& configuration)
 {
@@ -42,6 +48,52 @@ std::string DescribeOptimum(const OptimizerResult& optimum)
        << optimum.energyAfter << " in " << optimum.iterations << " steps. " << optimum.reason;
   return text.str();
 }
+
+double LargestDefect(const OptimizerResult& optimum)
+{
+  double largest = 0.0;
+  for (const double defect : optimum.holonomyDefect)
+  {
+    largest = std::max(largest, std::abs(defect));
+  }
+  return largest;
+}
+
+/// At rest, with a single-valued H.
+bool Arrived(const OptimizerResult& optimum)
+{
+  return optimum.converged && LargestDefect(optimum) < NoticeableDefect;
+}
+
+bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
+{
+  if (Arrived(one) != Arrived(other))
+  {
+    return Arrived(one);
+  }
+  return LargestDefect(one) < LargestDefect(other);
+}
+
+AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfiguration& start,
+  const AutomaticOptions& options, const Progress& progress)
+{
+  Configuration singularities = start.singularities;
+  for (std::size_t i = options.proposal.given.size(); i < singularities.size(); ++i)
+  {
+    singularities[i].radius = 0.0; // the place is not yet the last one, so its hole is not, either
+  }
+  OptimizerOptions optimizerOptions = options.optimizer;
+  optimizerOptions.corners = start.corners;
+  AutomaticConfiguration result;
+  result.optimum = OptimizeSingularities(domain, singularities, optimizerOptions, progress);
+  result.singularities = result.optimum.configuration;
+  result.corners = start.corners;
+  result.events = { DescribeChoice(result.singularities) + " Start: " + start.origin + "." };
+  result.events.insert(
+    result.events.end(), result.optimum.events.begin(), result.optimum.events.end());
+  result.events.push_back(DescribeOptimum(result.optimum));
+  return result;
+}
 }
 
 AutomaticConfiguration ChooseConfiguration(
@@ -52,20 +104,24 @@ AutomaticConfiguration ChooseConfiguration(
   drillOptions.meshSize = options.optimizer.meshSize;
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
 
-  Configuration proposal = ProposeConfiguration(domain, options.proposal, progress.Part(0.0, 0.2));
-  for (std::size_t i = options.proposal.given.size(); i < proposal.size(); ++i)
+  const std::vector<ProposedConfiguration> starts =
+    ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
+  AutomaticConfiguration best;
+  for (std::size_t i = 0; i < starts.size() && !Arrived(best.optimum); ++i)
   {
-    proposal[i].radius = 0.0; // the place is not yet the last one, so its hole is not, either
+    const double share = 0.6 / static_cast<double>(starts.size());
+    const double begin = 0.4 + share * static_cast<double>(i);
+    AutomaticConfiguration tried =
+      Optimize(domain, starts[i], options, progress.Part(begin, begin + share));
+    if (i == 0 || IsBetter(tried.optimum, best.optimum))
+    {
+      best = std::move(tried);
+    }
+    if (best.optimum.aborted)
+    {
+      break;
+    }
   }
-
-  OptimizerOptions optimizerOptions = options.optimizer;
-  optimizerOptions.corners = options.proposal.corners;
-  AutomaticConfiguration result;
-  result.optimum =
-    OptimizeSingularities(domain, proposal, optimizerOptions, progress.Part(0.2, 1.0));
-  result.singularities = result.optimum.configuration;
-  result.corners = options.proposal.corners;
-  result.events = { DescribeChoice(result.singularities), DescribeOptimum(result.optimum) };
-  return result;
+  return best;
 }
 }

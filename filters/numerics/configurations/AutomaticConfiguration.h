@@ -24,8 +24,9 @@ struct AutomaticConfiguration
 
 /// Chooses the singularities of a domain of which nothing else is known: proposes
 /// (ConfigurationProposal.h) and moves what is inside to where the renormalised energy is least
-/// (SingularityOptimizer.h). An optimiser that does not converge is no error: optimum.converged says
-/// so, and the last event why.
+/// (SingularityOptimizer.h). From the best proposal on, until one comes to rest without a holonomy
+/// defect; if none does, that with the least defect is taken, which is no error: optimum.converged
+/// says so, and the last event why.
 ///
 /// Throws Error as the two do.
 AutomaticConfiguration ChooseConfiguration(
