@@ -18,8 +18,8 @@
  *
  * Port 1, the singularities (points): in the plane of the domain, within 1/1000 of its size; z is
  * ignored if that plane is z = const. Point arrays `QuarterIndex` (any numeric type, integer values,
- * 1 component) and optionally `Radius` (1 component, a length; without it every hole has the mesh
- * size as radius).
+ * 1 component) and optionally `Radius` (1 component, a length; without it every hole has the
+ * mesh size as radius, or less to fit).
  *
  * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise, then a VTK_LINE cell for
  * every boundary edge, directed so that the domain is on its left. Cell arrays (int, 1 component):

@@ -2,6 +2,7 @@
 
 import json
 import math
+import pathlib
 import unittest
 
 from program import ProgramTest, write_configuration
@@ -12,6 +13,7 @@ ENERGY_KEYS = {"file", "energy", "energy_degree_only", "energy_lower_bound", "en
                "renormalized_energy", "consistent"}
 OPTIMIZE_KEYS = {"renormalized_energy_before", "renormalized_energy_after", "iterations",
                  "converged", "singularities"}
+PARTS = pathlib.Path(__file__).resolve().parents[1] / "data" / "parts"
 OPTIMUM = (3 / 11) ** 0.125
 FIVE = [(0.31, 0.42, 2, 0.05), (-0.52, 0.18, 1, 0.05), (-0.11, -0.61, 1, 0.05),
         (0.47, -0.33, 1, 0.05), (0.08, 0.05, -1, 0.05)]
@@ -162,14 +164,32 @@ class Optimize(EnergiesTest):
 
     def test_opposite_signs_that_meet(self):
         write_configuration(self.folder / "meet.csv", [(0.3, 0.3, 1, 0.02), (0.7, 0.2, -1, 0.02)])
-        report = self.report("optimize", "builtin:l-shape", "-s", "meet.csv", status=1)
+        report = self.report("optimize", "builtin:l-shape", "-s", "meet.csv")
         self.assertEqual(report["annihilation"], [[0, 1]])
-        self.assertIs(report["converged"], False)
-        self.assertIn("opposite sign", report["reason"])
+        self.assertIs(report["converged"], True)
+        self.assertEqual(report["singularities"], [])
+        self.assertIn("opposite sign", report["events"][0])
+        kept = self.report("optimize", "builtin:l-shape", "-s", "meet.csv", "--keep-all",
+                           "--clearance", "0.1")
+        places = [(point["x"], point["y"]) for point in kept["singularities"]]
+        self.assertAlmostEqual(math.dist(*places), 0.115, delta=0.01)
 
     def test_inner_loops_end_without_a_defect(self):
         report = self.report("optimize", "builtin:ring", "-s", "pair.csv")
         self.assertAlmostEqual(report["holonomy_defect"][0], 0, places=6)
+
+    def test_parts_arrive_and_stay(self):
+        for name in ("plate3", "bracket", "elbow", "tjunction", "naca_blunt"):
+            with self.subTest(name):
+                part = PARTS / f"{name}.vtp"
+                self.run_program("check", part, "--propose", "start.csv")
+                report = self.report("optimize", part, "-s", "start.csv", "-o", "better.csv")
+                self.assertIs(report["converged"], True)
+                again = self.report("optimize", part, "-s", "better.csv", "--keep-all")
+                self.assertIs(again["converged"], True)
+                self.assertLess(abs(again["renormalized_energy_after"]
+                                    - report["renormalized_energy_after"]),
+                                0.01 * (1 + abs(report["renormalized_energy_after"])))
 
     def test_refusals(self):
         self.refuse("optimize", "builtin:disk", "-s", "three.csv", "-o", "better.csv",

@@ -62,7 +62,8 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     this->Filter, [this] { this->Domain->SetDomainName("disk"); },
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckPrintSelf(this->Filter, { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll" });
+  FilterChecks::CheckPrintSelf(
+    this->Filter, { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -121,10 +122,10 @@ TEST_F(SingularityOptimizer, SaysWhatHappened)
   this->Filter->SetClearance(0.04);
   FilterChecks::UpdateWithoutError(this->Filter);
   ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
-  EXPECT_NEAR(std::hypot(this->Filter->GetOutput()->GetPoint(0)[0] -
-                  this->Filter->GetOutput()->GetPoint(1)[0],
-                this->Filter->GetOutput()->GetPoint(0)[1] -
-                  this->Filter->GetOutput()->GetPoint(1)[1]),
+  EXPECT_NEAR(
+    std::hypot(
+      this->Filter->GetOutput()->GetPoint(0)[0] - this->Filter->GetOutput()->GetPoint(1)[0],
+      this->Filter->GetOutput()->GetPoint(0)[1] - this->Filter->GetOutput()->GetPoint(1)[1]),
     1.15 * 0.04, 0.1 * 0.04);
 }
 

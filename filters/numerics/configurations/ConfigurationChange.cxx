@@ -31,7 +31,6 @@ std::string Capital(std::string sentence)
   return sentence;
 }
 
-
 /// The corner nearby that a singularity relieves most, else the vertex nearby at which it costs least.
 std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
   const OptimizerPlace& here, std::size_t i)
@@ -61,8 +60,7 @@ std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boun
   }
   constexpr std::size_t MostVertices = 16;
   const std::size_t count = std::min(MostVertices, near.size());
-  std::partial_sort(
-    near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
   target = near.front().second;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n < count && near[n].first <= VertexReach * clearance; ++n)
@@ -114,8 +112,7 @@ std::optional<ConfigurationChange> FindMeeting(
       change.tracked = stage.At(here.place);
       const std::size_t first = std::min(stage.placed.rows[i], stage.placed.rows[j]);
       const std::size_t second = std::max(stage.placed.rows[i], stage.placed.rows[j]);
-      const Point middle =
-        0.5 * stage.objective->Unit() * (PlaceOf(here, i) + PlaceOf(here, j));
+      const Point middle = 0.5 * stage.objective->Unit() * (PlaceOf(here, i) + PlaceOf(here, j));
       change.pair = { change.tracked.origins[first], change.tracked.origins[second] };
       change.event = Capital(change.tracked.Name(first)) + " and " + change.tracked.Name(second) +
         ", of opposite sign, met at " + Describe(middle) +
@@ -152,8 +149,7 @@ std::optional<ConfigurationChange> FindPressed(
     const Corner& corner = boundary.vertices[target];
     // Only where W falls on the way there.
     const Point pull = here.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
-    const std::string key =
-      "in " + std::to_string(row) + " " + Describe(corner.position);
+    const std::string key = "in " + std::to_string(row) + " " + Describe(corner.position);
     if (pull.dot(corner.position - place) > 0.0 || refused.count(key) != 0)
     {
       continue;
@@ -195,8 +191,7 @@ std::optional<ConfigurationChange> FindLoose(
     {
       const int left = boundary.quarters[v] - quarters;
       const std::string key = "out " + Describe(corner.position) + " " + std::to_string(quarters);
-      if (CornerCoefficient(corner, left) + Pi >=
-          CornerCoefficient(corner, boundary.quarters[v]) ||
+      if (CornerCoefficient(corner, left) + Pi >= CornerCoefficient(corner, boundary.quarters[v]) ||
         refused.count(key) != 0)
       {
         continue;
@@ -262,8 +257,8 @@ std::optional<ConfigurationChange> FindSlide(
         best = ConfigurationChange();
         best->tracked = moved;
         best->key = key;
-        best->event = Capital(tracked.Name(row)) + " went on along the boundary to " +
-          Describe(target) + ".";
+        best->event =
+          Capital(tracked.Name(row)) + " went on along the boundary to " + Describe(target) + ".";
       }
     }
   }

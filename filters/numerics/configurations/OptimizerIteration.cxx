@@ -257,7 +257,7 @@ OptimizerEnd OptimizerIteration::Run(
     ++this->iterations;
     // Held by barriers that bend, updates may learn a curvature that is none: steps become short.
     constexpr int MostShortSteps = 5;
-    constexpr double Short = 0.01; // of the clearance
+    constexpr double Short = 0.01;               // of the clearance
     constexpr Eigen::Index MostCoordinates = 60; // more would take longer than going on
     shortSteps = this->Moved < Short * objective.Clearance() ? shortSteps + 1 : 0;
     if (shortSteps == MostShortSteps && here.place.size() <= MostCoordinates)

@@ -21,11 +21,11 @@ struct OptimizerStep
 /// Why an iteration on one mesh ended.
 enum class OptimizerEnd
 {
-  Rest,    ///< All derivatives are below the tolerance, or steps gain nothing any more.
-  Mesh,    ///< A singularity came nearer to the boundary than the mesh resolves.
-  Change,  ///< The caller's wish; see OptimizerIteration::changes.
-  Limit,   ///< The iterations are used up.
-  Stuck,   ///< No step lowers the merit.
+  Rest,   ///< All derivatives are below the tolerance, or steps gain nothing any more.
+  Mesh,   ///< A singularity came nearer to the boundary than the mesh resolves.
+  Change, ///< The caller's wish; see OptimizerIteration::changes.
+  Limit,  ///< The iterations are used up.
+  Stuck,  ///< No step lowers the merit.
   Aborted
 };
 
@@ -46,7 +46,8 @@ struct OptimizerIteration
   bool watchesMesh = true;
 
   /// Moves `here` to where the iteration ends.
-  OptimizerEnd Run(const OptimizerObjective& objective, const Progress& progress, OptimizerPlace& here);
+  OptimizerEnd Run(
+    const OptimizerObjective& objective, const Progress& progress, OptimizerPlace& here);
 
   /// Forgets the curvature, when the singularities are other ones.
   void Restart() { this->Hessian.resize(0, 0); }

@@ -9,9 +9,9 @@ namespace crossfield
 /// domain's diagonal.
 struct OptimizerPlace
 {
-  Eigen::VectorXd place;   ///< Two coordinates per singularity.
-  double energy = 0.0;     ///< Single-valued W.
-  double fullEnergy = 0.0; ///< With the harmonic field of the defects.
+  Eigen::VectorXd place;    ///< Two coordinates per singularity.
+  double energy = 0.0;      ///< Single-valued W.
+  double fullEnergy = 0.0;  ///< With the harmonic field of the defects.
   Eigen::VectorXd gradient; ///< Of the single-valued W.
   ClearanceBarrier::Value barrier;
   Eigen::VectorXd defects;

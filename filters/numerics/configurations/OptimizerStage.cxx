@@ -58,8 +58,8 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
     const std::shared_ptr<const PotentialSolver>& solver = this->potential->GetProblem().potential;
     const PlacedConfiguration other =
       PlaceConfiguration(solver->GetTopology(), configuration, this->corners);
-    const PointPotential points(
-      solver, AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior)));
+    const PointPotential points(solver,
+      AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior)));
     const RenormalizedEnergyValue value =
       EvaluateRenormalizedEnergy(points, points.Solve(other.interior));
     return value.energy -

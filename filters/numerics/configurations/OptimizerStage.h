@@ -26,7 +26,7 @@ struct TrackedConfiguration
 struct OptimizerStage
 {
   TrackedConfiguration tracked;
-  PlacedConfiguration placed; ///< Of tracked.singularities.
+  PlacedConfiguration placed;        ///< Of tracked.singularities.
   std::vector<CornerChoice> corners; ///< As they were given.
   std::shared_ptr<const PointPotential> potential;
   std::shared_ptr<const OptimizerObjective> objective; ///< Of placed.interior.

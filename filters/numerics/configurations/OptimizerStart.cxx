@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace crossfield
 {
@@ -87,5 +88,13 @@ double ClearStart(const PlanarDomain& domain, double clearance, Configuration& c
     }
   }
   return std::min(clearance, 0.5 * least);
+}
+
+std::string Short(double value)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
 }
 }

@@ -3,6 +3,8 @@
 #include "PlanarDomain.h"
 #include "Singularity.h"
 
+#include <string>
+
 namespace crossfield
 {
 /// Moves singularities inside the domain off its boundary and off each other until all distances are
@@ -10,4 +12,7 @@ namespace crossfield
 /// asked for, or half of the least distance of the start where there is no room, as in a gap of two
 /// clearances; then nothing is moved. Those on the boundary, outside, or at one place stay.
 double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration);
+
+/// A number with four digits, for messages.
+std::string Short(double value);
 }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <utility>
 
 namespace crossfield
@@ -19,20 +18,11 @@ namespace
 /// Below this a defect may come from the mesh; radians.
 constexpr double NotableDefect = 0.01;
 
-std::string Number(double value)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
-}
-
 /// The optimiser between its meshes: the stage, the place on it, and what has happened.
 class OptimizerRun
 {
 public:
-  OptimizerRun(
-    const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result)
+  OptimizerRun(const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result)
     : Domain(domain)
     , KeepAll(options.keepAll)
     , Result(result)
@@ -44,8 +34,7 @@ public:
     }
     this->Stages.meshSize = options.meshSize;
     this->Stages.corners = options.corners;
-    this->Stages.clearance =
-      options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
+    this->Stages.clearance = options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
     this->Iteration.tolerance = options.tolerance;
     this->Iteration.maximumIterations = options.maximumIterations;
   }
@@ -58,8 +47,9 @@ public:
     this->Stages.clearance = ClearStart(this->Domain, asked, tracked.singularities);
     if (this->Stages.clearance < asked)
     {
-      this->Say("Two singularities, or one and the boundary, are too near each other for a clearance of " +
-        Number(asked) + "; it is " + Number(this->Stages.clearance) + " in this run.");
+      this->Say(
+        "Two singularities, or one and the boundary, are too near each other for a clearance of " +
+        Short(asked) + "; it is " + Short(this->Stages.clearance) + " in this run.");
     }
     for (std::size_t i = 0; i < start.size(); ++i)
     {
@@ -67,7 +57,7 @@ public:
       if (way > 0.0)
       {
         this->Say("Singularity " + std::to_string(i + 1) + " at " + Describe(start[i].position) +
-          " was moved by " + Number(way) + " to have the clearance at the start.");
+          " was moved by " + Short(way) + " to have the clearance at the start.");
       }
     }
     this->Begin(tracked, progress.Part(0.0, 0.2));
@@ -109,7 +99,7 @@ public:
     result.history = this->Iteration.history;
     result.converged = end == OptimizerEnd::Rest;
     result.aborted = end == OptimizerEnd::Aborted;
-    result.reason = this->Reason(end);
+    this->GiveReason(end);
     for (const std::size_t i : HeldSingularities(this->Stage, this->Here))
     {
       this->Say("The clearance holds " + last.Name(this->Stage.placed.rows[i]) + " at " +
@@ -118,14 +108,14 @@ public:
     }
     if (this->Iteration.unreachableDefect > NotableDefect)
     {
-      this->Say("A holonomy defect of " + Number(this->Iteration.unreachableDefect) +
+      this->Say("A holonomy defect of " + Short(this->Iteration.unreachableDefect) +
         " remains that no singularity inside can change; add two of opposite sign.");
     }
     if (!this->Changed &&
       result.energyAfter > result.energyBefore + 1e-6 * (1.0 + std::abs(result.energyBefore)))
     {
       this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
-        Number(result.energyAfter) + " instead of " + Number(result.energyBefore) + ".");
+        Short(result.energyAfter) + " instead of " + Short(result.energyBefore) + ".");
     }
     this->ShrinkRadii();
   }
@@ -143,13 +133,15 @@ private:
   bool Persists(const OptimizerPlace& place)
   {
     constexpr int Steps = 5;
-    constexpr double Still = 0.2; // of the clearance: one that glides along the boundary is not there yet
+    constexpr double Still =
+      0.2; // of the clearance: one that glides along the boundary is not there yet
     bool still = this->Last.size() == place.place.size();
     for (const std::size_t i : HeldSingularities(this->Stage, place))
     {
       const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
       still = still &&
-        (place.place - this->Last).segment<2>(row).norm() < Still * this->Stage.objective->Clearance();
+        (place.place - this->Last).segment<2>(row).norm() <
+          Still * this->Stage.objective->Clearance();
     }
     this->Last = place.place;
     const bool wanted =
@@ -227,22 +219,30 @@ private:
     return false;
   }
 
-  std::string Reason(OptimizerEnd end) const
+  void GiveReason(OptimizerEnd end)
   {
-    switch (end)
+    OptimizerResult& result = this->Result;
+    if (end == OptimizerEnd::Rest && this->Stage.objective->Count() == 0)
     {
-      case OptimizerEnd::Rest:
-        return this->Stage.objective->Count() == 0
-          ? "No singularity lies inside that could move."
-          : "The singularities are at a stationary point of the renormalised energy.";
-      case OptimizerEnd::Aborted:
-        return "The iteration was aborted; this is the best configuration so far.";
-      case OptimizerEnd::Limit:
-        return "The iteration stopped after " + std::to_string(this->Iteration.iterations) +
-          " steps before the singularities came to rest; allow more steps.";
-      default:
-        return "No step lowers the renormalised energy any more, though its derivatives are not "
-               "zero; choose a larger tolerance or a finer mesh.";
+      result.reason = "No singularity lies inside that could move.";
+    }
+    else if (end == OptimizerEnd::Rest)
+    {
+      result.reason = "The singularities are at a stationary point of the renormalised energy.";
+    }
+    else if (end == OptimizerEnd::Aborted)
+    {
+      result.reason = "The iteration was aborted; this is the best configuration so far.";
+    }
+    else if (end == OptimizerEnd::Limit)
+    {
+      result.reason = "The iteration stopped after " + std::to_string(result.iterations) +
+        " steps before the singularities came to rest; allow more steps.";
+    }
+    else
+    {
+      result.reason = "No step lowers the renormalised energy any more, though its derivatives are "
+                      "not zero; choose a larger tolerance or a finer mesh.";
     }
   }
 
@@ -258,8 +258,9 @@ private:
       if (given[i].radius > 0.75 * room && room > BoundaryReach * this->Domain.Diagonal())
       {
         all[i].radius = ChosenRadius(this->Domain, given, i, given[i].radius);
-        this->Say("The radius of singularity " + std::to_string(i + 1) + " of the result was shrunk from " +
-          Number(given[i].radius) + " to " + Number(all[i].radius) + " to fit.");
+        this->Say("The radius of singularity " + std::to_string(i + 1) +
+          " of the result was shrunk from " + Short(given[i].radius) + " to " +
+          Short(all[i].radius) + " to fit.");
       }
     }
   }
@@ -275,8 +276,8 @@ private:
   /// Moves along the boundary; each is a few clearances long, and a nose has no room for more.
   static constexpr int MostSlides = 10;
   int Slides = 0;
-  Eigen::VectorXd Last;          ///< Where the singularities were a step ago.
-  int Wanted = 0;                ///< Steps for which a change has been wanted.
+  Eigen::VectorXd Last; ///< Where the singularities were a step ago.
+  int Wanted = 0;       ///< Steps for which a change has been wanted.
   bool Changed = false;
 };
 }

@@ -44,9 +44,9 @@ std::size_t RowAt(const OptimizerStage& stage, const Point& position)
 {
   const Configuration& all = stage.tracked.singularities;
   const double reach = BoundaryReach * stage.objective->Unit();
-  return static_cast<std::size_t>(std::find_if(all.begin(), all.end(),
-                                    [&](const Singularity& other)
-                                    { return (other.position - position).norm() <= reach; }) -
+  return static_cast<std::size_t>(
+    std::find_if(all.begin(), all.end(),
+      [&](const Singularity& other) { return (other.position - position).norm() <= reach; }) -
     all.begin());
 }
 

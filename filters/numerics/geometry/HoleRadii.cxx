@@ -26,8 +26,8 @@ double NextSingularity(const Configuration& configuration, std::size_t row)
 
 double RoomOf(const PlanarDomain& domain, const Configuration& configuration, std::size_t row)
 {
-  return std::min(SignedDistance(configuration[row].position, domain),
-    0.5 * NextSingularity(configuration, row));
+  return std::min(
+    SignedDistance(configuration[row].position, domain), 0.5 * NextSingularity(configuration, row));
 }
 
 double ChosenRadius(

@@ -10,10 +10,10 @@ namespace crossfield
 double RoomOf(const PlanarDomain& domain, const Configuration& configuration, std::size_t row);
 
 /// The radius of a hole where none is given: at most the mesh size, at most a third of the distance to
-/// the boundary or to the next singularity, so that triangles fit in between (docs/method.md §3.8). Outside the
+/// the boundary or to the next singularity, so that triangles fit in between (docs/method.md §5.5). Outside the
 /// domain or on its boundary the mesh size, which drilling refuses by its name.
-double ChosenRadius(const PlanarDomain& domain, const Configuration& configuration, std::size_t row,
-  double meshSize);
+double ChosenRadius(
+  const PlanarDomain& domain, const Configuration& configuration, std::size_t row, double meshSize);
 
 /// The configuration with a radius wherever it has none; given ones are kept.
 Configuration WithChosenRadii(

@@ -4,6 +4,7 @@
 #include "PoincareHopf.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace crossfield
 {
@@ -11,9 +12,15 @@ PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
   const Configuration& configuration, const std::vector<CornerChoice>& corners)
 {
   PlacedConfiguration placed;
-  placed.corners = corners;
   const PlanarDomain domain{ topology.AlignedLoops() };
   const double reach = BoundaryReach * domain.Diagonal();
+  std::copy_if(corners.begin(), corners.end(), std::back_inserter(placed.corners),
+    [&](const CornerChoice& choice)
+    {
+      return std::none_of(configuration.begin(), configuration.end(),
+        [&](const Singularity& singularity)
+        { return (choice.position - singularity.position).norm() <= reach; });
+    });
   for (std::size_t row = 0; row < configuration.size(); ++row)
   {
     const Singularity& singularity = configuration[row];
@@ -25,10 +32,6 @@ PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
       });
     if (atVertex)
     {
-      placed.corners.erase(std::remove_if(placed.corners.begin(), placed.corners.end(),
-                             [&](const CornerChoice& choice)
-                             { return (choice.position - singularity.position).norm() <= reach; }),
-        placed.corners.end());
       placed.corners.push_back({ singularity.position, singularity.quarterIndex });
     }
     else

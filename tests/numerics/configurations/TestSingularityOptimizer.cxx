@@ -243,8 +243,7 @@ TEST(SingularityOptimizer, OppositeSignsThatMeetAreTakenOut)
   const OptimizerResult kept = OptimizeSingularities(shape, pair, options);
   EXPECT_TRUE(kept.converged) << kept.reason;
   ASSERT_EQ(kept.configuration.size(), 2u);
-  const double apart =
-    (kept.configuration[0].position - kept.configuration[1].position).norm();
+  const double apart = (kept.configuration[0].position - kept.configuration[1].position).norm();
   EXPECT_GT(apart, 0.02);
   EXPECT_LT(apart, 1.25 * 0.02);
   EXPECT_LT(kept.energyAfter, kept.energyBefore);
