@@ -112,7 +112,7 @@ public:
         " remains that no singularity inside can change; add two of opposite sign.");
     }
     if (!this->Changed &&
-      result.energyAfter > result.energyBefore + 1e-6 * (1.0 + std::abs(result.energyBefore)))
+      result.energyAfter > result.energyBefore + 1e-3 * (1.0 + std::abs(result.energyBefore)))
     {
       this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
         Short(result.energyAfter) + " instead of " + Short(result.energyBefore) + ".");
