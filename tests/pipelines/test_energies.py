@@ -157,9 +157,10 @@ class Optimize(EnergiesTest):
         self.assertEqual(lines[0], "x,y,quarter_index,radius")
         self.assertEqual([float(value) for value in lines[1].split(",")],
                          [*report["singularities"][0].values(), 0.05])
-        # The file is a start that is at rest.
+        # The file is a start that is at rest, but for its mesh, which is fine at other places.
         again = self.report("optimize", "builtin:disk", "-s", "better.csv")
-        self.assertLessEqual(again["iterations"], 1)
+        self.assertAlmostEqual(again["renormalized_energy_after"],
+                               report["renormalized_energy_after"], delta=0.01)
         self.assertIn("stationary", self.succeed("optimize", "builtin:disk", "-s", "better.csv"))
 
     def test_opposite_signs_that_meet(self):
