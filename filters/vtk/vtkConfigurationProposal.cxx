@@ -61,17 +61,18 @@ int vtkConfigurationProposal::RequestData(
         return;
       }
       automatic.optimizer.meshSize = this->MeshSize;
-      const crossfield::AutomaticConfiguration result =
+      const crossfield::AutomaticConfiguration choice =
         crossfield::ChooseConfiguration(input.domain, automatic, progress);
-      if (!result.optimum.converged && !result.optimum.aborted)
+      const crossfield::OptimizerResult& result = choice.optimum;
+      if (!result.converged && !result.aborted)
       {
-        vtkWarningMacro(<< result.optimum.reason);
+        vtkWarningMacro(<< result.reason);
       }
-      DomainConversion::WriteConfiguration(result.singularities, input.plane, output);
-      CornerConversion::WriteChoices(result.corners, input.plane, chosen);
-      EnergyConversion::WriteOptimizerReport(result.optimum, output);
-      EnergyConversion::WriteEvents(result.events, output);
-      if (result.optimum.aborted)
+      DomainConversion::WriteConfiguration(choice.singularities, input.plane, output);
+      CornerConversion::WriteChoices(choice.corners, input.plane, chosen);
+      EnergyConversion::WriteOptimizerReport(result, output);
+      EnergyConversion::WriteEvents(choice.events, output);
+      if (result.aborted)
       {
         FilterRun::KeepAbortedOutput(this, 0);
       }
