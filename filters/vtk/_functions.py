@@ -121,8 +121,8 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
         if epsilon is not None:
             raise Error("The option epsilon belongs to the method ginzburg-landau; leave it out.")
         solver = pipeline.add(vtkPerforatedCrossField())
-        if method == "unit-norm":
-            solver.SetMethodToUnitNorm()
+        if method == "constrained":
+            solver.SetMethodToConstrained()
         solver.SetUnitHoles(unit_holes)
         if singularities is None:
             chosen = choose(pipeline, data, None, size, corners)

@@ -30,14 +30,14 @@ from drawing import (draw_boundaries, draw_lines, draw_norm, draw_singularities,
 
 # Mode of the mesh and properties of the solver of every method.
 METHODS = {
-    "constrained": ("Perforate", {}),
+    "constrained": ("Perforate", {"Method": "Constrained"}),
     "unit-norm": ("Perforate", {"Method": "Unit Norm"}),
-    "unit-holes": ("Perforate", {"UnitHoles": 1}),
-    "global-constraint": ("Perforate", {"GlobalConstraint": 1}),
-    "imprint": ("Imprint", {}),
-    "imprint-unit": ("Imprint", {"UnitHoles": 1}),
-    "triangle": ("Triangle", {}),
-    "penalty": ("Perforate", {"Epsilon": None}),
+    "unit-holes": ("Perforate", {"Method": "Constrained", "UnitHoles": 1}),
+    "global-constraint": ("Perforate", {"Method": "Constrained", "GlobalConstraint": 1}),
+    "imprint": ("Imprint", {"Method": "Constrained"}),
+    "imprint-unit": ("Imprint", {"Method": "Constrained", "UnitHoles": 1}),
+    "triangle": ("Triangle", {"Method": "Constrained"}),
+    "penalty": ("Perforate", {"Method": "Constrained", "Epsilon": None}),
     "ginzburg-landau": (None, {"Epsilon": None}),
 }
 
