@@ -1,5 +1,5 @@
 /**
- * crossfield check DOMAIN [-s S.csv] [--propose F.csv]: which configurations can exist on a domain,
+ * crossfield check DOMAIN [-s S.csv] [--propose F.csv [--alternatives N]]: which configurations can exist on a domain,
  * by the generalised Poincaré-Hopf theorem, and why. Exit status 1 when the given one cannot.
  *
  *   crossfield check builtin:disk -s four.csv --json -
@@ -18,10 +18,15 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,8 +44,55 @@ struct CheckOptions
   std::string corners;
   std::string proposal;
   std::string json;
+  int alternatives = 0;
+  double coreRadius = 0.0;
   bool cancelFlat = false;
 };
+
+/** F_1.csv beside F.csv, for the first alternative. */
+std::string AlternativeFile(const std::string& proposal, int number)
+{
+  return proposal.substr(0, proposal.rfind('.')) + "_" + std::to_string(number) + ".csv";
+}
+
+/** The points of one alternative. */
+vtkSmartPointer<vtkPolyData> AlternativePoints(vtkConfigurationProposal* proposal, int number)
+{
+  auto* all = vtkPolyData::SafeDownCast(proposal->GetOutputDataObject(3));
+  vtkDataArray* numbers = all->GetPointData()->GetArray(names::Alternative);
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkIntArray> quarters;
+  quarters->SetName(names::QuarterIndex);
+  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  {
+    if (static_cast<int>(numbers->GetTuple1(i)) == number)
+    {
+      points->InsertNextPoint(all->GetPoint(i));
+      quarters->InsertNextValue(
+        static_cast<int>(all->GetPointData()->GetArray(names::QuarterIndex)->GetTuple1(i)));
+    }
+  }
+  result->SetPoints(points);
+  result->GetPointData()->AddArray(quarters);
+  return result;
+}
+
+void PrintAlternatives(vtkTable* table)
+{
+  std::cout << "alternative singularities logarithm_coefficient renormalized_energy "
+               "energy_at_core_radius holonomy_defect origin\n";
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (const char* name : { names::Alternative, names::Singularities, names::LogarithmCoefficient,
+           names::RenormalizedEnergy, names::EnergyAtCoreRadius, names::HolonomyDefect })
+    {
+      std::cout << table->GetValueByName(row, name).ToDouble() << " ";
+    }
+    std::cout << table->GetValueByName(row, names::Origin).ToString() << "\n";
+  }
+}
 
 void PrintSummary(vtkPoincareHopfCheck* check)
 {
@@ -112,6 +164,8 @@ int Check(const CheckOptions& options)
   if (!options.proposal.empty())
   {
     proposal->SetCancelFlatCorners(options.cancelFlat);
+    proposal->SetAlternatives(options.alternatives);
+    proposal->SetCoreRadius(options.coreRadius);
     PipelineRun::Update(proposal, "proposing");
     if (options.singularities.empty())
     {
@@ -126,6 +180,12 @@ int Check(const CheckOptions& options)
   {
     OutputFile::WriteConfiguration(proposal->GetOutput(),
       DomainReader::HasHeight(check->GetOutput()), options.proposal, outputs);
+    auto* table = vtkTable::SafeDownCast(proposal->GetOutputDataObject(2));
+    for (int i = 1; i < static_cast<int>(table->GetNumberOfRows()); ++i)
+    {
+      OutputFile::WriteConfiguration(AlternativePoints(proposal, i),
+        DomainReader::HasHeight(check->GetOutput()), AlternativeFile(options.proposal, i), outputs);
+    }
   }
   const std::string reason = vtkStringArray::SafeDownCast(
     check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))
@@ -135,6 +195,10 @@ int Check(const CheckOptions& options)
   {
     std::cout << reason << "\n";
     PrintSummary(check);
+    if (options.alternatives > 0)
+    {
+      PrintAlternatives(vtkTable::SafeDownCast(proposal->GetOutputDataObject(2)));
+    }
     const bool isField =
       check->GetOutput()->GetFieldData()->GetArray(names::UnwantedSingularities) != nullptr;
     if (options.corners.empty() && !isField)
@@ -170,8 +234,17 @@ void AddCheckCommand(CLI::App& app, int& status)
   command->add_option("-s,--singularities", options->singularities,
     "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; default: none");
   AddCornersTo(*command, options->corners);
-  command->add_option("--propose", options->proposal,
+  CLI::Option* proposing = command->add_option("--propose", options->proposal,
     "write a consistent configuration to this .csv file: that of -s with what it lacks");
+  command
+    ->add_option("--alternatives", options->alternatives,
+      "with --propose F.csv: write up to so many others, the best first, to F_1.csv, F_2.csv, …")
+    ->check(CLI::Range(0, 100))
+    ->needs(proposing);
+  command
+    ->add_option("--core-radius", options->coreRadius,
+      "radius of cores at which their energies are compared; default: 1/100 of the diagonal")
+    ->check(CLI::NonNegativeNumber);
   command->add_flag("--cancel-flat", options->cancelFlat,
     "propose pairs that cancel corners of 135 to 180 degrees");
   AddJsonTo(*command, options->json);

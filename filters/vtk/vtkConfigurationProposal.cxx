@@ -1,17 +1,23 @@
 #include "vtkConfigurationProposal.h"
 
 #include "AutomaticConfiguration.h"
+#include "ConfigurationEnergy.h"
+#include "ConfigurationProposal.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "ProposalConversion.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkConfigurationProposal);
 
@@ -19,7 +25,7 @@ vtkStandardNewMacro(vtkConfigurationProposal);
 vtkConfigurationProposal::vtkConfigurationProposal()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -29,9 +35,9 @@ int vtkConfigurationProposal::FillInputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-int vtkConfigurationProposal::FillOutputPortInformation(int, vtkInformation* info)
+int vtkConfigurationProposal::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, "vtkPolyData");
+  return FilterPorts::Give(info, port == 2 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------
@@ -55,9 +61,20 @@ int vtkConfigurationProposal::RequestData(
       vtkPolyData* chosen = vtkPolyData::GetData(outputVector, 1);
       if (!this->Automatic)
       {
-        DomainConversion::WriteConfiguration(
-          crossfield::ProposeConfiguration(input.domain, options, progress), input.plane, output);
-        CornerConversion::WriteChoices(options.corners, input.plane, chosen);
+        options.coreRadius = this->CoreRadius;
+        options.chooseCorners = this->Alternatives > 0;
+        options.variations = this->Alternatives > 0;
+        std::vector<crossfield::ProposedConfiguration> proposals =
+          crossfield::ProposeConfigurations(input.domain, options, progress);
+        const auto most = static_cast<std::size_t>(this->Alternatives) + 1;
+        proposals.resize(std::min(proposals.size(), most));
+        DomainConversion::WriteConfiguration(proposals[0].singularities, input.plane, output);
+        CornerConversion::WriteChoices(proposals[0].corners, input.plane, chosen);
+        ProposalConversion::WriteTable(proposals,
+          crossfield::ResolveCoreRadius(this->CoreRadius, input.domain),
+          vtkTable::GetData(outputVector, 2));
+        ProposalConversion::WritePoints(
+          proposals, input.plane, vtkPolyData::GetData(outputVector, 3));
         return;
       }
       automatic.optimizer.meshSize = this->MeshSize;
@@ -84,6 +101,8 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "Alternatives: " << this->Alternatives << "\n";
+  os << indent << "CoreRadius: " << this->CoreRadius << "\n";
   os << indent << "CancelFlatCorners: " << (this->CancelFlatCorners ? "on" : "off") << "\n";
   os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";

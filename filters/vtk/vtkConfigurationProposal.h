@@ -2,10 +2,11 @@
  * @class   vtkConfigurationProposal
  * @brief   propose a consistent starting configuration of singularities for a planar domain
  *
- * Places singularities of quarter index +1 or −1 so that the Poincaré-Hopf theorem holds: as many
- * as vtkPoincareHopfCheck finds missing. Each is moved in turn to where the largest disk fits
- * between the boundary and the disks of the others, on a grid of 1/64 of the domain's size; the
- * result is spread, not optimal. With Automatic the singularities are then moved to where the
+ * Places singularities so that the Poincaré-Hopf theorem holds. Tried are what a coarse Ginzburg-Landau
+ * field shows, corrected to the sum that vtkPoincareHopfCheck asks for, the same without pairs of opposite
+ * signs, and places spread over the domain; each takes a few steps of vtkSingularityOptimizer, and the
+ * least energy at the core radius wins. With singularities given, or flat corners to cancel, nothing is
+ * moved. The result is a start, not optimal. With Automatic the singularities are then moved to where the
  * renormalised energy is least, as by vtkSingularityOptimizer: nothing else has to be known of them.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
@@ -16,9 +17,16 @@
  * Output port 0 (vtkPolyData): vertices, first those of port 1, then those that cancel flat corners,
  * then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance at
  * which the hole would meet the boundary or another one, at most 1/40 of the domain's diagonal; of
- * port 1 as given, 0 if not. With Automatic there is `Radius` only where port 1 gives it, and the field
- * data of vtkSingularityOptimizer and `Events` (strings: one sentence for each thing that was decided).
+ * port 1 as given, and none elsewhere if one of port 1 has none. With Automatic there is `Radius` only
+ * where port 1 gives it, and the field data of vtkSingularityOptimizer and `Events` (strings: one sentence
+ * for each thing that was decided).
  * Output port 1 (vtkPolyData): the corners of which a quarter index is chosen, with `QuarterIndex`.
+ * Output port 2 (vtkTable): the proposal and the Alternatives, the best first, with `Alternative` (int),
+ * `Origin` (text), `Singularities` (int), `LogarithmCoefficient`, `RenormalizedEnergy`, `CoreRadius`,
+ * `EnergyAtCoreRadius`, which alone compares them, and `HolonomyDefect` (largest, radians).
+ * Without Automatic only.
+ * Output port 3 (vtkPolyData): the points of all of them, with `Alternative` and `QuarterIndex`; corners
+ * with another index than the smallest rotation are points, too.
  *
  * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
  * refuses; a singularity of port 1 outside of it; arrays that are missing or not integer; a corner
@@ -76,11 +84,29 @@ public:
 
   ///@{
   /**
+   * How many alternatives there are besides: other starts, other quarter indices of corners, one of ±2
+   * instead of two of ±1, a pair more. Default: 0. Range: 0 to 100.
+   */
+  vtkSetClampMacro(Alternatives, int, 0, 100);
+  vtkGetMacro(Alternatives, int);
+  ///@}
+
+  ///@{
+  /**
    * Target edge length of the mesh of the optimiser; 0: 1/40 of the diagonal of the bounding box.
    * Default: 0. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the bounding
+   * box. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(CoreRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(CoreRadius, double);
   ///@}
 
 protected:
@@ -99,6 +125,8 @@ private:
   bool CancelFlatCorners = false;
   bool Automatic = false;
   double MeshSize = 0.0;
+  int Alternatives = 0;
+  double CoreRadius = 0.0;
 };
 
 #endif

@@ -42,6 +42,10 @@ constexpr const char* HolonomyDefect = "HolonomyDefect";
 constexpr const char* H = "H";
 constexpr const char* SizeMap = "SizeMap";
 constexpr const char* RenormalizedEnergy = "RenormalizedEnergy";
+// Table and points of alternatives: vtkConfigurationProposal.
+constexpr const char* Alternative = "Alternative";
+constexpr const char* Origin = "Origin";
+constexpr const char* Singularities = "Singularities";
 constexpr const char* CoreRadius = "CoreRadius";
 constexpr const char* EnergyAtCoreRadius = "EnergyAtCoreRadius";
 constexpr const char* PointSingularities = "PointSingularities";

@@ -125,6 +125,29 @@ class Check(TopologyTest):
         self.assertEqual(len(lines), 3)
         self.check("builtin:disk", "-s", "more.csv")
 
+    def test_given_rows_without_radius_stay_without(self):
+        (self.folder / "one.csv").write_text("x,y,quarter_index\n0.25,0.5,3\n")
+        self.check("builtin:disk", "-s", "one.csv", "--propose", "more.csv", status=1)
+        lines = (self.folder / "more.csv").read_text().splitlines()
+        self.assertEqual(lines[:2], ["x,y,quarter_index", "0.25,0.5,3"])
+        self.check("builtin:disk", "-s", "more.csv")
+
+    def test_alternatives_are_consistent_and_compared(self):
+        text = self.run_program("check", "builtin:hexagonal", "--propose", "start.csv",
+                                "--alternatives", "4").stdout.splitlines()
+        head = next(i for i, line in enumerate(text) if line.startswith("alternative "))
+        rows = []
+        for line in text[head + 1:]:
+            if not re.match(r"\d", line):
+                break
+            rows.append(line.split())
+        self.assertGreaterEqual(len(rows), 3)
+        energies = [float(row[4]) for row in rows]
+        self.assertEqual(energies[1:], sorted(energies[1:]))
+        for i in range(len(rows)):
+            name = f"start_{i}.csv" if i else "start.csv"
+            self.check("builtin:hexagonal", "-s", name)
+
     def test_flat_angles_of_the_paper(self):
         def signs(name):
             self.check(f"builtin:{name}", "--propose", "pairs.csv", "--cancel-flat")

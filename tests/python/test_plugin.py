@@ -25,7 +25,8 @@ PROXIES = {
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
     "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
     "ConfigurationProposal": (
-        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners"),
+        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners Alternatives "
+        "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
@@ -35,7 +36,7 @@ PROXIES = {
     "HField": ("filters", "Input Singularities Corners MeshSize"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
-    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize"),
+    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius"),
     "SingularityOptimizer": (
         "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),

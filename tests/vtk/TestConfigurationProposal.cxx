@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -117,6 +119,34 @@ TEST_F(ConfigurationProposalFilter, ChosenCornersGoOn)
     auto* corners = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1));
     ASSERT_EQ(corners->GetNumberOfPoints(), 1);
     EXPECT_EQ(corners->GetPointData()->GetArray("QuarterIndex")->GetTuple1(0), 1.0);
+  }
+}
+
+TEST_F(ConfigurationProposalFilter, ListsAlternatives)
+{
+  FilterChecks::UpdateWithoutError(this->Filter);
+  auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(2));
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  this->Filter->SetAlternatives(3);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(2));
+  ASSERT_GT(table->GetNumberOfRows(), 1);
+  auto* points = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(3));
+  vtkDataArray* numbers = points->GetPointData()->GetArray("Alternative");
+  vtkDataArray* quarters = points->GetPointData()->GetArray("QuarterIndex");
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const double radius = table->GetValueByName(row, "CoreRadius").ToDouble();
+    EXPECT_NEAR(table->GetValueByName(row, "EnergyAtCoreRadius").ToDouble(),
+      table->GetValueByName(row, "RenormalizedEnergy").ToDouble() -
+        table->GetValueByName(row, "LogarithmCoefficient").ToDouble() * std::log(radius),
+      1e-9);
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      sum += numbers->GetTuple1(i) == static_cast<double>(row) ? quarters->GetTuple1(i) : 0.0;
+    }
+    EXPECT_EQ(sum, 4.0) << "on the disk";
   }
 }
 

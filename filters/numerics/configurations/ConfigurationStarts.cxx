@@ -69,6 +69,7 @@ public:
     proposal.singularities = SpreadConfiguration(this->Domain, spread);
     proposal.corners = corners;
     proposal.origin = origin;
+    proposal.variation = corners.size() > this->Options.corners.size();
     this->Starts.push_back(proposal);
     if (TooFewForHolonomy(this->Domain, proposal.singularities))
     {

@@ -25,7 +25,7 @@ struct ProposedConfiguration
   /// The corners that count otherwise than by the smallest rotation.
   std::vector<CornerChoice> corners;
   std::string origin;        ///< Where it comes from, a few words.
-  bool variation = false;    ///< See ProposalOptions::variations.
+  bool variation = false;    ///< Of the corners, or one of ProposalOptions::variations.
   double renormalized = 0.0; ///< W.
   double logarithmCoefficient = 0.0;
   /// W + coefficient × log(1 / core radius): comparable between configurations of different Σ k².

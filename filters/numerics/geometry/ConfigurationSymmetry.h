@@ -17,6 +17,9 @@ struct ConfigurationSymmetry
   /// Projects places to the symmetric ones: every one becomes the mean of what the elements bring to it.
   /// The result is symmetric to rounding.
   void Project(Configuration& configuration) const;
+  /// The derivative of that: projects directions, two coordinates for each row. It is an orthogonal
+  /// projection, so it takes the gradient of a function of places to that of the function of projected ones.
+  Eigen::VectorXd ProjectDirections(const Eigen::VectorXd& directions) const;
 };
 
 /// The largest subgroup under which places are moved by at most a distance when they are projected.

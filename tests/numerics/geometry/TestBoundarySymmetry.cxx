@@ -112,6 +112,23 @@ TEST(ConfigurationSymmetry, ProjectsToTheLargestSubgroupThatFits)
   {
     EXPECT_LT((places[i].position - before[i].position).norm(), 0.05);
   }
+  // The projection of directions is its derivative, and orthogonal.
+  Eigen::VectorXd way = Eigen::VectorXd::Random(8);
+  Configuration moved = places;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    moved[i].position += way.segment<2>(2 * static_cast<Eigen::Index>(i));
+  }
+  symmetry.Project(moved);
+  const Eigen::VectorXd projected = symmetry.ProjectDirections(way);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_LT((moved[i].position - places[i].position -
+                projected.segment<2>(2 * static_cast<Eigen::Index>(i)))
+                .norm(),
+      1e-14);
+  }
+  EXPECT_NEAR(projected.dot(way), projected.squaredNorm(), 1e-14);
   // Another index at one place leaves the reflection through it, and only that.
   Configuration odd = OnCircle(4, 0.85, 0.0, 1, 0.0);
   odd[0].quarterIndex = -1;
