@@ -126,6 +126,9 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   };
   std::stable_sort(proposals.begin(), proposals.end(),
     [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  // The others, whatever they are, by their energy alone.
+  std::stable_sort(proposals.begin() + 1, proposals.end(),
+    [](const auto& a, const auto& b) { return a.energy < b.energy; });
   std::vector<ProposedConfiguration> distinct;
   for (ProposedConfiguration& proposal : proposals)
   {

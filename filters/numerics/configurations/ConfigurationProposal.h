@@ -9,7 +9,8 @@ namespace crossfield
 /// field shows (FieldConfiguration.h), the same without pairs of opposite signs, and one that is spread
 /// (ConfigurationSpread.h); each after a few steps of the optimiser, and sorted by the energy at the core
 /// radius. Those with too few singularities for the inner loops (TooFewForHolonomy) come with pairs as
-/// well, and last if a defect stays. Variations follow, sorted likewise. Equal ones are given once.
+/// well, and are not the first if a defect stays, nor are variations. All but the first are sorted by the
+/// energy alone. Equal ones are given once.
 ///
 /// Where a domain has symmetries (BoundarySymmetry.h), places that are about symmetric are so to rounding.
 ///
