@@ -24,6 +24,7 @@ OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration
   OptimizerOptions options;
   options.corners = proposal.corners;
   options.maximumIterations = steps;
+  options.keepAll = true; // what it was proposed as is what is ranked
   OptimizerResult result = OptimizeSingularities(domain, proposal.singularities, options, progress);
   if (result.aborted)
   {

@@ -84,10 +84,15 @@ std::optional<ConfigurationSymmetry> Match(
   // The images of a group action: otherwise the mean is not symmetric.
   Configuration again = projected;
   symmetry.Project(again);
+  double rounding = 1e-9 * distance;
+  for (const Singularity& singularity : configuration)
+  {
+    rounding = std::max(rounding, 1e-14 * (singularity.position.norm() + group.centre.norm()));
+  }
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     const double moved = (projected[i].position - configuration[i].position).norm();
-    if (moved > distance || (again[i].position - projected[i].position).norm() > 1e-9 * distance)
+    if (moved > distance || (again[i].position - projected[i].position).norm() > rounding)
     {
       return std::nullopt;
     }
