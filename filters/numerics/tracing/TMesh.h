@@ -29,6 +29,16 @@ struct THalfEdge
   int face = -1; ///< −1 outside of the domain.
 };
 
+/// The part of an arc in the chart of one triangle.
+struct ChartPiece
+{
+  int triangle = 0;
+  int direction = 0; ///< Along half-edge 2a, i^direction in the chart.
+  Point from = Point::Zero();
+  Point to = Point::Zero();
+  int position = -1; ///< Of boundary ones, the entry of mesh.boundary.
+};
+
 /// A straight way between two nodes. Half-edges 2a and 2a + 1 are its two directions.
 struct TArc
 {
@@ -36,6 +46,7 @@ struct TArc
   bool onBoundary = false;
   int line = -1; ///< Of interior ones, in TraceGraph::lines; the first of two that met head-on.
   int loop = -1; ///< Of boundary ones, the loop in MeshTopology::loops.
+  std::vector<ChartPiece> pieces; ///< In the map, along half-edge 2a; never empty.
   std::vector<Point> polyline; ///< In the plane, along half-edge 2a, ends included.
 };
 

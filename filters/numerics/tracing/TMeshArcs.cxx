@@ -220,6 +220,50 @@ private:
     return points;
   }
 
+  /// The part of a line between two lengths, by triangles.
+  static void AddPieces(
+    const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces)
+  {
+    for (const LineSegment& segment : line.segments)
+    {
+      const double a = std::max(from, segment.entryLength);
+      const double b = std::min(to, segment.exitLength);
+      if (b > a)
+      {
+        pieces.push_back({ segment.triangle, segment.direction, segment.At(a), segment.At(b) });
+      }
+    }
+  }
+
+  /// The pieces of an arc on a line, or on two that met head-on.
+  void LayPieces(const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces) const
+  {
+    AddPieces(line, from, std::min(to, line.length), pieces);
+    if (line.end == LineEnd::HeadOn)
+    {
+      const TracedLine& other = this->Lines[Index(line.other)];
+      std::vector<ChartPiece> rest;
+      AddPieces(other, line.headOnLength - to, std::min(line.headOnLength - from, other.length), rest);
+      std::reverse(rest.begin(), rest.end());
+      for (ChartPiece& piece : rest)
+      {
+        std::swap(piece.from, piece.to);
+        piece.direction = (piece.direction + 2) % 4;
+      }
+      pieces.insert(pieces.end(), rest.begin(), rest.end());
+    }
+    if (pieces.empty())
+    {
+      // An arc without length: the place of its nodes.
+      const LineSegment* at = &line.segments.front();
+      for (const LineSegment& segment : line.segments)
+      {
+        at = segment.entryLength <= from ? &segment : at;
+      }
+      pieces.push_back({ at->triangle, at->direction, at->At(from), at->At(from) });
+    }
+  }
+
   /// The nodes on a line, or on two that met head-on, from start to end; none of the second of those.
   std::vector<Stop> StopsOn(std::size_t i) const
   {
@@ -286,6 +330,7 @@ private:
         continue; // between two that were joined
       }
       arc.length = std::max(0.0, stops[j + 1].at - stops[j].at);
+      this->LayPieces(line, stops[j].at, stops[j + 1].at, arc.pieces);
       arc.polyline = { this->Mesh.nodes[Index(stops[j].node)].place };
       const auto add = [&arc](const std::vector<Point>& points)
       { arc.polyline.insert(arc.polyline.end(), points.begin(), points.end()); };
@@ -310,6 +355,32 @@ private:
     const auto found = std::find_if(stops.begin() + 1, stops.end(),
       [](const Stop& stop) { return stop.forward == 0 && stop.backward % 2 == 1; });
     return found == stops.end() ? -1 : found->node;
+  }
+
+  /// The part of a loop between two lengths, by edges; the second may be beyond the loop's start.
+  void LayBoundaryPieces(
+    int loop, double loopLength, double from, double to, std::vector<ChartPiece>& pieces)
+  {
+    for (const double turn : { 0.0, loopLength })
+    {
+      double at = turn;
+      for (const int vertex : this->Topology.alignedVertices[Index(loop)])
+      {
+        const int position = this->PositionAt(vertex);
+        const auto [triangle, side] = this->SideOf(position);
+        const Point& start = this->Map.At(triangle, side);
+        const Point edge = this->Map.At(triangle, (side + 1) % 3) - start;
+        const double length = edge.norm();
+        const double a = std::max(from, at) - at;
+        const double b = std::min(to, at + length) - at;
+        if (b > a || (pieces.empty() && b == a && to == from))
+        {
+          pieces.push_back({ triangle, this->Map.directions[Index(position)],
+            start + (a / length) * edge, start + (b / length) * edge, position });
+        }
+        at += length;
+      }
+    }
   }
 
   void LayLoop(int loop)
@@ -344,6 +415,7 @@ private:
       arc.onBoundary = true;
       arc.loop = loop;
       arc.length = end - from.at;
+      this->LayBoundaryPieces(loop, way, from.at, end, arc.pieces);
       arc.polyline = { this->Mesh.nodes[Index(from.node)].place };
       for (const double turn : { 0.0, way })
       {

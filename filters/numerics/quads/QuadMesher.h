@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ArcCounts.h"
+#include "QuadQuality.h"
+#include "QuadSmoothing.h"
+
+#include "FlatMap.h"
+
+namespace crossfield
+{
+struct QuadOptions
+{
+  double size = 0.0; ///< Length of quads in the map, whose area is the domain's; 0: by count.
+  int count = 1000;  ///< Wanted number of quads where no size is given.
+};
+
+/// An all-quad mesh with exactly the cones of a map as irregular points, and how it came about.
+struct QuadResult
+{
+  QuadMesh mesh;
+  TMesh lines;
+  double size = 0.0;
+  ArcCounts counts;
+  SmoothingReport smoothing;
+  QuadQuality quality;
+  double traceSeconds = 0.0;
+  double layoutSeconds = 0.0;
+  double smoothSeconds = 0.0;
+};
+
+/// Lines, numbers, quads, smoothing (docs/method.md §14). Throws Error as TraceLines, MakeTMesh, CountArcs and
+/// LayQuads do.
+QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progress& progress = {});
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "Progress.h"
+#include "QuadMesh.h"
+
+namespace crossfield
+{
+struct SmoothingReport
+{
+  int iterations = 0;
+  bool keptStart = false; ///< The start was better.
+  bool released = false;  ///< Singularities had to move to make all quads positive,
+  double moved = 0.0;     ///< by this at most.
+};
+
+/// Moves the points of a mesh with its topology fixed (docs/method.md §14.5): the least of QuadEnergy by L-BFGS, with ε
+/// going to zero where the start has corners that are not positive. Cost: linear in quads, as the number of steps is
+/// bounded. Singularities inside are fixed, unless with them fixed a quad is not positive. Keeps the start where that
+/// has the larger least scaled Jacobian.
+SmoothingReport SmoothQuads(
+  QuadMesh& mesh, const BoundaryCurves& curves, const Progress& progress = {});
+}

@@ -1,0 +1,181 @@
+#include "QuadMesher.h"
+
+#include "FlatMapSolve.h"
+#include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
+#include "Support.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace crossfield::test
+{
+namespace
+{
+FlatMap MapOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
+{
+  return SolveFlatMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
+}
+
+QuadResult QuadsOf(const FlatMap& map, double size)
+{
+  QuadOptions options;
+  options.size = size;
+  return MakeQuads(map, options);
+}
+
+Configuration Join(Configuration first, const Configuration& second)
+{
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+PlanarDomain LShape()
+{
+  return MakePlanarDomain(
+    { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0 }, { 0.0, 2.0 } } });
+}
+
+PlanarDomain Ring(double edge)
+{
+  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)),
+    RegularPolygon(static_cast<int>(0.8 * Pi / edge), 0.4) });
+}
+
+PlanarDomain Disk(double edge)
+{
+  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)) });
+}
+
+/// Exactly the asked irregular points, the domain's topology, and points of the boundary on its polyline.
+void ExpectSound(const QuadResult& result, const FlatMap& map, double least)
+{
+  const QuadMesh& mesh = result.mesh;
+  EXPECT_EQ(mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
+  std::size_t cones = 0;
+  const std::vector<Loop> loops = map.topology->AlignedLoops();
+  for (const QuadPoint& point : mesh.points)
+  {
+    const bool inside = point.curve.loop < 0;
+    EXPECT_EQ(point.valence, (inside ? 4 : 2) - point.asked);
+    cones += point.cone >= 0 ? 1 : 0;
+    if (!inside)
+    {
+      EXPECT_LT(DistanceToLoop(point.place, loops[static_cast<std::size_t>(point.curve.loop)]), 1e-12);
+    }
+    if (point.cone >= 0 && !result.smoothing.released)
+    {
+      EXPECT_EQ(point.place, map.topology->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
+    }
+  }
+  EXPECT_EQ(cones, map.cones.size());
+  EXPECT_GE(result.quality.jacobian.min, least);
+  EXPECT_LE(result.quality.jacobian.min, result.quality.bound + 1e-9);
+}
+
+std::string Tell(const QuadResult& r)
+{
+  char text[400];
+  std::snprintf(text, sizeof text,
+    "quads %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f flows %d "
+    "iter %d kept %d released %d moved %.3g  s: trace %.3f int %.4f lay %.3f smooth %.3f ratio",
+    r.mesh.quads.size(), r.lines.faces.size(), r.lines.arcs.size(), r.quality.jacobian.min,
+    r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min, r.counts.zeroArcs, r.counts.forced,
+    r.counts.optimal, r.counts.gap, r.counts.flows, r.smoothing.iterations, r.smoothing.keptStart,
+    r.smoothing.released, r.smoothing.moved, r.traceSeconds, r.counts.seconds, r.layoutSeconds,
+    r.smoothSeconds);
+  return text;
+}
+
+void Print(const std::string& name, double h, const QuadResult& r)
+{
+  if (std::getenv("CROSSFIELD_TELL") != nullptr)
+  {
+    std::printf("%s h %g: %s\n", name.c_str(), h, Tell(r).c_str());
+  }
+}
+
+TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
+{
+  struct Row
+  {
+    double radius;
+    std::vector<std::size_t> quads;
+  };
+  const std::vector<double> sizes = { 0.2, 0.1, 0.05, 0.02 };
+  for (const Row& row : { Row{ 0.85, { 77, 308, 1269, 7888 } }, Row{ 0.6, { 65, 297, 1276, 7865 } } })
+  {
+    const FlatMap map = MapOf(Disk(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+    {
+      const QuadResult result = QuadsOf(map, sizes[i]);
+      Print("disk", sizes[i], result);
+      EXPECT_EQ(result.mesh.quads.size(), row.quads[i]) << row.radius << " " << sizes[i];
+      ExpectSound(result, map, i == 0 ? 0.5 : 0.85);
+      EXPECT_TRUE(result.counts.optimal);
+    }
+  }
+}
+
+TEST(Quads, OfTheLShapeAreSquares)
+{
+  const FlatMap map = MapOf(LShape(), {}, 0.1);
+  for (const auto& [size, quads] :
+    { std::pair<double, std::size_t>{ 0.2, 75 }, { 0.1, 300 }, { 0.05, 1200 } })
+  {
+    const QuadResult result = QuadsOf(map, size);
+    Print("L", size, result);
+    EXPECT_EQ(result.mesh.quads.size(), quads);
+    ExpectSound(result, map, 0.85);
+  }
+}
+
+TEST(Quads, OfTheRingAreOneFace)
+{
+  const FlatMap map = MapOf(Ring(0.04), {}, 0.05);
+  const QuadResult result = QuadsOf(map, 0.1);
+  Print("ring", 0.1, result);
+  EXPECT_EQ(result.lines.faces.size(), 1U);
+  ExpectSound(result, map, 0.99);
+}
+
+struct Case
+{
+  std::string name;
+  PlanarDomain domain;
+  Configuration configuration;
+  std::vector<double> quads; ///< At 0.2, 0.1, 0.05.
+};
+
+TEST(Quads, OfTheOtherReferenceCases)
+{
+  const std::vector<Case> cases = {
+    { "five around one", Disk(0.04),
+      Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }), { 86, 325, 1200 } },
+    { "six around two", Disk(0.04),
+      Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } }),
+      { 98, 322, 1218 } },
+    { "L-shape with a pair", LShape(), { { { 0.45, 0.55 }, 1 }, { { 1.3, 0.5 }, -1 } },
+      { 79, 294, 1191 } },
+    { "ring with eight", Ring(0.04),
+      Join(OnCircle(4, 0.8, 0.1, 1, 0.0), OnCircle(4, 0.55, 0.1, -1, 0.0)), { 60, 280, 1040 } },
+    { "hexagon", Builtin("hexagonal"), { { { 0.469, 0.0 }, -1 }, { { -0.469, 0.0 }, -1 } },
+      { 64, 272, 1016 } },
+  };
+  const std::vector<double> sizes = { 0.2, 0.1, 0.05 };
+  for (const Case& reference : cases)
+  {
+    const FlatMap map = MapOf(reference.domain, reference.configuration, 0.04);
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+    {
+      SCOPED_TRACE(reference.name + " " + std::to_string(sizes[i]));
+      const QuadResult result = QuadsOf(map, sizes[i]);
+      Print(reference.name, sizes[i], result);
+      EXPECT_NEAR(static_cast<double>(result.mesh.quads.size()), reference.quads[i],
+        0.05 * reference.quads[i]);
+      ExpectSound(result, map, i == 0 ? 0.0 : 0.85);
+    }
+  }
+}
+}
+}
