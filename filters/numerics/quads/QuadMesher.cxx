@@ -86,6 +86,7 @@ QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progr
     SmoothQuads(result.mesh, BoundaryCurves(*map.topology), progress.Part(0.5, 0.95));
   result.smoothSeconds = stopwatch.Lap();
   result.quality = MeasureQuads(result.mesh, result.size);
+  result.blocks = FindBlocks(result.mesh);
   progress.Report(1.0);
   return result;
 }

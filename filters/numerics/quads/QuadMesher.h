@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ArcCounts.h"
+#include "QuadBlocks.h"
 #include "QuadQuality.h"
 #include "QuadSmoothing.h"
 
@@ -23,6 +24,7 @@ struct QuadResult
   ArcCounts counts;
   SmoothingReport smoothing;
   QuadQuality quality;
+  QuadBlocks blocks;
   double traceSeconds = 0.0;
   double layoutSeconds = 0.0;
   double smoothSeconds = 0.0;

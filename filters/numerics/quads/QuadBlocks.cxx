@@ -1,0 +1,236 @@
+#include "QuadBlocks.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Side s of quad q is number 4 q + s; it leads from corner s to corner s + 1 with the quad on its left.
+class Cutter
+{
+public:
+  explicit Cutter(const QuadMesh& mesh)
+    : Mesh(mesh)
+    , Twins(4 * mesh.quads.size(), -1)
+    , Walls(4 * mesh.quads.size(), false)
+    , Regular(mesh.points.size(), false)
+    , Inside(mesh.points.size(), false)
+  {
+    this->FindTwins();
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      this->Inside[p] = mesh.points[p].curve.loop < 0;
+      this->Regular[p] = mesh.points[p].valence == (this->Inside[p] ? 4 : 2);
+    }
+  }
+
+  QuadBlocks Cut()
+  {
+    for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
+    {
+      if (this->Twins[Index(side)] < 0)
+      {
+        this->Walls[Index(side)] = true;
+      }
+      if (!this->Regular[Index(this->StartOf(side))])
+      {
+        this->MarkLine(side);
+      }
+    }
+    QuadBlocks result;
+    const std::size_t count = this->Mesh.quads.size();
+    result.block.assign(count, -1);
+    result.i.assign(count, 0);
+    result.j.assign(count, 0);
+    this->Turns.assign(count, 0);
+    for (int quad = 0; quad < static_cast<int>(count); ++quad)
+    {
+      while (result.block[Index(quad)] < 0 && !this->Fill(quad, result))
+      {
+      }
+    }
+    return result;
+  }
+
+private:
+  int StartOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index(side % 4)]; }
+  int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
+  static int Next(int side) { return side / 4 * 4 + (side + 1) % 4; }
+
+  void FindTwins()
+  {
+    std::vector<std::array<int, 3>> sides;
+    for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
+    {
+      const int from = this->StartOf(side);
+      const int to = this->EndOf(side);
+      sides.push_back({ std::min(from, to), std::max(from, to), side });
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t k = 1; k < sides.size(); ++k)
+    {
+      if (sides[k][0] == sides[k - 1][0] && sides[k][1] == sides[k - 1][1])
+      {
+        this->Twins[Index(sides[k][2])] = sides[k - 1][2];
+        this->Twins[Index(sides[k - 1][2])] = sides[k][2];
+      }
+    }
+  }
+
+  /// Walls from a side on, straight through regular points, up to another wall on the way.
+  void MarkLine(int side)
+  {
+    while (!this->Walls[Index(side)])
+    {
+      this->Walls[Index(side)] = true;
+      this->Walls[Index(this->Twins[Index(side)])] = true;
+      const auto end = Index(this->EndOf(side));
+      if (!this->Regular[end] || !this->Inside[end])
+      {
+        return;
+      }
+      side = Next(this->Twins[Index(Next(side))]);
+    }
+  }
+
+  /// Numbers the quads that no wall separates from one. Where they close around, draws one more wall and
+  /// returns false.
+  bool Fill(int first, QuadBlocks& result)
+  {
+    const auto block = static_cast<int>(result.blocks.size());
+    std::vector<int> members = { first };
+    result.block[Index(first)] = block;
+    result.i[Index(first)] = 0;
+    result.j[Index(first)] = 0;
+    this->Turns[Index(first)] = 0;
+    constexpr std::array<std::array<int, 2>, 4> Steps = { { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } } };
+    bool closes = false;
+    for (std::size_t next = 0; next < members.size(); ++next)
+    {
+      const int quad = members[next];
+      for (int s = 0; s < 4; ++s)
+      {
+        const int side = 4 * quad + s;
+        if (this->Walls[Index(side)])
+        {
+          continue;
+        }
+        const int twin = this->Twins[Index(side)];
+        const int other = twin / 4;
+        // Direction 0 to 3 of the side in the block: below, right, above, left.
+        const int direction = (s + this->Turns[Index(quad)]) % 4;
+        const int i = result.i[Index(quad)] + Steps[Index(direction)][0];
+        const int j = result.j[Index(quad)] + Steps[Index(direction)][1];
+        if (result.block[Index(other)] < 0)
+        {
+          result.block[Index(other)] = block;
+          result.i[Index(other)] = i;
+          result.j[Index(other)] = j;
+          this->Turns[Index(other)] = (direction + 2 - twin % 4 + 4) % 4;
+          members.push_back(other);
+        }
+        else
+        {
+          closes =
+            closes || result.i[Index(other)] != i || result.j[Index(other)] != j;
+        }
+      }
+    }
+    if (closes)
+    {
+      this->CutAnnulus(members);
+      for (const int quad : members)
+      {
+        result.block[Index(quad)] = -1;
+      }
+      return false;
+    }
+    this->AddBlock(members, result);
+    return true;
+  }
+
+  /// A wall across: from one that all of the annulus has along its sides.
+  void CutAnnulus(const std::vector<int>& members)
+  {
+    for (const int quad : members)
+    {
+      for (int s = 0; s < 4; ++s)
+      {
+        const int across = 4 * quad + (s + 1) % 4;
+        if (this->Walls[Index(4 * quad + s)] && !this->Walls[Index(across)])
+        {
+          this->MarkAcross(across);
+          return;
+        }
+      }
+    }
+  }
+
+  /// As MarkLine, but it stops where a wall passes.
+  void MarkAcross(int side)
+  {
+    while (!this->Walls[Index(side)])
+    {
+      this->Walls[Index(side)] = true;
+      this->Walls[Index(this->Twins[Index(side)])] = true;
+      const int left = Next(side);
+      if (this->Walls[Index(left)])
+      {
+        return;
+      }
+      side = Next(this->Twins[Index(left)]);
+    }
+  }
+
+  void AddBlock(const std::vector<int>& members, QuadBlocks& result) const
+  {
+    constexpr int Far = std::numeric_limits<int>::max();
+    std::array<int, 2> low = { Far, Far };
+    std::array<int, 2> high = { -Far, -Far };
+    for (const int quad : members)
+    {
+      low = { std::min(low[0], result.i[Index(quad)]), std::min(low[1], result.j[Index(quad)]) };
+      high = { std::max(high[0], result.i[Index(quad)]), std::max(high[1], result.j[Index(quad)]) };
+    }
+    QuadBlock block;
+    block.width = high[0] - low[0] + 1;
+    block.height = high[1] - low[1] + 1;
+    block.points.assign(Index(block.width + 1) * Index(block.height + 1), -1);
+    for (const int quad : members)
+    {
+      const int i = result.i[Index(quad)] -= low[0];
+      const int j = result.j[Index(quad)] -= low[1];
+      // Corners of the block's cell, counter-clockwise from its lower left one.
+      const std::array<std::array<int, 2>, 4> corners = { { { i, j }, { i + 1, j },
+        { i + 1, j + 1 }, { i, j + 1 } } };
+      for (int c = 0; c < 4; ++c)
+      {
+        const auto& at = corners[Index((c + this->Turns[Index(quad)]) % 4)];
+        block.points[Index(at[1]) * Index(block.width + 1) + Index(at[0])] =
+          this->Mesh.quads[Index(quad)][Index(c)];
+      }
+    }
+    result.blocks.push_back(std::move(block));
+  }
+
+  const QuadMesh& Mesh;
+  std::vector<int> Twins;
+  std::vector<bool> Walls;
+  std::vector<bool> Regular;
+  std::vector<bool> Inside;
+  std::vector<int> Turns; ///< Side 0 of a quad is side `turn` of its cell in the block.
+};
+}
+
+QuadBlocks FindBlocks(const QuadMesh& mesh)
+{
+  return Cutter(mesh).Cut();
+}
+}
