@@ -30,6 +30,7 @@ void AddEnergyCommand(CLI::App& app, int& status);
 void AddHFieldCommand(CLI::App& app, int& status);
 void AddOptimizeCommand(CLI::App& app, int& status);
 void AddFiguresCommand(CLI::App& app, int& status);
+void AddQuadsCommand(CLI::App& app, int& status);
 void AddSeparatricesCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);
 ///@}

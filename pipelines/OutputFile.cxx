@@ -9,8 +9,10 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTimerLog.h"
 #include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLStructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <vtksys/SystemTools.hxx>
@@ -85,10 +87,14 @@ void RequireWritable(std::initializer_list<Output> outputs)
 
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs)
 {
-  vtkSmartPointer<vtkXMLUnstructuredDataWriter> writer;
+  vtkSmartPointer<vtkXMLWriter> writer;
   if (vtkPolyData::SafeDownCast(data) != nullptr)
   {
     writer = vtkSmartPointer<vtkXMLPolyDataWriter>::New();
+  }
+  else if (vtkStructuredGrid::SafeDownCast(data) != nullptr)
+  {
+    writer = vtkSmartPointer<vtkXMLStructuredGridWriter>::New();
   }
   else
   {
@@ -161,9 +167,11 @@ void WriteBlocks(const Blocks& blocks, const std::string& file, OutputTransactio
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const auto& [block, data] = blocks[i];
-    Write(data, folder + "/" + block + ".vtu", outputs);
+    const std::string piece =
+      block + (vtkStructuredGrid::SafeDownCast(data) != nullptr ? ".vts" : ".vtu");
+    Write(data, folder + "/" + piece, outputs);
     index += "    <DataSet index=\"" + std::to_string(i) + "\" name=\"" + block + "\" file=\"" +
-      name + "/" + block + ".vtu\"/>\n";
+      name + "/" + piece + "\"/>\n";
   }
   outputs.Write(index + "  </vtkMultiBlockDataSet>\n</VTKFile>\n", file);
 }

@@ -29,7 +29,7 @@ struct Output
 void RequireWritable(std::initializer_list<Output> outputs);
 
 /**
- * Writes a vtkPolyData (.vtp) or vtkUnstructuredGrid (.vtu) in inline binary with zlib: the VTKs of
+ * Writes a vtkPolyData (.vtp), vtkUnstructuredGrid (.vtu) or vtkStructuredGrid (.vts) in inline binary with zlib: the VTKs of
  * Debian 12 cannot read appended data back.
  */
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
@@ -45,7 +45,7 @@ void WriteConfiguration(
 using Blocks = std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>>;
 
 /**
- * Writes a multiblock F.vtm and its unstructured grids, as Write does, to F/NAME.vtu. The index is
+ * Writes a multiblock F.vtm and its grids, as Write does, to F/NAME.vtu or F/NAME.vts. The index is
  * written here: VTK's own writer leaves a broken file behind when it fails.
  */
 void WriteBlocks(const Blocks& blocks, const std::string& file, OutputTransaction& outputs);

@@ -65,6 +65,7 @@ int Run(int argc, char** argv)
   AddCheckCommand(app, status);
   AddCornersCommand(app, status);
   AddDrillCommand(app, status);
+  AddQuadsCommand(app, status);
   AddSeparatricesCommand(app, status);
   AddSolveCommand(app, status);
   AddCompareCommand(app, status);

@@ -35,6 +35,7 @@ PROXIES = {
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners"),
+    "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius"),
     "SingularityOptimizer": (

@@ -84,11 +84,10 @@ ArcCounts CountArcs(const TMesh& mesh, double size, const Progress& progress)
       solution = std::move(better);
     }
   }
-  result.forced = static_cast<int>(std::count_if(
-    problem.lower.begin(), problem.lower.end(), [](int lower) { return lower > 0; }));
+  result.forced = static_cast<int>(
+    std::count_if(problem.lower.begin(), problem.lower.end(), [](int lower) { return lower > 0; }));
   result.counts = solution.counts;
-  result.zeroArcs =
-    static_cast<int>(std::count(solution.counts.begin(), solution.counts.end(), 0));
+  result.zeroArcs = static_cast<int>(std::count(solution.counts.begin(), solution.counts.end(), 0));
   result.cost = solution.cost;
   const double rounding = 1e-9 * (1.0 + bound);
   result.gap = std::max(0.0, (solution.cost - bound) / (1.0 + bound));

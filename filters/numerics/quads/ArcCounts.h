@@ -10,9 +10,9 @@ struct ArcCounts
 {
   std::vector<int> counts;
   int zeroArcs = 0;
-  int forced = 0;      ///< Arcs with a bound that keeps points apart.
-  double cost = 0.0;   ///< Σ w |n − ℓ|.
-  double gap = 0.0;    ///< (cost − bound) / (1 + bound), the bound without keeping points apart.
+  int forced = 0;       ///< Arcs with a bound that keeps points apart.
+  double cost = 0.0;    ///< Σ w |n − ℓ|.
+  double gap = 0.0;     ///< (cost − bound) / (1 + bound), the bound without keeping points apart.
   bool optimal = false; ///< The gap is proved to be zero.
   int flows = 0;
   double seconds = 0.0;

@@ -89,8 +89,7 @@ private:
   {
     const ArcTerm& one = terms[0];
     // At a node of the + cover + leaves and − arrives; at one of the − cover the other way round.
-    const Graph::Node from =
-      first ? NodeOf(one.row, one.sign > 0) : NodeOf(one.row, one.sign < 0);
+    const Graph::Node from = first ? NodeOf(one.row, one.sign > 0) : NodeOf(one.row, one.sign < 0);
     Graph::Node to = Graph::nodeFromId(this->Ground);
     if (terms.size() == 2)
     {
@@ -119,7 +118,8 @@ private:
       {
         if (high > 0)
         {
-          this->Edges.push_back({ this->Nodes.addArc(from, to), a, low, high, std::llround(slope) });
+          this->Edges.push_back(
+            { this->Nodes.addArc(from, to), a, low, high, std::llround(slope) });
         }
       };
       add(least, knee, -weight);

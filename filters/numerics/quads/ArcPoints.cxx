@@ -99,8 +99,8 @@ std::vector<PointLink> ArcPoints::Links() const
         const std::vector<int> other = this->AlongSide(face, (side + 3) % 4);
         for (std::size_t j = 0; j < one.size(); ++j)
         {
-          links.push_back({ one[j], other[one.size() - 1 - j], -1, static_cast<int>(f),
-            static_cast<int>(side) });
+          links.push_back(
+            { one[j], other[one.size() - 1 - j], -1, static_cast<int>(f), static_cast<int>(side) });
         }
       }
     }

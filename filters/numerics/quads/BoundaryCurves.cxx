@@ -53,8 +53,8 @@ std::pair<std::size_t, double> BoundaryCurves::EdgeAt(const CurvePlace& place) c
   double at = std::fmod(place.at, starts.back());
   at = at < 0.0 ? at + starts.back() : at;
   const auto after = std::upper_bound(starts.begin(), starts.end(), at);
-  const auto edge = std::min(
-    static_cast<std::size_t>(after - starts.begin()) - 1, starts.size() - 2);
+  const auto edge =
+    std::min(static_cast<std::size_t>(after - starts.begin()) - 1, starts.size() - 2);
   return { edge, std::min(1.0, (at - starts[edge]) / (starts[edge + 1] - starts[edge])) };
 }
 

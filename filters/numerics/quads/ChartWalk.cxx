@@ -53,7 +53,7 @@ ChartPlace WalkStraight(const FlatMap& map, ChartPlace place, const Point& way)
       }
     }
     const int edge = side < 0 ? -1 : edges.ofTriangle[Index(place.triangle)][Index(side)];
-    const int next = side < 0 ? -1
+    const int next = side < 0                             ? -1
       : edges.triangles[Index(edge)][0] == place.triangle ? edges.triangles[Index(edge)][1]
                                                           : edges.triangles[Index(edge)][0];
     if (next < 0)
@@ -101,8 +101,8 @@ double PlaneScale(const FlatMap& map, int triangle)
   const Point& origin = map.topology->PointAt(v[0]);
   const double plane =
     Cross(map.topology->PointAt(v[1]) - origin, map.topology->PointAt(v[2]) - origin);
-  const double flat = Cross(map.At(triangle, 1) - map.At(triangle, 0),
-    map.At(triangle, 2) - map.At(triangle, 0));
+  const double flat =
+    Cross(map.At(triangle, 1) - map.At(triangle, 0), map.At(triangle, 2) - map.At(triangle, 0));
   return std::sqrt(plane / flat);
 }
 }

@@ -110,7 +110,8 @@ private:
     result.i[Index(first)] = 0;
     result.j[Index(first)] = 0;
     this->Turns[Index(first)] = 0;
-    constexpr std::array<std::array<int, 2>, 4> Steps = { { { 0, -1 }, { 1, 0 }, { 0, 1 }, { -1, 0 } } };
+    constexpr std::array<std::array<int, 2>, 4> Steps = { { { 0, -1 }, { 1, 0 }, { 0, 1 },
+      { -1, 0 } } };
     bool closes = false;
     for (std::size_t next = 0; next < members.size(); ++next)
     {
@@ -138,8 +139,7 @@ private:
         }
         else
         {
-          closes =
-            closes || result.i[Index(other)] != i || result.j[Index(other)] != j;
+          closes = closes || result.i[Index(other)] != i || result.j[Index(other)] != j;
         }
       }
     }

@@ -60,8 +60,8 @@ QuadEnergy::QuadEnergy(QuadMesh& mesh, const BoundaryCurves& curves, bool releas
   this->Diagonal = Eigen::VectorXd::Zero(this->Count);
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
-    const double curvature = 1.0 / (mesh.wanted[q][0] * mesh.wanted[q][0]) +
-      1.0 / (mesh.wanted[q][1] * mesh.wanted[q][1]);
+    const double curvature =
+      1.0 / (mesh.wanted[q][0] * mesh.wanted[q][0]) + 1.0 / (mesh.wanted[q][1] * mesh.wanted[q][1]);
     for (const int p : mesh.quads[q])
     {
       const Eigen::Index first = this->First[Index(p)];
@@ -129,19 +129,18 @@ double QuadEnergy::Value(double epsilon, Eigen::VectorXd* gradient) const
       }
       const double root = std::sqrt(determinant * determinant + epsilon * epsilon);
       const double chi = 0.5 * (determinant + root);
-      const double top = (1.0 - SizePart) *
-          (frame.next.squaredNorm() + frame.previous.squaredNorm()) +
+      const double top =
+        (1.0 - SizePart) * (frame.next.squaredNorm() + frame.previous.squaredNorm()) +
         SizePart * (determinant * determinant + 1.0);
       energy += top / chi;
       if (gradient != nullptr)
       {
         const double slope = 0.5 * (1.0 + determinant / root);
-        const double byDeterminant =
-          2.0 * SizePart * determinant / chi - top * slope / (chi * chi);
+        const double byDeterminant = 2.0 * SizePart * determinant / chi - top * slope / (chi * chi);
         const double byNorm = 2.0 * (1.0 - SizePart) / chi;
         // ∂ Cross(n, p) = (p_y, −p_x) by n and (−n_y, n_x) by p.
-        const Point byNext = (byNorm * frame.next +
-                               byDeterminant * Point(frame.previous.y(), -frame.previous.x())) /
+        const Point byNext =
+          (byNorm * frame.next + byDeterminant * Point(frame.previous.y(), -frame.previous.x())) /
           frame.nextLength;
         const Point byPrevious =
           (byNorm * frame.previous + byDeterminant * Point(-frame.next.y(), frame.next.x())) /

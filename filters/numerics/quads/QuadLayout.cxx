@@ -152,8 +152,7 @@ private:
     const bool node = j == 0 || j == count;
     const int cone = node ? this->Lines.nodes[Index(number)].cone : -1;
     // From an arc inside, a corner would not be known to be on the boundary.
-    const bool known =
-      cone >= 0 && (arc.onBoundary || !this->Map.cones[Index(cone)].onBoundary);
+    const bool known = cone >= 0 && (arc.onBoundary || !this->Map.cones[Index(cone)].onBoundary);
     if (known)
     {
       point.cone = cone;
@@ -249,10 +248,11 @@ private:
         {
           scale += 0.25 * this->Mesh.points[Index(lattice[corner])].scale;
         }
-        const double wide = 0.5 * (places[c[1]].x() - places[c[0]].x() + places[c[2]].x() - places[c[3]].x());
-        const double high = 0.5 * (places[c[3]].y() - places[c[0]].y() + places[c[2]].y() - places[c[1]].y());
-        this->Mesh.quads.push_back(
-          { lattice[c[0]], lattice[c[1]], lattice[c[2]], lattice[c[3]] });
+        const double wide =
+          0.5 * (places[c[1]].x() - places[c[0]].x() + places[c[2]].x() - places[c[3]].x());
+        const double high =
+          0.5 * (places[c[3]].y() - places[c[0]].y() + places[c[2]].y() - places[c[1]].y());
+        this->Mesh.quads.push_back({ lattice[c[0]], lattice[c[1]], lattice[c[2]], lattice[c[3]] });
         this->Mesh.wanted.push_back(
           { scale * std::max(least, wide), scale * std::max(least, high) });
         this->Mesh.face.push_back(static_cast<int>(f));

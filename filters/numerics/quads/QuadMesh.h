@@ -11,12 +11,12 @@ namespace crossfield
 struct QuadPoint
 {
   Point place = Point::Zero();
-  CurvePlace curve;      ///< On the boundary, where.
-  bool fixed = false;    ///< A corner of the boundary, or a singularity.
-  int cone = -1;         ///< In FlatMap::cones.
-  int asked = 0;         ///< Quarter index of the cone, else 0.
-  double scale = 1.0;    ///< e^H there.
-  int valence = 0;       ///< Number of quads.
+  CurvePlace curve;   ///< On the boundary, where.
+  bool fixed = false; ///< A corner of the boundary, or a singularity.
+  int cone = -1;      ///< In FlatMap::cones.
+  int asked = 0;      ///< Quarter index of the cone, else 0.
+  double scale = 1.0; ///< e^H there.
+  int valence = 0;    ///< Number of quads.
 };
 
 /// An edge of the boundary, with the domain on its left.

@@ -51,8 +51,7 @@ double Eta(const QuadMesh& mesh, std::size_t quad)
 
 double Area(const QuadMesh& mesh, std::size_t quad)
 {
-  return 0.5 *
-    Cross(At(mesh, quad, 2) - At(mesh, quad, 0), At(mesh, quad, 3) - At(mesh, quad, 1));
+  return 0.5 * Cross(At(mesh, quad, 2) - At(mesh, quad, 0), At(mesh, quad, 3) - At(mesh, quad, 1));
 }
 
 /// The sine of the angles of equal quads around every point that is not regular, at best.
@@ -64,8 +63,8 @@ double AttainableBound(const QuadMesh& mesh)
   {
     for (std::size_t c = 0; c < 4; ++c)
     {
-      angles[Index(mesh.quads[q][c])] += std::abs(AngleBetween(
-        At(mesh, q, c + 1) - At(mesh, q, c), At(mesh, q, c + 3) - At(mesh, q, c)));
+      angles[Index(mesh.quads[q][c])] += std::abs(
+        AngleBetween(At(mesh, q, c + 1) - At(mesh, q, c), At(mesh, q, c + 3) - At(mesh, q, c)));
     }
   }
   for (std::size_t p = 0; p < mesh.points.size(); ++p)

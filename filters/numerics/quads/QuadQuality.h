@@ -19,9 +19,9 @@ struct QuadQuality
   Range jacobian;
   /// Attainable: sin(2π / valence) at points inside, sin(α / m) at a corner of angle α with m quads.
   double bound = 1.0;
-  Range eta;   ///< 1 − (2/π) max |π/2 − angle|.
-  Range size;  ///< √area.
-  int inverted = 0; ///< Quads whose least scaled Jacobian is not positive,
+  Range eta;                   ///< 1 − (2/π) max |π/2 − angle|.
+  Range size;                  ///< √area.
+  int inverted = 0;            ///< Quads whose least scaled Jacobian is not positive,
   Point where = Point::Zero(); ///< and the place of the worst quad.
 };
 

@@ -38,13 +38,13 @@ Eigen::VectorXd Direction(const std::deque<Correction>& memory, const Eigen::Vec
   if (!memory.empty())
   {
     const Correction& last = memory.back();
-    scale = 1.0 /
-      (last.inverse * last.change.dot(last.change.cwiseQuotient(curvature)));
+    scale = 1.0 / (last.inverse * last.change.dot(last.change.cwiseQuotient(curvature)));
   }
   direction = scale * direction.cwiseQuotient(curvature);
   for (std::size_t i = 0; i < memory.size(); ++i)
   {
-    direction += (factors[i] - memory[i].inverse * memory[i].change.dot(direction)) * memory[i].step;
+    direction +=
+      (factors[i] - memory[i].inverse * memory[i].change.dot(direction)) * memory[i].step;
   }
   return direction;
 }

@@ -47,7 +47,7 @@ struct TArc
   int line = -1; ///< Of interior ones, in TraceGraph::lines; the first of two that met head-on.
   int loop = -1; ///< Of boundary ones, the loop in MeshTopology::loops.
   std::vector<ChartPiece> pieces; ///< In the map, along half-edge 2a; never empty.
-  std::vector<Point> polyline; ///< In the plane, along half-edge 2a, ends included.
+  std::vector<Point> polyline;    ///< In the plane, along half-edge 2a, ends included.
 };
 
 /// A rectangle of the map. Side i + 1 follows side i counter-clockwise; sides 0 and 2 are opposite.

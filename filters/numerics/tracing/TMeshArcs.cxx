@@ -236,14 +236,16 @@ private:
   }
 
   /// The pieces of an arc on a line, or on two that met head-on.
-  void LayPieces(const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces) const
+  void LayPieces(
+    const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces) const
   {
     AddPieces(line, from, std::min(to, line.length), pieces);
     if (line.end == LineEnd::HeadOn)
     {
       const TracedLine& other = this->Lines[Index(line.other)];
       std::vector<ChartPiece> rest;
-      AddPieces(other, line.headOnLength - to, std::min(line.headOnLength - from, other.length), rest);
+      AddPieces(
+        other, line.headOnLength - to, std::min(line.headOnLength - from, other.length), rest);
       std::reverse(rest.begin(), rest.end());
       for (ChartPiece& piece : rest)
       {

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <cstdlib>
+#include <limits>
 
 namespace crossfield::test
 {
@@ -55,7 +55,8 @@ PlanarDomain Disk(double edge)
 void ExpectSound(const QuadResult& result, const FlatMap& map, double least)
 {
   const QuadMesh& mesh = result.mesh;
-  EXPECT_EQ(mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
+  EXPECT_EQ(
+    mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
   std::size_t cones = 0;
   const std::vector<Loop> loops = map.topology->AlignedLoops();
   for (const QuadPoint& point : mesh.points)
@@ -65,11 +66,13 @@ void ExpectSound(const QuadResult& result, const FlatMap& map, double least)
     cones += point.cone >= 0 ? 1 : 0;
     if (!inside)
     {
-      EXPECT_LT(DistanceToLoop(point.place, loops[static_cast<std::size_t>(point.curve.loop)]), 1e-12);
+      EXPECT_LT(
+        DistanceToLoop(point.place, loops[static_cast<std::size_t>(point.curve.loop)]), 1e-12);
     }
     if (point.cone >= 0 && !result.smoothing.released)
     {
-      EXPECT_EQ(point.place, map.topology->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
+      EXPECT_EQ(
+        point.place, map.topology->PointAt(map.cones[static_cast<std::size_t>(point.cone)].vertex));
     }
   }
   EXPECT_EQ(cones, map.cones.size());
@@ -91,11 +94,11 @@ std::string Tell(const QuadResult& r)
   std::snprintf(text, sizeof text,
     "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f flows %d "
     "iter %d kept %d released %d moved %.3g  s: trace %.3f int %.4f lay %.3f smooth %.3f ratio",
-    r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.faces.size(), r.lines.arcs.size(), r.quality.jacobian.min,
-    r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min, r.counts.zeroArcs, r.counts.forced,
-    r.counts.optimal, r.counts.gap, r.counts.flows, r.smoothing.iterations, r.smoothing.keptStart,
-    r.smoothing.released, r.smoothing.moved, r.traceSeconds, r.counts.seconds, r.layoutSeconds,
-    r.smoothSeconds);
+    r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.faces.size(), r.lines.arcs.size(),
+    r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
+    r.counts.zeroArcs, r.counts.forced, r.counts.optimal, r.counts.gap, r.counts.flows,
+    r.smoothing.iterations, r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved,
+    r.traceSeconds, r.counts.seconds, r.layoutSeconds, r.smoothSeconds);
   return text;
 }
 
@@ -115,7 +118,8 @@ TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
     std::vector<std::size_t> quads;
   };
   const std::vector<double> sizes = { 0.2, 0.1, 0.05, 0.02 };
-  for (const Row& row : { Row{ 0.85, { 77, 308, 1269, 7888 } }, Row{ 0.6, { 65, 297, 1276, 7865 } } })
+  for (const Row& row :
+    { Row{ 0.85, { 77, 308, 1269, 7888 } }, Row{ 0.6, { 65, 297, 1276, 7865 } } })
   {
     const FlatMap map = MapOf(Disk(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
     for (std::size_t i = 0; i < sizes.size(); ++i)
@@ -162,8 +166,8 @@ struct Case
 TEST(Quads, OfTheOtherReferenceCases)
 {
   const std::vector<Case> cases = {
-    { "five around one", Disk(0.04),
-      Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }), { 86, 325, 1200 } },
+    { "five around one", Disk(0.04), Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }),
+      { 86, 325, 1200 } },
     { "six around two", Disk(0.04),
       Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } }),
       { 98, 322, 1218 } },
@@ -240,7 +244,8 @@ TEST(ArcFlow, FindsTheOptimumOfBruteForce)
     {
       const ArcProblem problem = MakeArcProblem(lines, size);
       const IntegerCounts found = SolveArcFlow(problem);
-      const int largest = 2 + static_cast<int>(*std::max_element(problem.wanted.begin(), problem.wanted.end()));
+      const int largest =
+        2 + static_cast<int>(*std::max_element(problem.wanted.begin(), problem.wanted.end()));
       EXPECT_TRUE(problem.Allows(found.counts));
       EXPECT_TRUE(found.optimal);
       EXPECT_NEAR(found.cost, BruteForce(lines, problem, largest, false), 1e-9);
@@ -259,7 +264,8 @@ TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
   for (int sample = 0; sample < 12; ++sample)
   {
     const PlanarDomain domain = RandomSmoothDomain(random);
-    Configuration configuration = OnCircle(4, random.Uniform(0.3, 0.5), random.Uniform(0.0, Pi), 1, 0.0);
+    Configuration configuration =
+      OnCircle(4, random.Uniform(0.3, 0.5), random.Uniform(0.0, Pi), 1, 0.0);
     // Pairs on other circles.
     for (int pair = random.Integer(0, 3); pair > 0; --pair)
     {
@@ -286,7 +292,8 @@ TEST(Quads, OfACountAreNearlyAsMany)
   {
     QuadOptions options;
     options.count = count;
-    EXPECT_NEAR(static_cast<double>(MakeQuads(map, options).mesh.quads.size()), count, 0.05 * count);
+    EXPECT_NEAR(
+      static_cast<double>(MakeQuads(map, options).mesh.quads.size()), count, 0.05 * count);
   }
   QuadOptions none;
   none.size = -1.0;

@@ -1,0 +1,108 @@
+#include "vtkQuadMesher.h"
+
+#include "ColumnWriting.h"
+#include "CornerConversion.h"
+#include "DomainConversion.h"
+#include "FilterPorts.h"
+#include "FilterRun.h"
+#include "FlatMapSolve.h"
+#include "MeshForPoints.h"
+#include "QuadConversion.h"
+#include "Stopwatch.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkDataSet.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkQuadMesher);
+
+//------------------------------------------------------------------------------
+vtkQuadMesher::vtkQuadMesher()
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkQuadMesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  return FilterPorts::Give(info,
+    port == 0     ? "vtkUnstructuredGrid"
+      : port == 1 ? "vtkMultiBlockDataSet"
+                  : "vtkPolyData");
+}
+
+//------------------------------------------------------------------------------
+int vtkQuadMesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
+  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
+  vtkUnstructuredGrid* quads = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputVector, 1);
+  vtkPolyData* layout = vtkPolyData::GetData(outputVector, 2);
+  return FilterRun::Run(this, this->ErrorCode, domain,
+    [&](const crossfield::Progress& progress)
+    {
+      crossfield::Stopwatch stopwatch;
+      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const crossfield::Configuration configuration =
+        DomainConversion::ReadConfiguration(singularities, input.plane);
+      crossfield::FlatMapOptions mapOptions;
+      mapOptions.corners = CornerConversion::ReadCorners(corners, input.plane);
+      mapOptions.capCorners = this->CapCorners;
+      const crossfield::SharedTopology topology =
+        crossfield::ShareTopology(crossfield::MeshOnPoints(
+          input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.2)));
+      this->StageSeconds[0] = stopwatch.Lap();
+      const crossfield::FlatMap map =
+        crossfield::SolveFlatMap(topology, configuration, mapOptions, progress.Part(0.2, 0.5));
+      this->StageSeconds[1] = stopwatch.Lap();
+      crossfield::QuadOptions options;
+      options.size = this->QuadSize;
+      options.count = this->QuadCount;
+      const crossfield::QuadResult result =
+        crossfield::MakeQuads(map, options, progress.Part(0.5, 0.95));
+      this->StageSeconds[2] = result.traceSeconds;
+      this->StageSeconds[3] = result.counts.seconds;
+      this->StageSeconds[4] = result.layoutSeconds;
+      this->StageSeconds[5] = result.smoothSeconds;
+      if (result.quality.inverted > 0)
+      {
+        vtkWarningMacro(<< result.quality.inverted << " quads are inverted, the worst near "
+                        << crossfield::Describe(result.quality.where) << "; use a smaller size.");
+      }
+      QuadConversion::WriteQuads(result, input.plane, quads);
+      ColumnWriting::AddNumbers(
+        quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, map.holonomyDefect);
+      QuadConversion::WriteBlocks(result, input.plane, blocks);
+      QuadConversion::WriteLayout(result, input.plane, layout);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "QuadSize: " << this->QuadSize << "\n";
+  os << indent << "QuadCount: " << this->QuadCount << "\n";
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "CapCorners: " << this->CapCorners << "\n";
+  os << indent << "StageSeconds:";
+  for (const double seconds : this->StageSeconds)
+  {
+    os << " " << seconds;
+  }
+  os << "\n";
+}

@@ -1,0 +1,113 @@
+/**
+ * @class   vtkQuadMesher
+ * @brief   an all-quad mesh with exactly the chosen irregular nodes, and its blocks
+ *
+ * A singularity of quarter index k becomes a node of valence 4 − k, a corner one with 2 − k quads; all other nodes are
+ * regular. The lines that leave them in the map of vtkCrossFieldMap cut the domain into rectangles; numbers of quads
+ * along their sides, which are nearest to the wanted size, come from a minimum cost flow; rectangles become lattices, and
+ * points move until quads have their best shape, those on the boundary along its polyline.
+ *
+ * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
+ * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField.
+ *
+ * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary edge with the domain on
+ * the left, with
+ * - cells: `BlockId`, `I`, `J` (int): block, column and row; −1 of lines; `ScaledJacobian` (double): the least sine of
+ *   its angles, `SizeRatio` (double): real over wanted size; both 1 of lines; `BoundaryKind`, `BoundaryId` (int): as for
+ *   vtkDrillHoles;
+ * - points: `Valence` (int): its quads; `Irregular` (int): the quarter index of a singularity or corner, else 0;
+ *   `BoundarySide` (int): the loop it is on, −1 inside.
+ * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are equal in every bit.
+ * Output 2 (vtkPolyData): the arcs of the T-mesh as polylines, with the cell array `Edges` (int): quads along each.
+ *
+ * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularGot`, `IrregularAsked` (per valence inside),
+ * `ScaledJacobianRange` (least, mean), `ScaledJacobianBound` (attainable), `EtaRange` (least, mean; 1 − (2/π) max |π/2 −
+ * angle|), `SizeRange` (least, mean, largest root of area), `Size` (in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
+ * `IntegerOptimal`, `Inverted` (quads that are not positive), `InvertedPlace` (3, the worst one), `Released` (whether
+ * singularities had to move), `Moved` (how far at most), `HolonomyDefect`.
+ *
+ * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and vtkSeparatrices; a size so
+ * large that no mesh has the asked nodes. A mesh with inverted quads is given, with a warning.
+ *
+ * Paper: "Further thoughts" leaves quads open.
+ *
+ * @sa vtkCrossFieldMap, vtkSeparatrices, crossfield::MakeQuads
+ */
+
+#ifndef vtkQuadMesher_h
+#define vtkQuadMesher_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkQuadMesher : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkQuadMesher* New();
+  vtkTypeMacro(vtkQuadMesher, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  vtkCrossFieldPortMacro(Singularities, 1);
+  vtkCrossFieldPortMacro(Corners, 2);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the sides of quads, as in the map, whose area is that of the domain: about area / size² quads. 0: by
+   * QuadCount. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(QuadSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(QuadSize, double);
+  ///@}
+
+  ///@{
+  /** Wanted number of quads where QuadSize is 0. Default: 1000. Range: 1 or more. */
+  vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
+  vtkGetMacro(QuadCount, int);
+  ///@}
+
+  ///@{
+  /**
+   * Target edge length of the triangles that the map is solved on; 0: 1/40 of the diagonal of the bounding box.
+   * Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MeshSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Sharp corners whose smallest rotation has quarter index 2 get 1; what is missing must be among the
+   * singularities. Default: off.
+   */
+  vtkSetMacro(CapCorners, bool);
+  vtkGetMacro(CapCorners, bool);
+  vtkBooleanMacro(CapCorners, bool);
+  ///@}
+
+  /** Seconds that the last run spent in triangles, map, lines, integers, layout and smoothing. Not in the output. */
+  vtkGetVectorMacro(StageSeconds, double, 6);
+
+protected:
+  vtkQuadMesher();
+  ~vtkQuadMesher() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkQuadMesher(const vtkQuadMesher&) = delete;
+  void operator=(const vtkQuadMesher&) = delete;
+
+  double QuadSize = 0.0;
+  int QuadCount = 1000;
+  double MeshSize = 0.0;
+  bool CapCorners = false;
+  double StageSeconds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+};
+
+#endif

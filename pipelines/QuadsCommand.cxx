@@ -1,0 +1,181 @@
+/**
+ * crossfield quads DOMAIN -s S.csv -o Q.vtu: an all-quad mesh with exactly the chosen irregular nodes.
+ *
+ *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json -
+ */
+#include "CommandLine.h"
+#include "DomainReader.h"
+#include "OutputFile.h"
+#include "OutputTransaction.h"
+#include "PipelineRun.h"
+#include "vtkCrossFieldArrayNames.h"
+#include "vtkQuadMesher.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+using Json = nlohmann::ordered_json;
+
+struct QuadsOptions
+{
+  std::string domain;
+  std::string singularities;
+  std::string corners;
+  std::string output;
+  std::string blocks;
+  std::string layout;
+  std::string json;
+  double size = 0.0;
+  double meshSize = 0.0;
+  int quads = 1000;
+  bool capCorners = false;
+};
+
+double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
+{
+  return quads->GetFieldData()->GetArray(name)->GetTuple1(i);
+}
+
+/** Nodes by valence, under the names of the valences. */
+Json ByValence(vtkUnstructuredGrid* quads, const char* name)
+{
+  Json counts = Json::object();
+  vtkDataArray* valences = quads->GetFieldData()->GetArray(names::IrregularValence);
+  for (vtkIdType i = 0; i < valences->GetNumberOfTuples(); ++i)
+  {
+    const auto count = static_cast<int>(Value(quads, name, i));
+    if (count > 0)
+    {
+      counts[std::to_string(static_cast<int>(valences->GetTuple1(i)))] = count;
+    }
+  }
+  return counts;
+}
+
+std::string WriteJson(vtkQuadMesher* mesher)
+{
+  vtkUnstructuredGrid* quads = mesher->GetOutput();
+  const auto count = [quads](const char* name)
+  { return static_cast<long long>(Value(quads, name)); };
+  Json report = Json::object();
+  report["quads"] = count(names::Quads);
+  report["irregular"] = ByValence(quads, names::IrregularGot);
+  report["asked"] = ByValence(quads, names::IrregularAsked);
+  report["blocks"] = count(names::Blocks);
+  report["scaled_jacobian"] = { { "min", Value(quads, names::ScaledJacobianRange) },
+    { "mean", Value(quads, names::ScaledJacobianRange, 1) },
+    { "bound", Value(quads, names::ScaledJacobianBound) } };
+  report["eta"] = { { "min", Value(quads, names::EtaRange) },
+    { "mean", Value(quads, names::EtaRange, 1) } };
+  report["sizes"] = { { "min", Value(quads, names::SizeRange) },
+    { "mean", Value(quads, names::SizeRange, 1) }, { "max", Value(quads, names::SizeRange, 2) } };
+  report["zero_arcs"] = count(names::ZeroArcs);
+  const double* seconds = mesher->GetStageSeconds();
+  report["integers"] = { { "variables", count(names::IntegerVariables) }, { "seconds", seconds[3] },
+    { "optimal", count(names::IntegerOptimal) != 0 }, { "gap", Value(quads, names::IntegerGap) } };
+  report["inverted"] = count(names::Inverted);
+  report["moved"] = Value(quads, names::Moved);
+  report["seconds"] = { { "mesh", seconds[0] }, { "map", seconds[1] }, { "trace", seconds[2] },
+    { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] } };
+  return report.dump(2) + "\n";
+}
+
+int Mesh(const QuadsOptions& options)
+{
+  // 1. Check the outputs before any work.
+  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.blocks, ".vtm" },
+    { options.layout, ".vtp" }, { options.json, "" } });
+
+  // 2. Read the domain and the configuration.
+  const auto domain = DomainReader::Open(options.domain, options.meshSize);
+  vtkNew<vtkQuadMesher> mesher;
+  mesher->SetInputConnection(domain->GetOutputPort());
+  mesher->SetQuadSize(options.size);
+  mesher->SetQuadCount(options.quads);
+  mesher->SetMeshSize(options.meshSize);
+  mesher->SetCapCorners(options.capCorners);
+  if (!options.singularities.empty())
+  {
+    mesher->SetSingularitiesConnection(
+      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
+  }
+  DomainReader::ConnectCorners(mesher.Get(), options.corners);
+
+  // 3. Mesh.
+  PipelineRun::Update(mesher, "meshing");
+  vtkUnstructuredGrid* quads = mesher->GetOutput();
+
+  // 4. Write.
+  OutputTransaction outputs;
+  OutputFile::WriteIfNamed(quads, options.output, outputs);
+  OutputFile::WriteIfNamed(mesher->GetOutputDataObject(2), options.layout, outputs);
+  if (!options.blocks.empty())
+  {
+    auto* grids = vtkMultiBlockDataSet::SafeDownCast(mesher->GetOutputDataObject(1));
+    OutputFile::Blocks blocks;
+    for (unsigned int b = 0; b < grids->GetNumberOfBlocks(); ++b)
+    {
+      blocks.emplace_back("block" + std::to_string(b), grids->GetBlock(b));
+    }
+    OutputFile::WriteBlocks(blocks, options.blocks, outputs);
+  }
+  if (options.json.empty())
+  {
+    std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
+              << " blocks, irregular nodes by valence "
+              << ByValence(quads, names::IrregularGot).dump() << ", least scaled Jacobian "
+              << Value(quads, names::ScaledJacobianRange) << " (attainable "
+              << Value(quads, names::ScaledJacobianBound) << ")\n";
+  }
+  else
+  {
+    outputs.Write(WriteJson(mesher), options.json);
+  }
+  outputs.Commit();
+  return Value(quads, names::Inverted) > 0.0 ? AnswerIsNo : Done;
+}
+}
+
+void AddQuadsCommand(CLI::App& app, int& status)
+{
+  auto options = std::make_shared<QuadsOptions>();
+  CLI::App* command = app.add_subcommand(
+    "quads", "make an all-quad mesh with exactly the chosen irregular nodes, and its blocks");
+  command->footer(
+    "Example: crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --json -");
+  command->add_option("DOMAIN", options->domain, "a file, or builtin:NAME")->required();
+  command->add_option("-s,--singularities", options->singularities,
+    "singularities: .csv with the header x,y,quarter_index; not needed where the corners suffice");
+  command->add_option("-o,--output", options->output, "the .vtu file to write, with the quads")
+    ->required();
+  CLI::Option* size =
+    command->add_option("--size", options->size, "length of the sides of quads, on the average")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--quads", options->quads, "wanted number of quads; default 1000")
+    ->check(CLI::PositiveNumber)
+    ->excludes(size);
+  command
+    ->add_option("--mesh-size", options->meshSize,
+      "length of the edges of the triangles that the map is solved on")
+    ->check(CLI::PositiveNumber);
+  command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
+  command->add_option("--layout", options->layout, "write the layout to this .vtp file");
+  command->add_flag("--cap-corners", options->capCorners,
+    "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
+  AddCornersTo(*command, options->corners);
+  AddJsonTo(*command, options->json);
+  command->callback([options, &status] { status = Mesh(*options); });
+}

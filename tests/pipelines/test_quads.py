@@ -1,0 +1,56 @@
+"""crossfield quads: the mesh, its blocks and layout, their numbers and refusals."""
+import json
+import unittest
+
+from program import ProgramTest, write_configuration
+
+
+class Quads(ProgramTest):
+    def report(self, domain, *arguments):
+        return json.loads(self.succeed("quads", domain, "-o", "quads.vtu", "--json", "-",
+                                       *arguments))
+
+    def test_the_report_has_its_numbers(self):
+        report = self.report("builtin:disk", "-s", "four.csv", "--size", "0.1", "--blocks",
+                             "blocks.vtm", "--layout", "layout.vtp")
+        # docs/method.md §14.8
+        self.assertEqual(report["quads"], 297)
+        self.assertEqual(report["irregular"], {"3": 4})
+        self.assertEqual(report["asked"], {"3": 4})
+        self.assertEqual(report["blocks"], 5)
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.85)
+        self.assertLessEqual(report["scaled_jacobian"]["min"], report["scaled_jacobian"]["bound"])
+        self.assertTrue(report["integers"]["optimal"])
+        self.assertEqual(report["inverted"], 0)
+        self.assertEqual(set(report["seconds"]),
+                         {"mesh", "map", "trace", "integers", "layout", "smooth"})
+        for name in ("quads.vtu", "layout.vtp", "blocks.vtm", "blocks/block0.vts",
+                     "blocks/block4.vts"):
+            self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_corners_alone(self):
+        report = self.report("builtin:l-shape", "--quads", "300")
+        self.assertEqual((report["quads"], report["irregular"], report["blocks"]), (300, {}, 3))
+        self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
+
+    def test_a_count_is_reached(self):
+        for count in (200, 2000):
+            report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))
+            self.assertLess(abs(report["quads"] - count), 0.05 * count)
+
+    def test_the_same_bytes_twice(self):
+        for name in ("first", "second"):
+            self.succeed("quads", "builtin:disk", "-s", "four.csv", "-o", f"{name}.vtu")
+        self.assertEqual(self.digest("first.vtu"), self.digest("second.vtu"))
+
+    def test_what_cannot_be_meshed_is_refused(self):
+        write_configuration(self.folder / "three.csv", [(0.4, 0.1, 3, 0.1), (-0.4, 0.1, 1, 0.1)])
+        self.refuse("quads", "builtin:disk", "-s", "three.csv", "-o", "quads.vtu",
+                    says=("quarter index 3", "split it"))
+        self.refuse("quads", "builtin:disk", "-s", "four.csv", "-o", "quads.vtp", says=(".vtu",))
+        self.refuse("quads", "builtin:disk", "-s", "four.csv", "-o", "quads.vtu", "--size", "-1",
+                    says=("--size",))
+
+
+if __name__ == "__main__":
+    unittest.main()
