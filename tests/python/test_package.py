@@ -420,6 +420,7 @@ def test_input_untouched():
 def test_warning():
     algorithm = crossfield.vtkPerforatedCrossField()
     algorithm.SetInputData(crossfield.drill(SQUARE, PAIR).grid)
+    algorithm.SetMethodToConstrained()
     algorithm.SetMaximumIterations(1)
     algorithm.SetTolerance(1e-300)
     with silence(), warnings.catch_warnings(record=True) as caught:
