@@ -130,6 +130,7 @@ void WriteQuads(
     points->InsertNextPoint(plane.ToSpace(point.place).data());
   }
   output->SetPoints(points);
+  output->Allocate(static_cast<vtkIdType>(result.mesh.quads.size() + result.mesh.boundary.size()));
   for (const std::array<int, 4>& quad : result.mesh.quads)
   {
     const std::array<vtkIdType, 4> ids = { quad[0], quad[1], quad[2], quad[3] };
