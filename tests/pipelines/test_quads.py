@@ -34,7 +34,7 @@ class Quads(ProgramTest):
         self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
 
     def test_a_count_is_reached(self):
-        for count in (200, 2000):
+        for count in (1000, 4000):
             report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))
             self.assertLess(abs(report["quads"] - count), 0.05 * count)
 
