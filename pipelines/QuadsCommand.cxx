@@ -8,6 +8,8 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "ReportJson.h"
+#include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkQuadMesher.h"
 
@@ -38,6 +40,7 @@ struct QuadsOptions
   std::string blocks;
   std::string layout;
   std::string json;
+  std::string savedSingularities;
   double size = 0.0;
   double meshSize = 0.0;
   int quads = 1000;
@@ -65,7 +68,7 @@ Json ByValence(vtkUnstructuredGrid* quads, const char* name)
   return counts;
 }
 
-std::string WriteJson(vtkQuadMesher* mesher)
+std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
 {
   vtkUnstructuredGrid* quads = mesher->GetOutput();
   const auto count = [quads](const char* name)
@@ -90,6 +93,7 @@ std::string WriteJson(vtkQuadMesher* mesher)
   report["moved"] = Value(quads, names::Moved);
   report["seconds"] = { { "mesh", seconds[0] }, { "map", seconds[1] }, { "trace", seconds[2] },
     { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] } };
+  ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(quads));
   return report.dump(2) + "\n";
 }
 
@@ -97,7 +101,7 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.blocks, ".vtm" },
-    { options.layout, ".vtp" }, { options.json, "" } });
+    { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
   const auto domain = DomainReader::Open(options.domain, options.meshSize);
@@ -107,12 +111,10 @@ int Mesh(const QuadsOptions& options)
   mesher->SetQuadCount(options.quads);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
-  if (!options.singularities.empty())
-  {
-    mesher->SetSingularitiesConnection(
-      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
-  }
-  DomainReader::ConnectCorners(mesher.Get(), options.corners);
+  SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
+  singularities.Update();
+  mesher->SetSingularitiesConnection(singularities.GetOutputPort());
+  singularities.ConnectCorners(mesher.Get());
 
   // 3. Mesh.
   PipelineRun::Update(mesher, "meshing");
@@ -132,17 +134,19 @@ int Mesh(const QuadsOptions& options)
     }
     OutputFile::WriteBlocks(blocks, options.blocks, outputs);
   }
-  if (options.json.empty())
+  singularities.Save(options.savedSingularities, outputs);
+  if (!options.json.empty())
   {
+    outputs.Write(WriteJson(mesher, singularities.GetOutput()), options.json);
+  }
+  else if (!outputs.PrintsData())
+  {
+    singularities.PrintChoice();
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
               << ByValence(quads, names::IrregularGot).dump() << ", least scaled Jacobian "
               << Value(quads, names::ScaledJacobianRange) << " (attainable "
               << Value(quads, names::ScaledJacobianBound) << ")\n";
-  }
-  else
-  {
-    outputs.Write(WriteJson(mesher), options.json);
   }
   outputs.Commit();
   return Value(quads, names::Inverted) > 0.0 ? AnswerIsNo : Done;
@@ -158,7 +162,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     "Example: crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --json -");
   command->add_option("DOMAIN", options->domain, "a file, or builtin:NAME")->required();
   command->add_option("-s,--singularities", options->singularities,
-    "singularities: .csv with the header x,y,quarter_index; not needed where the corners suffice");
+    "singularities: .csv with the header x,y,quarter_index, or .vtp, or - for standard input; left out: "
+    "chosen for the domain");
   command->add_option("-o,--output", options->output, "the .vtu file to write, with the quads")
     ->required();
   CLI::Option* size =
@@ -176,6 +181,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_flag("--cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
   AddCornersTo(*command, options->corners);
+  AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Mesh(*options); });
 }
