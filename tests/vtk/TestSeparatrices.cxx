@@ -50,6 +50,7 @@ public:
 
 TEST_F(Separatrices, KeepTheRulesOfAFilter)
 {
+  FilterChecks::UpdateWithoutError(this->Filter);
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter, { "LongestStreamline", "StageSeconds" });
@@ -58,6 +59,7 @@ TEST_F(Separatrices, KeepTheRulesOfAFilter)
 
 TEST_F(Separatrices, MapKeepsTheRulesOfAFilter)
 {
+  FilterChecks::UpdateWithoutError(this->Map);
   FilterChecks::CheckInputUntouched(this->Map);
   FilterChecks::CheckProgressAndAbort(this->Map);
   FilterChecks::CheckPrintSelf(this->Map, { "MeshSize", "CapCorners", "StageSeconds" });

@@ -20,7 +20,7 @@ std::string Mend(const FlatMap& map)
       worst = k;
     }
   }
-  // Up to 0.2 radians of θ, four times that of the phase, a map was always found (docs/method.md §12.1).
+  // A twentieth of a radian of θ, a quarter of that of the phase: smaller ones turn nothing over.
   constexpr double Harmless = 0.2;
   if (!map.holonomyDefect.empty() && std::abs(map.holonomyDefect[worst]) > Harmless)
   {

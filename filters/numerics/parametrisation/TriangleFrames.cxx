@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -20,7 +21,7 @@ public:
     , FirstOnCurve(solution.logs.size() - potential.GetBoundaryLogs().size())
     , FirstAtCorner(this->FirstOnCurve + potential.CurveLogCount())
     , SeenFromCurves(static_cast<std::size_t>(this->Topology.edges.Count()))
-    , Gradient(potential.GetProblem().potential->Gradient(solution.aligned))
+    , Gradient(potential.GetProblem().potential->Gradient(solution.regular))
   {
     for (int e = 0; e < this->Topology.edges.Count(); ++e)
     {
@@ -82,16 +83,8 @@ Eigen::VectorXd CentreValues(
   for (int t = 0; t < static_cast<int>(values.size()); ++t)
   {
     const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
-    values[t] = (solution.aligned[v[0]] + solution.aligned[v[1]] + solution.aligned[v[2]]) / 3.0 +
+    values[t] = (solution.regular[v[0]] + solution.regular[v[1]] + solution.regular[v[2]]) / 3.0 +
       SumOfLogs(solution.logs, walk.Centre(t));
-  }
-  for (Eigen::Index k = 0; k < solution.periods.size(); ++k)
-  {
-    for (const LoopStrip::Step& step : solver.GetStrips()[static_cast<std::size_t>(k)].steps)
-    {
-      values[step.triangle] +=
-        solution.periods[k] * (step.left[0] + step.left[1] + step.left[2]) / 3.0;
-    }
   }
   return values;
 }
@@ -157,11 +150,10 @@ TriangleFrames FrameTriangles(
   TriangleFrames frames;
   frames.h = 0.25 * CentreValues(potential, solution, walk);
   frames.jump.assign(static_cast<std::size_t>(count), { 0, 0, 0 });
-  const auto wholeTurns = [&frames, turn](double phase)
+  const auto wholeTurns = [turn](double phase)
   {
     const double whole = std::round(phase / turn);
-    frames.residual = std::max(frames.residual, 0.25 * std::abs(phase - whole * turn));
-    return static_cast<int>(whole);
+    return std::make_pair(static_cast<int>(whole), 0.25 * std::abs(phase - whole * turn));
   };
 
   // The phase of the cross along a boundary edge, at its midpoint.
@@ -229,7 +221,9 @@ TriangleFrames FrameTriangles(
       {
         const double carried = phase[t] + toSide[static_cast<std::size_t>(t)][i] -
           toSide[static_cast<std::size_t>(other)][sideOf(other, edge)];
-        frames.jump[static_cast<std::size_t>(t)][i] = wholeTurns(carried - phase[other]);
+        const auto [turns, residual] = wholeTurns(carried - phase[other]);
+        frames.jump[static_cast<std::size_t>(t)][i] = turns;
+        frames.residual = std::max(frames.residual, residual);
       }
     }
   }
@@ -238,8 +232,9 @@ TriangleFrames FrameTriangles(
     const int edge = topology.EdgeOfBoundary(position);
     const int t = topology.edges.triangles[static_cast<std::size_t>(edge)][0];
     const std::size_t i = sideOf(t, edge);
+    // On an inner loop with a holonomy defect, a quarter of that is left.
     frames.jump[static_cast<std::size_t>(t)][i] =
-      wholeTurns(boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]);
+      wholeTurns(boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]).first;
   }
   // Rounding of as many steps as there are triangles across the domain, by far.
   constexpr double LargestResidual = 1e-6;
