@@ -41,6 +41,7 @@ public:
 
 TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
 {
+  FilterChecks::UpdateWithoutError(this->Filter);
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(
