@@ -40,7 +40,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct SolveOptions : MeshOptions
 {
-  std::string method = "unit-norm";
+  std::string method; ///< Empty: unit-norm, or the one that other options belong to.
   std::string start = "best";
   std::string mode = "perforate";
   bool unitHoles = false;
@@ -106,6 +106,16 @@ std::vector<std::string> AllStarts()
     }
   }
   return all;
+}
+
+/** The method where none was named: that of the paper with options that only it has. */
+std::string DefaultMethod(const SolveOptions& options)
+{
+  const SolveOptions defaults;
+  const bool variant = options.mode != defaults.mode || options.start != defaults.start ||
+    options.unitHoles || !options.unitHoleRows.empty() || options.globalConstraint ||
+    options.epsilon != defaults.epsilon;
+  return variant ? "constrained" : "unit-norm";
 }
 
 /** Throws what makes bad usage when an option does not belong to the method. */
@@ -260,8 +270,8 @@ void AddSolveCommand(CLI::App& app, int& status)
     ->add_option("--method", options->method,
       "unit-norm, which has exactly the singularities asked for; constrained, that of the paper, "
       "whose norm is free and may vanish elsewhere; or ginzburg-landau, which places singularities "
-      "by itself and makes no use of -s")
-    ->capture_default_str()
+      "by itself and makes no use of -s; default: unit-norm, or constrained with options that only it "
+      "has")
     ->check(CLI::IsMember({ "constrained", "unit-norm", "ginzburg-landau" }));
   command
     ->add_option("--start", options->start,
@@ -290,5 +300,10 @@ void AddSolveCommand(CLI::App& app, int& status)
   AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,
     "exit with status 1 when there are unwanted singularities or a degree was not reached");
-  command->callback([options, &status] { status = Solve(*options); });
+  command->callback(
+    [options, &status]
+    {
+      options->method = options->method.empty() ? DefaultMethod(*options) : options->method;
+      status = Solve(*options);
+    });
 }

@@ -19,8 +19,8 @@ from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 # Field data that is true or false, and that has one entry for each hole or inner loop.
 _FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
           names.UnitHoles)
-_LISTS = (names.Annihilation, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange, names.HolonomyDefect,
-          names.PointSingularities)
+_LISTS = (names.Annihilation, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
+          names.HolonomyDefect, names.PointSingularities)
 
 
 def copied(attributes: Any, name: str) -> np.ndarray:
@@ -53,7 +53,7 @@ def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, An
             values = values[0] != 0
         elif name == names.HoleDegreeReliable:
             values = [value != 0 for value in values]
-        elif name not in _LISTS:
+        elif name not in _LISTS and len(values) == 1:
             values = values[0]
         report[snake_case(name)] = values
     return report

@@ -62,7 +62,7 @@ public:
   void Add(
     const Configuration& more, const std::vector<CornerChoice>& corners, const std::string& origin)
   {
-    SpreadOptions spread = this->Options;
+    auto spread = static_cast<const SpreadOptions&>(this->Options);
     spread.corners = corners;
     spread.given.insert(spread.given.end(), more.begin(), more.end());
     ProposedConfiguration proposal;
