@@ -68,7 +68,7 @@ def check_picture():
 def test_default():
     done = run("--output", "field.vtu")
     check_equal(done.returncode, 0, "the exit status")
-    check("energy 20." in done.stdout, "the energy is not printed")
+    check("energy 30." in done.stdout, "the energy is not printed")
     check_field_file()
     if arguments.plugin:
         check_picture()
