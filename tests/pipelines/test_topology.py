@@ -84,7 +84,7 @@ class Check(TopologyTest):
         self.assertIn("required 4, given 1", result.stdout)
 
     def test_the_verdict_comes_first_and_hints_at_other_corners(self):
-        for domain, hint in (("builtin:disk", False), ("builtin:star", True)):
+        for domain, hint in (("builtin:disk", False), ("builtin:hexagonal", True)):
             lines = self.run_program("check", domain).stdout.splitlines()
             self.assertTrue(lines[0].startswith("The quarter indices"), lines)
             self.assertEqual(any("cheapest quarter indices" in line for line in lines), hint)

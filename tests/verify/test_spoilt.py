@@ -27,7 +27,7 @@ ELBOW = [HEADER, "0.3,0.3,1,0.02", "0.7,0.2,-1,0.02"]
 GOOD = {
     "drilled": ("drill", "builtin:disk", FOUR, "--size 0.1"),
     "imprinted": ("solve", "builtin:disk", FOUR, "--mode imprint --size 0.1"),
-    "constrained": ("solve", "builtin:disk", FOUR, "--size 0.1"),
+    "constrained": ("solve", "builtin:disk", FOUR, "--method constrained --size 0.1"),
     "unit_holes": ("solve", "builtin:disk", FOUR, "--unit-holes --size 0.1"),
     "by_sum": ("solve", "builtin:disk", FOUR, "--global-constraint --size 0.1"),
     "penalty": ("solve", "builtin:disk", FIVE, "--epsilon 0.1 --size 0.1"),
