@@ -22,7 +22,7 @@ x,y,quarter_index,radius
 0.4242640687119285,-0.4242640687119285,1,0.1
 END
 echo "The cross field, by the program:"
-build/bin/crossfield solve builtin:disk --singularities "$demo/four.csv" --size 0.02 \
+build/bin/crossfield solve builtin:disk --singularities "$demo/four.csv" --size 0.02 --method constrained \
   --output "$demo/cross_field.vtu"
 echo "The same field and its picture, by ParaView:"
 plugin=$(build/bin/crossfield --paths | sed -n 's/^plugin: //p')

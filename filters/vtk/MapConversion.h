@@ -22,7 +22,7 @@ struct Map
 };
 
 /** The mesh cut along the seams, with the arrays of vtkCrossFieldMap. */
-void WriteMap(const Map& map, vtkUnstructuredGrid* output);
+void WriteMap(const Map& written, vtkUnstructuredGrid* output);
 
 /** What WriteMap has written. */
 Map ReadMap(vtkUnstructuredGrid* input);

@@ -60,7 +60,7 @@ singularities = SingularitySource(FileName=arguments.singularities)
 
 # 2. A mesh with a hole at every singularity, and the cross field on it.
 drilled = DrillHoles(Input=domain, Singularities=singularities, MeshSize=edge_length)
-field = PerforatedCrossField(Input=drilled)
+field = PerforatedCrossField(Input=drilled, Method="Constrained")  # the paper's figure
 check(field)
 
 # 3. The file: inline binary, because Debian's VTK cannot read appended data back.

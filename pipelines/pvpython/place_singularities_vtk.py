@@ -56,6 +56,7 @@ drill.SetInputConnection(domain.GetOutputPort())
 drill.SetSingularitiesConnection(singularities.GetOutputPort())
 drill.SetMeshSize(edge_length)
 solver = crossfield.vtkPerforatedCrossField()
+solver.SetMethodToConstrained()  # the figure of the paper
 solver.SetInputConnection(drill.GetOutputPort())
 update(domain, singularities, drill, solver)
 

@@ -86,6 +86,8 @@ def verified(path):
     if np.any(off > rounding):
         return f"an edge is off alignment by {off.max()}"
 
+    # Singularities on the boundary take the place of corners; in the plane z = 0, sizes about 1.
+    boundary = arrays.get(("FieldData", "BoundarySingularities"), np.zeros((0, 4))).reshape(-1, 4)
     given = 0
     for row in np.unique(loop[kind == 3]):
         hole = (kind == 3) & (loop == row)
@@ -100,7 +102,10 @@ def verified(path):
         after = dict(zip(edges[on][:, 0], tangent[on]))
         for (_, here), before in zip(edges[on], tangent[on]):
             turn = np.angle(after[here] / before)
-            if abs(turn) > np.pi / 6 + 1e-9:
+            chosen = [k for x, y, _, k in boundary if np.hypot(*(points[here][:2] - (x, y))) < 1e-6]
+            if chosen:
+                corners += int(chosen[0])
+            elif abs(turn) > np.pi / 6 + 1e-9:
                 # The smallest rotation is in (−π/4, π/4].
                 corners += int(np.ceil(turn / (0.5 * np.pi) - 0.5 - 1e-9))
     inner = len(np.unique(loop[kind == 2]))

@@ -103,16 +103,16 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
       column[static_cast<std::size_t>(unknown)] = columns++;
     }
   }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, columns);
-  matrix.reserve(Eigen::VectorXi::Constant(count, 2));
+  std::vector<Eigen::Triplet<double>> entries;
   for (int unknown = 0; unknown < count; ++unknown)
   {
     for (const auto& [other, factor] : this->Resolve({ { unknown, 1.0 } }))
     {
-      matrix.insert(unknown, column[static_cast<std::size_t>(other)]) = factor;
+      entries.emplace_back(unknown, column[static_cast<std::size_t>(other)], factor);
     }
   }
-  matrix.makeCompressed();
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, columns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 }
