@@ -31,11 +31,11 @@ Map ReadMap(vtkUnstructuredGrid* input);
  * A polyline for each line, and four from each seed, of lengths up to `longest` in the map; see
  * vtkSeparatrices.
  */
-void WriteTraces(const Map& map, const crossfield::TraceGraph& graph,
+void WriteTraces(const Map& traced, const crossfield::TraceGraph& graph,
   const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
 
 /** A polygon for each face, with its nodes. */
-void WriteFaces(const Map& map, const crossfield::TMesh& mesh, vtkPolyData* output);
+void WriteFaces(const Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output);
 
 /** The field data of vtkSeparatrices. */
 void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field);
