@@ -15,9 +15,3 @@ set(CROSSFIELD_FUZZER_OPTIONS -fsanitize=fuzzer-no-link)
 
 # Every executable has this source, which holds the options at run time.
 set(CROSSFIELD_SANITIZER_SOURCE "${CMAKE_SOURCE_DIR}/tests/checked/SanitizerOptions.cxx")
-
-# Every file of filters and pipelines is read by clang-tidy when it is compiled; what .clang-tidy asks for
-# are errors. Here, because this build has the compiler that clang-tidy belongs to, and no file that VTK
-# generates for Python or ParaView.
-find_program(CLANG_TIDY_PROGRAM clang-tidy-14 REQUIRED)
-set(CMAKE_CXX_CLANG_TIDY "${CLANG_TIDY_PROGRAM}" --quiet)

@@ -428,6 +428,16 @@ void WriteConfiguration(const crossfield::Configuration& configuration,
 }
 
 //------------------------------------------------------------------------------
+vtkUnstructuredGrid* AsDrilledMesh(vtkDataSet* input)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  return grid != nullptr &&
+      grid->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr
+    ? grid
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 {
   InputCheck::Require(input);

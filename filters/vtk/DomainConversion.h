@@ -50,6 +50,9 @@ crossfield::Configuration ReadConfiguration(
 void WriteConfiguration(const crossfield::Configuration& configuration,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
+/** The data set if it is a mesh with the cell array `BoundaryKind`, as vtkDrillHoles makes, else null. */
+vtkUnstructuredGrid* AsDrilledMesh(vtkDataSet* input);
+
 /** A drilled mesh, its plane, and which points and cells its vertices, triangles and edges are. */
 struct DrilledMesh
 {

@@ -15,8 +15,8 @@
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkPoincareHopfCheck.
  *
  * Output port 0 (vtkPolyData): vertices, first those of port 1, then those that cancel flat corners,
- * then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance at
- * which the hole would meet the boundary or another one, at most 1/40 of the domain's diagonal; of
+ * then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance
+ * to the boundary or the next singularity, at most 1/40 of the domain's diagonal; of
  * port 1 as given, and none elsewhere if one of port 1 has none. With Automatic there is `Radius` only
  * where port 1 gives it, and the field data of vtkSingularityOptimizer and `Events` (strings: one sentence
  * for each thing that was decided).

@@ -7,10 +7,9 @@
 #include "FlatMapSolve.h"
 #include "MapConversion.h"
 #include "MeshForPoints.h"
+#include "PoincareHopf.h"
 #include "Stopwatch.h"
-#include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -44,12 +43,11 @@ int vtkCrossFieldMap::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Stopwatch stopwatch;
-      auto* given = vtkUnstructuredGrid::SafeDownCast(domain);
+      vtkUnstructuredGrid* given = DomainConversion::AsDrilledMesh(domain);
       MapConversion::Map result;
       crossfield::SharedTopology topology;
       crossfield::Configuration configuration;
-      if (given != nullptr &&
-        given->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr)
+      if (given != nullptr)
       {
         const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(given);
         result.plane = cells.plane;
@@ -74,7 +72,7 @@ int vtkCrossFieldMap::RequestData(
       for (std::size_t k = 0; k < result.map.holonomyDefect.size(); ++k)
       {
         const double defect = result.map.holonomyDefect[k];
-        if (std::abs(defect) > 1e-2) // below it may come from the mesh, as in Verdict
+        if (std::abs(defect) > crossfield::NoticeableDefect)
         {
           vtkWarningMacro("The map is not conformal: at inner loop "
             << k + 1 << " there is a holonomy defect of " << defect

@@ -7,10 +7,9 @@
 #include "FilterRun.h"
 #include "HField.h"
 #include "MeshForPoints.h"
+#include "PoincareHopf.h"
 #include "Stopwatch.h"
-#include "vtkCrossFieldArrayNames.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -19,19 +18,6 @@
 #include <cmath>
 
 vtkStandardNewMacro(vtkHField);
-
-namespace
-{
-/** The input as a mesh of vtkDrillHoles, or null. */
-vtkUnstructuredGrid* AsMesh(vtkDataSet* domain)
-{
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(domain);
-  return grid != nullptr &&
-      grid->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind) != nullptr
-    ? grid
-    : nullptr;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkHField::vtkHField()
@@ -57,7 +43,7 @@ int vtkHField::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Stopwatch stopwatch;
-      vtkUnstructuredGrid* given = AsMesh(domain);
+      vtkUnstructuredGrid* given = DomainConversion::AsDrilledMesh(domain);
       crossfield::Configuration configuration;
       DomainConversion::DrilledMesh cells;
       if (given != nullptr)
@@ -79,7 +65,7 @@ int vtkHField::RequestData(
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];
-        if (std::abs(defect) > 1e-2) // below it may come from the mesh, as in Verdict
+        if (std::abs(defect) > crossfield::NoticeableDefect)
         {
           vtkWarningMacro("H is not single-valued: at inner loop "
             << k + 1 << " there is a holonomy defect of " << defect << " radians, and H jumps by "

@@ -54,11 +54,9 @@ struct Findings
 
 vtkUnstructuredGrid* AsField(vtkDataSet* domain)
 {
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(domain);
-  return grid != nullptr && grid->GetCellData()->GetArray(names::CrossFieldCR) != nullptr &&
-      grid->GetCellData()->GetArray(names::BoundaryKind) != nullptr
-    ? grid
-    : nullptr;
+  vtkUnstructuredGrid* grid = DomainConversion::AsDrilledMesh(domain);
+  return grid != nullptr && grid->GetCellData()->GetArray(names::CrossFieldCR) != nullptr ? grid
+                                                                                          : nullptr;
 }
 
 Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDataSet* corners,

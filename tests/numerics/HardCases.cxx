@@ -12,12 +12,6 @@ namespace crossfield::test
 {
 namespace
 {
-Configuration Join(Configuration first, const Configuration& second)
-{
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 /// The unit disk with circular islands.
 PlanarDomain Islands(const std::vector<Singularity>& circles)
 {

@@ -202,6 +202,29 @@ double TriangleArea(const TriangleMesh& mesh, std::size_t triangle)
   return 0.5 * Cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
 }
 
+Configuration Join(Configuration first, const Configuration& second)
+{
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+PlanarDomain LShape()
+{
+  return MakePlanarDomain(
+    { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0 }, { 0.0, 2.0 } } });
+}
+
+PlanarDomain DiskOfEdges(double edge)
+{
+  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)) });
+}
+
+PlanarDomain RingOfEdges(double edge)
+{
+  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)),
+    RegularPolygon(static_cast<int>(0.8 * Pi / edge), 0.4) });
+}
+
 Singularity OnTheCircle(double angle, int quarterIndex)
 {
   return { { std::cos(angle), std::sin(angle) }, quarterIndex, 0.0 };

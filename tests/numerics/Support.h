@@ -86,6 +86,15 @@ double DistanceToLoop(const Point& point, const Loop& loop);
 Configuration OnCircle(
   int count, double circleRadius, double firstAngle, int quarterIndex, double holeRadius);
 
+/// Those of both, in order.
+Configuration Join(Configuration first, const Configuration& second);
+
+/// The square of side 2 without the unit square at (1, 1).
+PlanarDomain LShape();
+/// The unit disk, and with an island of radius 0.4, of edges of about this length.
+PlanarDomain DiskOfEdges(double edge);
+PlanarDomain RingOfEdges(double edge);
+
 /// On the unit circle.
 Singularity OnTheCircle(double angle, int quarterIndex);
 

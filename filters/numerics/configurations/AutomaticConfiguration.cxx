@@ -2,6 +2,7 @@
 
 #include "DrillHoles.h"
 #include "MeshBudget.h"
+#include "PoincareHopf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,6 @@ namespace crossfield
 {
 namespace
 {
-/// Radians; a smaller holonomy defect may come from the mesh , as in PoincareHopf.h.
-constexpr double NoticeableDefect = 1e-2;
-
 /// "6 singularities were chosen: 5 of quarter index 1, 1 of −1."
 std::string DescribeChoice(const Configuration& configuration)
 {

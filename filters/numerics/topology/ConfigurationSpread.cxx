@@ -2,6 +2,7 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
+#include "HoleRadii.h"
 #include "PoincareHopf.h"
 
 #include <Eigen/Geometry>
@@ -213,9 +214,7 @@ void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::si
 {
   for (std::size_t i = first; i < configuration.size(); ++i)
   {
-    const Point& place = configuration[i].position;
-    configuration[i].radius = std::min(
-      domain.Diagonal() / 40.0, Room(place, SignedDistance(place, domain), configuration, i) / 3.0);
+    configuration[i].radius = ChosenRadius(domain, configuration, i, domain.Diagonal() / 40.0);
   }
 }
 }

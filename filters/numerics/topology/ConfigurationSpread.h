@@ -33,8 +33,7 @@ Configuration SpreadConfiguration(
 /// The place with the most room beside singularities, on the same grid; none where the domain is too thin.
 std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configuration& others);
 
-/// Gives singularities from the number `first` on a radius that leaves room for a mesh in between: a
-/// third of that of the largest disk around each that stays off the boundary and off those of the
-/// others, at most 1/40 of the domain's diagonal.
+/// Gives singularities from the number `first` on the radius that a drilled mesh of the default size would
+/// choose (HoleRadii.h).
 void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first = 0);
 }

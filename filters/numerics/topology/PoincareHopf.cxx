@@ -115,7 +115,7 @@ std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& h
   if (count.Consistent())
   {
     const auto defect = std::find_if(holonomyDefects.begin(), holonomyDefects.end(),
-      [](double value) { return std::abs(value) > 1e-2; });
+      [](double value) { return std::abs(value) > NoticeableDefect; });
     return sums + ", as the Poincaré-Hopf theorem asks" + domain +
       (defect == holonomyDefects.end()
           ? "."

@@ -61,10 +61,12 @@ PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInterio
 PoincareHopfCount CountMeshQuarters(
   const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
 
+/// Radians; a smaller holonomy defect may come from the mesh.
+constexpr double NoticeableDefect = 1e-2;
+
 /// One sentence: the sums agree, or by how much they differ and what to add, or to remove if the sum given
 /// says that there is as much. When they
-/// agree it also names the first inner loop with a holonomy defect (HolonomyCheck.h) of more than a
-/// hundredth of a radian, below which it may come from the mesh.
+/// agree it also names the first inner loop with a NoticeableDefect (HolonomyCheck.h).
 std::string Verdict(
   const PoincareHopfCount& count, const std::vector<double>& holonomyDefects = {});
 

@@ -73,12 +73,6 @@ void ExpectSound(const TMesh& mesh, int euler)
   EXPECT_NEAR(area, domain, 1e-9 * domain);
 }
 
-Configuration Join(Configuration first, const Configuration& second)
-{
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
 struct Case
 {
   std::string name;
@@ -88,37 +82,20 @@ struct Case
   int arcs;
 };
 
-PlanarDomain LShape()
-{
-  return MakePlanarDomain(
-    { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.0, 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0 }, { 0.0, 2.0 } } });
-}
-
-PlanarDomain Ring(double edge)
-{
-  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)),
-    RegularPolygon(static_cast<int>(0.8 * Pi / edge), 0.4) });
-}
-
-PlanarDomain Disk(double edge)
-{
-  return MakePlanarDomain({ RegularPolygon(static_cast<int>(2.0 * Pi / edge)) });
-}
-
 std::vector<Case> ReferenceCases()
 {
   return {
-    { "five around one", Disk(0.04), Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }),
-      15, 40 },
-    { "six around two", Disk(0.04),
+    { "five around one", DiskOfEdges(0.04),
+      Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }), 15, 40 },
+    { "six around two", DiskOfEdges(0.04),
       Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } }), 21,
       56 },
     { "L-shape with a pair", LShape(), { { { 0.45, 0.55 }, 1 }, { { 1.3, 0.5 }, -1 } }, 9, 26 },
-    { "ring with eight", Ring(0.04),
+    { "ring with eight", RingOfEdges(0.04),
       Join(OnCircle(4, 0.8, 0.1, 1, 0.0), OnCircle(4, 0.55, 0.1, -1, 0.0)), 24, 64 },
     { "hexagon", Builtin("hexagonal"), { { { 0.469, 0.0 }, -1 }, { { -0.469, 0.0 }, -1 } }, 9, 26 },
     { "L-shape", LShape(), {}, 3, 10 },
-    { "ring", Ring(0.04), {}, 1, 3 },
+    { "ring", RingOfEdges(0.04), {}, 1, 3 },
   };
 }
 
@@ -152,7 +129,7 @@ TEST(TMesh, LShapeIsThreeUnitSquares)
 
 TEST(TMesh, RingHasSidesInTheRatioOfLogarithms)
 {
-  const TMesh mesh = LinesOf(Ring(0.02), {}, 0.02);
+  const TMesh mesh = LinesOf(RingOfEdges(0.02), {}, 0.02);
   ASSERT_EQ(mesh.faces.size(), 1U);
   EXPECT_EQ(mesh.extraLines, 1);
   const double a = mesh.SideLength(mesh.faces[0], 0);
@@ -170,7 +147,7 @@ TEST(TMesh, OfTheDiskConvergesAtSecondOrder)
     std::vector<double> errors;
     for (const double size : { 0.2, 0.1, 0.05, 0.025 })
     {
-      const TMesh mesh = LinesOf(Disk(size), OnCircle(4, radius, Pi / 4.0, 1, 0.0), size);
+      const TMesh mesh = LinesOf(DiskOfEdges(size), OnCircle(4, radius, Pi / 4.0, 1, 0.0), size);
       ExpectSound(mesh, 1);
       std::vector<double> widths;
       for (const TFace& face : mesh.faces)
