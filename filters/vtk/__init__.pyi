@@ -5,6 +5,7 @@ from ._functions import (
     check as check, corners as corners, drill as drill, hfield as hfield, separatrices as separatrices,
     solve as solve)
 from ._input import configuration as configuration, read as read
+from ._quads import QuadMesh as QuadMesh, quads as quads
 from ._results import (
     Configuration as Configuration, Corners as Corners, CrossField as CrossField, HField as HField,
     Mesh as Mesh, Separatrices as Separatrices, Verdict as Verdict)

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 from typing import Any, Optional, Union
 
+import numpy as np
+
 from . import names
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import Configuration, Corners, configuration_of, snake_case
@@ -41,10 +43,12 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
     return proposal
 
 
-def report_choice(report: dict[str, Any], chosen: Configuration) -> None:
+def report_choice(report: dict[str, Any], chosen: Configuration, points: np.ndarray) -> None:
+    """Adds the choice as the program writes it: z only where the points of the result differ in it."""
+    axes = "xyz" if np.ptp(points[:, 2]) > 0 else "xy"
     report["singularities"] = [
-        {"x": x, "y": y, "z": z, "quarter_index": k}
-        for (x, y, z), k in zip(chosen.points.tolist(), chosen.quarter_index.tolist())]
+        {**dict(zip(axes, point)), "quarter_index": k}
+        for point, k in zip(chosen.points.tolist(), chosen.quarter_index.tolist())]
     report["events"] = list(chosen.events)
 
 

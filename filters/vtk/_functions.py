@@ -136,7 +136,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     solver.SetInputConnection(found.GetOutputPort())
     field = field_of(pipeline.update(solver).GetOutput())
     if chosen is not None:
-        report_choice(field.report, chosen)
+        report_choice(field.report, chosen, field.points)
     return field
 
 
@@ -168,7 +168,7 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
         solver.SetCornersData(corner_points(corners))
     field = h_field_of(pipeline.update(solver).GetOutput())
     if chosen is not None:
-        report_choice(field.report, chosen)
+        report_choice(field.report, chosen, field.points)
     return field
 
 

@@ -20,7 +20,8 @@ from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 _FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
           names.UnitHoles)
 _LISTS = (names.Annihilation, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
-          names.HolonomyDefect, names.PointSingularities)
+          names.HolonomyDefect, names.IrregularAsked, names.IrregularGot, names.IrregularValence,
+          names.PointSingularities)
 
 
 def copied(attributes: Any, name: str) -> np.ndarray:
@@ -59,6 +60,17 @@ def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, An
     return report
 
 
+def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
+    """Writes a .vtu file, in a form that Debian's VTK can read back."""
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid)
+    writer.SetDataModeToBinary()
+    writer.WriteToOutputStringOn()
+    Pipeline().update_one(writer)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(writer.GetOutputString())
+
+
 @dataclass(frozen=True)
 class Mesh:
     """A triangle mesh with a hole at every singularity.
@@ -82,13 +94,7 @@ class Mesh:
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes `grid` to a .vtu file, in a form that Debian's VTK can read back."""
-        writer = vtkXMLUnstructuredGridWriter()
-        writer.SetInputData(self.grid)
-        writer.SetDataModeToBinary()
-        writer.WriteToOutputStringOn()
-        Pipeline().update_one(writer)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(writer.GetOutputString())
+        write_grid(self.grid, path)
 
 
 @dataclass(frozen=True)
@@ -321,7 +327,8 @@ class Separatrices:
     map: vtkUnstructuredGrid
 
 
-def _chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
+def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
+    """The points of each polyline or polygon."""
     ids = vtk_to_numpy(cells.GetConnectivityArray())
     starts = vtk_to_numpy(cells.GetOffsetsArray())
     return [points[ids[first:last]] for first, last in zip(starts[:-1], starts[1:])]
@@ -332,9 +339,9 @@ def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
     """The arrays of lines, faces and their map."""
     data, sizes = lines.GetCellData(), faces.GetCellData()
     return Separatrices(
-        lines=_chains(places(lines), lines.GetLines()),
+        lines=chains(places(lines), lines.GetLines()),
         singularity=copied(data, names.Singularity), seed=copied(data, names.Seed),
         ends_at=copied(data, names.EndsAt), length=copied(data, names.Length),
-        faces=_chains(places(faces), faces.GetPolys()),
+        faces=chains(places(faces), faces.GetPolys()),
         face_sizes=np.column_stack([copied(sizes, names.USize), copied(sizes, names.VSize)]),
         report=report_of(lines), line_data=lines, face_data=faces, map=map)

@@ -1,0 +1,177 @@
+"""All-quad meshes with exactly the chosen irregular nodes."""
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Optional, Union
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    VTK_LINE, VTK_QUAD, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
+
+from . import names
+from ._configurations import checked, chosen as choose, corner_points, report_choice
+from ._input import Domain, Singularities, as_configuration, as_domain
+from ._results import Corners, chains, copied, places, report_of, write_grid
+from ._run import Error, Pipeline
+from .vtkCrossFieldFilters import vtkQuadMesher
+
+
+@dataclass(frozen=True)
+class QuadMesh:
+    """An all-quad mesh and the structured blocks that it consists of.
+
+    points           (n, 3) float
+    quads            (q, 4) int, rows of `points`, counter-clockwise
+    edges            (b, 2) int, of the boundary, with the domain on the left
+    boundary_kind    (b,) int: 1 outer loop, 2 inner loop
+    boundary_id      (b,) int: number of the loop
+    valence          (n,) int, quads at each point
+    irregular        (n,) int, quarter index of a singularity or corner, else 0
+    block            (q,) int, the block of each quad
+    scaled_jacobian  (q,) float, least sine of the angles of each quad, negative where it is turned over
+    blocks           list of (i, j, 3) float, the points of each block, right-handed
+    layout           list of (m, 3) float, a polyline for each side of a block
+    report           the numbers, under the names of `crossfield quads --json`
+    grid, block_data, layout_data
+                     all of it as a vtkUnstructuredGrid, a vtkMultiBlockDataSet and a vtkPolyData
+    """
+
+    points: np.ndarray
+    quads: np.ndarray
+    edges: np.ndarray
+    boundary_kind: np.ndarray
+    boundary_id: np.ndarray
+    valence: np.ndarray
+    irregular: np.ndarray
+    block: np.ndarray
+    scaled_jacobian: np.ndarray
+    blocks: list[np.ndarray]
+    layout: list[np.ndarray]
+    report: dict[str, Any]
+    grid: vtkUnstructuredGrid
+    block_data: vtkMultiBlockDataSet
+    layout_data: vtkPolyData
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes `grid` to a .vtu file; other endings (.msh, .inp, .su2) are written by meshio: quads and
+        boundary lines, with the loop of each line."""
+        if os.fspath(path).lower().endswith(".vtu"):
+            write_grid(self.grid, path)
+            return
+        try:
+            import meshio
+        except ImportError:
+            raise Error("The file '%s' is written with the Python package meshio; install it (Debian package "
+                        "python3-meshio), or write a .vtu file." % path) from None
+        loops = [np.full(len(self.quads), -1), self.boundary_id]
+        mesh = meshio.Mesh(self.points, [("quad", self.quads), ("line", self.edges)],
+                           cell_data={"BoundaryId": loops})
+        try:
+            mesh.write(path)
+        except (Exception, SystemExit) as error:  # meshio has many ways to say no
+            raise Error("The file '%s' cannot be written by meshio (%s); check its ending and its folder."
+                        % (path, error)) from None
+
+
+def _by_valence(report: dict[str, Any], name: str) -> dict[str, int]:
+    return {str(int(valence)): int(count)
+            for valence, count in zip(report["irregular_valence"], report[name]) if count > 0}
+
+
+def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
+    found = report_of(mesher.GetOutput())
+    seconds = mesher.GetStageSeconds()
+    return {
+        "quads": found["quads"], "irregular": _by_valence(found, "irregular_got"),
+        "asked": _by_valence(found, "irregular_asked"), "blocks": found["blocks"],
+        "scaled_jacobian": {"min": found["scaled_jacobian_range"][0],
+                            "mean": found["scaled_jacobian_range"][1],
+                            "bound": found["scaled_jacobian_bound"]},
+        "eta": dict(zip(("min", "mean"), found["eta_range"])),
+        "sizes": dict(zip(("min", "mean", "max"), found["size_range"])),
+        "zero_arcs": found["zero_arcs"],
+        "integers": {"variables": found["integer_variables"], "seconds": seconds[3],
+                     "optimal": found["integer_optimal"] != 0, "gap": found["integer_gap"]},
+        "inverted": found["inverted"], "moved": found["moved"],
+        "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth"), seconds))}
+
+
+def _points_of_block(grid: Any) -> np.ndarray:
+    size = [0, 0, 0]
+    grid.GetDimensions(size)
+    columns, rows, _ = size
+    return places(grid).reshape(rows, columns, 3).transpose(1, 0, 2).copy()
+
+
+def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
+    grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
+    quads, lines = types == VTK_QUAD, types == VTK_LINE
+
+    def of(cells: np.ndarray, name: str) -> np.ndarray:
+        return vtk_to_numpy(grid.GetCellData().GetArray(name))[cells]
+
+    return QuadMesh(
+        points=places(grid), quads=ids[starts[quads][:, None] + np.arange(4)],
+        edges=ids[starts[lines][:, None] + np.arange(2)],
+        boundary_kind=of(lines, names.BoundaryKind), boundary_id=of(lines, names.BoundaryId),
+        valence=copied(grid.GetPointData(), names.Valence),
+        irregular=copied(grid.GetPointData(), names.Irregular), block=of(quads, names.BlockId),
+        scaled_jacobian=of(quads, names.ScaledJacobian),
+        blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
+        layout=chains(places(layout), layout.GetLines()), report=_report(mesher), grid=grid,
+        block_data=blocks, layout_data=layout)
+
+
+def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
+          count: Optional[int] = None, mesh_size: Optional[float] = None,
+          corners: Union[Corners, Singularities] = None, cap_corners: bool = False) -> QuadMesh:
+    """An all-quad mesh with exactly the chosen irregular nodes.
+
+    domain, singularities, corners
+                   as for `solve`, without holes; None: they are chosen for the domain, and
+                   report["events"] says how
+    size           length of the sides of quads, on the average
+    count          or about so many quads; default: 1000
+    mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
+    cap_corners    sharp corners of quarter index 2 get 1
+
+    Quads that are turned over are a RuntimeWarning, and report["inverted"] counts them.
+
+    >>> mesh = quads("builtin:l-shape", size=0.2)
+    >>> mesh.quads.shape, mesh.report["irregular"], [block.shape for block in mesh.blocks]
+    ((75, 4), {}, [(6, 6, 3), (6, 6, 3), (6, 6, 3)])
+    >>> plate = [(0, 0), (3, 0), (3, 1), (0, 1)]
+    >>> quads(plate, [(1, 0.5, 1), (2, 0.5, -1)], count=300).report["asked"]
+    {'3': 1, '5': 1}
+    """
+    if size is not None and count is not None:
+        raise Error("Both the size of the quads and their number are given; leave one out.")
+    if count is not None and not count > 0:
+        raise Error("The number %s of quads is not positive; give a number, or None." % count)
+    pipeline = Pipeline()
+    data = as_domain(domain, mesh_size)
+    mesher = pipeline.add(vtkQuadMesher())
+    mesher.SetInputData(data)
+    mesher.SetQuadSize(checked(size))
+    if count is not None:
+        mesher.SetQuadCount(count)
+    mesher.SetMeshSize(checked(mesh_size))
+    mesher.SetCapCorners(cap_corners)
+    chosen = None
+    if singularities is None:
+        chosen = choose(pipeline, data, None, mesh_size, corners)
+        mesher.SetSingularitiesData(chosen.data)
+        mesher.SetCornersData(chosen.corners)
+    else:
+        mesher.SetSingularitiesData(as_configuration(singularities))
+        if corners is not None:
+            mesher.SetCornersData(corner_points(corners))
+    mesh = _mesh_of(pipeline.update(mesher))
+    if chosen is not None:
+        report_choice(mesh.report, chosen, mesh.points)
+    return mesh

@@ -1,0 +1,130 @@
+"""crossfield.quads: python3 test_quads.py PROGRAM
+
+Its numbers are those of the program, its arrays are a conforming mesh of quads with the asked valences, the
+blocks are that mesh, and errors are exceptions.
+"""
+import contextlib
+import doctest
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import types
+import unittest
+
+import numpy as np
+
+import crossfield
+from crossfield import _quads
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
+import kept  # noqa: E402
+
+PROGRAM = sys.argv.pop(1)
+FIVE = [(0.7 * np.cos(t), 0.7 * np.sin(t), 1) for t in 0.1 + 2 * np.pi * np.arange(5) / 5] + [(0, 0, -1)]
+
+
+class Quads(unittest.TestCase):
+    def refused(self, word, *arguments, **options):
+        with self.assertRaisesRegex(crossfield.Error, word):
+            crossfield.quads(*arguments, **options)
+
+    def test_numbers_are_those_of_the_program(self):
+        for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
+                                   ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05"))):
+            with tempfile.TemporaryDirectory() as folder:
+                printed = subprocess.run(
+                    [PROGRAM, "quads", "builtin:disk", "-o", "quads.vtu", "--json", "-", *arguments],
+                    cwd=folder, text=True, check=True, stdout=subprocess.PIPE).stdout
+            expected, found = json.loads(printed), crossfield.quads("builtin:disk", **options).report
+            for report in (expected, found):
+                del report["seconds"], report["integers"]["seconds"]
+            self.assertEqual(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True))
+
+    def test_arrays_are_a_conforming_mesh_with_these_valences(self):
+        mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
+        kept.keep_data(mesh.grid)
+        sides = np.sort(np.concatenate([mesh.quads[:, [i, (i + 1) % 4]] for i in range(4)]), axis=1)
+        unique, quads = np.unique(sides, axis=0, return_counts=True)
+        self.assertEqual(len(mesh.points) - len(unique) + len(mesh.quads), 1)  # Euler characteristic
+        self.assertTrue((quads <= 2).all())
+        self.assertEqual(set(map(tuple, unique[quads == 1])), set(map(tuple, np.sort(mesh.edges, axis=1))))
+        self.assertTrue((np.bincount(mesh.quads.ravel()) == mesh.valence).all())
+        inside = np.setdiff1d(np.arange(len(mesh.points)), mesh.edges)
+        irregular = inside[mesh.valence[inside] != 4]
+        self.assertEqual(sorted(4 - mesh.valence[irregular]), [-1, 1, 1, 1, 1, 1])
+        found = {(round(x, 9), round(y, 9), 4 - v) for (x, y, _), v in
+                 zip(mesh.points[irregular].tolist(), mesh.valence[irregular].tolist())}
+        self.assertEqual(found, {(round(x, 9), round(y, 9), k) for x, y, k in FIVE})
+        self.assertGreater(mesh.scaled_jacobian.min(), 0.8)
+
+    def test_blocks_are_the_mesh(self):
+        mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
+        centres = np.concatenate([
+            ((b[:-1, :-1] + b[1:, :-1] + b[1:, 1:] + b[:-1, 1:]) / 4).reshape(-1, 3) for b in mesh.blocks])
+        expected = mesh.points[mesh.quads].mean(axis=1)
+        self.assertEqual(len(centres), len(expected))
+        order, expected_order = (np.lexsort(np.round(a, 9).T) for a in (centres, expected))
+        self.assertLess(np.abs(centres[order] - expected[expected_order]).max(), 1e-12)
+        for block in mesh.blocks:  # right-handed
+            along, across = block[1, 0] - block[0, 0], block[0, 1] - block[0, 0]
+            self.assertGreater(np.cross(along, across)[2], 0)
+        self.assertEqual(len(mesh.blocks), mesh.report["blocks"])
+
+    def test_what_is_written_is_read(self):
+        mesh = crossfield.quads("builtin:l-shape", [], size=0.2)
+        with tempfile.TemporaryDirectory() as folder:
+            mesh.write(os.path.join(folder, "quads.vtu"))
+            read = crossfield.read(os.path.join(folder, "quads.vtu"))
+            self.assertEqual(read.GetNumberOfCells(), 75 + len(mesh.edges))
+
+    def test_other_endings_are_written_by_meshio(self):
+        mesh, written = crossfield.quads("builtin:square", [], count=16), []
+        fake = types.ModuleType("meshio")
+
+        class Mesh:
+            def __init__(self, points, cells, cell_data):
+                self.parts = points, cells, cell_data
+
+            def write(self, path):
+                if path.endswith(".nothing"):
+                    raise ValueError("no such format")
+                written.append((path, *self.parts))
+
+        fake.Mesh = Mesh
+        before = sys.modules.get("meshio")
+        try:
+            sys.modules["meshio"] = None
+            with self.assertRaisesRegex(crossfield.Error, "python3-meshio"):
+                mesh.write("quads.msh")
+            sys.modules["meshio"] = fake
+            mesh.write("quads.msh")
+            with self.assertRaisesRegex(crossfield.Error, "no such format"):
+                mesh.write("quads.nothing")
+        finally:
+            del sys.modules["meshio"]
+            if before is not None:
+                sys.modules["meshio"] = before
+        [(path, points, cells, data)] = written
+        self.assertEqual((path, points.shape), ("quads.msh", (25, 3)))
+        self.assertEqual([(name, ids.shape) for name, ids in cells], [("quad", (16, 4)), ("line", (16, 2))])
+        self.assertEqual([len(values) for values in data["BoundaryId"]], [16, 16])
+
+    def test_refusals(self):
+        self.refused("leave one out", "builtin:disk", size=0.1, count=100)
+        self.refused("number 0 of quads is not positive", "builtin:disk", count=0)
+        self.refused("not positive", "builtin:disk", size=-0.1)
+        self.refused("split it", "builtin:disk", [(0.4, 0, 3), (-0.4, 0, 1)])
+
+    def test_examples(self):
+        printed = io.StringIO()  # doctest asks for its encoding, which that of pvpython has not
+        with contextlib.redirect_stdout(printed):
+            result = doctest.testmod(_quads, optionflags=doctest.ELLIPSIS)
+        self.assertEqual(result.failed, 0, printed.getvalue())
+        self.assertGreater(result.attempted, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
