@@ -1,7 +1,7 @@
 """Reads a .vtu into numpy arrays. VTK is used for this only."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
+from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_QUAD, VTK_TRIANGLE
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 from report import Unverifiable
@@ -18,9 +18,10 @@ def _arrays(attributes):
 
 
 class Data:
-    """Points in space, triangles and lines, and the arrays on all of them.
+    """Points in space, triangles, lines and quads, and the arrays on all of them.
 
-    `cells` has an array per name for the rows of `triangles` and of `lines`: a pair.
+    `cells` has an array per name for the rows of `triangles` and of `lines`: a pair; `quad_cells` has one for
+    those of `quads`.
     """
 
     def __init__(self, name):
@@ -35,18 +36,23 @@ class Data:
             self.points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
         self.triangles = np.zeros((0, 3), int)
         self.lines = np.zeros((0, 2), int)
+        self.quads = np.zeros((0, 4), int)
         self.only_triangles_and_lines = True
-        chosen = [np.zeros(0, int), np.zeros(0, int)]
+        self.only_known_cells = True
+        chosen = [np.zeros(0, int)] * 3
         if grid.GetNumberOfCells() > 0:
             types = vtk_to_numpy(grid.GetCellTypesArray())
             ends = vtk_to_numpy(grid.GetCells().GetOffsetsArray()).astype(int)
             ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).astype(int)
-            chosen = [np.flatnonzero(types == kind) for kind in (VTK_TRIANGLE, VTK_LINE)]
+            chosen = [np.flatnonzero(types == kind) for kind in (VTK_TRIANGLE, VTK_LINE, VTK_QUAD)]
             self.only_triangles_and_lines = len(chosen[0]) + len(chosen[1]) == len(types)
+            self.only_known_cells = sum(map(len, chosen)) == len(types)
             self.triangles = ids[ends[chosen[0]][:, None] + np.arange(3)]
             self.lines = ids[ends[chosen[1]][:, None] + np.arange(2)]
-        self.cells = {name: (array[chosen[0]], array[chosen[1]])
-                      for name, array in _arrays(grid.GetCellData()).items()}
+            self.quads = ids[ends[chosen[2]][:, None] + np.arange(4)]
+        on_cells = _arrays(grid.GetCellData())
+        self.cells = {name: (array[chosen[0]], array[chosen[1]]) for name, array in on_cells.items()}
+        self.quad_cells = {name: array[chosen[2]] for name, array in on_cells.items()}
         self.at_points = _arrays(grid.GetPointData())
         self.field = _arrays(grid.GetFieldData())
 

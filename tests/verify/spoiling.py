@@ -1,4 +1,6 @@
 """A good file to be spoilt in one place: its arrays, to be changed in place, and the field by edges."""
+import functools
+
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
@@ -16,6 +18,8 @@ CASES = {}
 def of(base, *names):
     """A case: the good file that it spoils, and the checks that have to fail, and no others."""
     def register(function):
+        if function.__name__ in CASES:
+            raise ValueError("There are two cases '%s'." % function.__name__)
         CASES[function.__name__] = (base, function, set(names))
         return function
     return register
@@ -29,13 +33,24 @@ class Spoiled:
         reader.SetFileName(str(name))
         reader.Update()
         self.grid = reader.GetOutput()
-        data = Data(name)
-        self.mesh = topology.Mesh(data)
-        self.lines = len(self.mesh.triangles) + np.arange(len(self.mesh.lines))
+        self.data = Data(name)
         self.points = vtk_to_numpy(self.grid.GetPoints().GetData())
         self.corners = vtk_to_numpy(self.grid.GetCells().GetConnectivityArray())
-        if "CrossFieldCR" in data.cells:
-            self.u = Field(data, self.mesh).u.copy()
+
+    @functools.cached_property
+    def mesh(self):
+        """The triangles, as they were."""
+        return topology.Mesh(self.data)
+
+    @functools.cached_property
+    def lines(self):
+        """The cells that are lines."""
+        return len(self.mesh.triangles) + np.arange(len(self.mesh.lines))
+
+    @functools.cached_property
+    def u(self):
+        """The field on edges, to be changed and then shown."""
+        return Field(self.data, self.mesh).u.copy()
 
     def cell(self, name):
         return vtk_to_numpy(self.grid.GetCellData().GetArray(name))

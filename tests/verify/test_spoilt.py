@@ -13,6 +13,7 @@ import tempfile
 import spoilt_fields  # noqa: F401, for its cases
 import spoilt_h  # noqa: F401
 import spoilt_meshes  # noqa: F401
+import spoilt_quads  # noqa: F401
 from spoiling import CASES, Spoiled
 from verify import verify
 
@@ -20,6 +21,8 @@ HEADER = "x,y,quarter_index,radius"
 FOUR = [HEADER, "0.42,0.42,1,0.1", "-0.42,0.42,1,0.1", "-0.42,-0.42,1,0.1", "0.42,-0.42,1,0.1"]
 FIVE = [HEADER, "0.6,0,1,0.1", "0.18,0.57,1,0.1", "-0.49,0.35,1,0.1", "-0.49,-0.35,1,0.1",
         "0.18,-0.57,1,0.1"]
+RING = [HEADER, "0.8,0.08,1,0.02", "-0.8,-0.08,1,0.02", "-0.08,0.8,1,0.02", "0.08,-0.8,1,0.02",
+        "0.55,0.05,-1,0.02", "-0.55,-0.05,-1,0.02", "-0.05,0.55,-1,0.02", "0.05,-0.55,-1,0.02"]
 PAIR = [HEADER, "0.7,0,1,0.05", "-0.7,0,-1,0.05"]
 ELBOW = [HEADER, "0.3,0.3,1,0.02", "0.7,0.2,-1,0.02"]
 
@@ -36,8 +39,11 @@ GOOD = {
     "reference": ("solve", "builtin:disk", None, "--method ginzburg-landau --epsilon 0.2 --size 0.15"),
     "h": ("hfield", "builtin:l-shape", ELBOW, ""),
     "h_on_holes": ("hfield", "drilled.vtu", None, ""),
+    "quads": ("quads", "builtin:ring", RING, "--size 0.08"),
     "h_of_ring": ("hfield", "builtin:ring", PAIR, "--size 0.1"),
 }
+# Field data in units of length.
+LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange")
 
 
 def make(name, folder):
@@ -62,14 +68,15 @@ def good_files(folder):
 
 
 def good_files_of_every_size(folder):
-    """In another unit of length all numbers but ε are the same, within the limits of the program."""
+    """In another unit of length all numbers but lengths are the same, within the limits of the program."""
     for name in GOOD:
         made = make(name, folder)
         for scale in (1e-59, 1e-35, 1e35, 1e59):
             file = Spoiled(made)
             file.points *= scale
-            if file.grid.GetFieldData().GetArray("Epsilon") is not None:
-                file.report("Epsilon")[:] *= scale
+            for length in LENGTHS:
+                if file.grid.GetFieldData().HasArray(length):
+                    file.report(length)[:] *= scale
             file.write(folder / "scaled.vtu")
             report = verify(folder / "scaled.vtu")
             if report.failures() or not report.checks:

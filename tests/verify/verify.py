@@ -20,6 +20,7 @@ import field as fields
 import flatmap
 import hfield
 import indices as winding
+import quads
 import singularities as singular
 import stationarity
 import unit_norm
@@ -39,6 +40,10 @@ def verify(name):
         if "UV" in data.at_points and len(data.points) > 0:
             report.kind = "flat map"
             flatmap.check_map(data, report)
+            return report
+        if len(data.quads) > 0 and "BlockId" in data.quad_cells:
+            report.kind = "quad mesh"
+            quads.check_quads(data, report)
             return report
         if not all(array in data.cells for array in MESH_ARRAYS) or len(data.points) == 0:
             return report

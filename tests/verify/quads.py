@@ -1,0 +1,133 @@
+"""A mesh of quads in a file: what its arrays and its report say, recomputed from points and cells alone."""
+import numpy as np
+
+from plane import Frame
+from report import ROUNDING, Unverifiable
+
+
+def _cross(a, b):
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+def check_quads(data, report):
+    """Conformity, valences, blocks, shapes and numbers."""
+    frame = Frame(data.points)
+    report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
+    report.true("cells are quads and lines", len(data.triangles) == 0 and data.only_known_cells)
+    places = len(np.unique(data.points, axis=0))
+    report.true("no two points are in one place", places == len(data.points),
+                "%d points have %d places" % (len(data.points), places))
+    distinct = [len(set(quad)) == 4 for quad in data.quads.tolist()]
+    report.true("quads have four points", all(distinct), "%d have not" % (len(distinct) - sum(distinct)))
+    edges = _check_edges(data, report)
+    loops = _loops(data)
+    report.equal("Euler characteristic of a connected mesh in its loops",
+                 2 - len(loops), len(data.points) - len(edges) + len(data.quads))
+    on_loop = np.full(len(data.points), -1)
+    for number, loop in loops.items():
+        on_loop[loop] = number
+    report.true("BoundarySide is the loop of a point", np.array_equal(data.at_points["BoundarySide"], on_loop))
+    _check_valences(data, on_loop, 2 - len(loops), report)
+    _check_blocks(data, report)
+    _check_shapes(data, frame, report)
+    report.note("SizeRatio needs the wanted sizes, and zero arcs and integers the layout, which the file does "
+                "not have: not recomputed")
+
+
+def _check_edges(data, report):
+    """The undirected edges."""
+    sides = np.concatenate([data.quads[:, [i, (i + 1) % 4]] for i in range(4)])
+    directed, times = np.unique(sides, axis=0, return_counts=True)
+    report.true("quads agree in their orientation", bool((times == 1).all()))
+    edges, quads = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    report.true("no edge has more than two quads", bool((quads <= 2).all()))
+    opposite = set(map(tuple, directed[:, ::-1].tolist()))
+    single = {side for side in map(tuple, sides.tolist()) if side not in opposite}
+    report.true("every boundary edge has one line with the domain on its left, and no other has",
+                single == set(map(tuple, data.lines.tolist())) and len(single) == len(data.lines))
+    return edges
+
+
+def _loops(data):
+    """Points of each loop, by its number."""
+    number = data.cells["BoundaryId"][1]
+    following = dict(data.lines.tolist())
+    loops = {}
+    for of in np.unique(number):
+        lines = data.lines[number == of]
+        start = point = int(lines[0, 0])
+        loop = []
+        while point not in loop[:1] and len(loop) <= len(lines):
+            loop.append(point)
+            point = following.get(point, start)
+        if len(loop) != len(lines) or set(loop) != set(lines[:, 0].tolist()):
+            raise Unverifiable("the lines of loop %d are no closed curve" % of)
+        loops[int(of)] = loop
+    return loops
+
+
+def _check_valences(data, on_loop, characteristic, report):
+    valence = np.bincount(data.quads.ravel(), minlength=len(data.points))
+    report.true("Valence counts the quads", np.array_equal(data.at_points["Valence"], valence))
+    index = np.where(on_loop < 0, 4, 2) - valence
+    asked = data.at_points["Irregular"]
+    wrong = np.flatnonzero(index != asked)
+    report.true("quads at a point: 4 - k inside, 2 - k on the boundary", len(wrong) == 0,
+                "point %s has %s" % (wrong[:1], valence[wrong[:1]]))
+    report.equal("sum of all indices: 4 times the Euler characteristic", int(asked.sum()), 4 * characteristic)
+    valences = np.atleast_1d(data.field["IrregularValence"]).tolist()
+    inside = valence[on_loop < 0]
+    found = [int((inside == v).sum()) for v in valences]
+    report.equal("IrregularGot", np.atleast_1d(data.field["IrregularGot"]).tolist(), found)
+    report.equal("irregular nodes as asked", np.atleast_1d(data.field["IrregularAsked"]).tolist(), found)
+    report.equal("no other irregular node", int(np.count_nonzero(inside != 4)), sum(found))
+
+
+def _check_blocks(data, report):
+    """Quads of a block are a full lattice of columns I and rows J; quads are counted from its corner."""
+    block, column, row = (data.quad_cells[name] for name in ("BlockId", "I", "J"))
+    report.equal("Blocks", data.value("Blocks"), len(np.unique(block)))
+    report.equal("Quads", data.value("Quads"), len(data.quads))
+    at = {place: quad for quad, place in enumerate(zip(block.tolist(), column.tolist(), row.tolist()))}
+    full = len(at) == len(data.quads)
+    for number in np.unique(block):
+        own = block == number
+        full = full and own.sum() == (column[own].max() + 1) * (row[own].max() + 1)
+    report.true("blocks are full lattices", bool(full and column.min() >= 0 and row.min() >= 0))
+    joined = True
+    for (b, i, j), quad in at.items():
+        right, above = at.get((b, i + 1, j)), at.get((b, i, j + 1))
+        corners = data.quads[quad]
+        joined = joined and (right is None or tuple(data.quads[right][[0, 3]]) == tuple(corners[[1, 2]]))
+        joined = joined and (above is None or tuple(data.quads[above][[0, 1]]) == tuple(corners[[3, 2]]))
+    report.true("neighbours in a lattice share their side", joined)
+
+
+def _check_shapes(data, frame, report):
+    corners = frame.coordinates[data.quads]
+    following = np.roll(corners, -1, axis=1) - corners
+    previous = np.roll(corners, 1, axis=1) - corners
+    lengths = np.linalg.norm(following, axis=2) * np.linalg.norm(previous, axis=2)
+    sines = _cross(following, previous) / np.where(lengths > 0, lengths, 1.0)
+    jacobian = sines.min(axis=1)
+    # A sine is rounded by its coordinates over the sides.
+    exactness = 64 * (ROUNDING * np.abs(frame.coordinates).max() + frame.exactness) / np.sqrt(
+        lengths[lengths > 0].min())
+    stated = data.quad_cells["ScaledJacobian"]
+    report.bound("ScaledJacobian is the least sine of the angles", np.abs(stated - jacobian).max(), exactness,
+                 "rounding of coordinates")
+    report.equal("Inverted", data.value("Inverted"), int((jacobian <= 0).sum()))
+    report.bound("ScaledJacobianRange", np.abs(
+        data.field["ScaledJacobianRange"] - [jacobian.min(), jacobian.mean()]).max(), exactness, "rounding")
+    angle = np.arctan2(_cross(following, previous), (following * previous).sum(axis=2)) % (2 * np.pi)
+    eta = 1 - 2 / np.pi * np.abs(np.pi / 2 - angle).max(axis=1)
+    report.bound("EtaRange", np.abs(data.field["EtaRange"] - [eta.min(), eta.mean()]).max(), exactness,
+                 "rounding of angles")
+    area = 0.5 * _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    size = np.sqrt(np.maximum(area, 0.0))
+    report.bound("SizeRange: roots of areas", np.abs(
+        data.field["SizeRange"] / [size.min(), size.mean(), size.max()] - 1).max(), exactness, "rounding")
+    ends = frame.coordinates[data.lines]
+    inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
+    report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
+    report.true("no quad is turned over but those that are told", data.value("Inverted") > 0 or (area > 0).all())
