@@ -1,0 +1,66 @@
+"""How the scripts of this folder draw quads: blocks in pale colours, irregular nodes in red and blue.
+
+Load the plugin before this is used; the proxies are those of paraview.simple.
+"""
+import paraview.simple as pv
+
+from drawing import draw_lines, look_from_above, white_view
+
+# Pale colours that differ in tone, so that blocks beside each other do.
+PALE = [(0.98, 0.87, 0.72), (0.80, 0.88, 0.96), (0.85, 0.94, 0.80), (0.95, 0.82, 0.88), (0.99, 0.96, 0.75),
+        (0.86, 0.83, 0.94), (0.80, 0.94, 0.93)]
+
+
+def draw_quads(quads, layout, width, node=0.008):
+    """A view of this width that shows the whole mesh; nodes have this radius, relative to its extent."""
+    quads.UpdatePipeline()
+    bounds = quads.GetDataInformation().GetBounds()
+    across, high = bounds[1] - bounds[0], bounds[3] - bounds[2]
+    view = white_view(width, int(width * min(1.0, 1.06 * high / across)))
+    draw_blocks(quads, view)
+    draw_lines(layout, view, [0.15, 0.15, 0.15], 2.5 * width / 1500)
+    draw_nodes(quads, view, node * max(across, high))
+    look_from_above(view, bounds, 0)
+    view.CameraParallelScale = 0.52 * max(high, across * view.ViewSize[1] / view.ViewSize[0])
+    return view
+
+
+def draw_blocks(quads, view):
+    """The quads with thin edges, coloured by their block."""
+    faces = pv.Threshold(Input=quads, Scalars=["CELLS", "BlockId"], LowerThreshold=0,
+                         UpperThreshold=1e9)
+    count = len(PALE)
+    coloured = pv.Calculator(Input=faces, AttributeType="Cell Data", ResultArrayName="Tone",
+                             Function="BlockId - %d*floor(BlockId/%d)" % (count, count))
+    shown = pv.Show(coloured, view)
+    shown.Representation = "Surface With Edges"
+    pv.ColorBy(shown, ("CELLS", "Tone"), separate=True)
+    shown.SetScalarBarVisibility(view, False)
+    colours = pv.GetColorTransferFunction("Tone", shown, separate=True)
+    points = [value for tone, colour in enumerate(PALE) for value in (tone, *colour)]
+    pv.SetProperties(colours, ColorSpace="RGB", RGBPoints=points)
+    pv.SetProperties(shown, Ambient=1, Diffuse=0, EdgeColor=[0.45, 0.45, 0.45], LineWidth=1)
+
+
+def draw_nodes(quads, view, size):
+    """Irregular nodes inside: valence 3 and less in red, 5 and more in blue."""
+    inside = pv.Threshold(Input=quads, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,
+                          UpperThreshold=-1, AllScalars=0)
+    for low, high, colour in ((1, 9, [0.85, 0.1, 0.1]), (-99, -1, [0.1, 0.2, 0.85])):
+        kept = pv.Threshold(Input=inside, Scalars=["POINTS", "Irregular"], LowerThreshold=low,
+                            UpperThreshold=high, AllScalars=0)
+        # Cells that touch such a node were kept; their other points go.
+        nodes = pv.MaskPoints(Input=kept, OnRatio=1, MaximumNumberofPoints=10**7, GenerateVertices=1,
+                              SingleVertexPerCell=1)
+        chosen = pv.Threshold(Input=nodes, Scalars=["POINTS", "Irregular"], LowerThreshold=low,
+                              UpperThreshold=high)
+        chosen = pv.Threshold(Input=chosen, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,
+                              UpperThreshold=-1)
+        chosen.UpdatePipeline()
+        if chosen.GetDataInformation().GetNumberOfPoints() == 0:
+            continue
+        discs = pv.Glyph(Input=chosen, GlyphType="Sphere", ScaleArray=["POINTS", "No scale array"],
+                         ScaleFactor=2 * size, GlyphMode="All Points")
+        shown = pv.Show(discs, view)
+        pv.SetProperties(shown, ColorArrayName=[None, ""], AmbientColor=colour,
+                         DiffuseColor=colour, Ambient=1, Diffuse=0)
