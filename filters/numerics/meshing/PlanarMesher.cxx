@@ -82,7 +82,9 @@ Triangulation TriangulateLoops(const std::vector<Loop>& loops)
 
 /// Where boundaries come much closer than the edges wanted, on either side, refinement adds as many
 /// points as the gap fits into its length. The other points are there before, so this is what gaps
-/// may cost: three hundred thousand triangles, about a second.
+/// may cost: three hundred thousand triangles, about a second, and as many as were there: along a boundary of very
+/// many points on a circle, whose Delaunay triangles are flat ones, refinement adds nearly as many as the
+/// lattice had.
 constexpr std::size_t MostAddedVertices = 150000;
 
 /// Names the place where a segment comes nearest to a vertex that is not its end.
@@ -96,12 +98,14 @@ constexpr std::size_t MostAddedVertices = 150000;
     {
       const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
       const Point along = FromCgal(face->vertex(Triangulation::cw(i))->point()) - from;
-      const Point here = FromCgal(face->vertex(i)->point());
-      const double distance = std::abs(Cross(along, here - from)) / along.norm();
+      // From the segment, not from its line: the next vertex of a fine polyline lies low over the line.
+      const Point arm = FromCgal(face->vertex(i)->point()) - from;
+      const double at = std::clamp(arm.dot(along) / along.squaredNorm(), 0.0, 1.0);
+      const double distance = (arm - at * along).norm();
       if (face->is_constrained(i) && distance < narrowest)
       {
         narrowest = distance;
-        place = here;
+        place = from + arm;
       }
     }
   }
@@ -379,7 +383,7 @@ try
     triangulation, GradedCriteria(size));
   mesher.set_seeds(seeds.begin(), seeds.end(), false);
   mesher.init();
-  const std::size_t mostVertices = triangulation.number_of_vertices() + MostAddedVertices;
+  const std::size_t mostVertices = 2 * triangulation.number_of_vertices() + MostAddedVertices;
   // Asked now and then whether to stop; the number of steps to come is not known.
   constexpr int StepsBetweenReports = 4096;
   for (int step = 1; mesher.try_one_step_refine_mesh(); ++step)
