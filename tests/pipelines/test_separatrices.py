@@ -1,8 +1,18 @@
 """crossfield separatrices: lines, faces and maps, their numbers and refusals."""
 import json
+import pathlib
 import unittest
 
 from program import ProgramTest, write_configuration
+
+PARTS = pathlib.Path(__file__).resolve().parents[1] / "data" / "parts"
+# Where the optimiser leaves the singularities that are chosen for them, rounded.
+PLATE = [(22.0946, 47.969), (22.0489, 32.0739), (38.2651, 32.4271), (38.2075, 47.6329),
+         (51.8762, 47.719), (51.9077, 32.2416), (68.1898, 32.3447), (68.1555, 47.6892),
+         (81.8021, 47.6477), (81.85, 32.3007), (97.922, 32.04), (97.9498, 47.9262)]
+BRACKET = [(6.816, 68.1787), (6.788, 61.8498), (13.2, 61.8376), (13.1694, 68.1943),
+           (22.0209, 22.0679), (61.827, 13.191), (61.8298, 6.8068), (68.1736, 6.8088),
+           (68.1792, 13.1846)]
 
 
 class Separatrices(ProgramTest):
@@ -31,6 +41,27 @@ class Separatrices(ProgramTest):
                 report = self.report(domain, *options)
                 self.assertEqual((report["faces"], report["arcs"], report["extra_lines"]),
                                  (faces, arcs, extra))
+
+    def test_parts_of_engineers(self):
+        # Those without singularities choose so themselves. Lines - N + χ faces, 2 lines + corners arcs.
+        for part, rows, lines, faces, arcs in (
+                ("plate3", [(*place, -1, 0.1) for place in PLATE], 60, 46, 124),
+                ("bracket", [(*place, -1, 0.1) for place in BRACKET], 45, 35, 95),
+                ("naca_blunt", [(0.0, 0.0, -2, 0.1)], 7, 7, 21),
+                ("elbow", None, 0, 1, 4), ("tjunction", None, 4, 4, 13)):
+            with self.subTest(part):
+                given = ()
+                if rows is not None:
+                    write_configuration(self.folder / "given.csv", rows)
+                    given = ("-s", "given.csv")
+                result = self.run_program("separatrices", PARTS / f"{part}.vtp", *given, "-o",
+                                          "lines.vtp", "--json", "-")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                report = json.loads(result.stdout)
+                self.assertEqual((report["lines"], report["faces"], report["arcs"]),
+                                 (lines, faces, arcs))
+                self.assertEqual(report["flips"], 0)
+                self.assertLess(report["mismatch"], 1e-12 * report["longest"] + 1e-12)
 
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):

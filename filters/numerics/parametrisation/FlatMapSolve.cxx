@@ -1,6 +1,7 @@
 #include "FlatMapSolve.h"
 
 #include "ConfigurationPlacement.h"
+#include "DomainQueries.h"
 #include "Error.h"
 #include "InjectivityCheck.h"
 #include "SeamEquations.h"
@@ -72,6 +73,10 @@ std::vector<Cone> FindCones(
         ", which no node of a quad mesh has; split it into several of index 1.");
     }
     const int vertex = VertexAt(topology, singularity.position, reach);
+    if (vertex < 0 && SignedDistance(singularity.position, { topology.AlignedLoops() }) < 0.0)
+    {
+      throw Error("The singularity at " + where + " lies outside the domain; move it inside.");
+    }
     if (vertex < 0)
     {
       throw Error("The singularity at " + where +

@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "P1Laplacian.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -51,11 +52,15 @@ SeamlessPoisson AssemblePoisson(const FlatMap& map, const TriangleFrames& frames
   problem.sources = Eigen::MatrixX2d::Zero(count, 2);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(9 * mesh.triangles.size());
+  // Where sizes differ by more than 1e4 the smaller ones count as if they did not: with the range of
+  // doubles used up by the weights, rounding would turn triangles over (docs/method.md §12.3).
+  constexpr double SmallestPart = 1e-8;
+  const double leastWeight = SmallestPart * std::exp(2.0 * frames.h.maxCoeff());
   auto near = frames.near.begin();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto here = static_cast<Eigen::Index>(t);
-    const double weight = std::exp(2.0 * frames.h[here]);
+    const double weight = std::max(std::exp(2.0 * frames.h[here]), leastWeight);
     const Eigen::Matrix3d element = weight * P1ElementStiffness(mesh, t);
     const auto& v = mesh.triangles[t];
     const Complex derivative = std::polar(std::exp(-frames.h[here]), -frames.angle[here]);

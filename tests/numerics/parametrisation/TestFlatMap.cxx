@@ -123,6 +123,39 @@ TEST(FlatMap, TakesNodesOfValenceTwoAndMany)
   EXPECT_LT(SeamDefect(MapOf(Builtin("disk", 0.05), many, 0.05)), 1e-12);
 }
 
+/// Positive singularities on the left and negative ones on the right: sizes grow by more than 1e7 from one
+/// side to the other, and the weights span more than doubles have digits.
+TEST(FlatMap, OfSizesThatSpanManyOrdersOfMagnitude)
+{
+  Configuration configuration = { { { -0.9, 0.0 }, 1 }, { { -0.7, 0.6 }, 1 }, { { -0.7, -0.6 }, 1 },
+    { { -0.2, 0.9 }, 1 } };
+  constexpr double Apart = 0.24;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = -3; row <= 3; ++row)
+    {
+      const Point place(Apart * (column - 3.5), Apart * row + 0.02 * column);
+      if (place.norm() < 0.85)
+      {
+        configuration.push_back({ place, 1 });
+        configuration.push_back({ { -place.x(), place.y() }, -1 });
+      }
+    }
+  }
+  const FlatMap map = MapOf(Builtin("disk", 0.03), configuration, 0.03);
+  std::vector<double> sizes;
+  for (std::size_t t = 0; t < map.corners.size(); ++t)
+  {
+    const int number = static_cast<int>(t);
+    const double mapped =
+      Cross(map.At(number, 1) - map.At(number, 0), map.At(number, 2) - map.At(number, 0));
+    sizes.push_back(std::sqrt(2.0 * TriangleArea(map.topology->mesh, t) / mapped));
+  }
+  std::sort(sizes.begin(), sizes.end());
+  EXPECT_GT(sizes.back() / sizes.front(), 1e7);
+  EXPECT_LT(SeamDefect(map), 1e-12);
+}
+
 TEST(FlatMap, WithSmallHolonomyDefectIsInjective)
 {
   // The defect of a ring is Σ k_j arg b_j (docs/method.md §7.3), up to 0.1 radians of the cross here.
@@ -153,6 +186,11 @@ TEST(FlatMap, RefusesWhatHasNoMap)
       MapOf(disk, { { { 0.3, 0.0 }, 1 } }, 0.1);
     },
     { "add up to 1" }, Error::Kind::Inconsistent));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      MapOf(disk, Join(OnCircle(3, 0.6, 0.3, 1, 0.0), { { { 1.3, 0.2 }, 1 } }), 0.1);
+    },
+    { "outside the domain" }));
   // A mesh without a vertex there.
   const TriangleMesh mesh = MeshForPoints(disk, {}, 0.3);
   EXPECT_TRUE(Refuses([&] { SolveFlatMap(ShareTopology(mesh), OnCircle(4, 0.511, 0.3, 1, 0.0)); },

@@ -1,10 +1,8 @@
-#include "TMeshFaces.h"
+#include "TMeshChecks.h"
 
-#include "DomainQueries.h"
-#include "FlatMapSolve.h"
+#include "BuiltinDomains.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
-#include "Support.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,66 +11,6 @@ namespace crossfield::test
 {
 namespace
 {
-TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
-  const FlatMapOptions& options = {})
-{
-  const FlatMap map = SolveFlatMap(
-    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration, options);
-  return MakeTMesh(map, TraceLines(map));
-}
-
-int Count(std::size_t size)
-{
-  return static_cast<int>(size);
-}
-
-double MapArea(const TMesh& mesh)
-{
-  double area = 0.0;
-  for (const TFace& face : mesh.faces)
-  {
-    area += mesh.SideLength(face, 0) * mesh.SideLength(face, 1);
-  }
-  return area;
-}
-
-/// The counts of docs/method.md §13.3, and opposite sides.
-void ExpectSound(const TMesh& mesh, int euler)
-{
-  int singularities = 0;
-  int corners = 0;
-  for (const TNode& node : mesh.nodes)
-  {
-    singularities += node.kind == NodeKind::Singularity ? 1 : 0;
-    corners += node.kind == NodeKind::Corner ? 1 : 0;
-  }
-  EXPECT_EQ(Count(mesh.faces.size()), mesh.lineCount - mesh.headOn - singularities + euler);
-  EXPECT_EQ(Count(mesh.arcs.size()),
-    2 * mesh.lineCount + corners + mesh.extraLines - 3 * mesh.headOn - mesh.crossings);
-  EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
-  const double area = MapArea(mesh);
-  double domain = 0.0;
-  for (const TFace& face : mesh.faces)
-  {
-    Loop loop;
-    for (const auto& side : face.sides)
-    {
-      for (const int h : side)
-      {
-        std::vector<Point> way = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
-        if (h % 2 == 1)
-        {
-          std::reverse(way.begin(), way.end());
-        }
-        loop.insert(loop.end(), way.begin(), way.end() - 1);
-      }
-    }
-    domain += SignedArea(loop);
-  }
-  // The map has the area of the domain, and the faces are all of both.
-  EXPECT_NEAR(area, domain, 1e-9 * domain);
-}
-
 struct Case
 {
   std::string name;
@@ -99,12 +37,6 @@ std::vector<Case> ReferenceCases()
   };
 }
 
-TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration)
-{
-  const FlatMap map = SolveFlatMap(ShareTopology(mesh), configuration);
-  return MakeTMesh(map, TraceLines(map));
-}
-
 TEST(TMesh, OfTheReferenceCases)
 {
   for (const Case& reference : ReferenceCases())
@@ -114,6 +46,43 @@ TEST(TMesh, OfTheReferenceCases)
     EXPECT_EQ(Count(mesh.faces.size()), reference.faces);
     EXPECT_EQ(Count(mesh.arcs.size()), reference.arcs);
     ExpectSound(mesh, reference.domain.EulerCharacteristic());
+  }
+}
+
+/// The paper's domains and one of its configurations, with singularities where W is least: rounded, so
+/// that nothing is symmetric.
+TEST(TMesh, OfThePapersDomains)
+{
+  BuiltinDomain ellipse;
+  ellipse.name = "ellipse";
+  ellipse.width = 6.0;
+  ellipse.height = 1.2;
+  const std::vector<Case> cases = {
+    { "ellipse", MakePlanarDomain(MakeBuiltinDomain(ellipse)),
+      { { { -2.1, -0.2 }, 1 }, { { -2.11, 0.21 }, 1 }, { { 2.12, -0.2 }, 1 },
+        { { 2.1, 0.19 }, 1 } },
+      9, 24 },
+    { "quarter-disk", Builtin("quarter-disk"), { { { 0.601, 0.602 }, 1 } }, 3, 9 },
+    { "angular-balanced", Builtin("angular-balanced"), {}, 1, 4 },
+    { "angular-negative", Builtin("angular-negative"),
+      { { { -0.19, -0.335 }, -1 }, { { 0.195, 0.33 }, -1 } }, 9, 26 },
+    { "angular-positive", Builtin("angular-positive"),
+      { { { -0.19, 0.235 }, 1 }, { { 0.185, -0.24 }, 1 } }, 5, 14 },
+    { "angular-hole", Builtin("angular-hole"), { { { -0.111, 0.0 }, -1 }, { { 0.111, 0.0 }, -1 } },
+      8, 21 },
+    { "h_field", Builtin("l-shape"),
+      { { { 0.15, 0.2 }, 1 }, { { 0.9, 0.15 }, 1 }, { { 0.7, 0.38 }, 1 }, { { 0.2, 0.8 }, 1 },
+        { { 0.55, 0.15 }, -1 }, { { 0.2, 0.55 }, -1 }, { { 0.4, 0.36 }, -1 },
+        { { 0.85, 0.5 }, -1 } },
+      25, 69 }, // the last one is on the boundary
+  };
+  for (const Case& paper : cases)
+  {
+    SCOPED_TRACE(paper.name);
+    const TMesh mesh = LinesOf(paper.domain, paper.configuration, 0.05);
+    EXPECT_EQ(Count(mesh.faces.size()), paper.faces);
+    EXPECT_EQ(Count(mesh.arcs.size()), paper.arcs);
+    ExpectSound(mesh, paper.domain.EulerCharacteristic());
   }
 }
 
@@ -267,173 +236,6 @@ TEST(TMesh, OfCornersThatFaceEachOther)
       const double depth = 0.5 + small();
       ExpectSound(LinesOf(Junction(depth, { small(), small(), small() }), {}, 0.15), 1);
     }
-  }
-}
-
-/// Singularities at random places of a random smooth domain, of sum 4.
-struct RandomCase
-{
-  PlanarDomain domain;
-  Configuration configuration;
-};
-
-RandomCase MakeRandomCase(int number, int pairs, double apart)
-{
-  Random random(static_cast<std::uint32_t>(9000 + number));
-  RandomCase result{ RandomSmoothDomain(random, 140), {} };
-  const auto count = static_cast<std::size_t>(4 + 2 * pairs);
-  while (result.configuration.size() < count)
-  {
-    const Point place(random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5));
-    bool free = SignedDistance(place, result.domain) > apart;
-    for (const Singularity& other : result.configuration)
-    {
-      free = free && (other.position - place).norm() > apart;
-    }
-    if (free)
-    {
-      const bool positive = result.configuration.size() < count - static_cast<std::size_t>(pairs);
-      result.configuration.push_back({ place, positive ? 1 : -1 });
-    }
-  }
-  return result;
-}
-
-std::vector<double> ArcLengths(const TMesh& mesh, double scale)
-{
-  std::vector<double> lengths;
-  for (const TArc& arc : mesh.arcs)
-  {
-    lengths.push_back(arc.length / scale);
-  }
-  std::sort(lengths.begin(), lengths.end());
-  return lengths;
-}
-
-/// 200 of them, in portions that ctest can run side by side.
-class RandomTMesh : public testing::TestWithParam<int>
-{
-};
-
-TEST_P(RandomTMesh, IsSound)
-{
-  constexpr int PortionSize = 25;
-  for (int i = 0; i < PortionSize; ++i)
-  {
-    const int number = PortionSize * this->GetParam() + i;
-    SCOPED_TRACE(number);
-    const RandomCase random = MakeRandomCase(number, number % 3, 0.12);
-    const TMesh mesh = LinesOf(random.domain, random.configuration, 0.07);
-    ExpectSound(mesh, 1);
-    EXPECT_LT(mesh.longest, 2.8 * std::sqrt(random.domain.Area()));
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(TwoHundred, RandomTMesh, testing::Range(0, 8));
-
-TEST(TMesh, IsTheSameOfAMovedScaledAndMirroredMesh)
-{
-  for (int number = 0; number < 6; ++number)
-  {
-    SCOPED_TRACE(number);
-    const RandomCase random = MakeRandomCase(number, number % 3, 0.12);
-    const TriangleMesh mesh = MeshOnPoints(random.domain, random.configuration, 0.08);
-    const std::vector<double> lengths = ArcLengths(LinesOn(mesh, random.configuration), 1.0);
-    const auto expectSame = [&lengths](const TMesh& other, double scale)
-    {
-      const std::vector<double> others = ArcLengths(other, scale);
-      ASSERT_EQ(others.size(), lengths.size());
-      for (std::size_t i = 0; i < lengths.size(); ++i)
-      {
-        EXPECT_NEAR(others[i], lengths[i], 1e-8);
-      }
-    };
-    for (const double scale : { 1e-6, 1.0, 1e6 })
-    {
-      const Similarity move{ 0.7 + number, scale, scale * Point(0.3, -0.2) };
-      expectSame(LinesOn(move(mesh), move(random.configuration)), scale);
-    }
-    TriangleMesh mirrored = mesh;
-    Configuration configuration = random.configuration;
-    for (Point& point : mirrored.points)
-    {
-      point.x() = -point.x();
-    }
-    for (Singularity& singularity : configuration)
-    {
-      singularity.position.x() = -singularity.position.x();
-    }
-    for (auto& triangle : mirrored.triangles)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
-    for (BoundaryEdge& edge : mirrored.boundary)
-    {
-      std::swap(edge.vertices[0], edge.vertices[1]);
-    }
-    expectSame(LinesOn(mirrored, configuration), 1.0);
-  }
-}
-
-/// What does not depend on numbering: of every face how many arcs its sides have.
-std::vector<std::array<std::size_t, 4>> Signature(const TMesh& mesh)
-{
-  std::vector<std::array<std::size_t, 4>> signature;
-  for (const TFace& face : mesh.faces)
-  {
-    std::array<std::size_t, 4> counts{};
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      counts[i] = face.sides[i].size();
-    }
-    std::array<std::size_t, 4> least = counts;
-    for (int turn = 0; turn < 4; ++turn)
-    {
-      std::rotate(counts.begin(), counts.begin() + 1, counts.end());
-      least = std::min(least, counts);
-    }
-    signature.push_back(least);
-  }
-  std::sort(signature.begin(), signature.end());
-  return signature;
-}
-
-TEST(TMesh, DoesNotDependOnTheMesh)
-{
-  int different = 0;
-  constexpr int Cases = 30;
-  for (int number = 0; number < Cases; ++number)
-  {
-    const RandomCase random = MakeRandomCase(number, number % 3, 0.15);
-    const TMesh fine = LinesOf(random.domain, random.configuration, 0.03);
-    double shortest = fine.longest;
-    for (const TArc& arc : fine.arcs)
-    {
-      shortest = std::min(shortest, arc.length);
-    }
-    bool same = true;
-    for (const double size : { 0.045, 0.06 })
-    {
-      same =
-        same && Signature(LinesOf(random.domain, random.configuration, size)) == Signature(fine);
-    }
-    different += same ? 0 : 1;
-    if (!same)
-    {
-      std::printf("[   INFO   ] case %d differs, its shortest arc is %g\n", number, shortest);
-      EXPECT_LT(shortest, 1e-3); // a near miss below what the mesh resolves
-    }
-  }
-  EXPECT_LE(different, 1);
-}
-
-TEST(TMesh, OfManySingularities)
-{
-  for (const int pairs : { 13, 48 })
-  {
-    SCOPED_TRACE(pairs);
-    const RandomCase random = MakeRandomCase(500 + pairs, pairs, 0.06);
-    ExpectSound(LinesOf(random.domain, random.configuration, 0.03), 1);
   }
 }
 }

@@ -1,0 +1,69 @@
+#include "TMeshChecks.h"
+
+#include "MeshForPoints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
+  const FlatMapOptions& options)
+{
+  const FlatMap map = SolveFlatMap(
+    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration, options);
+  return MakeTMesh(map, TraceLines(map));
+}
+
+double MapArea(const TMesh& mesh)
+{
+  double area = 0.0;
+  for (const TFace& face : mesh.faces)
+  {
+    area += mesh.SideLength(face, 0) * mesh.SideLength(face, 1);
+  }
+  return area;
+}
+
+void ExpectSound(const TMesh& mesh, int euler)
+{
+  int singularities = 0;
+  int corners = 0;
+  for (const TNode& node : mesh.nodes)
+  {
+    singularities += node.kind == NodeKind::Singularity ? 1 : 0;
+    corners += node.kind == NodeKind::Corner ? 1 : 0;
+  }
+  EXPECT_EQ(Count(mesh.faces.size()), mesh.lineCount - mesh.headOn - singularities + euler);
+  EXPECT_EQ(Count(mesh.arcs.size()),
+    2 * mesh.lineCount + corners + mesh.extraLines - 3 * mesh.headOn - mesh.crossings);
+  EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
+  const double area = MapArea(mesh);
+  double domain = 0.0;
+  for (const TFace& face : mesh.faces)
+  {
+    Loop loop;
+    for (const auto& side : face.sides)
+    {
+      for (const int h : side)
+      {
+        std::vector<Point> way = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
+        if (h % 2 == 1)
+        {
+          std::reverse(way.begin(), way.end());
+        }
+        loop.insert(loop.end(), way.begin(), way.end() - 1);
+      }
+    }
+    domain += SignedArea(loop);
+  }
+  // The map has the area of the domain, and the faces are all of both.
+  EXPECT_NEAR(area, domain, 1e-9 * domain);
+}
+
+TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration)
+{
+  const FlatMap map = SolveFlatMap(ShareTopology(mesh), configuration);
+  return MakeTMesh(map, TraceLines(map));
+}
+}
