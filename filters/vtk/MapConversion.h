@@ -34,7 +34,7 @@ Map ReadMap(vtkUnstructuredGrid* input);
 void WriteTraces(const Map& traced, const crossfield::TraceGraph& graph,
   const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
 
-/** A polygon for each face, with its nodes. */
+/** Triangles for each face, and its outline; see vtkSeparatrices. */
 void WriteFaces(const Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output);
 
 /** The field data of vtkSeparatrices. */

@@ -338,10 +338,13 @@ def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
                     map: vtkUnstructuredGrid) -> Separatrices:
     """The arrays of lines, faces and their map."""
     data, sizes = lines.GetCellData(), faces.GetCellData()
+    outline = copied(faces.GetPointData(), names.FaceId)  # of every face one after the other
     return Separatrices(
         lines=chains(places(lines), lines.GetLines()),
         singularity=copied(data, names.Singularity), seed=copied(data, names.Seed),
         ends_at=copied(data, names.EndsAt), length=copied(data, names.Length),
-        faces=chains(places(faces), faces.GetPolys()),
-        face_sizes=np.column_stack([copied(sizes, names.USize), copied(sizes, names.VSize)]),
+        faces=np.split(places(faces), np.flatnonzero(np.diff(outline)) + 1) if len(outline) else [],
+        face_sizes=np.column_stack(
+            [copied(sizes, name)[np.unique(copied(sizes, names.FaceId), return_index=True)[1]]
+             for name in (names.USize, names.VSize)]),
         report=report_of(lines), line_data=lines, face_data=faces, map=map)

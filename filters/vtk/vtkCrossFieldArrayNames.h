@@ -107,6 +107,7 @@ constexpr const char* EndsAt = "EndsAt";
 constexpr const char* Seed = "Seed";
 constexpr const char* Length = "Length";
 constexpr const char* NodeKind = "NodeKind";
+constexpr const char* FaceId = "FaceId";
 constexpr const char* USize = "USize";
 constexpr const char* VSize = "VSize";
 constexpr const char* Lines = "Lines";

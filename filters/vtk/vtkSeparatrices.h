@@ -17,9 +17,12 @@
  * - `Singularity` (int): row of the singularity where it starts, −1 at corners and of extra lines; `QuarterIndex` (int) there;
  * - `EndsAt` (int): 1 the side of another line, 2 the boundary, 3 head-on with another line; 0 at LongestStreamline;
  * - `Length` (double): in the map.
- * Output 1 (vtkPolyData): a polygon a face of the T-mesh, with the cell arrays `USize`, `VSize` (double), the lengths of
- * its sides in the map, and the point array `NodeKind` (int): 1 singularity, 2 corner, 3 on the boundary, 4 a line ends at a line;
- * 0 of other points.
+ * Output 1 (vtkPolyData): the faces of the T-mesh in triangles, since concave polygons are drawn wrongly. Every face has points of
+ * its own, its outline, counter-clockwise from a corner of its rectangle. Cell arrays
+ * - `FaceId` (int), from 0; `USize`, `VSize` (double): the lengths of the face's sides in the map;
+ * point arrays
+ * - `FaceId` (int); `UV` (double, 2): in the rectangle, whose first corner is the origin;
+ * - `NodeKind` (int): 1 singularity, 2 corner, 3 on the boundary, 4 a line ends at a line; 0 of other points.
  *
  * Field data of both: `Lines`, `Faces`, `Arcs`, `ExtraLines`, `HeadOn` (pairs), `Flips` (0), `Longest` (line, in the map),
  * `Mismatch` (largest difference of opposite sides of a face).

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -39,6 +41,11 @@ public:
   {
     return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
       ->GetComponent(0, 0);
+  }
+
+  static std::array<double, 2> PlaceOf(vtkPolyData* data, vtkIdType point)
+  {
+    return { data->GetPoint(point)[0], data->GetPoint(point)[1] };
   }
 
   vtkNew<vtkPlanarDomainSource> Domain;
@@ -119,7 +126,7 @@ TEST_F(Separatrices, OfFourOnTheDisk)
   EXPECT_EQ(lines->GetNumberOfCells(), 12);
   EXPECT_EQ(this->Value("Lines"), 12.0);
   EXPECT_EQ(this->Value("Faces"), 9.0 - this->Value("HeadOn"));
-  EXPECT_EQ(faces->GetNumberOfCells(), static_cast<vtkIdType>(this->Value("Faces")));
+  vtkDataArray* ids = FilterChecks::RequireArray(faces->GetCellData(), "FaceId");
   EXPECT_EQ(this->Value("Flips"), 0.0);
   EXPECT_LT(this->Value("Mismatch"), 1e-12);
   // docs/method.md §13.4, at the size of this mesh.
@@ -127,11 +134,19 @@ TEST_F(Separatrices, OfFourOnTheDisk)
   vtkDataArray* v = FilterChecks::RequireArray(faces->GetCellData(), "VSize");
   double square = 0.0;
   double area = 0.0;
-  for (vtkIdType i = 0; i < faces->GetNumberOfCells(); ++i)
+  for (vtkIdType i = 0, last = -1; i < faces->GetNumberOfCells(); ++i)
   {
+    const auto face = static_cast<vtkIdType>(ids->GetTuple1(i));
+    if (face == last)
+    {
+      continue;
+    }
+    EXPECT_EQ(face, last + 1);
+    last = face;
     square = std::max(square, std::min(u->GetTuple1(i), v->GetTuple1(i)));
     area += u->GetTuple1(i) * v->GetTuple1(i);
   }
+  EXPECT_EQ(ids->GetRange()[1], this->Value("Faces") - 1.0);
   EXPECT_NEAR(square, 1.094482, 0.01);
   EXPECT_NEAR(area, 3.14, 0.02);
   for (const char* name : { "Line", "Seed", "Singularity", "QuarterIndex", "EndsAt", "Length" })
@@ -140,6 +155,78 @@ TEST_F(Separatrices, OfFourOnTheDisk)
   }
   EXPECT_EQ(FilterChecks::RequireArray(faces->GetPointData(), "NodeKind")->GetNumberOfTuples(),
     faces->GetNumberOfPoints());
+}
+
+/// Triangles fill every face: none is turned over, and together they have the area of its outline and
+/// all of them that of the domain. The outlines are rectangles of (u, v).
+TEST_F(Separatrices, FacesAreFilledWithTriangles)
+{
+  for (const char* name : { "disk", "ring", "l-shape", "hexagonal" })
+  {
+    SCOPED_TRACE(name);
+    this->Domain->SetDomainName(name);
+    this->Domain->SetEdgeLength(0.05);
+    if (std::string(name) == "hexagonal")
+    {
+      this->Map->SetSingularitiesData(
+        TestInputs::Singularities({ { 0.469, 0.0, -1, 0.1 }, { -0.469, 0.0, -1, 0.1 } }));
+    }
+    else if (std::string(name) != "disk")
+    {
+      this->Map->SetSingularitiesData(nullptr);
+    }
+    FilterChecks::UpdateWithoutError(this->Filter);
+    vtkPolyData* faces = this->Filter->GetOutput(1);
+    vtkDataArray* ofCell = FilterChecks::RequireArray(faces->GetCellData(), "FaceId");
+    vtkDataArray* ofPoint = FilterChecks::RequireArray(faces->GetPointData(), "FaceId");
+    vtkDataArray* uv = FilterChecks::RequireArray(faces->GetPointData(), "UV");
+    vtkDataArray* u = FilterChecks::RequireArray(faces->GetCellData(), "USize");
+    vtkDataArray* v = FilterChecks::RequireArray(faces->GetCellData(), "VSize");
+    const auto count = static_cast<std::size_t>(this->Value("Faces"));
+    std::vector<double> filled(count, 0.0);
+    std::vector<double> outlined(count, 0.0);
+    std::vector<double> rectangle(count, 0.0);
+    std::vector<double> wanted(count, 0.0);
+    for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell)
+    {
+      vtkNew<vtkIdList> ids;
+      faces->GetCellPoints(cell, ids);
+      ASSERT_EQ(ids->GetNumberOfIds(), 3);
+      const std::array<double, 2> a = PlaceOf(faces, ids->GetId(0));
+      const std::array<double, 2> b = PlaceOf(faces, ids->GetId(1));
+      const std::array<double, 2> c = PlaceOf(faces, ids->GetId(2));
+      const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      EXPECT_GT(twice, 0.0);
+      const auto face = static_cast<std::size_t>(ofCell->GetTuple1(cell));
+      EXPECT_EQ(ofPoint->GetTuple1(ids->GetId(0)), ofCell->GetTuple1(cell));
+      filled[face] += 0.5 * twice;
+      wanted[face] = u->GetTuple1(cell) * v->GetTuple1(cell);
+    }
+    for (vtkIdType i = 0, first = 0; i < faces->GetNumberOfPoints(); ++i)
+    {
+      const double here = ofPoint->GetTuple1(i);
+      first = here == ofPoint->GetTuple1(first) ? first : i;
+      const bool last = i + 1 == faces->GetNumberOfPoints() || ofPoint->GetTuple1(i + 1) != here;
+      const vtkIdType next = last ? first : i + 1;
+      const std::array<double, 2> a = PlaceOf(faces, i);
+      const std::array<double, 2> b = PlaceOf(faces, next);
+      const auto face = static_cast<std::size_t>(here);
+      outlined[face] += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      rectangle[face] += 0.5 *
+        (uv->GetComponent(i, 0) * uv->GetComponent(next, 1) -
+          uv->GetComponent(i, 1) * uv->GetComponent(next, 0));
+    }
+    double domain = 0.0;
+    double map = 0.0;
+    for (std::size_t face = 0; face < count; ++face)
+    {
+      EXPECT_NEAR(filled[face], outlined[face], 1e-12);
+      EXPECT_NEAR(rectangle[face], wanted[face], 1e-12);
+      domain += filled[face];
+      map += wanted[face];
+    }
+    EXPECT_NEAR(domain, map, 1e-9); // the map has the area of the domain
+  }
 }
 
 TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)

@@ -150,14 +150,18 @@ Point LineWalk::PlaneAt(int triangle, const OutlinePoint& point) const
 
 Point LineWalk::PlaneAt(const LineSegment& segment, double length) const
 {
-  const Point w = segment.At(length);
-  const Point a = this->Map.At(segment.triangle, 0);
-  const Point b = this->Map.At(segment.triangle, 1) - a;
-  const Point c = this->Map.At(segment.triangle, 2) - a;
+  return this->PlaneAt(segment.triangle, segment.At(length));
+}
+
+Point LineWalk::PlaneAt(int triangle, const Point& w) const
+{
+  const Point a = this->Map.At(triangle, 0);
+  const Point b = this->Map.At(triangle, 1) - a;
+  const Point c = this->Map.At(triangle, 2) - a;
   const double twiceArea = Cross(b, c);
   const double beta = std::clamp(Cross(w - a, c) / twiceArea, 0.0, 1.0);
   const double gamma = std::clamp(Cross(b, w - a) / twiceArea, 0.0, 1.0 - beta);
-  const auto& v = this->Map.topology->mesh.triangles[Index(segment.triangle)];
+  const auto& v = this->Map.topology->mesh.triangles[Index(triangle)];
   const Point& origin = this->Map.topology->PointAt(v[0]);
   return origin + beta * (this->Map.topology->PointAt(v[1]) - origin) +
     gamma * (this->Map.topology->PointAt(v[2]) - origin);

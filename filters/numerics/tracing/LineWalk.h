@@ -63,6 +63,8 @@ public:
   /// The point of the plane at a length within a segment.
   Point PlaneAt(const LineSegment& segment, double length) const;
   Point PlaneAt(int triangle, const OutlinePoint& point) const;
+  /// The point of the plane where a triangle has coordinates w.
+  Point PlaneAt(int triangle, const Point& w) const;
 
 private:
   /// Of the coordinates of a corner of a triangle those across and along a direction.

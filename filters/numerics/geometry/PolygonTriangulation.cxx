@@ -1,0 +1,132 @@
+#include "PolygonTriangulation.h"
+
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+constexpr double NoEar = std::numeric_limits<double>::infinity();
+
+class EarClipping
+{
+public:
+  explicit EarClipping(const Loop& polygon)
+    : Points(polygon)
+    , Before(polygon.size())
+    , After(polygon.size())
+    , Cost(polygon.size(), NoEar)
+    , Blocker(polygon.size(), -1)
+  {
+    const auto count = static_cast<int>(polygon.size());
+    for (int i = 0; i < count; ++i)
+    {
+      this->Before[Index(i)] = (i + count - 1) % count;
+      this->After[Index(i)] = (i + 1) % count;
+    }
+  }
+
+  std::vector<std::array<int, 3>> Run()
+  {
+    auto left = static_cast<int>(this->Points.size());
+    if (left < 3)
+    {
+      return {};
+    }
+    for (int i = 0; i < left; ++i)
+    {
+      this->Rate(i);
+    }
+    for (int start = 0; left > 2; --left)
+    {
+      const int ear = this->BestEar(start);
+      const int before = this->Before[Index(ear)];
+      const int after = this->After[Index(ear)];
+      if (this->Turn(ear) != 0.0)
+      {
+        this->Triangles.push_back({ before, ear, after });
+      }
+      this->After[Index(before)] = after;
+      this->Before[Index(after)] = before;
+      start = after;
+      this->Rate(before);
+      this->Rate(after);
+      for (int i = this->After[Index(after)]; i != before; i = this->After[Index(i)])
+      {
+        if (this->Blocker[Index(i)] == ear)
+        {
+          this->Rate(i);
+        }
+      }
+    }
+    return std::move(this->Triangles);
+  }
+
+private:
+  const Point& At(int i) const { return this->Points[Index(i)]; }
+
+  /// Twice the area of the triangle at a vertex.
+  double Turn(int i) const
+  {
+    const Point& here = this->At(i);
+    return Cross(here - this->At(this->Before[Index(i)]), this->At(this->After[Index(i)]) - here);
+  }
+
+  /// The square of its diagonal, if it is an ear.
+  void Rate(int i)
+  {
+    const int before = this->Before[Index(i)];
+    const int after = this->After[Index(i)];
+    this->Blocker[Index(i)] = -1;
+    this->Cost[Index(i)] = NoEar;
+    if (!(this->Turn(i) > 0.0))
+    {
+      return;
+    }
+    const Point& a = this->At(before);
+    const Point& b = this->At(i);
+    const Point& c = this->At(after);
+    for (int j = this->After[Index(after)]; j != before; j = this->After[Index(j)])
+    {
+      const Point& p = this->At(j);
+      if (p != a && p != b && p != c && Cross(b - a, p - a) >= 0.0 && Cross(c - b, p - b) >= 0.0 &&
+        Cross(a - c, p - c) >= 0.0)
+      {
+        this->Blocker[Index(i)] = j;
+        return;
+      }
+    }
+    this->Cost[Index(i)] = (c - a).squaredNorm();
+  }
+
+  int BestEar(int start) const
+  {
+    int best = start;
+    int widest = start;
+    for (int i = this->After[Index(start)]; i != start; i = this->After[Index(i)])
+    {
+      best = this->Cost[Index(i)] < this->Cost[Index(best)] ? i : best;
+      widest = this->Turn(i) > this->Turn(widest) ? i : widest;
+    }
+    return this->Cost[Index(best)] < NoEar ? best : widest;
+  }
+
+  const Loop& Points;
+  std::vector<int> Before;
+  std::vector<int> After;
+  std::vector<double> Cost;
+  std::vector<int> Blocker; ///< A point in the triangle of a vertex that therefore is no ear.
+  std::vector<std::array<int, 3>> Triangles;
+};
+}
+
+std::vector<std::array<int, 3>> TriangulatePolygon(const Loop& polygon)
+{
+  return EarClipping(polygon).Run();
+}
+}
