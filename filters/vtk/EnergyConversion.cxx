@@ -127,7 +127,7 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
 }
 
 //------------------------------------------------------------------------------
-void WriteEvents(const std::vector<std::string>& events, vtkPolyData* output)
+void WriteEvents(const std::vector<std::string>& events, vtkDataObject* output)
 {
   AddColumn<vtkStringArray>(
     output->GetFieldData(), names::Events, events, [](const std::string& event) { return event; });

@@ -5,6 +5,7 @@
 #include "DomainPlane.h"
 #include "SingularityOptimizer.h"
 
+class vtkDataObject;
 class vtkPolyData;
 class vtkTable;
 
@@ -22,7 +23,7 @@ void WriteGradients(const std::vector<crossfield::ConfigurationEnergy>& energies
 void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output);
 
 /** Field data `Events`: one sentence each. */
-void WriteEvents(const std::vector<std::string>& events, vtkPolyData* output);
+void WriteEvents(const std::vector<std::string>& events, vtkDataObject* output);
 
 /** One row per iteration; see vtkSingularityOptimizer. */
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output);

@@ -1,8 +1,10 @@
 #include "vtkQuadMesher.h"
 
+#include "AutomaticConfiguration.h"
 #include "ColumnWriting.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "FlatMapSolve.h"
@@ -17,6 +19,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkQuadMesher);
 
@@ -57,23 +62,41 @@ int vtkQuadMesher::RequestData(
     {
       crossfield::Stopwatch stopwatch;
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      const crossfield::Configuration configuration =
-        DomainConversion::ReadConfiguration(singularities, input.plane);
       crossfield::FlatMapOptions mapOptions;
       mapOptions.corners = CornerConversion::ReadCorners(corners, input.plane);
       mapOptions.capCorners = this->CapCorners;
-      const crossfield::SharedTopology topology =
-        crossfield::ShareTopology(crossfield::MeshOnPoints(
-          input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.2)));
+      crossfield::Configuration configuration =
+        DomainConversion::ReadConfiguration(singularities, input.plane);
+      std::vector<std::string> events;
+      if (singularities == nullptr)
+      {
+        // As vtkConfigurationProposal does with Automatic.
+        crossfield::AutomaticOptions automatic;
+        automatic.proposal.corners = mapOptions.corners;
+        automatic.optimizer.meshSize = this->MeshSize;
+        const crossfield::AutomaticConfiguration choice =
+          crossfield::ChooseConfiguration(input.domain, automatic, progress.Part(0.0, 0.5));
+        configuration = choice.singularities;
+        mapOptions.corners = choice.corners;
+        events = choice.events;
+        if (!choice.optimum.converged && !choice.optimum.aborted)
+        {
+          vtkWarningMacro(<< choice.optimum.reason);
+        }
+      }
+      const crossfield::Progress rest = progress.Part(singularities == nullptr ? 0.5 : 0.0, 1.0);
+      stopwatch.Lap(); // stages are those of the mesh
+      const crossfield::SharedTopology topology = crossfield::ShareTopology(
+        crossfield::MeshOnPoints(input.domain, configuration, this->MeshSize, rest.Part(0.0, 0.2)));
       this->StageSeconds[0] = stopwatch.Lap();
       const crossfield::FlatMap map =
-        crossfield::SolveFlatMap(topology, configuration, mapOptions, progress.Part(0.2, 0.5));
+        crossfield::SolveFlatMap(topology, configuration, mapOptions, rest.Part(0.2, 0.5));
       this->StageSeconds[1] = stopwatch.Lap();
       crossfield::QuadOptions options;
       options.size = this->QuadSize;
       options.count = this->QuadCount;
       const crossfield::QuadResult result =
-        crossfield::MakeQuads(map, options, progress.Part(0.5, 0.95));
+        crossfield::MakeQuads(map, options, rest.Part(0.5, 0.95));
       this->StageSeconds[2] = result.traceSeconds;
       this->StageSeconds[3] = result.counts.seconds;
       this->StageSeconds[4] = result.layoutSeconds;
@@ -86,6 +109,7 @@ int vtkQuadMesher::RequestData(
       QuadConversion::WriteQuads(result, input.plane, quads);
       ColumnWriting::AddNumbers(
         quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, map.holonomyDefect);
+      EnergyConversion::WriteEvents(events, quads);
       QuadConversion::WriteBlocks(result, input.plane, blocks);
       QuadConversion::WriteLayout(result, input.plane, layout);
     });

@@ -8,7 +8,8 @@
  * points move until quads have their best shape, those on the boundary along its polyline.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
- * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField.
+ * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField. Where nothing is connected to
+ * port 1 the singularities are chosen as vtkConfigurationProposal does with Automatic; points without any are none.
  *
  * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary edge with the domain on
  * the left, with
@@ -24,7 +25,8 @@
  * `ScaledJacobianRange` (least, mean), `ScaledJacobianBound` (attainable), `EtaRange` (least, mean; 1 − (2/π) max |π/2 −
  * angle|), `SizeRange` (least, mean, largest root of area), `Size` (in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
  * `IntegerOptimal`, `Inverted` (quads that are not positive), `InvertedPlace` (3, the worst one), `Released` (whether
- * singularities had to move), `Moved` (how far at most), `HolonomyDefect`.
+ * singularities had to move), `Moved` (how far at most), `HolonomyDefect`, `Events` (what was decided where singularities were
+ * chosen, a sentence each).
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and vtkSeparatrices; a size so
  * large that no mesh has the asked nodes. A mesh with inverted quads is given, with a warning.

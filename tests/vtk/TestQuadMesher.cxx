@@ -1,5 +1,6 @@
 #include "FilterChecks.h"
 #include "TestInputs.h"
+#include "vtkConfigurationProposal.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkQuadMesher.h"
 #include "vtkSingularitySource.h"
@@ -11,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -21,6 +23,13 @@
 
 namespace
 {
+/** How many sentences the field data of a mesh hold; −1 without the array. */
+vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
+{
+  vtkAbstractArray* array = mesher->GetOutput()->GetFieldData()->GetAbstractArray(name);
+  return array == nullptr ? -1 : array->GetNumberOfTuples();
+}
+
 class QuadMesher : public testing::Test
 {
 public:
@@ -98,4 +107,30 @@ TEST_F(QuadMesher, ValencesAreThoseAskedFor)
   EXPECT_EQ(singular, 4);
   EXPECT_EQ(
     vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2))->GetNumberOfLines(), 24);
+}
+
+TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
+{
+  const auto domain = TestInputs::Loops({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.4, 0.9 } } });
+  vtkNew<vtkConfigurationProposal> proposal;
+  proposal->SetInputData(domain);
+  proposal->AutomaticOn();
+  proposal->SetMeshSize(0.15);
+  this->Filter->SetInputData(domain);
+  this->Filter->SetMeshSize(0.15);
+  this->Filter->SetSingularitiesConnection(proposal->GetOutputPort());
+  this->Filter->SetCornersConnection(proposal->GetOutputPort(1));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(FieldStrings(this->Filter, "Events"), 0);
+
+  vtkNew<vtkQuadMesher> alone;
+  alone->SetInputData(domain);
+  alone->SetMeshSize(0.15);
+  alone->SetQuadSize(0.1);
+  FilterChecks::UpdateWithoutError(alone);
+  EXPECT_GT(FieldStrings(alone, "Events"), 0);
+  alone->GetOutput()->GetFieldData()->RemoveArray("Events");
+  this->Filter->GetOutput()->GetFieldData()->RemoveArray("Events");
+  EXPECT_EQ(FilterChecks::Fingerprint(alone->GetOutput()),
+    FilterChecks::Fingerprint(this->Filter->GetOutput()));
 }
