@@ -1,5 +1,7 @@
 #include "OptimizerIteration.h"
 
+#include "OptimizerCurvature.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 
@@ -115,35 +117,6 @@ void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen:
   }
   hessian +=
     change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
-}
-
-/// The same by differences of the gradients: as many evaluations as there are coordinates.
-Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective, const OptimizerPlace& here,
-  const Eigen::VectorXd& multipliers)
-{
-  // Of the diagonal: far above rounding, far below any distance between singularities.
-  constexpr double Step = 1e-6;
-  Eigen::MatrixXd hessian(here.place.size(), here.place.size());
-  for (Eigen::Index i = 0; i < here.place.size(); ++i)
-  {
-    Eigen::VectorXd place = here.place;
-    place[i] += Step;
-    const OptimizerPlace next = objective.Evaluate(place);
-    hessian.col(i) = (next.gradient - here.gradient +
-                       (next.defectGradient - here.defectGradient).transpose() * multipliers) /
-      Step;
-  }
-  return 0.5 * (hessian + hessian.transpose()) + here.barrier.bend;
-}
-
-double LongestMove(const Eigen::VectorXd& step)
-{
-  double longest = 0.0;
-  for (Eigen::Index i = 0; i < step.size(); i += 2)
-  {
-    longest = std::max(longest, step.segment<2>(i).norm());
-  }
-  return longest;
 }
 
 /// Halves a step until the merit, the objective + penalty × |reachable defects|, falls as it should.

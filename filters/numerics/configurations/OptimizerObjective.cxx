@@ -37,13 +37,23 @@ double NearestEdge(const std::vector<BoundaryHalf>& halves, const Point& point)
 }
 
 OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
-  const PlanarDomain& domain, const Configuration& configuration, double clearance)
+  const PlanarDomain& domain, const Configuration& configuration, double clearance,
+  bool keepSymmetry)
   : Points(std::move(potential))
   , Domain(domain)
   , Started(configuration)
   , Length(domain.Diagonal())
   , Barrier(domain, configuration, clearance)
+  , Symmetry(keepSymmetry ? FindKeptSymmetry(*this->Points, domain, configuration)
+                          : NoSymmetry(*this->Points, configuration))
 {
+}
+
+OptimizerObjective OptimizerObjective::WithoutSymmetry() const
+{
+  OptimizerObjective free = *this;
+  free.Symmetry = NoSymmetry(*this->Points, this->Started);
+  return free;
 }
 
 Configuration OptimizerObjective::At(const Eigen::VectorXd& place) const
@@ -56,35 +66,45 @@ Configuration OptimizerObjective::At(const Eigen::VectorXd& place) const
   return moved;
 }
 
-Eigen::VectorXd OptimizerObjective::Start() const
+Eigen::VectorXd OptimizerObjective::PlaceOfAll(const Configuration& configuration) const
 {
-  Eigen::VectorXd place(2 * static_cast<Eigen::Index>(this->Started.size()));
-  for (std::size_t i = 0; i < this->Started.size(); ++i)
+  Eigen::VectorXd place(2 * static_cast<Eigen::Index>(configuration.size()));
+  for (std::size_t i = 0; i < configuration.size(); ++i)
   {
-    place.segment<2>(2 * static_cast<Eigen::Index>(i)) = this->Started[i].position / this->Length;
+    place.segment<2>(2 * static_cast<Eigen::Index>(i)) = configuration[i].position / this->Length;
   }
   return place;
+}
+
+Eigen::VectorXd OptimizerObjective::Start() const
+{
+  return this->PlaceOfAll(this->Started);
 }
 
 ClearanceBarrier::Value OptimizerObjective::EvaluateBarrier(const Eigen::VectorXd& place) const
 {
   ClearanceBarrier::Value value = this->Barrier.Evaluate(this->Length * place);
-  value.gradient *= this->Length;
+  value.gradient = this->Length * this->Symmetry.places.ProjectDirections(value.gradient);
   value.hessian *= this->Length * this->Length;
   value.bend *= this->Length * this->Length;
   return value;
 }
 
-OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& place) const
+OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& asked) const
 {
-  const RenormalizedEnergyValue value =
-    EvaluateRenormalizedEnergy(*this->Points, this->Points->Solve(this->At(place)));
+  Configuration moved = this->At(asked);
+  this->Symmetry.places.Project(moved);
   OptimizerPlace result;
-  result.place = place;
+  result.place = this->PlaceOfAll(moved);
+  const Eigen::VectorXd& place = result.place;
+  const RenormalizedEnergyValue value =
+    EvaluateRenormalizedEnergy(*this->Points, this->Points->Solve(moved));
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
+  // Of the functions of the projected place.
   result.gradient = this->Length *
-    Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
+    this->Symmetry.places.ProjectDirections(
+      Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size()));
   result.barrier = this->EvaluateBarrier(place);
   const auto defects = static_cast<Eigen::Index>(value.holonomyDefect.size());
   result.defects.resize(defects);
@@ -93,9 +113,12 @@ OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& place) const
   {
     const auto& derivative = value.defectGradient[static_cast<std::size_t>(k)];
     result.defects[k] = value.holonomyDefect[static_cast<std::size_t>(k)];
-    result.defectGradient.row(k) =
-      this->Length * Eigen::Map<const Eigen::RowVectorXd>(derivative.data(), place.size());
+    result.defectGradient.row(k) = this->Length *
+      this->Symmetry.places.ProjectDirections(
+        Eigen::Map<const Eigen::VectorXd>(derivative.data(), place.size()));
   }
+  result.defects = (this->Symmetry.defects * result.defects).eval();
+  result.defectGradient = (this->Symmetry.defects * result.defectGradient).eval();
   return result;
 }
 

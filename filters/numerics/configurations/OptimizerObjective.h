@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ClearanceBarrier.h"
-#include "PointPotential.h"
+#include "OptimizerSymmetry.h"
 
 namespace crossfield
 {
@@ -27,13 +27,22 @@ class OptimizerObjective
 {
 public:
   /// `domain`: its own polygons, coarser than those of the mesh. `clearance` is a length.
+  /// `keepSymmetry`: whether places are as symmetric as those of the start (OptimizerSymmetry.h).
   OptimizerObjective(std::shared_ptr<const PointPotential> potential, const PlanarDomain& domain,
-    const Configuration& configuration, double clearance);
+    const Configuration& configuration, double clearance, bool keepSymmetry = true);
 
   Eigen::VectorXd Start() const;
   Configuration At(const Eigen::VectorXd& place) const;
-  OptimizerPlace Evaluate(const Eigen::VectorXd& place) const;
+  /// At the projection of a place to those that keep the symmetries, so that no step leaves them.
+  OptimizerPlace Evaluate(const Eigen::VectorXd& asked) const;
   ClearanceBarrier::Value EvaluateBarrier(const Eigen::VectorXd& place) const;
+  /// By places that keep the symmetries.
+  Eigen::VectorXd ProjectDirections(const Eigen::VectorXd& directions) const
+  {
+    return this->Symmetry.places.ProjectDirections(directions);
+  }
+  OptimizerObjective WithoutSymmetry() const;
+  bool KeepsSymmetry() const { return !this->Symmetry.IsTrivial(); }
 
   /// Distance of singularity i to the boundary, negative outside the domain, in units of the diagonal.
   double BoundaryDistance(const Eigen::VectorXd& place, std::size_t i) const;
@@ -52,10 +61,13 @@ public:
   const PointPotential& Potential() const { return *this->Points; }
 
 private:
+  Eigen::VectorXd PlaceOfAll(const Configuration& configuration) const;
+
   std::shared_ptr<const PointPotential> Points;
   PlanarDomain Domain;
   Configuration Started;
   double Length;
   ClearanceBarrier Barrier;
+  OptimizerSymmetry Symmetry;
 };
 }

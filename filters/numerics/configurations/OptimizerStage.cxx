@@ -105,7 +105,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   stage.potential = std::make_shared<const PointPotential>(
     std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   stage.objective = std::make_shared<const OptimizerObjective>(
-    stage.potential, refined, stage.placed.interior, options.clearance);
+    stage.potential, refined, stage.placed.interior, options.clearance, options.keepSymmetry);
   return stage;
 }
 }

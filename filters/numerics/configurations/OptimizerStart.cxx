@@ -1,6 +1,7 @@
 #include "OptimizerStart.h"
 
 #include "BoundaryCorners.h"
+#include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 
 #include <algorithm>
@@ -27,9 +28,9 @@ Point FromBoundary(const PlanarDomain& domain, const Point& place)
   }
   return nearest;
 }
-}
 
-double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+/// ClearStart without regard to symmetries.
+double MoveApart(const PlanarDomain& domain, double clearance, Configuration& configuration)
 {
   constexpr double Enough = 1.2;
   constexpr double Target = 1.3; // a little more, so that it ends
@@ -88,6 +89,40 @@ double ClearStart(const PlanarDomain& domain, double clearance, Configuration& c
     }
   }
   return std::min(clearance, 0.5 * least);
+}
+}
+
+double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+{
+  Configuration moved = configuration;
+  const double reached = MoveApart(domain, clearance, moved);
+  const auto differs = [](const Configuration& a, const Configuration& b)
+  {
+    return !std::equal(a.begin(), a.end(), b.begin(),
+      [](const Singularity& x, const Singularity& y) { return x.position == y.position; });
+  };
+  if (!differs(configuration, moved))
+  {
+    return reached;
+  }
+  // They move one after the other, so the symmetric place between is a little nearer.
+  constexpr int MostTurns = 5;
+  const ConfigurationSymmetry symmetry =
+    MatchSymmetry(configuration, FindSymmetries(domain), 1e-9 * domain.Diagonal());
+  configuration = moved;
+  for (int turn = 0; turn < MostTurns && !symmetry.IsTrivial(); ++turn)
+  {
+    Configuration symmetric = moved;
+    symmetry.Project(symmetric);
+    moved = symmetric;
+    const double again = MoveApart(domain, clearance, moved);
+    if (again == clearance && !differs(symmetric, moved))
+    {
+      configuration = symmetric;
+      break;
+    }
+  }
+  return reached;
 }
 
 std::string Short(double value)

@@ -4,6 +4,7 @@
 #include "DomainQueries.h"
 #include "Error.h"
 #include "HoleRadii.h"
+#include "OptimizerCurvature.h"
 #include "OptimizerStart.h"
 
 #include <algorithm>
@@ -61,6 +62,7 @@ public:
       }
     }
     this->Begin(tracked, progress.Part(0.0, 0.2));
+    this->StartsSymmetric = this->Stage.objective->KeepsSymmetry();
     this->Result.energyBefore = this->Here.fullEnergy;
     progress.Report(0.2);
   }
@@ -80,6 +82,10 @@ public:
       }
       else if (end == OptimizerEnd::Aborted || end == OptimizerEnd::Limit || !this->Change())
       {
+        if (end == OptimizerEnd::Rest && (this->LeaveSaddle() || this->RestoreSymmetry()))
+        {
+          continue;
+        }
         if (end != OptimizerEnd::Change)
         {
           return end;
@@ -127,6 +133,63 @@ private:
   {
     this->Stage = MakeStage(this->Domain, tracked, this->Stages, progress);
     this->Here = this->Stage.objective->Evaluate(this->Stage.objective->Start());
+  }
+
+  /// Leaves symmetric places at which the energy is least among symmetric ones only.
+  bool LeaveSaddle()
+  {
+    if (!this->Stage.objective->KeepsSymmetry())
+    {
+      return false;
+    }
+    const auto free =
+      std::make_shared<const OptimizerObjective>(this->Stage.objective->WithoutSymmetry());
+    const auto direction = FindDescent(*this->Stage.objective, *free, this->Here.place);
+    if (!direction)
+    {
+      return false;
+    }
+    Eigen::VectorXd step = 0.5 * free->Clearance() * *direction;
+    step *= free->LongestPart(this->Here.place, step);
+    while (!std::isfinite(free->EvaluateBarrier(this->Here.place + step).energy))
+    {
+      step *= 0.5; // at zero it is finite
+    }
+    this->Here = free->Evaluate(this->Here.place + step);
+    this->Stage.objective = free;
+    this->Stages.keepSymmetry = false;
+    this->Iteration.Restart();
+    this->Say("The singularities left a symmetry of the domain, which kept them at a saddle of the "
+              "renormalised energy.");
+    return true;
+  }
+
+  /// Changes are made one after the other, and the singularities go on in between. What is about as
+  /// symmetric as the start after them goes on from the symmetric place next to it.
+  bool RestoreSymmetry()
+  {
+    if (!this->StartsSymmetric || !this->Stages.keepSymmetry || !this->Changed || this->Restored ||
+      this->Stage.objective->KeepsSymmetry())
+    {
+      return false;
+    }
+    this->Restored = true;
+    Configuration interior = this->Stage.objective->At(this->Here.place);
+    const ConfigurationSymmetry symmetry = MatchWithBoundary(
+      *this->Stage.potential, FindSymmetries(this->Domain), interior, this->Stages.clearance);
+    if (symmetry.IsTrivial())
+    {
+      return false;
+    }
+    symmetry.Project(interior);
+    TrackedConfiguration tracked = this->Stage.At(this->Here.place);
+    for (std::size_t i = 0; i < interior.size(); ++i)
+    {
+      tracked.singularities[this->Stage.placed.rows[i]].position = interior[i].position;
+    }
+    this->Begin(tracked, {});
+    this->Iteration.Restart();
+    return true;
   }
 
   /// Whether singularities have met or been pressed for so many steps that they will stay so.
@@ -279,6 +342,8 @@ private:
   Eigen::VectorXd Last; ///< Where the singularities were a step ago.
   int Wanted = 0;       ///< Steps for which a change has been wanted.
   bool Changed = false;
+  bool StartsSymmetric = false;
+  bool Restored = false; ///< Whether RestoreSymmetry had its turn.
 };
 }
 

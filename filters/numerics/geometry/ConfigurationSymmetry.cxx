@@ -125,15 +125,19 @@ void ConfigurationSymmetry::Project(Configuration& configuration) const
 
 Eigen::VectorXd ConfigurationSymmetry::ProjectDirections(const Eigen::VectorXd& directions) const
 {
+  if (this->IsTrivial())
+  {
+    return directions;
+  }
   Eigen::VectorXd means = Eigen::VectorXd::Zero(directions.size());
   for (std::size_t g = 0; g < this->elements.size(); ++g)
   {
-    const Isometry inverse = this->elements[g].Inverse();
+    Isometry inverse = this->elements[g].Inverse();
+    inverse.centre = Point::Zero(); // directions have none
     for (std::size_t i = 0; i < this->images[g].size(); ++i)
     {
       const Point way = directions.segment<2>(2 * static_cast<Eigen::Index>(this->images[g][i]));
-      means.segment<2>(2 * static_cast<Eigen::Index>(i)) +=
-        inverse(inverse.centre + way) - inverse.centre;
+      means.segment<2>(2 * static_cast<Eigen::Index>(i)) += inverse(way);
     }
   }
   return means / static_cast<double>(this->elements.size());
