@@ -44,6 +44,8 @@ struct QuadsOptions
   double size = 0.0;
   double meshSize = 0.0;
   int quads = 1000;
+  std::string sizing = "conformal";
+  bool coarse = false;
   bool capCorners = false;
 };
 
@@ -85,6 +87,7 @@ std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
     { "mean", Value(quads, names::EtaRange, 1) } };
   report["sizes"] = { { "min", Value(quads, names::SizeRange) },
     { "mean", Value(quads, names::SizeRange, 1) }, { "max", Value(quads, names::SizeRange, 2) } };
+  report["size_variation"] = Value(quads, names::SizeVariation);
   report["zero_arcs"] = count(names::ZeroArcs);
   const double* seconds = mesher->GetStageSeconds();
   report["integers"] = { { "variables", count(names::IntegerVariables) }, { "seconds", seconds[3] },
@@ -109,6 +112,9 @@ int Mesh(const QuadsOptions& options)
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
   mesher->SetQuadCount(options.quads);
+  mesher->SetSizing(
+    options.sizing == "uniform" ? vtkQuadMesher::SizingUniform : vtkQuadMesher::SizingConformal);
+  mesher->SetCoarse(options.coarse);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
@@ -172,6 +178,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_option("--quads", options->quads, "wanted number of quads; default 1000")
     ->check(CLI::PositiveNumber)
     ->excludes(size);
+  command
+    ->add_option("--sizing", options->sizing,
+      "conformal: sizes of the field, the best shapes; uniform: the same everywhere, singularities may move")
+    ->check(CLI::IsMember({ "conformal", "uniform" }));
+  command->add_flag("--coarse", options->coarse, "the fewest blocks that are sound");
   command
     ->add_option("--mesh-size", options->meshSize,
       "length of the edges of the triangles that the map is solved on")

@@ -104,6 +104,7 @@ void WriteReport(const QuadResult& result, const crossfield::DomainPlane& plane,
   ColumnWriting::AddNumbers(data, names::EtaRange, { quality.eta.min, quality.eta.mean });
   ColumnWriting::AddNumbers(
     data, names::SizeRange, { quality.size.min, quality.size.mean, quality.size.max });
+  ColumnWriting::AddNumbers(data, names::SizeVariation, { quality.variation });
   ColumnWriting::AddNumbers(data, names::Size, { result.size });
   ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.zeroArcs });
   addCount(names::IntegerVariables, result.counts.counts.size());
@@ -164,6 +165,15 @@ void WriteBlocks(
     vtkNew<vtkStructuredGrid> grid;
     grid->SetDimensions(block.width + 1, block.height + 1, 1);
     grid->SetPoints(points);
+    using crossfield::BlockNeighbour;
+    const auto add = [&](const char* name, int BlockNeighbour::*member)
+    {
+      ColumnWriting::AddColumn<vtkIntArray>(grid->GetFieldData(), name, block.neighbours,
+        [member](const BlockNeighbour& neighbour) { return neighbour.*member; });
+    };
+    add(names::NeighbourBlock, &BlockNeighbour::block);
+    add(names::NeighbourSide, &BlockNeighbour::side);
+    add(names::NeighbourOrientation, &BlockNeighbour::orientation);
     const auto number = static_cast<unsigned int>(b);
     output->SetBlock(number, grid);
     output->GetMetaData(number)->Set(

@@ -135,6 +135,7 @@ constexpr const char* ScaledJacobianRange = "ScaledJacobianRange";
 constexpr const char* ScaledJacobianBound = "ScaledJacobianBound";
 constexpr const char* EtaRange = "EtaRange";
 constexpr const char* SizeRange = "SizeRange";
+constexpr const char* SizeVariation = "SizeVariation";
 constexpr const char* Size = "Size";
 constexpr const char* ZeroArcs = "ZeroArcs";
 constexpr const char* IntegerVariables = "IntegerVariables";
@@ -144,6 +145,9 @@ constexpr const char* Inverted = "Inverted";
 constexpr const char* InvertedPlace = "InvertedPlace";
 constexpr const char* Released = "Released";
 constexpr const char* Moved = "Moved";
+constexpr const char* NeighbourBlock = "NeighbourBlock";
+constexpr const char* NeighbourSide = "NeighbourSide";
+constexpr const char* NeighbourOrientation = "NeighbourOrientation";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";

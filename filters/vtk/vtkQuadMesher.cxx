@@ -20,6 +20,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,10 @@ int vtkQuadMesher::RequestData(
         configuration = choice.singularities;
         mapOptions.corners = choice.corners;
         events = choice.events;
-        if (!choice.optimum.converged && !choice.optimum.aborted)
+        const crossfield::OptimizerResult& optimum = choice.optimum;
+        if (!optimum.converged && !optimum.aborted)
         {
-          vtkWarningMacro(<< choice.optimum.reason);
+          vtkWarningMacro(<< optimum.reason);
         }
       }
       const crossfield::Progress rest = progress.Part(singularities == nullptr ? 0.5 : 0.0, 1.0);
@@ -95,12 +97,24 @@ int vtkQuadMesher::RequestData(
       crossfield::QuadOptions options;
       options.size = this->QuadSize;
       options.count = this->QuadCount;
+      options.sizes.sizing = this->Sizing == SizingUniform ? crossfield::QuadSizing::Uniform
+                                                           : crossfield::QuadSizing::Conformal;
+      options.coarse = this->Coarse;
       const crossfield::QuadResult result =
         crossfield::MakeQuads(map, options, rest.Part(0.5, 0.95));
       this->StageSeconds[2] = result.traceSeconds;
       this->StageSeconds[3] = result.counts.seconds;
       this->StageSeconds[4] = result.layoutSeconds;
       this->StageSeconds[5] = result.smoothSeconds;
+      const auto count = static_cast<double>(result.mesh.quads.size());
+      // As --quads promises.
+      constexpr double CountTolerance = 0.05;
+      if (this->QuadSize == 0.0 && std::abs(count / this->QuadCount - 1.0) > CountTolerance)
+      {
+        vtkWarningMacro(<< "No number of quads within 5 % of " << this->QuadCount
+                        << " was found for these lines, " << result.mesh.quads.size()
+                        << " is the nearest; ask for another number.");
+      }
       if (result.quality.inverted > 0)
       {
         vtkWarningMacro(<< result.quality.inverted << " quads are inverted, the worst near "
@@ -121,6 +135,8 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";
+  os << indent << "Sizing: " << this->Sizing << "\n";
+  os << indent << "Coarse: " << this->Coarse << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "StageSeconds:";

@@ -18,12 +18,16 @@
  *   vtkDrillHoles;
  * - points: `Valence` (int): its quads; `Irregular` (int): the quarter index of a singularity or corner, else 0;
  *   `BoundarySide` (int): the loop it is on, −1 inside.
- * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are equal in every bit.
+ * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are equal in every bit. Field
+ * data of each, per side J = 0, I largest, J largest, I = 0: `NeighbourBlock` (the block beyond, −1: the boundary),
+ * `NeighbourSide` (which of its sides), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
+ * same order; −1: the reversed one; 0: boundary). A side is beside one side as a whole.
  * Output 2 (vtkPolyData): the arcs of the T-mesh as polylines, with the cell array `Edges` (int): quads along each.
  *
  * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularGot`, `IrregularAsked` (per valence inside),
  * `ScaledJacobianRange` (least, mean), `ScaledJacobianBound` (attainable), `EtaRange` (least, mean; 1 − (2/π) max |π/2 −
- * angle|), `SizeRange` (least, mean, largest root of area), `Size` (in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
+ * angle|), `SizeRange` (least, mean, largest root of area), `SizeVariation` (its standard deviation over
+ * its mean), `Size` (in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
  * `IntegerOptimal`, `Inverted` (quads that are not positive), `InvertedPlace` (3, the worst one), `Released` (whether
  * singularities had to move), `Moved` (how far at most), `HolonomyDefect`, `Events` (what was decided where singularities were
  * chosen, a sentence each).
@@ -66,9 +70,41 @@ public:
   ///@}
 
   ///@{
-  /** Wanted number of quads where QuadSize is 0. Default: 1000. Range: 1 or more. */
+  /**
+   * Wanted number of quads where QuadSize is 0; where the lines allow none within 5 % of it the nearest that was found is
+   * taken, with a warning. Default: 1000. Range: 1 or more.
+   */
   vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
   vtkGetMacro(QuadCount, int);
+  ///@}
+
+  /** Which quads are larger than others. */
+  enum SizingType
+  {
+    SizingConformal = 0,
+    SizingUniform = 1
+  };
+
+  ///@{
+  /**
+   * SizingConformal: sizes are those of the map, larger where its field spreads, which gives the best shapes.
+   * SizingUniform: the same everywhere as far as the lines allow; singularities may move (`Moved`). Default:
+   * SizingConformal.
+   */
+  vtkSetClampMacro(Sizing, int, SizingConformal, SizingUniform);
+  vtkGetMacro(Sizing, int);
+  void SetSizingToConformal() { this->SetSizing(SizingConformal); }
+  void SetSizingToUniform() { this->SetSizing(SizingUniform); }
+  ///@}
+
+  ///@{
+  /**
+   * Merges lines that are nearer to each other than blocks need, for the fewest blocks whose worst quad is at least half
+   * as good as that of the mesh with all of them. Default: off.
+   */
+  vtkSetMacro(Coarse, bool);
+  vtkGetMacro(Coarse, bool);
+  vtkBooleanMacro(Coarse, bool);
   ///@}
 
   ///@{
@@ -107,6 +143,8 @@ private:
 
   double QuadSize = 0.0;
   int QuadCount = 1000;
+  int Sizing = SizingConformal;
+  bool Coarse = false;
   double MeshSize = 0.0;
   bool CapCorners = false;
   double StageSeconds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };

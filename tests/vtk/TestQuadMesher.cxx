@@ -53,8 +53,8 @@ TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
   FilterChecks::UpdateWithoutError(this->Filter);
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
-  FilterChecks::CheckPrintSelf(
-    this->Filter, { "QuadSize", "QuadCount", "MeshSize", "CapCorners", "StageSeconds" });
+  FilterChecks::CheckPrintSelf(this->Filter,
+    { "QuadSize", "QuadCount", "Sizing", "Coarse", "MeshSize", "CapCorners", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

@@ -45,11 +45,10 @@ int Tighten(ArcProblem& problem, const std::vector<int>& counts, const Violation
 }
 }
 
-ArcCounts CountArcs(const TMesh& mesh, double size, const Progress& progress)
+ArcCounts CountArcs(const TMesh& mesh, ArcProblem problem, const Progress& progress)
 {
   Stopwatch stopwatch;
   ArcCounts result;
-  ArcProblem problem = MakeArcProblem(mesh, size);
   IntegerCounts solution = SolveArcFlow(problem);
   const double bound = solution.bound;
   result.flows = solution.flows;
@@ -89,6 +88,7 @@ ArcCounts CountArcs(const TMesh& mesh, double size, const Progress& progress)
   result.counts = solution.counts;
   result.zeroArcs = static_cast<int>(std::count(solution.counts.begin(), solution.counts.end(), 0));
   result.cost = solution.cost;
+  result.bound = bound;
   const double rounding = 1e-9 * (1.0 + bound);
   result.gap = std::max(0.0, (solution.cost - bound) / (1.0 + bound));
   result.optimal = proved || solution.cost <= bound + rounding;

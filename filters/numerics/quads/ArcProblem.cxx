@@ -1,7 +1,9 @@
 #include "ArcProblem.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -37,22 +39,26 @@ bool ArcProblem::Allows(const std::vector<int>& counts) const
   return std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; });
 }
 
-ArcProblem MakeArcProblem(const TMesh& mesh, double size)
+ArcProblem MakeArcProblem(const TMesh& mesh, std::vector<double> wanted)
 {
   ArcProblem problem;
-  problem.wanted.reserve(mesh.arcs.size());
-  for (const TArc& arc : mesh.arcs)
-  {
-    problem.wanted.push_back(arc.length / size);
-  }
+  problem.wanted = std::move(wanted);
   problem.weight.assign(mesh.arcs.size(), 0.0);
   problem.lower.assign(mesh.arcs.size(), 0);
   problem.terms.resize(mesh.arcs.size());
   for (const TFace& face : mesh.faces)
   {
+    std::array<double, 4> edges{};
     for (std::size_t side = 0; side < 4; ++side)
     {
-      const double width = mesh.SideLength(face, (side + 1) % 4) / size;
+      for (const int half : face.sides[side])
+      {
+        edges[side] += problem.wanted[static_cast<std::size_t>(half / 2)];
+      }
+    }
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      const double width = 0.5 * (edges[(side + 1) % 4] + edges[(side + 3) % 4]);
       const ArcTerm term = { problem.rows + static_cast<int>(side % 2), side < 2 ? 1 : -1 };
       for (const int half : face.sides[side])
       {
@@ -78,5 +84,16 @@ ArcProblem MakeArcProblem(const TMesh& mesh, double size)
     weight = std::max(weight, LeastWeight);
   }
   return problem;
+}
+
+ArcProblem MakeArcProblem(const TMesh& mesh, double size)
+{
+  std::vector<double> wanted;
+  wanted.reserve(mesh.arcs.size());
+  for (const TArc& arc : mesh.arcs)
+  {
+    wanted.push_back(arc.length / size);
+  }
+  return MakeArcProblem(mesh, std::move(wanted));
 }
 }

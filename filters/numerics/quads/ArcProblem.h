@@ -30,7 +30,10 @@ struct ArcProblem
   bool Allows(const std::vector<int>& counts) const;
 };
 
-/// The problem for quads of edge length `size` in the map: ℓ_a = L_a / size, and w_a the mean width of the two
-/// faces beside the arc, in units of size, so that the misfit is a number of quads.
+/// The problem for wanted counts ℓ_a. w_a is half the widths of the two faces beside the arc, counted in wanted edges
+/// as well, so that the misfit is a number of quads.
+ArcProblem MakeArcProblem(const TMesh& mesh, std::vector<double> wanted);
+
+/// For quads of edge length `size` in the map: ℓ_a = L_a / size.
 ArcProblem MakeArcProblem(const TMesh& mesh, double size);
 }

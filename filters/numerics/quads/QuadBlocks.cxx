@@ -231,6 +231,8 @@ private:
 
 QuadBlocks FindBlocks(const QuadMesh& mesh)
 {
-  return Cutter(mesh).Cut();
+  QuadBlocks blocks = Cutter(mesh).Cut();
+  FindNeighbours(blocks.blocks);
+  return blocks;
 }
 }

@@ -13,9 +13,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// The part of the determinant against the shape: shape matters, but sizes must not drift.
-constexpr double SizePart = 0.2;
-
 /// The sides of a quad's corner over the wanted lengths, the columns of J.
 struct CornerFrame
 {
@@ -46,9 +43,11 @@ CornerFrame FrameAt(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
 }
 }
 
-QuadEnergy::QuadEnergy(QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones)
+QuadEnergy::QuadEnergy(
+  QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones, double sizePart)
   : Mesh(mesh)
   , Curves(curves)
+  , SizePart(sizePart)
 {
   for (const QuadPoint& point : mesh.points)
   {
@@ -130,14 +129,15 @@ double QuadEnergy::Value(double epsilon, Eigen::VectorXd* gradient) const
       const double root = std::sqrt(determinant * determinant + epsilon * epsilon);
       const double chi = 0.5 * (determinant + root);
       const double top =
-        (1.0 - SizePart) * (frame.next.squaredNorm() + frame.previous.squaredNorm()) +
-        SizePart * (determinant * determinant + 1.0);
+        (1.0 - this->SizePart) * (frame.next.squaredNorm() + frame.previous.squaredNorm()) +
+        this->SizePart * (determinant * determinant + 1.0);
       energy += top / chi;
       if (gradient != nullptr)
       {
         const double slope = 0.5 * (1.0 + determinant / root);
-        const double byDeterminant = 2.0 * SizePart * determinant / chi - top * slope / (chi * chi);
-        const double byNorm = 2.0 * (1.0 - SizePart) / chi;
+        const double byDeterminant =
+          2.0 * this->SizePart * determinant / chi - top * slope / (chi * chi);
+        const double byNorm = 2.0 * (1.0 - this->SizePart) / chi;
         // ∂ Cross(n, p) = (p_y, −p_x) by n and (−n_y, n_x) by p.
         const Point byNext =
           (byNorm * frame.next + byDeterminant * Point(frame.previous.y(), -frame.previous.x())) /

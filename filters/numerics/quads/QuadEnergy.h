@@ -14,8 +14,8 @@ namespace crossfield
 class QuadEnergy
 {
 public:
-  /// `releaseCones`: the singularities inside move, too.
-  QuadEnergy(QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones);
+  /// `releaseCones`: the singularities inside move, too. `sizePart`: a.
+  QuadEnergy(QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones, double sizePart);
 
   Eigen::Index UnknownCount() const { return this->Count; }
   Eigen::VectorXd Unknowns() const;
@@ -31,6 +31,7 @@ public:
 private:
   QuadMesh& Mesh;
   const BoundaryCurves& Curves;
+  const double SizePart;
   std::vector<Eigen::Index> First; ///< Unknown of every point; −1: fixed.
   Eigen::Index Count = 0;
   Eigen::VectorXd Diagonal;

@@ -1,61 +1,184 @@
 #include "QuadMesher.h"
 
+#include "Chords.h"
 #include "Error.h"
+#include "MemoryBudget.h"
 #include "QuadLayout.h"
+#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshFaces.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-long long CountQuads(const TMesh& lines, const std::vector<int>& counts)
-{
-  long long quads = 0;
-  for (const TFace& face : lines.faces)
-  {
-    long long sides[2] = { 0, 0 };
-    for (const std::size_t side : { std::size_t(0), std::size_t(1) })
-    {
-      for (const int half : face.sides[side])
-      {
-        sides[side] += counts[static_cast<std::size_t>(half / 2)];
-      }
-    }
-    quads += sides[0] * sides[1];
-  }
-  return quads;
-}
-
-/// The size whose number of quads is nearest to the wanted one, of a few that follow each other's misfit.
-void ChooseSize(const TMesh& lines, int wanted, QuadResult& result, const Progress& progress)
+/// Area of the map, which is the domain's.
+double AreaOf(const TMesh& lines)
 {
   double area = 0.0;
   for (const TFace& face : lines.faces)
   {
     area += lines.SideLength(face, 0) * lines.SideLength(face, 1);
   }
-  double size = std::sqrt(area / wanted);
-  double least = -1.0;
-  // Rounding shrinks with the size; a count within 1 % is as good as one can ask for.
-  for (int attempt = 0; attempt < 6 && (least < 0.0 || least > 0.01); ++attempt)
+  return area;
+}
+
+/// The problem of a size, of lengths for size 1.
+ArcProblem ProblemOf(const TMesh& lines, std::vector<double> lengths, double size)
+{
+  for (double& length : lengths)
   {
-    progress.Report(attempt / 6.0);
-    ArcCounts counts = CountArcs(lines, size);
-    const auto quads = static_cast<double>(CountQuads(lines, counts.counts));
-    const double misfit = std::abs(quads / wanted - 1.0);
-    const double tried = size;
-    size *= std::sqrt(quads / wanted);
-    if (least < 0.0 || misfit < least)
+    length /= size;
+  }
+  return MakeArcProblem(lines, std::move(lengths));
+}
+
+/// Lays, smooths and measures meshes of one T-mesh.
+class Mesher
+{
+public:
+  Mesher(const FlatMap& map, const QuadOptions& options, QuadResult& result)
+    : Map(map)
+    , Options(options)
+    , Result(result)
+    , Curves(*map.topology)
+    , Lengths(WantedLengths(result.lines, options.sizes))
+    , Area(AreaOf(result.lines))
+  {
+  }
+
+  /// Counts of the wanted size, or of one that gives the wanted number.
+  void Count(const Progress& progress)
+  {
+    const SizedCounts found = this->ForSize([this](double size)
+      { return CountArcs(this->Result.lines, ProblemOf(this->Result.lines, this->Lengths, size)); },
+      progress);
+    this->Take(found, this->Result);
+  }
+
+  void Lay(QuadResult& result) const
+  {
+    Stopwatch stopwatch;
+    RequireMemory(
+      static_cast<double>(CountQuads(result.lines, result.counts.counts)) * BytesPerQuad,
+      "So many quads", "use a larger size or fewer quads");
+    result.mesh = LayQuads(this->Map, result.lines, result.counts.counts, result.size);
+    WantSizes(result.mesh, this->Options.sizes, this->Area);
+    result.layoutSeconds += stopwatch.Lap();
+  }
+
+  void Smooth(QuadResult& result, const Progress& progress) const
+  {
+    Stopwatch stopwatch;
+    const bool even = this->Options.sizes.sizing != QuadSizing::Conformal;
+    result.smoothing = SmoothQuads(result.mesh, this->Curves, even, progress);
+    result.smoothSeconds += stopwatch.Lap();
+    result.quality = MeasureQuads(result.mesh, result.size);
+    result.blocks = FindBlocks(result.mesh);
+  }
+
+  /// Replaces the result by one with fewer blocks, the fewest that are sound.
+  void Coarsen(const Progress& progress)
+  {
+    std::vector<QuadResult> tried = this->CoarseResults();
+    std::stable_sort(tried.begin(), tried.end(),
+      [](const QuadResult& a, const QuadResult& b)
+      { return a.blocks.blocks.size() < b.blocks.blocks.size(); });
+    const double least = SoundPart * this->Result.quality.jacobian.min;
+    for (std::size_t i = 0; i < tried.size(); ++i)
     {
-      least = misfit;
-      result.counts = std::move(counts);
-      result.size = tried;
+      if (tried[i].blocks.blocks.size() >= this->Result.blocks.blocks.size())
+      {
+        return;
+      }
+      const auto count = static_cast<double>(tried.size());
+      this->Lay(tried[i]);
+      this->Smooth(tried[i],
+        progress.Part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+      if (tried[i].quality.inverted == 0 && tried[i].quality.jacobian.min >= least)
+      {
+        this->Result = std::move(tried[i]);
+        return;
+      }
     }
   }
-}
+
+private:
+  /// A mesh is sound where its worst quad has this part of the scaled Jacobian of that with all blocks.
+  static constexpr double SoundPart = 0.5;
+  /// Points, quads, energy, eight corrections, edges; measured at a million quads.
+  static constexpr double BytesPerQuad = 1200.0;
+
+  SizedCounts ForSize(
+    const std::function<ArcCounts(double)>& countsOf, const Progress& progress) const
+  {
+    if (this->Options.size > 0.0)
+    {
+      progress.Report(0.0);
+      return { this->Options.size, countsOf(this->Options.size), 0 };
+    }
+    return SearchSize(this->Result.lines, this->Options.count,
+      std::sqrt(this->Area / this->Options.count), countsOf, progress);
+  }
+
+  static void Take(const SizedCounts& found, QuadResult& result)
+  {
+    result.size = found.size;
+    result.counts = found.counts;
+  }
+
+  /// Those of sizes from the wanted one to that of the domain, as far as they differ; with blocks, not smoothed.
+  std::vector<QuadResult> CoarseResults() const
+  {
+    std::vector<QuadResult> results;
+    std::vector<int> last;
+    const double largest = std::sqrt(this->Area);
+    for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
+    {
+      const TMesh& lines = this->Result.lines;
+      const ArcCounts coarse = CountArcs(lines, ProblemOf(lines, this->Lengths, size));
+      if (coarse.counts == last)
+      {
+        continue;
+      }
+      last = coarse.counts;
+      const Chords chords(lines, coarse.counts);
+      const SizedCounts found = this->ForSize(
+        [&](double wanted)
+        {
+          const ArcProblem problem = ProblemOf(lines, this->Lengths, wanted);
+          ArcCounts counts = coarse;
+          counts.counts = chords.Refine(problem);
+          counts.cost = problem.Cost(counts.counts);
+          counts.bound = this->Result.counts.bound;
+          counts.gap = std::max(0.0, (counts.cost - counts.bound) / (1.0 + counts.bound));
+          counts.optimal = false;
+          counts.seconds = this->Result.counts.seconds;
+          return counts;
+        },
+        {});
+      QuadResult result;
+      result.lines = lines;
+      result.traceSeconds = this->Result.traceSeconds;
+      this->Take(found, result);
+      result.blocks = FindBlocks(LayQuads(this->Map, lines, result.counts.counts, result.size));
+      results.push_back(std::move(result));
+    }
+    return results;
+  }
+
+  const FlatMap& Map;
+  const QuadOptions& Options;
+  QuadResult& Result;
+  const BoundaryCurves Curves;
+  const std::vector<double> Lengths;
+  const double Area;
+};
 }
 
 QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progress& progress)
@@ -69,24 +192,16 @@ QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progr
   QuadResult result;
   result.lines = MakeTMesh(map, TraceLines(map, progress.Part(0.0, 0.2)));
   result.traceSeconds = stopwatch.Lap();
-  if (options.size > 0.0)
-  {
-    result.size = options.size;
-    result.counts = CountArcs(result.lines, options.size, progress.Part(0.2, 0.4));
-  }
-  else
-  {
-    ChooseSize(result.lines, options.count, result, progress.Part(0.2, 0.4));
-  }
-  stopwatch.Lap();
-  result.mesh = LayQuads(map, result.lines, result.counts.counts, result.size);
-  result.layoutSeconds = stopwatch.Lap();
+  Mesher mesher(map, options, result);
+  mesher.Count(progress.Part(0.2, 0.4));
+  mesher.Lay(result);
   progress.Report(0.5);
-  result.smoothing =
-    SmoothQuads(result.mesh, BoundaryCurves(*map.topology), progress.Part(0.5, 0.95));
-  result.smoothSeconds = stopwatch.Lap();
-  result.quality = MeasureQuads(result.mesh, result.size);
-  result.blocks = FindBlocks(result.mesh);
+  const double smoothed = options.coarse ? 0.7 : 1.0;
+  mesher.Smooth(result, progress.Part(0.5, smoothed));
+  if (options.coarse)
+  {
+    mesher.Coarsen(progress.Part(smoothed, 1.0));
+  }
   progress.Report(1.0);
   return result;
 }

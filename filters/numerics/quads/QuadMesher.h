@@ -3,6 +3,7 @@
 #include "ArcCounts.h"
 #include "QuadBlocks.h"
 #include "QuadQuality.h"
+#include "QuadSizes.h"
 #include "QuadSmoothing.h"
 
 #include "FlatMap.h"
@@ -13,6 +14,8 @@ struct QuadOptions
 {
   double size = 0.0; ///< Length of quads in the map, whose area is the domain's; 0: by count.
   int count = 1000;  ///< Wanted number of quads where no size is given.
+  SizeRequest sizes;
+  bool coarse = false; ///< The fewest blocks that are sound, instead of those nearest to the sizes.
 };
 
 /// An all-quad mesh with exactly the cones of a map as irregular points, and how it came about.
@@ -31,6 +34,6 @@ struct QuadResult
 };
 
 /// Lines, numbers, quads, smoothing (docs/method.md §14). Throws Error as TraceLines, MakeTMesh, CountArcs and
-/// LayQuads do.
+/// LayQuads do, and before it lays more quads than there is memory for.
 QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progress& progress = {});
 }

@@ -124,6 +124,14 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
   quality.jacobian = RangeOf(quality.scaledJacobian);
   quality.eta = RangeOf(eta);
   quality.size = RangeOf(sizes);
+  double squares = 0.0;
+  for (const double value : sizes)
+  {
+    squares += (value - quality.size.mean) * (value - quality.size.mean);
+  }
+  quality.variation = sizes.empty()
+    ? 0.0
+    : std::sqrt(squares / static_cast<double>(sizes.size())) / quality.size.mean;
   quality.bound = AttainableBound(mesh);
   return quality;
 }

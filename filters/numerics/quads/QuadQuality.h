@@ -21,6 +21,7 @@ struct QuadQuality
   double bound = 1.0;
   Range eta;                   ///< 1 − (2/π) max |π/2 − angle|.
   Range size;                  ///< √area.
+  double variation = 0.0;      ///< Standard deviation of √area over its mean.
   int inverted = 0;            ///< Quads whose least scaled Jacobian is not positive,
   Point where = Point::Zero(); ///< and the place of the worst quad.
 };

@@ -16,6 +16,11 @@ namespace
 constexpr int MostSteps = 120;
 constexpr std::size_t Memory = 8;
 
+/// The part of the determinant against the shape: shape matters, but sizes must not drift. Where even sizes are
+/// wanted both count.
+constexpr double SizePart = 0.2;
+constexpr double EvenSizePart = 0.5;
+
 struct Correction
 {
   Eigen::VectorXd step;
@@ -115,9 +120,10 @@ int Descend(QuadEnergy& energy, double epsilon, int mostSteps, const Progress& p
   return step;
 }
 
-int Smooth(QuadMesh& mesh, const BoundaryCurves& curves, bool release, const Progress& progress)
+int Smooth(QuadMesh& mesh, const BoundaryCurves& curves, bool release, double sizePart,
+  const Progress& progress)
 {
-  QuadEnergy energy(mesh, curves, release);
+  QuadEnergy energy(mesh, curves, release, sizePart);
   int steps = 0;
   // Untangles: ε follows the worst corner down, by half of it at a time (Garanzha et al. 2021).
   constexpr int Rounds = 8;
@@ -139,7 +145,8 @@ int Smooth(QuadMesh& mesh, const BoundaryCurves& curves, bool release, const Pro
 }
 }
 
-SmoothingReport SmoothQuads(QuadMesh& mesh, const BoundaryCurves& curves, const Progress& progress)
+SmoothingReport SmoothQuads(
+  QuadMesh& mesh, const BoundaryCurves& curves, bool even, const Progress& progress)
 {
   SmoothingReport report;
   const auto least = [](const QuadMesh& quads)
@@ -152,18 +159,20 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const BoundaryCurves& curves, const 
     return worst;
   };
   const QuadMesh start = mesh;
-  report.iterations = Smooth(mesh, curves, false, progress.Part(0.0, 0.6));
-  if (least(mesh) <= 0.0 && least(start) <= 0.0)
+  report.iterations =
+    Smooth(mesh, curves, false, even ? EvenSizePart : SizePart, progress.Part(0.0, 0.6));
+  if (even || (least(mesh) <= 0.0 && least(start) <= 0.0))
   {
     report.released = true;
-    report.iterations += Smooth(mesh, curves, true, progress.Part(0.6, 1.0));
+    report.iterations +=
+      Smooth(mesh, curves, true, even ? EvenSizePart : SizePart, progress.Part(0.6, 1.0));
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
     {
       const double moved = (mesh.points[p].place - start.points[p].place).norm();
       report.moved = std::max(report.moved, mesh.points[p].cone >= 0 ? moved : 0.0);
     }
   }
-  if (least(start) > least(mesh))
+  if (least(start) > least(mesh) && (!even || least(mesh) <= 0.0))
   {
     mesh = start;
     report.keptStart = true;

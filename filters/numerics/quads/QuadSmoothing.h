@@ -17,6 +17,9 @@ struct SmoothingReport
 /// going to zero where the start has corners that are not positive. Cost: linear in quads, as the number of steps is
 /// bounded. Singularities inside are fixed, unless with them fixed a quad is not positive. Keeps the start where that
 /// has the larger least scaled Jacobian.
+///
+/// `even`: for wanted sizes that are not those of the map. Singularities are free, sizes count as much as shapes, and the
+/// start is kept only where it is positive and the smoothed mesh is not.
 SmoothingReport SmoothQuads(
-  QuadMesh& mesh, const BoundaryCurves& curves, const Progress& progress = {});
+  QuadMesh& mesh, const BoundaryCurves& curves, bool even, const Progress& progress = {});
 }

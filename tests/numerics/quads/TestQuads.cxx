@@ -226,7 +226,7 @@ TEST(ArcFlow, FindsTheOptimumOfBruteForce)
       EXPECT_TRUE(problem.Allows(found.counts));
       EXPECT_TRUE(found.optimal);
       EXPECT_NEAR(found.cost, BruteForce(lines, problem, largest, false), 1e-9);
-      const ArcCounts counts = CountArcs(lines, size);
+      const ArcCounts counts = CountArcs(lines, problem);
       const double separated = BruteForce(lines, problem, largest + 1, true);
       EXPECT_TRUE(FindViolations(lines, counts.counts).empty());
       EXPECT_GE(counts.cost, separated - 1e-9);
@@ -275,6 +275,73 @@ TEST(Quads, OfACountAreNearlyAsMany)
   QuadOptions none;
   none.size = -1.0;
   EXPECT_TRUE(Refuses([&] { MakeQuads(map, none); }, { "size", "positive" }));
+}
+
+TEST(Quads, OfUniformSizingAreNearlyEqual)
+{
+  // Five around one of index −1: sizes of the map differ by factors.
+  const Configuration configuration =
+    Join(OnCircle(5, 0.55, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } });
+  const FlatMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
+  QuadOptions options;
+  options.count = 600;
+  const QuadResult conformal = MakeQuads(map, options);
+  options.sizes.sizing = QuadSizing::Uniform;
+  const QuadResult uniform = MakeQuads(map, options);
+  EXPECT_GT(conformal.quality.variation, 0.2);
+  EXPECT_LT(uniform.quality.variation, 0.12);
+  EXPECT_GE(uniform.quality.jacobian.min, 0.5);
+  EXPECT_NEAR(static_cast<double>(uniform.mesh.quads.size()), 600.0, 30.0);
+  // Their mean area is the wanted one.
+  EXPECT_NEAR(uniform.quality.size.mean, std::sqrt(DiskOfEdges(0.04).Area() / 600.0), 0.05);
+}
+
+TEST(Quads, FollowASizeField)
+{
+  // Twice as large on the right as on the left.
+  const PlanarDomain plate =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
+  const FlatMap map = MapOf(plate, {}, 0.1);
+  QuadOptions options;
+  options.count = 500;
+  options.sizes.sizing = QuadSizing::Field;
+  options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
+  const QuadResult result = MakeQuads(map, options);
+  EXPECT_EQ(result.quality.inverted, 0);
+  double left = 0.0;
+  double right = 0.0;
+  for (std::size_t q = 0; q < result.mesh.quads.size(); ++q)
+  {
+    double x = 0.0;
+    for (const int point : result.mesh.quads[q])
+    {
+      x += 0.25 * result.mesh.points[static_cast<std::size_t>(point)].place.x();
+    }
+    left += x < 0.5 ? 1.0 : 0.0;
+    right += x > 2.5 ? 1.0 : 0.0;
+  }
+  // Columns alone can follow: rows go through. (1 + x/3) has means 1.08 and 1.92 there.
+  EXPECT_NEAR(left / right, 1.92 / 1.08, 0.35);
+  options.sizes.field = [](const Point& place) { return place.x() - 1.0; };
+  EXPECT_TRUE(Refuses([&] { MakeQuads(map, options); }, { "size", "not a positive number" }));
+}
+
+TEST(Quads, CoarseOnesHaveFewerBlocks)
+{
+  Random random(77);
+  const PlanarDomain domain = RandomSmoothDomain(random);
+  const Configuration configuration =
+    Join(OnCircle(5, 0.5, 0.37, 1, 0.0), { { { 0.03, 0.02 }, -1 } });
+  const FlatMap map = MapOf(domain, configuration, 0.05);
+  QuadOptions options;
+  options.size = 0.03;
+  const QuadResult fine = MakeQuads(map, options);
+  options.coarse = true;
+  const QuadResult coarse = MakeQuads(map, options);
+  ExpectSound(coarse, map, 0.5 * fine.quality.jacobian.min);
+  EXPECT_LT(coarse.blocks.blocks.size(), fine.blocks.blocks.size());
+  EXPECT_NEAR(static_cast<double>(coarse.mesh.quads.size()),
+    static_cast<double>(fine.mesh.quads.size()), 0.3 * static_cast<double>(fine.mesh.quads.size()));
 }
 }
 }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "QuadMesh.h"
+#include "TMesh.h"
+
+#include <functional>
+
+namespace crossfield
+{
+/// Where quads are how large.
+enum class QuadSizing
+{
+  Conformal, ///< As in the map: e^H.
+  Uniform,   ///< The same everywhere.
+  Field      ///< As a function says.
+};
+
+/// Wanted size at a point of the plane.
+using SizeFunction = std::function<double(const Point&)>;
+
+struct SizeRequest
+{
+  QuadSizing sizing = QuadSizing::Conformal;
+  SizeFunction field; ///< Of Field, positive; only its proportions count.
+};
+
+/// Length of every arc in units of the wanted size (docs/method.md §14.8), for size 1: in the map for Conformal,
+/// ∫ ds / h in the plane else. Throws Error when h is not positive.
+std::vector<double> WantedLengths(const TMesh& mesh, const SizeRequest& request);
+
+/// What the points and quads of a mesh want: for Conformal as they are; else squares of size h, with the mean area of
+/// its quads.
+void WantSizes(QuadMesh& mesh, const SizeRequest& request, double area);
+}

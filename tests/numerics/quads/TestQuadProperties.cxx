@@ -1,0 +1,268 @@
+#include "QuadMesher.h"
+
+#include "DomainQueries.h"
+#include "FlatMapSolve.h"
+#include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace crossfield::test
+{
+namespace
+{
+struct RandomCase
+{
+  std::string name;
+  PlanarDomain domain;
+  Configuration configuration;
+};
+
+/// Singularities at random places at some distance from each other and the boundary; `sum` is that of their indices.
+Configuration Scatter(Random& random, const PlanarDomain& domain, int pairs, int sum, double apart)
+{
+  Configuration configuration;
+  int positive = pairs + std::max(0, sum);
+  int negative = pairs + std::max(0, -sum);
+  while (positive + negative > 0)
+  {
+    const Point place(random.Uniform(-2.0, 6.0), random.Uniform(-2.0, 4.0));
+    bool free = SignedDistance(place, domain) > apart;
+    for (const Singularity& other : configuration)
+    {
+      free = free && (other.position - place).norm() > apart;
+    }
+    if (free)
+    {
+      configuration.push_back({ place, positive > 0 ? 1 : -1 });
+      --(positive > 0 ? positive : negative);
+    }
+    apart *= 0.9999; // ends even where the first distance asks too much
+  }
+  return configuration;
+}
+
+/// Columns of random heights on one line: corners of +1 and −1 that add up to 4.
+PlanarDomain RandomColumns(Random& random)
+{
+  Loop loop = { { 0.0, 0.0 } };
+  const int columns = random.Integer(1, 4);
+  loop.emplace_back(columns, 0.0);
+  for (int c = columns, last = 0; c-- > 0;)
+  {
+    int height = random.Integer(1, 3);
+    height += height == last ? 1 : 0;
+    loop.emplace_back(c + 1.0, height);
+    loop.emplace_back(c, height);
+    last = height;
+  }
+  return MakePlanarDomain({ loop });
+}
+
+/// A ring that is symmetric about four lines, with orbits of singularities: the holonomy defect is zero by symmetry.
+RandomCase SymmetricRing(Random& random)
+{
+  const double wave = random.Uniform(-0.1, 0.1);
+  const double inner = random.Uniform(0.25, 0.45);
+  Loop loop;
+  constexpr int Count = 128;
+  for (int i = 0; i < Count; ++i)
+  {
+    const double angle = 2.0 * Pi * i / Count;
+    loop.push_back((1.0 + wave * std::cos(4.0 * angle)) * Point(std::cos(angle), std::sin(angle)));
+  }
+  RandomCase result{ "ring", MakePlanarDomain({ loop, RegularPolygon(48, inner) }), {} };
+  if (random.Integer(0, 2) > 0)
+  {
+    const bool turned = random.Integer(0, 1) == 1;
+    const double first = turned ? Pi / 4.0 : 0.0;
+    result.configuration = Join(OnCircle(4, inner + 0.75 * (0.9 - inner), first, 1, 0.0),
+      OnCircle(4, inner + 0.35 * (0.9 - inner), first, -1, 0.0));
+  }
+  return result;
+}
+
+RandomCase MakeRandomCase(int number)
+{
+  Random random(static_cast<std::uint32_t>(16000 + number));
+  switch (number % 4)
+  {
+  case 0:
+  {
+    const PlanarDomain domain = RandomSmoothDomain(random);
+    return { "smooth", domain, Scatter(random, domain, random.Integer(0, 3), 4, 0.2) };
+  }
+  case 1:
+  {
+    const PlanarDomain domain = RandomColumns(random);
+    return { "columns", domain, Scatter(random, domain, random.Integer(0, 2), 0, 0.25) };
+  }
+  case 2:
+    return SymmetricRing(random);
+  default:
+  {
+    // Up to thirty.
+    const PlanarDomain domain = RandomSmoothDomain(random);
+    return { "many", domain, Scatter(random, domain, random.Integer(4, 13), 4, 0.12) };
+  }
+  }
+}
+
+FlatMap MapOf(const RandomCase& random)
+{
+  const double meshSize = 0.05 * std::sqrt(random.domain.Area() / Pi);
+  return SolveFlatMap(ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
+    random.configuration);
+}
+
+/// Whether all singularities and corners, and singularities and the boundary, are farther apart than 2 h.
+bool FarApart(const FlatMap& map, double size)
+{
+  for (std::size_t i = 0; i < map.cones.size(); ++i)
+  {
+    const Point& place = map.topology->PointAt(map.cones[i].vertex);
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if ((map.topology->PointAt(map.cones[j].vertex) - place).norm() <= 2.0 * size)
+      {
+        return false;
+      }
+    }
+    for (const Loop& loop : map.topology->AlignedLoops())
+    {
+      if (!map.cones[i].onBoundary && DistanceToLoop(place, loop) <= 2.0 * size)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void ExpectSound(const QuadResult& result, const FlatMap& map, double size)
+{
+  const QuadMesh& mesh = result.mesh;
+  // Conforming and manifold, and no quad with a point twice: else this throws.
+  EXPECT_EQ(
+    mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
+  std::vector<int> valences(mesh.points.size(), 0);
+  for (const std::array<int, 4>& quad : mesh.quads)
+  {
+    EXPECT_EQ(std::set<int>(quad.begin(), quad.end()).size(), 4U);
+    for (const int point : quad)
+    {
+      ++valences[static_cast<std::size_t>(point)];
+    }
+  }
+  std::map<int, int> asked;
+  std::map<int, int> got;
+  for (const Cone& cone : map.cones)
+  {
+    ++asked[cone.onBoundary ? 100 + cone.quarterIndex : cone.quarterIndex];
+  }
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    const bool inside = mesh.points[p].curve.loop < 0;
+    const int index = (inside ? 4 : 2) - valences[p];
+    if (index != 0)
+    {
+      ++got[inside ? index : 100 + index];
+    }
+  }
+  EXPECT_EQ(got, asked);
+  if (FarApart(map, size))
+  {
+    EXPECT_EQ(result.quality.inverted, 0)
+      << result.quality.jacobian.min << " at " << Describe(result.quality.where);
+  }
+  // Blocks: every side is one of another block as a whole, or on the boundary.
+  std::size_t boundary = 0;
+  for (std::size_t b = 0; b < result.blocks.blocks.size(); ++b)
+  {
+    const QuadBlock& block = result.blocks.blocks[b];
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      const BlockNeighbour& neighbour = block.neighbours[side];
+      std::vector<int> points = PointsAlong(block, side);
+      if (neighbour.block < 0)
+      {
+        boundary += points.size() - 1;
+        for (const int point : points)
+        {
+          EXPECT_GE(mesh.points[static_cast<std::size_t>(point)].curve.loop, 0);
+        }
+        continue;
+      }
+      const QuadBlock& other = result.blocks.blocks[static_cast<std::size_t>(neighbour.block)];
+      if (neighbour.orientation < 0)
+      {
+        std::reverse(points.begin(), points.end());
+      }
+      EXPECT_EQ(points, PointsAlong(other, static_cast<std::size_t>(neighbour.side)));
+      const BlockNeighbour& back = other.neighbours[static_cast<std::size_t>(neighbour.side)];
+      EXPECT_EQ(back.block, static_cast<int>(b));
+      EXPECT_EQ(back.side, static_cast<int>(side));
+      EXPECT_EQ(back.orientation, neighbour.orientation);
+    }
+  }
+  EXPECT_EQ(boundary, mesh.boundary.size());
+}
+
+/// CROSSFIELD_QUAD_CASES sets how many domains; five meshes each.
+TEST(QuadProperties, OfRandomDomains)
+{
+  const char* asked = std::getenv("CROSSFIELD_QUAD_CASES");
+  const int cases = asked == nullptr ? 12 : std::atoi(asked);
+  const char* from = std::getenv("CROSSFIELD_QUAD_FIRST");
+  const bool tell = asked != nullptr;
+  int meshes = 0;
+  int far = 0;
+  for (int number = from == nullptr ? 0 : std::atoi(from); number < cases; ++number)
+  {
+    const RandomCase random = MakeRandomCase(number);
+    const FlatMap map = MapOf(random);
+    for (const double defect : map.holonomyDefect)
+    {
+      EXPECT_LT(std::abs(defect), 1e-3) << number; // the mesh is not symmetric
+    }
+    const double extent = std::sqrt(random.domain.Area() / Pi);
+    for (const double part : { 0.04, 0.09, 0.2, 0.45, 1.0 })
+    {
+      SCOPED_TRACE(random.name + " " + std::to_string(number) + " " + std::to_string(part));
+      try
+      {
+        QuadOptions options;
+        options.size = part * extent;
+        const QuadResult result = MakeQuads(map, options);
+        ExpectSound(result, map, options.size);
+        ++meshes;
+        far += FarApart(map, options.size) ? 1 : 0;
+        if (tell)
+        {
+          std::printf(
+            "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d forced %d gap %.3f flows %d "
+            "released %d moved %.2g s %.3f %.3f %.3f\n",
+            number, random.name.c_str(), random.configuration.size(), part,
+            result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
+            result.quality.inverted, FarApart(map, options.size), result.counts.zeroArcs,
+            result.counts.forced, result.counts.gap, result.counts.flows, result.smoothing.released,
+            result.smoothing.moved / options.size, result.traceSeconds, result.counts.seconds,
+            result.smoothSeconds);
+        }
+      }
+      catch (const Error& error)
+      {
+        ADD_FAILURE() << error.what();
+      }
+    }
+  }
+  EXPECT_GE(far, meshes / 4); // most fine ones
+}
+}
+}
