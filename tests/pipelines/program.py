@@ -15,7 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "verify"
 import kept
 
 PROGRAM = os.environ["CROSSFIELD_PROGRAM"]
-SECONDS = int(os.environ.get("CROSSFIELD_SECONDS", "30"))  # of one run; more is a hang
+SECONDS = int(os.environ.get("CROSSFIELD_SECONDS", "100"))  # of one run; more is a hang
 
 FOUR = [(x, y, 1, 0.1) for x, y in ((0.42, 0.42), (-0.42, 0.42), (-0.42, -0.42), (0.42, -0.42))]
 

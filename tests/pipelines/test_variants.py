@@ -101,11 +101,7 @@ class Variants(ProgramTest):
                           says=["hole 7", "does not have"])
         self.refuse_solve("builtin:disk", *constrained, "--unit-holes", "--epsilon", 0.1,
                           says=["cannot be combined"])
-        # They belong to the constrained method, and unit norm is the default.
-        for option in (("--unit-hole", 1), ("--global-constraint",), ("--epsilon", 0.1),
-                       ("--mode", "imprint")):
-            self.refuse_solve("builtin:disk", *option, says=["constrained"])
-        self.refuse_solve("builtin:disk", "--start", "harmonic",
+        self.refuse_solve("builtin:disk", "--method", "unit-norm", "--start", "harmonic",
                           says=["--start harmonic", "unit-norm"])
         self.refuse_solve("builtin:disk", "--method", "unit-norm", "--epsilon", 0.1,
                           says=["--epsilon", "constrained"])
@@ -113,6 +109,17 @@ class Variants(ProgramTest):
                           says=["needs holes"])
         self.refuse_solve("builtin:disk", "--method", "ginzburg-landau", "--mode", "imprint",
                           says=["do not belong to"])
+
+    def test_options_of_the_constrained_method_choose_it(self):
+        for option in (("--unit-hole", 1), ("--unit-holes",), ("--global-constraint",), ("--epsilon", 0.1),
+                       ("--mode", "imprint"), ("--start", "harmonic")):
+            digests = set()
+            for method in ((), ("--method", "constrained")):
+                result = self.run_program("solve", "builtin:disk", "-s", "four.csv", "--size", 0.1,
+                                          "-o", "field.vtu", *option, *method)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                digests.add(self.digest("field.vtu"))
+            self.assertEqual(len(digests), 1, option)
 
 
 class Compare(ProgramTest):

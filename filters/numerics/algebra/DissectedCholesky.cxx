@@ -14,14 +14,20 @@ namespace crossfield
 {
 namespace
 {
-/// Calls do(0) and do(1) in two threads, if OpenMP may have as many, and throws what they throw.
+/// Values of right-hand sides from which on a substitution takes two threads: it then takes about two milliseconds. Below, the
+/// threads wait for each other longer than they compute where other programs want the processors, too: an
+/// optimiser that solves ten thousand times on a coarse mesh took twenty times as long.
+constexpr Eigen::Index FewestForTwoThreads = 20000;
+
+/// Calls do(0) and do(1), in two threads if `parallel` and OpenMP may have as many, and throws what they throw.
 /// OpenMP's threads rather than others: CHOLMOD's own parallel loops, which do not pay here, run
 /// serially inside them.
 template <typename Function>
-void ForBothHalves(const Function& function)
+void ForBothHalves(bool parallel, const Function& function)
 {
   std::array<std::exception_ptr, 2> failures;
-#pragma omp parallel for num_threads(std::min(2, omp_get_max_threads())) schedule(static, 1)
+  const int threads = parallel ? std::min(2, omp_get_max_threads()) : 1;
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
   for (int half = 0; half < 2; ++half)
   {
     try
@@ -136,7 +142,7 @@ DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
   }
   std::array<Eigen::MatrixXd, 2> parts;
   ForBothHalves(
-    [&](std::size_t half) { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
+    true, [&](std::size_t half) { parts[half] = this->FactorHalf(matrix, this->Halves[half]); });
   progress.Report(0.9);
   for (std::size_t half = 0; half < 2; ++half)
   {
@@ -242,7 +248,7 @@ DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
 {
   Eliminated eliminated;
   std::array<Eigen::MatrixXd, 2> ofBorder;
-  ForBothHalves(
+  ForBothHalves(rightHandSides.size() >= FewestForTwoThreads,
     [&](std::size_t h)
     {
       const Half& half = this->Halves[h];
@@ -289,7 +295,7 @@ Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) cons
   {
     solution.row(this->Border[static_cast<std::size_t>(i)]) = border.row(i);
   }
-  ForBothHalves(
+  ForBothHalves(solution.size() >= FewestForTwoThreads,
     [&](std::size_t h)
     {
       const Half& half = this->Halves[h];
