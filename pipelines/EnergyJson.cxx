@@ -86,6 +86,11 @@ std::string Write(vtkSingularityOptimizer* optimizer)
   Json report = Json::object();
   report["renormalized_energy_before"] = value(names::RenormalizedEnergyBefore);
   report["renormalized_energy_after"] = value(names::RenormalizedEnergyAfter);
+  if (data->HasArray(names::SizeSpreadBefore) != 0)
+  {
+    report["size_spread_before"] = value(names::SizeSpreadBefore);
+    report["size_spread_after"] = value(names::SizeSpreadAfter);
+  }
   report["iterations"] = static_cast<long long>(value(names::Iterations));
   report["converged"] = value(names::Converged) != 0.0;
   report["holonomy_defect"] = Json::array();

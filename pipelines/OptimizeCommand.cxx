@@ -1,6 +1,6 @@
 /**
  * crossfield optimize DOMAIN [-s S.csv] -o BETTER.csv: moves the interior singularities to where the
- * renormalised energy is least.
+ * renormalised energy is least, or with --even to where sizes are most even.
  *
  *   crossfield optimize builtin:disk -s four.csv -o better.csv --json -
  */
@@ -38,6 +38,7 @@ struct OptimizeOptions : MeshOptions
   int iterations = 200;
   double clearance = 0.0;
   bool keepAll = false;
+  bool even = false;
 };
 
 int Optimize(const OptimizeOptions& options)
@@ -65,6 +66,7 @@ int Optimize(const OptimizeOptions& options)
   optimizer->SetMaximumIterations(options.iterations);
   optimizer->SetClearance(options.clearance);
   optimizer->SetKeepAll(options.keepAll);
+  optimizer->SetEvenSizes(options.even);
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
 
   // 3. Optimise and write.
@@ -86,6 +88,12 @@ int Optimize(const OptimizeOptions& options)
                    moved->GetFieldData()->GetAbstractArray(names::Reason))
                    ->GetValue(0)
               << "\n";
+    if (options.even)
+    {
+      std::cout << "spread of sizes (standard deviation of their logarithm) from "
+                << FieldValue(moved, names::SizeSpreadBefore) << " to "
+                << FieldValue(moved, names::SizeSpreadAfter) << "\n";
+    }
     auto* events =
       vtkStringArray::SafeDownCast(moved->GetFieldData()->GetAbstractArray(names::Events));
     for (vtkIdType i = 0; i < events->GetNumberOfValues(); ++i)
@@ -122,6 +130,8 @@ void AddOptimizeCommand(CLI::App& app, int& status)
     ->check(CLI::NonNegativeNumber);
   command->add_flag("--keep-all", options->keepAll,
     "no singularity moves into the boundary or out of it, none that meet are taken out");
+  command->add_flag("--even", options->even,
+    "then move on to where the sizes of quads that follow the field are most even");
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Optimize(*options); });
 }

@@ -110,6 +110,11 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
   vtkFieldData* data = output->GetFieldData();
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergyBefore, { result.energyBefore });
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergyAfter, { result.energyAfter });
+  if (result.sizeSpreads)
+  {
+    ColumnWriting::AddNumbers(data, names::SizeSpreadBefore, { result.sizeSpreads->before });
+    ColumnWriting::AddNumbers(data, names::SizeSpreadAfter, { result.sizeSpreads->after });
+  }
   ColumnWriting::AddIntegers(data, names::Iterations, { result.iterations });
   ColumnWriting::AddIntegers(data, names::Converged, { result.converged ? 1 : 0 });
   ColumnWriting::AddNumbers(data, names::HolonomyDefect, result.holonomyDefect);

@@ -71,8 +71,12 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
 
 
 def optimize(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
-             corners: Union[Corners, Singularities] = None, iterations: int = 200) -> Configuration:
+             corners: Union[Corners, Singularities] = None, iterations: int = 200,
+             even: bool = False) -> Configuration:
     """Moves singularities to where the renormalised energy of their field is least.
+
+    With `even` it then moves on to where the sizes of quads that follow the field are most even:
+    report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size.
 
     The arguments are those of `solve`; it starts from a proposal if no singularities are given. Where
     they do not come to rest there is a RuntimeWarning, and report["converged"] is False.
@@ -92,6 +96,7 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     optimizer.SetSingularitiesData(start)
     optimizer.SetMeshSize(checked(size))
     optimizer.SetMaximumIterations(iterations)
+    optimizer.SetEvenSizes(even)
     if corners is not None:
         optimizer.SetCornersData(corner_points(corners))
     return configuration_of(pipeline.update(optimizer))

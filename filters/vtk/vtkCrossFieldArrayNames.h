@@ -63,6 +63,8 @@ constexpr const char* Gradient = "Gradient";
 // Field data and history: vtkSingularityOptimizer; Events also: vtkConfigurationProposal.
 constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
 constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";
+constexpr const char* SizeSpreadBefore = "SizeSpreadBefore";
+constexpr const char* SizeSpreadAfter = "SizeSpreadAfter";
 constexpr const char* Annihilation = "Annihilation";
 constexpr const char* Events = "Events";
 constexpr const char* Iteration = "Iteration";

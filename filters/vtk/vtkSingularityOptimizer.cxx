@@ -53,6 +53,7 @@ int vtkSingularityOptimizer::RequestData(
       options.tolerance = this->Tolerance;
       options.clearance = this->Clearance;
       options.keepAll = this->KeepAll;
+      options.evenSizes = this->EvenSizes;
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
@@ -83,4 +84,5 @@ void vtkSingularityOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "KeepAll: " << this->KeepAll << "\n";
+  os << indent << "EvenSizes: " << this->EvenSizes << "\n";
 }

@@ -17,7 +17,8 @@
  * `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1), `HolonomyDefect` (per inner loop),
  * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
  * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
- * besides moving).
+ * besides moving). With EvenSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
+ * of log size, H, over the area, where W is least and of the result.
  * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
  * `RenormalizedEnergy`, `GradientNorm` (largest derivative of the Lagrangian, times the diagonal of the
  * domain), `HolonomyDefect` (the largest), `StepLength` (the longest way of a singularity).
@@ -101,6 +102,16 @@ public:
   vtkBooleanMacro(KeepAll, bool);
   ///@}
 
+  ///@{
+  /**
+   * After the least W, move on to where the sizes of quads that follow the field are most even, with the
+   * singularities that there are. Default: off.
+   */
+  vtkSetMacro(EvenSizes, bool);
+  vtkGetMacro(EvenSizes, bool);
+  vtkBooleanMacro(EvenSizes, bool);
+  ///@}
+
 protected:
   vtkSingularityOptimizer();
   ~vtkSingularityOptimizer() override = default;
@@ -118,6 +129,7 @@ private:
   double Tolerance = 1e-6;
   double Clearance = 0.0;
   bool KeepAll = false;
+  bool EvenSizes = false;
 };
 
 #endif

@@ -179,6 +179,17 @@ class Optimize(EnergiesTest):
         report = self.report("optimize", "builtin:ring", "-s", "pair.csv")
         self.assertAlmostEqual(report["holonomy_defect"][0], 0, places=6)
 
+    def test_even_sizes(self):
+        report = self.report("optimize", PARTS / "bracket.vtp", "--even")
+        self.assertIs(report["converged"], True)
+        # 0.069 and 0.066 were measured by a prototype on another mesh.
+        self.assertAlmostEqual(report["size_spread_before"], 0.0616, delta=0.003)
+        self.assertLess(report["size_spread_after"], 0.99 * report["size_spread_before"])
+        self.assertNotIn("size_spread_after",
+                         self.report("optimize", "builtin:disk", "-s", "best.csv"))
+        self.assertIn("spread of sizes",
+                      self.succeed("optimize", "builtin:disk", "-s", "best.csv", "--even"))
+
     def test_parts_arrive_and_stay(self):
         for name in ("plate3", "bracket", "elbow", "tjunction", "naca_blunt"):
             with self.subTest(name):

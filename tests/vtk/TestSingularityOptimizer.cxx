@@ -62,8 +62,8 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     this->Filter, [this] { this->Domain->SetDomainName("disk"); },
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckPrintSelf(
-    this->Filter, { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll" });
+  FilterChecks::CheckPrintSelf(this->Filter,
+    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "EvenSizes" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -95,6 +95,20 @@ TEST_F(SingularityOptimizer, MovesTheFourToTheRadiusOfTheTheory)
     EXPECT_LE(history->GetValueByName(row, "RenormalizedEnergy").ToDouble(),
       history->GetValueByName(row - 1, "RenormalizedEnergy").ToDouble() + 1e-9);
   }
+}
+
+TEST_F(SingularityOptimizer, MakesSizesEvenIfAsked)
+{
+  this->Domain->SetDomainName("ellipse");
+  this->Domain->SetWidth(3.2);
+  this->Domain->SetHeight(2.2);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("SizeSpreadAfter"), nullptr);
+  this->Filter->EvenSizesOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Converged"), 1.0);
+  EXPECT_GT(this->Value("SizeSpreadAfter"), 0.0);
+  EXPECT_LT(this->Value("SizeSpreadAfter"), this->Value("SizeSpreadBefore"));
 }
 
 TEST_F(SingularityOptimizer, SaysWhatHappened)

@@ -36,7 +36,7 @@ bool IsValley(const std::vector<OptimizerStep>& history, double tolerance)
   const OptimizerStep& now = history.back();
   const OptimizerStep& before = history[history.size() - 1 - ValleySteps];
   return now.gradientNorm <= ValleyGradient && now.holonomyDefect <= tolerance &&
-    std::abs(before.energy - now.energy) <= ValleyGain * (1.0 + std::abs(now.energy));
+    std::abs(before.objective - now.objective) <= ValleyGain * (1.0 + std::abs(now.objective));
 }
 
 /// The combinations of defects that the singularities can change: orthonormal columns.
@@ -166,7 +166,7 @@ OptimizerEnd OptimizerIteration::Run(
     this->unreachableDefect = LargestEntry(here.defects - model.reachable * model.defects);
     const double residual = LargestEntry(model.lagrangian);
     const double defect = LargestEntry(model.defects);
-    const OptimizerStep now{ here.fullEnergy, residual, LargestEntry(here.defects),
+    const OptimizerStep now{ here.fullEnergy, here.energy, residual, LargestEntry(here.defects),
       this->Moved * objective.Unit() };
     if (this->history.size() == static_cast<std::size_t>(this->iterations) + 1)
     {

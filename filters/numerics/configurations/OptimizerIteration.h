@@ -11,7 +11,8 @@ namespace crossfield
 /// One configuration on the way.
 struct OptimizerStep
 {
-  double energy = 0.0; ///< W.
+  double energy = 0.0;    ///< W.
+  double objective = 0.0; ///< W, or W + μ J, single-valued, without the barrier.
   double gradientNorm =
     0.0; ///< Of the Lagrangian, times the diagonal of the domain; largest entry.
   double holonomyDefect = 0.0; ///< Largest.

@@ -11,6 +11,9 @@ namespace crossfield
 {
 namespace
 {
+/// μ; see OptimizerGoal.
+constexpr double EvennessWeight = 1e3;
+
 Point PlaceOf(const Eigen::VectorXd& place, std::size_t i)
 {
   return place.segment<2>(2 * static_cast<Eigen::Index>(i));
@@ -37,15 +40,17 @@ double NearestEdge(const std::vector<BoundaryHalf>& halves, const Point& point)
 }
 
 OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
-  const PlanarDomain& domain, const Configuration& configuration, double clearance,
-  bool keepSymmetry)
+  const PlanarDomain& domain, const Configuration& configuration, const ObjectiveOptions& options)
   : Points(std::move(potential))
   , Domain(domain)
   , Started(configuration)
   , Length(domain.Diagonal())
-  , Barrier(domain, configuration, clearance)
-  , Symmetry(keepSymmetry ? FindKeptSymmetry(*this->Points, domain, configuration)
-                          : NoSymmetry(*this->Points, configuration))
+  , Barrier(domain, configuration, options.clearance)
+  , Symmetry(options.keepSymmetry ? FindKeptSymmetry(*this->Points, domain, configuration)
+                                  : NoSymmetry(*this->Points, configuration))
+  , Evenness(options.goal == OptimizerGoal::EvenSizes
+        ? std::make_shared<const SizeEvenness>(*this->Points)
+        : nullptr)
 {
 }
 
@@ -97,14 +102,21 @@ OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& asked) const
   OptimizerPlace result;
   result.place = this->PlaceOfAll(moved);
   const Eigen::VectorXd& place = result.place;
-  const RenormalizedEnergyValue value =
-    EvaluateRenormalizedEnergy(*this->Points, this->Points->Solve(moved));
+  const PointPotential::Solution solution = this->Points->Solve(moved);
+  const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(*this->Points, solution);
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
+  Eigen::VectorXd gradient =
+    Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
+  if (this->Evenness)
+  {
+    const SizeEvenness::Value evenness = this->Evenness->Evaluate(*this->Points, solution);
+    result.energy += EvennessWeight * evenness.energy;
+    result.sizeSpread = evenness.Spread();
+    gradient += EvennessWeight * evenness.gradient;
+  }
   // Of the functions of the projected place.
-  result.gradient = this->Length *
-    this->Symmetry.places.ProjectDirections(
-      Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size()));
+  result.gradient = this->Length * this->Symmetry.places.ProjectDirections(gradient);
   result.barrier = this->EvaluateBarrier(place);
   const auto defects = static_cast<Eigen::Index>(value.holonomyDefect.size());
   result.defects.resize(defects);

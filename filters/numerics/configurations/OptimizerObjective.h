@@ -2,17 +2,19 @@
 
 #include "ClearanceBarrier.h"
 #include "OptimizerSymmetry.h"
+#include "SizeEvenness.h"
 
 namespace crossfield
 {
-/// W, the holonomy defects, the barrier and their derivatives at one place; lengths in units of the
-/// domain's diagonal.
+/// W, or W + μ J, the holonomy defects, the barrier and their derivatives at one place; lengths in units of
+/// the domain's diagonal.
 struct OptimizerPlace
 {
   Eigen::VectorXd place;    ///< Two coordinates per singularity.
-  double energy = 0.0;      ///< Single-valued W.
-  double fullEnergy = 0.0;  ///< With the harmonic field of the defects.
-  Eigen::VectorXd gradient; ///< Of the single-valued W.
+  double energy = 0.0;      ///< Single-valued W + μ J.
+  double fullEnergy = 0.0;  ///< W with the harmonic field of the defects.
+  double sizeSpread = 0.0;  ///< √(2J), 0 where it is not asked for.
+  Eigen::VectorXd gradient; ///< Of the energy.
   ClearanceBarrier::Value barrier;
   Eigen::VectorXd defects;
   Eigen::MatrixXd defectGradient; ///< One row per defect.
@@ -22,14 +24,29 @@ struct OptimizerPlace
   Eigen::VectorXd ObjectiveGradient() const { return this->gradient + this->barrier.gradient; }
 };
 
+/// What is minimised besides the barrier: W, or W + μ J with μ = 1000. Then W is worth 1/1000 of J, which costs
+/// less than 0.5 % of the least spread, and the barrier's κ is 1e-4 of it (docs/method.md §5.7).
+enum class OptimizerGoal
+{
+  Energy,
+  EvenSizes
+};
+
+struct ObjectiveOptions
+{
+  double clearance = 0.0; ///< A length, positive.
+  /// Whether places are as symmetric as those of the start (OptimizerSymmetry.h).
+  bool keepSymmetry = true;
+  OptimizerGoal goal = OptimizerGoal::Energy;
+};
+
 /// What the optimiser minimises on one mesh, as a function of the places of interior singularities.
 class OptimizerObjective
 {
 public:
-  /// `domain`: its own polygons, coarser than those of the mesh. `clearance` is a length.
-  /// `keepSymmetry`: whether places are as symmetric as those of the start (OptimizerSymmetry.h).
+  /// `domain`: its own polygons, coarser than those of the mesh.
   OptimizerObjective(std::shared_ptr<const PointPotential> potential, const PlanarDomain& domain,
-    const Configuration& configuration, double clearance, bool keepSymmetry = true);
+    const Configuration& configuration, const ObjectiveOptions& options);
 
   Eigen::VectorXd Start() const;
   Configuration At(const Eigen::VectorXd& place) const;
@@ -69,5 +86,6 @@ private:
   double Length;
   ClearanceBarrier Barrier;
   OptimizerSymmetry Symmetry;
+  std::shared_ptr<const SizeEvenness> Evenness; ///< Null if only W is minimised.
 };
 }

@@ -91,7 +91,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
     if (distance > reach)
     {
       drill.refinements.push_back(
-        { singularity.position, 0.25 * std::max(distance, options.clearance) });
+        { singularity.position, 0.25 * std::max(distance, options.objective.clearance) });
     }
   }
   const SharedTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
@@ -105,7 +105,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   stage.potential = std::make_shared<const PointPotential>(
     std::make_shared<const PotentialSolver>(topology), std::move(alignment));
   stage.objective = std::make_shared<const OptimizerObjective>(
-    stage.potential, refined, stage.placed.interior, options.clearance, options.keepSymmetry);
+    stage.potential, refined, stage.placed.interior, options.objective);
   return stage;
 }
 }

@@ -49,8 +49,7 @@ struct StageOptions
 {
   double meshSize = 0.0;
   std::vector<CornerChoice> corners;
-  double clearance = 0.0; ///< A length, positive.
-  bool keepSymmetry = true;
+  ObjectiveOptions objective;
 };
 
 /// Meshes and factors. Throws Error when the quarter indices violate Poincaré-Hopf.

@@ -35,7 +35,8 @@ public:
     }
     this->Stages.meshSize = options.meshSize;
     this->Stages.corners = options.corners;
-    this->Stages.clearance = options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
+    this->Stages.objective.clearance =
+      options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
     this->Iteration.tolerance = options.tolerance;
     this->Iteration.maximumIterations = options.maximumIterations;
   }
@@ -44,13 +45,13 @@ public:
   {
     TrackedConfiguration tracked{ start, std::vector<int>(start.size()), {} };
     std::iota(tracked.origins.begin(), tracked.origins.end(), 0);
-    const double asked = this->Stages.clearance;
-    this->Stages.clearance = ClearStart(this->Domain, asked, tracked.singularities);
-    if (this->Stages.clearance < asked)
+    const double asked = this->Stages.objective.clearance;
+    this->Stages.objective.clearance = ClearStart(this->Domain, asked, tracked.singularities);
+    if (this->Stages.objective.clearance < asked)
     {
       this->Say(
         "Two singularities, or one and the boundary, are too near each other for a clearance of " +
-        Short(asked) + "; it is " + Short(this->Stages.clearance) + " in this run.");
+        Short(asked) + "; it is " + Short(this->Stages.objective.clearance) + " in this run.");
     }
     for (std::size_t i = 0; i < start.size(); ++i)
     {
@@ -94,12 +95,28 @@ public:
     }
   }
 
+  /// From the least W on to the evenest sizes, with the singularities that there are.
+  OptimizerEnd Even(const Progress& progress)
+  {
+    this->Stages.objective.goal = OptimizerGoal::EvenSizes;
+    this->KeepAll = true;
+    this->Begin(this->Stage.At(this->Here.place), {});
+    this->Result.sizeSpreads = SizeSpreads{ this->Here.sizeSpread, this->Here.sizeSpread };
+    this->Iteration.Restart();
+    this->Iteration.maximumIterations += this->Iteration.iterations;
+    return this->Move(progress);
+  }
+
   void Finish(OptimizerEnd end)
   {
     const TrackedConfiguration last = this->Stage.At(this->Here.place);
     OptimizerResult& result = this->Result;
     result.configuration = last.singularities;
     result.energyAfter = this->Here.fullEnergy;
+    if (result.sizeSpreads)
+    {
+      result.sizeSpreads->after = this->Here.sizeSpread;
+    }
     result.holonomyDefect.assign(this->Here.defects.begin(), this->Here.defects.end());
     result.iterations = this->Iteration.iterations;
     result.history = this->Iteration.history;
@@ -117,7 +134,7 @@ public:
       this->Say("A holonomy defect of " + Short(this->Iteration.unreachableDefect) +
         " remains that no singularity inside can change; add two of opposite sign.");
     }
-    if (!this->Changed &&
+    if (!this->Changed && this->Stages.objective.goal == OptimizerGoal::Energy &&
       result.energyAfter > result.energyBefore + 1e-3 * (1.0 + std::abs(result.energyBefore)))
     {
       this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
@@ -157,10 +174,10 @@ private:
     }
     this->Here = free->Evaluate(this->Here.place + step);
     this->Stage.objective = free;
-    this->Stages.keepSymmetry = false;
+    this->Stages.objective.keepSymmetry = false;
     this->Iteration.Restart();
-    this->Say("The singularities left a symmetry of the domain, which kept them at a saddle of the "
-              "renormalised energy.");
+    this->Say("The singularities left a symmetry of the domain, which kept them at a saddle of "
+              "what is minimised.");
     return true;
   }
 
@@ -168,15 +185,15 @@ private:
   /// symmetric as the start after them goes on from the symmetric place next to it.
   bool RestoreSymmetry()
   {
-    if (!this->StartsSymmetric || !this->Stages.keepSymmetry || !this->Changed || this->Restored ||
-      this->Stage.objective->KeepsSymmetry())
+    if (!this->StartsSymmetric || !this->Stages.objective.keepSymmetry || !this->Changed ||
+      this->Restored || this->Stage.objective->KeepsSymmetry())
     {
       return false;
     }
     this->Restored = true;
     Configuration interior = this->Stage.objective->At(this->Here.place);
-    const ConfigurationSymmetry symmetry = MatchWithBoundary(
-      *this->Stage.potential, FindSymmetries(this->Domain), interior, this->Stages.clearance);
+    const ConfigurationSymmetry symmetry = MatchWithBoundary(*this->Stage.potential,
+      FindSymmetries(this->Domain), interior, this->Stages.objective.clearance);
     if (symmetry.IsTrivial())
     {
       return false;
@@ -291,7 +308,9 @@ private:
     }
     else if (end == OptimizerEnd::Rest)
     {
-      result.reason = "The singularities are at a stationary point of the renormalised energy.";
+      result.reason = this->Stages.objective.goal == OptimizerGoal::EvenSizes
+        ? "The singularities are where sizes are most even."
+        : "The singularities are at a stationary point of the renormalised energy.";
     }
     else if (end == OptimizerEnd::Aborted)
     {
@@ -353,7 +372,11 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   OptimizerResult result;
   OptimizerRun run(domain, options, result);
   run.Start(start, progress);
-  const OptimizerEnd end = run.Move(progress.Part(0.2, 1.0));
+  OptimizerEnd end = run.Move(progress.Part(0.2, options.evenSizes ? 0.6 : 1.0));
+  if (options.evenSizes && end != OptimizerEnd::Aborted)
+  {
+    end = run.Even(progress.Part(0.6, 1.0));
+  }
   run.Finish(end);
   return result;
 }

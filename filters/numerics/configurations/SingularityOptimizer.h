@@ -4,6 +4,7 @@
 #include "OptimizerIteration.h"
 #include "Progress.h"
 
+#include <optional>
 #include <string>
 
 namespace crossfield
@@ -22,14 +23,25 @@ struct OptimizerOptions
   double clearance = 0.0;
   /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken out.
   bool keepAll = false;
+  /// After the least W, move on to where the sizes of quads are most even: the least W + 1000 J
+  /// (SizeEvenness.h), with the singularities that there are and as many iterations again.
+  bool evenSizes = false;
+};
+
+/// Standard deviations of log size over the area.
+struct SizeSpreads
+{
+  double before = 0.0; ///< Where W is least,
+  double after = 0.0;  ///< and of the result.
 };
 
 struct OptimizerResult
 {
   /// In the order given, without those that were taken out; then those that left the boundary.
   Configuration configuration;
-  double energyBefore = 0.0; ///< W of the start,
-  double energyAfter = 0.0;  ///< and of the result.
+  double energyBefore = 0.0;              ///< W of the start,
+  double energyAfter = 0.0;               ///< and of the result.
+  std::optional<SizeSpreads> sizeSpreads; ///< Nothing if evenSizes is off.
   int iterations = 0;
   bool converged = false;
   bool aborted = false;

@@ -187,6 +187,18 @@ double PointPotential::StripTurn(
   return -(turn + log.Turn(here, ends[1]));
 }
 
+Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const
+{
+  Eigen::VectorXd regular = this->Problem.potential->Solve(sources, Islands);
+  const Eigen::Index periods = this->PeriodBasis.cols();
+  if (periods > 0)
+  {
+    regular -= this->PeriodBasis * (this->PeriodInverse.inverse() * regular.tail(periods));
+    regular.tail(periods).setZero();
+  }
+  return regular;
+}
+
 PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
 {
   if (TotalQuarters(configuration) != this->Problem.alignment.count.givenInteriorQuarters)

@@ -52,6 +52,10 @@ public:
   /// the diagonal or to another one, or the sum of the quarter indices is another one.
   Solution Solve(const Configuration& configuration) const;
 
+  /// The single-valued part R of given sources, rows of PotentialSolver: those at periods must be zero,
+  /// those at vertices add up to zero. As a matrix between vertices it is symmetric.
+  Eigen::VectorXd SolveSingleValued(const Eigen::VectorXd& sources) const;
+
   const PlanarDomain& GetDomain() const { return this->Domain; }
   const PotentialProblem& GetProblem() const { return this->Problem; }
   const std::vector<BoundaryHalf>& GetHalves() const { return this->Halves; }
