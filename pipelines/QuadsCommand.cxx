@@ -47,6 +47,7 @@ struct QuadsOptions
   std::string sizing = "conformal";
   bool coarse = false;
   bool capCorners = false;
+  bool repairHolonomy = false;
 };
 
 double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
@@ -96,6 +97,7 @@ std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
   report["moved"] = Value(quads, names::Moved);
   report["seconds"] = { { "mesh", seconds[0] }, { "map", seconds[1] }, { "trace", seconds[2] },
     { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] } };
+  ReportJson::AddRepair(report, quads->GetFieldData());
   ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(quads));
   return report.dump(2) + "\n";
 }
@@ -117,6 +119,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetCoarse(options.coarse);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
+  mesher->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
   singularities.Update();
   mesher->SetSingularitiesConnection(singularities.GetOutputPort());
@@ -125,6 +128,7 @@ int Mesh(const QuadsOptions& options)
   // 3. Mesh.
   PipelineRun::Update(mesher, "meshing");
   vtkUnstructuredGrid* quads = mesher->GetOutput();
+  singularities.TakeRepaired(quads->GetFieldData());
 
   // 4. Write.
   OutputTransaction outputs;
@@ -191,6 +195,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_option("--layout", options->layout, "write the layout to this .vtp file");
   command->add_flag("--cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
+  command->add_flag("--repair-holonomy", options->repairHolonomy,
+    "move the singularities the least way to where no inner loop has a holonomy defect");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

@@ -115,6 +115,22 @@ void AddSingularities(Json& report, vtkDataSet* singularities, bool hasHeight)
   }
 }
 
+void AddRepair(Json& report, vtkFieldData* field)
+{
+  vtkDataArray* distance = field->GetArray(vtkCrossFieldArrayNames::RepairDistance);
+  vtkDataArray* defects = field->GetArray(vtkCrossFieldArrayNames::DefectBefore);
+  if (distance == nullptr || defects == nullptr)
+  {
+    return;
+  }
+  Json before = Json::array();
+  for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)
+  {
+    before.push_back(defects->GetTuple1(i));
+  }
+  report["repair"] = { { "distance", distance->GetTuple1(0) }, { "defect_before", before } };
+}
+
 std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
   vtkDataSet* singularities)
 {

@@ -7,6 +7,7 @@
 #include <string>
 
 class vtkDataSet;
+class vtkFieldData;
 class vtkUnstructuredGrid;
 
 /** The numbers of a run as JSON. */
@@ -25,6 +26,9 @@ std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double
  * where they were chosen the list `events`, a sentence for each thing that was decided.
  */
 void AddSingularities(nlohmann::ordered_json& report, vtkDataSet* singularities, bool hasHeight);
+
+/** Adds `repair` with `distance` and `defect_before`, if a filter has repaired the holonomy. */
+void AddRepair(nlohmann::ordered_json& report, vtkFieldData* field);
 }
 
 #endif

@@ -39,6 +39,7 @@ struct SeparatricesOptions : MeshOptions
   std::string json;
   std::string savedSingularities;
   bool capCorners = false;
+  bool repairHolonomy = false;
 };
 
 std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices* separatrices,
@@ -57,6 +58,7 @@ std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices
   report["misfit"] = FieldValue(map->GetOutput(), names::Misfit);
   report["seconds"] = { { "mesh", map->GetStageSeconds()[0] }, { "map", map->GetStageSeconds()[1] },
     { "trace", separatrices->GetStageSeconds() } };
+  ReportJson::AddRepair(report, map->GetOutput()->GetFieldData());
   ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(map->GetOutput()));
   return report.dump(2) + "\n";
 }
@@ -73,6 +75,7 @@ int Trace(const SeparatricesOptions& options)
   map->SetInputConnection(domain->GetOutputPort());
   map->SetMeshSize(options.size);
   map->SetCapCorners(options.capCorners);
+  map->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.size, options.corners);
   singularities.Update();
   map->SetSingularitiesConnection(singularities.GetOutputPort());
@@ -88,6 +91,7 @@ int Trace(const SeparatricesOptions& options)
   PipelineRun::Update(map, "mapping");
   PipelineRun::Update(separatrices, "tracing");
   vtkPolyData* lines = separatrices->GetOutput();
+  singularities.TakeRepaired(map->GetOutput()->GetFieldData());
 
   // 4. Write.
   OutputTransaction outputs;
@@ -131,6 +135,8 @@ void AddSeparatricesCommand(CLI::App& app, int& status)
     "points from which streamlines of the cross field are drawn as well: .csv, .vtp");
   command->add_flag("--cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
+  command->add_flag("--repair-holonomy", options->repairHolonomy,
+    "move the singularities the least way to where no inner loop has a holonomy defect");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

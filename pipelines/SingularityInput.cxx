@@ -10,6 +10,8 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -52,7 +54,29 @@ void SingularityInput::Update()
 
 vtkDataSet* SingularityInput::GetOutput() const
 {
+  if (this->Repaired != nullptr)
+  {
+    return this->Repaired;
+  }
   return vtkDataSet::SafeDownCast(this->Source->GetOutputDataObject(0));
+}
+
+void SingularityInput::TakeRepaired(vtkFieldData* field)
+{
+  vtkDataArray* places = field->GetArray(names::RepairedPositions);
+  auto* given = vtkPointSet::SafeDownCast(this->GetOutput());
+  if (places == nullptr || given == nullptr)
+  {
+    return;
+  }
+  const auto moved = vtk::TakeSmartPointer(given->NewInstance());
+  moved->DeepCopy(given);
+  for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+  {
+    moved->GetPoints()->SetPoint(i, places->GetTuple3(i));
+  }
+  this->Repaired = moved;
+  this->RepairDistance = field->GetArray(names::RepairDistance)->GetTuple1(0);
 }
 
 std::vector<std::string> SingularityInput::GetEvents() const
@@ -69,6 +93,11 @@ std::vector<std::string> SingularityInput::GetEvents() const
 
 void SingularityInput::PrintChoice() const
 {
+  if (this->Repaired != nullptr)
+  {
+    std::cout << "The singularities moved by up to " << this->RepairDistance
+              << " to repair the holonomy.\n";
+  }
   if (!this->AreChosen())
   {
     return;

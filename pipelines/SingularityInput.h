@@ -10,6 +10,8 @@
 class OutputTransaction;
 class vtkConfigurationProposal;
 class vtkDataSet;
+class vtkFieldData;
+class vtkPointSet;
 
 /**
  * The singularities of a command: those of its option -s or, where that is left out, those that
@@ -30,7 +32,11 @@ public:
 
   bool AreChosen() const { return this->Proposal != nullptr; }
   vtkAlgorithmOutput* GetOutputPort() const { return this->Source->GetOutputPort(); }
+  /** With the places where TakeRepaired has put them. */
   vtkDataSet* GetOutput() const;
+
+  /** Takes the places that a filter says it has moved them to, if it has; see vtkCrossFieldMap. */
+  void TakeRepaired(vtkFieldData* field);
 
   /** Gives a filter the corners that were named or chosen, if any. */
   template <class Filter>
@@ -45,7 +51,7 @@ public:
   /** What was decided, a sentence each; nothing if the singularities were given. */
   std::vector<std::string> GetEvents() const;
 
-  /** The events, then the places of chosen singularities; nothing if they were given. */
+  /** The events, how far singularities were moved, then the places of chosen ones. */
   void PrintChoice() const;
 
   /** Writes the singularities to a .csv file, if one is named. */
@@ -57,6 +63,8 @@ private:
   vtkSmartPointer<vtkAlgorithm> Corners; ///< Null if there are none.
   int CornerPort = 0;
   vtkSmartPointer<vtkAlgorithm> Domain;
+  vtkSmartPointer<vtkPointSet> Repaired; ///< Null where they have not moved.
+  double RepairDistance = 0.0;
 };
 
 /** One line "quarter index K at X Y" for each of the points, with Z in planes that have one. */

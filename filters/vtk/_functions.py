@@ -257,11 +257,13 @@ def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: 
 
 def separatrices(domain: Domain, singularities: Singularities = None, *,
                  size: Optional[float] = None, corners: Union[Corners, Singularities] = None,
-                 cap_corners: bool = False, seeds: Singularities = None) -> Separatrices:
+                 cap_corners: bool = False, repair_holonomy: bool = False,
+                 seeds: Singularities = None) -> Separatrices:
     """The lines that leave the singularities of a cross field, and the rectangles between them.
 
     The arguments are those of `solve`, without holes. `cap_corners` gives sharp corners of quarter
-    index 2 index 1. From each of `seeds`, points as `singularities`, four streamlines are drawn.
+    index 2 index 1. `repair_holonomy` moves singularities the least way to where no inner loop has a
+    holonomy defect; the map's field data say how far. From each of `seeds`, points as `singularities`, four streamlines are drawn.
 
     >>> found = separatrices("builtin:l-shape")
     >>> len(found.lines), len(found.faces)
@@ -281,6 +283,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
         if corners is not None:
             flat.SetCornersData(corner_points(corners))
     flat.SetCapCorners(cap_corners)
+    flat.SetRepairHolonomy(repair_holonomy)
     traced = pipeline.add(vtkSeparatrices())
     traced.SetInputConnection(flat.GetOutputPort())
     if seeds is not None:

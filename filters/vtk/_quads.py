@@ -129,7 +129,8 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
 
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
-          corners: Union[Corners, Singularities] = None, cap_corners: bool = False) -> QuadMesh:
+          corners: Union[Corners, Singularities] = None, cap_corners: bool = False,
+          repair_holonomy: bool = False) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -139,6 +140,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     count          or about so many quads; default: 1000
     mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
     cap_corners    sharp corners of quarter index 2 get 1
+    repair_holonomy
+                   moves singularities the least way to where no inner loop has a holonomy defect
 
     Quads that are turned over are a RuntimeWarning, and report["inverted"] counts them.
 
@@ -162,6 +165,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadCount(count)
     mesher.SetMeshSize(checked(mesh_size))
     mesher.SetCapCorners(cap_corners)
+    mesher.SetRepairHolonomy(repair_holonomy)
     chosen = None
     if singularities is None:
         chosen = choose(pipeline, data, None, mesh_size, corners)

@@ -102,6 +102,9 @@ constexpr const char* SeamTranslation = "SeamTranslation";
 constexpr const char* ConeRow = "ConeRow";
 constexpr const char* Flips = "Flips";
 constexpr const char* Misfit = "Misfit";
+constexpr const char* RepairDistance = "RepairDistance";
+constexpr const char* RepairedPositions = "RepairedPositions";
+constexpr const char* DefectBefore = "DefectBefore";
 // Lines, faces and field data: vtkSeparatrices.
 constexpr const char* Line = "Line";
 constexpr const char* Singularity = "Singularity";

@@ -2,15 +2,18 @@
 
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "FlatMapSolve.h"
+#include "HolonomyConversion.h"
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
 
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
@@ -47,25 +50,38 @@ int vtkCrossFieldMap::RequestData(
       MapConversion::Map result;
       crossfield::SharedTopology topology;
       crossfield::Configuration configuration;
+      crossfield::FlatMapOptions options;
+      options.capCorners = this->CapCorners;
+      vtkFieldData* field = output->GetFieldData();
       if (given != nullptr)
       {
+        if (this->RepairHolonomy)
+        {
+          throw crossfield::Error(
+            "Singularities at vertices of a mesh cannot be moved to repair the "
+            "holonomy; give the domain instead.");
+        }
         const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(given);
         result.plane = cells.plane;
         topology = cells.topology;
         configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+        options.corners = CornerConversion::ReadCorners(corners, result.plane);
       }
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
         result.plane = input.plane;
         configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+        options.corners = CornerConversion::ReadCorners(corners, result.plane);
+        if (this->RepairHolonomy)
+        {
+          configuration = HolonomyConversion::Repair(input, configuration,
+            { options.corners, this->CapCorners, this->MeshSize }, field, progress.Part(0.0, 0.2));
+        }
         topology = crossfield::ShareTopology(crossfield::MeshOnPoints(
-          input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.3)));
+          input.domain, configuration, this->MeshSize, progress.Part(0.2, 0.3)));
       }
       this->StageSeconds[0] = stopwatch.Lap();
-      crossfield::FlatMapOptions options;
-      options.corners = CornerConversion::ReadCorners(corners, result.plane);
-      options.capCorners = this->CapCorners;
       result.map =
         crossfield::SolveFlatMap(topology, configuration, options, progress.Part(0.3, 1.0));
       this->StageSeconds[1] = stopwatch.Lap();
@@ -76,7 +92,7 @@ int vtkCrossFieldMap::RequestData(
         {
           vtkWarningMacro("The map is not conformal: at inner loop "
             << k + 1 << " there is a holonomy defect of " << defect
-            << " radians. Move singularities until the defect vanishes.");
+            << " radians. Repair the holonomy: singularities move until it vanishes.");
         }
       }
       MapConversion::WriteMap(result, output);
@@ -89,5 +105,6 @@ void vtkCrossFieldMap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
+  os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << "\n";
 }

@@ -75,6 +75,17 @@ public:
   vtkBooleanMacro(CapCorners, bool);
   ///@}
 
+  ///@{
+  /**
+   * Moves the singularities inside the least way to where no inner loop has a holonomy defect, where a size is
+   * single-valued. Field data then has `RepairDistance`, the longest way of one, `RepairedPositions` (3), where they
+   * are, and `DefectBefore`. Not for meshes that are given. Default: off.
+   */
+  vtkSetMacro(RepairHolonomy, bool);
+  vtkGetMacro(RepairHolonomy, bool);
+  vtkBooleanMacro(RepairHolonomy, bool);
+  ///@}
+
   /** Seconds that the last run spent in meshing and in the map. Not in the output. */
   vtkGetVector2Macro(StageSeconds, double);
 
@@ -91,6 +102,7 @@ private:
 
   double MeshSize = 0.0;
   bool CapCorners = false;
+  bool RepairHolonomy = false;
   double StageSeconds[2] = { 0.0, 0.0 };
 };
 

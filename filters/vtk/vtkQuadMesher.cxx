@@ -8,12 +8,14 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "FlatMapSolve.h"
+#include "HolonomyConversion.h"
 #include "MeshForPoints.h"
 #include "QuadConversion.h"
 #include "Stopwatch.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
@@ -87,9 +89,15 @@ int vtkQuadMesher::RequestData(
         }
       }
       const crossfield::Progress rest = progress.Part(singularities == nullptr ? 0.5 : 0.0, 1.0);
+      vtkNew<vtkFieldData> repaired;
+      if (this->RepairHolonomy)
+      {
+        configuration = HolonomyConversion::Repair(input, configuration,
+          { mapOptions.corners, this->CapCorners, this->MeshSize }, repaired, rest.Part(0.0, 0.1));
+      }
       stopwatch.Lap(); // stages are those of the mesh
       const crossfield::SharedTopology topology = crossfield::ShareTopology(
-        crossfield::MeshOnPoints(input.domain, configuration, this->MeshSize, rest.Part(0.0, 0.2)));
+        crossfield::MeshOnPoints(input.domain, configuration, this->MeshSize, rest.Part(0.1, 0.2)));
       this->StageSeconds[0] = stopwatch.Lap();
       const crossfield::FlatMap map =
         crossfield::SolveFlatMap(topology, configuration, mapOptions, rest.Part(0.2, 0.5));
@@ -121,6 +129,10 @@ int vtkQuadMesher::RequestData(
                         << crossfield::Describe(result.quality.where) << "; use a smaller size.");
       }
       QuadConversion::WriteQuads(result, input.plane, quads);
+      for (int i = 0; i < repaired->GetNumberOfArrays(); ++i)
+      {
+        quads->GetFieldData()->AddArray(repaired->GetAbstractArray(i));
+      }
       ColumnWriting::AddNumbers(
         quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, map.holonomyDefect);
       EnergyConversion::WriteEvents(events, quads);
@@ -139,6 +151,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Coarse: " << this->Coarse << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
+  os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "StageSeconds:";
   for (const double seconds : this->StageSeconds)
   {

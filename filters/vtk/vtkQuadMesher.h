@@ -126,6 +126,17 @@ public:
   vtkBooleanMacro(CapCorners, bool);
   ///@}
 
+  ///@{
+  /**
+   * Moves the singularities inside the least way to where no inner loop has a holonomy defect, where a size is
+   * single-valued. Field data then has `RepairDistance`, the longest way of one, `RepairedPositions` (3), where they
+   * are, and `DefectBefore`. Not for meshes that are given. Default: off.
+   */
+  vtkSetMacro(RepairHolonomy, bool);
+  vtkGetMacro(RepairHolonomy, bool);
+  vtkBooleanMacro(RepairHolonomy, bool);
+  ///@}
+
   /** Seconds that the last run spent in triangles, map, lines, integers, layout and smoothing. Not in the output. */
   vtkGetVectorMacro(StageSeconds, double, 6);
 
@@ -147,6 +158,7 @@ private:
   bool Coarse = false;
   double MeshSize = 0.0;
   bool CapCorners = false;
+  bool RepairHolonomy = false;
   double StageSeconds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -1,5 +1,6 @@
 """crossfield separatrices: lines, faces and maps, their numbers and refusals."""
 import json
+import math
 import pathlib
 import unittest
 
@@ -20,15 +21,16 @@ class Separatrices(ProgramTest):
         return json.loads(self.succeed("separatrices", domain, "--json", "-", *arguments))
 
     def test_the_report_has_its_numbers(self):
-        report = self.report("builtin:disk", "-s", "four.csv", "-o", "lines.vtp", "--faces",
-                             "faces.vtp", "--map", "map.vtu")
+        # Names by which Verify.Everything knows what belongs together.
+        report = self.report("builtin:disk", "-s", "four.csv", "-o", "disk.lines.vtp", "--faces",
+                             "disk.faces.vtp", "--map", "disk.vtu")
         self.assertEqual(report["lines"], 12)
         self.assertEqual(report["extra_lines"], 0)
         self.assertEqual(report["flips"], 0)
         self.assertGreater(report["longest"], 0.5)
         self.assertLess(report["mismatch"], 1e-12)
         self.assertEqual(set(report["seconds"]), {"mesh", "map", "trace"})
-        for name in ("lines.vtp", "faces.vtp", "map.vtu"):
+        for name in ("disk.lines.vtp", "disk.faces.vtp", "disk.vtu"):
             self.assertTrue((self.folder / name).is_file(), name)
 
     def test_counts_of_reference_cases(self):
@@ -54,14 +56,40 @@ class Separatrices(ProgramTest):
                 if rows is not None:
                     write_configuration(self.folder / "given.csv", rows)
                     given = ("-s", "given.csv")
-                result = self.run_program("separatrices", PARTS / f"{part}.vtp", *given, "-o",
-                                          "lines.vtp", "--json", "-")
+                result = self.run_program("separatrices", PARTS / f"{part}.vtp", *given, "--json", "-",
+                                          "-o", f"{part}.lines.vtp", "--faces",
+                                          f"{part}.faces.vtp", "--map", f"{part}.vtu")
                 self.assertEqual(result.returncode, 0, result.stderr)
                 report = json.loads(result.stdout)
                 self.assertEqual((report["lines"], report["faces"], report["arcs"]),
                                  (lines, faces, arcs))
                 self.assertEqual(report["flips"], 0)
                 self.assertLess(report["mismatch"], 1e-12 * report["longest"] + 1e-12)
+
+    def test_repair_of_the_holonomy(self):
+        # A ring whose defect is Σ k arg b, 0.4 here (docs/method.md §7.3).
+        rows = [(r * math.cos(0.1 + turn + i * math.pi / 2), r * math.sin(0.1 + turn + i * math.pi / 2),
+                 k, 0.05) for r, turn, k in ((0.8, 0.0, 1), (0.55, -0.1, -1)) for i in range(4)]
+        write_configuration(self.folder / "turned.csv", rows)
+        report = self.report("builtin:ring", "-s", "turned.csv", "--repair-holonomy", "-o", "ring.lines.vtp",
+                             "--faces", "ring.faces.vtp", "--map", "ring.vtu",
+                             "--save-singularities", "repaired.csv")
+        self.assertAlmostEqual(abs(report["repair"]["defect_before"][0]), 0.4, delta=0.01)
+        self.assertGreater(report["repair"]["distance"], 0.01)
+        self.assertLess(report["repair"]["distance"], 0.08)
+        self.assertEqual((report["faces"], report["arcs"]), (24, 64))
+        places = [tuple(map(float, line.split(",")[:2])) for line in
+                  (self.folder / "repaired.csv").read_text().splitlines()[1:]]
+        self.assertEqual([(one["x"], one["y"]) for one in report["singularities"]], places)
+        farthest = max(math.dist(place, row[:2]) for place, row in zip(places, rows))
+        self.assertAlmostEqual(farthest, report["repair"]["distance"], delta=1e-12)
+        # What was repaired has no defect worth a warning; what is too large to be mapped says how to.
+        self.succeed("separatrices", "builtin:ring", "-s", "repaired.csv", "-o", "again.vtp")
+        opposite = [(r * math.cos(turn + i * math.pi / 2), r * math.sin(turn + i * math.pi / 2), k, 0.05)
+                    for r, turn, k in ((0.8, 0.0, 1), (0.55, 0.6, -1)) for i in range(4)]
+        write_configuration(self.folder / "far.csv", opposite)
+        self.refuse("separatrices", "builtin:ring", "-s", "far.csv", "-o", "far.vtp",
+                    says=("inner loop 1", "radians of the cross", "--repair-holonomy"))
 
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):

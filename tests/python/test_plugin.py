@@ -34,8 +34,9 @@ PROXIES = {
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize"),
-    "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners"),
-    "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners"),
+    "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
+    "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
+                   "RepairHolonomy"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius"),
     "SingularityOptimizer": (

@@ -18,8 +18,8 @@ WRITTEN = os.environ.get("CROSSFIELD_WRITTEN", "")
 TEST = os.environ.get("CROSSFIELD_TEST", pathlib.Path(sys.argv[0]).stem)
 
 
-def keep(contents, stem):
-    """The bytes of a .vtu."""
+def keep(contents, stem, beside=()):
+    """The bytes of a .vtu, and the files that belong to it."""
     fingerprint = hashlib.sha256(contents).hexdigest()[:16]
     folder = pathlib.Path(WRITTEN)
     if any(folder.glob("*.%s.vtu" % fingerprint)):
@@ -27,15 +27,21 @@ def keep(contents, stem):
     name = re.sub(r"[^\w.-]+", "_", "%s.%s" % (TEST, stem))
     part = folder / ("%s.%d.part" % (fingerprint, os.getpid()))
     part.write_bytes(contents)
-    part.rename(folder / ("%s.%s.vtu" % (name, fingerprint)))
+    kept = folder / ("%s.%s.vtu" % (name, fingerprint))
+    for path in beside:
+        kept.with_suffix("".join(path.suffixes[-2:])).write_bytes(path.read_bytes())
+    part.rename(kept)
 
 
 def keep_folder(folder, since=0.0):
-    """Every .vtu in a folder and below; with `since`, those written after that time."""
+    """Every .vtu in a folder and below; with `since`, those written after that time. NAME.lines.vtp and
+    NAME.faces.vtp go with the map NAME.vtu."""
     if WRITTEN:
         for path in sorted(pathlib.Path(folder).rglob("*.vtu")):
             if path.is_file() and path.stat().st_mtime >= since:
-                keep(path.read_bytes(), path.stem)
+                keep(path.read_bytes(), path.stem, [
+                    path.with_suffix(".%s.vtp" % part) for part in ("lines", "faces")
+                    if path.with_suffix(".%s.vtp" % part).exists()])
 
 
 def keep_data(data):

@@ -7,7 +7,7 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from report import Unverifiable
 
 
-def _arrays(attributes):
+def arrays_of(attributes):
     """By name; strings and arrays without a name are left out."""
     found = {}
     for i in range(attributes.GetNumberOfArrays()):
@@ -50,11 +50,11 @@ class Data:
             self.triangles = ids[ends[chosen[0]][:, None] + np.arange(3)]
             self.lines = ids[ends[chosen[1]][:, None] + np.arange(2)]
             self.quads = ids[ends[chosen[2]][:, None] + np.arange(4)]
-        on_cells = _arrays(grid.GetCellData())
+        on_cells = arrays_of(grid.GetCellData())
         self.cells = {name: (array[chosen[0]], array[chosen[1]]) for name, array in on_cells.items()}
         self.quad_cells = {name: array[chosen[2]] for name, array in on_cells.items()}
-        self.at_points = _arrays(grid.GetPointData())
-        self.field = _arrays(grid.GetFieldData())
+        self.at_points = arrays_of(grid.GetPointData())
+        self.field = arrays_of(grid.GetFieldData())
 
     def value(self, name):
         """The one value of a field data array, None where there is none."""

@@ -1,9 +1,11 @@
 """A good file to be spoilt in one place: its arrays, to be changed in place, and the field by edges."""
 import functools
+import pathlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader, vtkXMLPolyDataWriter,
+                                 vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
 
 import topology
 from crouzeix_raviart import energies
@@ -25,16 +27,48 @@ def of(base, *names):
     return register
 
 
-class Spoiled:
+class Arrays:
+    """Views of the arrays of a data object."""
+
+    def __init__(self, grid):
+        self.grid = grid
+        self.points = vtk_to_numpy(grid.GetPoints().GetData())
+
+    def cell(self, name):
+        return vtk_to_numpy(self.grid.GetCellData().GetArray(name))
+
+    def point(self, name):
+        return vtk_to_numpy(self.grid.GetPointData().GetArray(name))
+
+    def report(self, name):
+        return vtk_to_numpy(self.grid.GetFieldData().GetArray(name))
+
+    def scale(self, factor, names):
+        """Another unit of length, which the arrays of these names are in."""
+        self.points *= factor
+        for data in (self.grid.GetPointData(), self.grid.GetCellData(), self.grid.GetFieldData()):
+            for name in filter(data.HasArray, names):
+                vtk_to_numpy(data.GetArray(name))[:] *= factor
+
+
+class Spoiled(Arrays):
     """Views of the arrays of a file; what is changed in them is what is written."""
 
     def __init__(self, name):
         reader = vtkXMLUnstructuredGridReader()
         reader.SetFileName(str(name))
         reader.Update()
-        self.grid = reader.GetOutput()
+        super().__init__(reader.GetOutput())
         self.data = Data(name)
-        self.points = vtk_to_numpy(self.grid.GetPoints().GetData())
+        # Lines and faces of a map.
+        self.beside = {}
+        for part in ("lines", "faces"):
+            path = pathlib.Path(name).with_suffix(".%s.vtp" % part)
+            if path.exists():
+                poly = vtkXMLPolyDataReader()
+                poly.SetFileName(str(path))
+                poly.Update()
+                self.beside[part] = Arrays(poly.GetOutput())
         self.corners = vtk_to_numpy(self.grid.GetCells().GetConnectivityArray())
 
     @functools.cached_property
@@ -51,15 +85,6 @@ class Spoiled:
     def u(self):
         """The field on edges, to be changed and then shown."""
         return Field(self.data, self.mesh).u.copy()
-
-    def cell(self, name):
-        return vtk_to_numpy(self.grid.GetCellData().GetArray(name))
-
-    def point(self, name):
-        return vtk_to_numpy(self.grid.GetPointData().GetArray(name))
-
-    def report(self, name):
-        return vtk_to_numpy(self.grid.GetFieldData().GetArray(name))
 
     def remove(self, attributes, name):
         attributes.RemoveArray(name)
@@ -109,3 +134,9 @@ class Spoiled:
         writer.SetDataModeToBinary()
         writer.SetFileName(str(name))
         writer.Write()
+        for part, arrays in self.beside.items():
+            writer = vtkXMLPolyDataWriter()
+            writer.SetInputDataObject(arrays.grid)
+            writer.SetDataModeToBinary()
+            writer.SetFileName(str(pathlib.Path(name).with_suffix(".%s.vtp" % part)))
+            writer.Write()

@@ -12,6 +12,7 @@ import tempfile
 
 import spoilt_fields  # noqa: F401, for its cases
 import spoilt_h  # noqa: F401
+import spoilt_maps  # noqa: F401
 import spoilt_meshes  # noqa: F401
 import spoilt_quads  # noqa: F401
 from spoiling import CASES, Spoiled
@@ -40,10 +41,12 @@ GOOD = {
     "h": ("hfield", "builtin:l-shape", ELBOW, ""),
     "h_on_holes": ("hfield", "drilled.vtu", None, ""),
     "quads": ("quads", "builtin:ring", RING, "--size 0.08"),
+    "map": ("separatrices", "builtin:ring", RING, "--size 0.08"),
     "h_of_ring": ("hfield", "builtin:ring", PAIR, "--size 0.1"),
 }
-# Field data in units of length.
-LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange")
+# Arrays in units of length.
+LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange", "SeamTranslation", "UV", "Length", "USize", "VSize",
+           "Longest", "Mismatch")
 
 
 def make(name, folder):
@@ -52,6 +55,8 @@ def make(name, folder):
     if domain == "drilled.vtu":
         make("drilled", folder)
     command = [PROGRAM, subcommand, domain, "-o", name + ".vtu", *options.split()]
+    if subcommand == "separatrices":
+        command[4:5] = [name + ".lines.vtp", "--faces", name + ".faces.vtp", "--map", name + ".vtu"]
     if rows is not None:
         (folder / "rows.csv").write_text("\n".join(rows) + "\n")
         command += ["-s", "rows.csv"]
@@ -73,10 +78,8 @@ def good_files_of_every_size(folder):
         made = make(name, folder)
         for scale in (1e-59, 1e-35, 1e35, 1e59):
             file = Spoiled(made)
-            file.points *= scale
-            for length in LENGTHS:
-                if file.grid.GetFieldData().HasArray(length):
-                    file.report(length)[:] *= scale
+            for part in (file, *file.beside.values()):
+                part.scale(scale, LENGTHS)
             file.write(folder / "scaled.vtu")
             report = verify(folder / "scaled.vtu")
             if report.failures() or not report.checks:

@@ -20,6 +20,7 @@ import field as fields
 import flatmap
 import hfield
 import indices as winding
+import lines
 import quads
 import singularities as singular
 import stationarity
@@ -40,6 +41,7 @@ def verify(name):
         if "UV" in data.at_points and len(data.points) > 0:
             report.kind = "flat map"
             flatmap.check_map(data, report)
+            lines.check_beside(name, data, report)
             return report
         if len(data.quads) > 0 and "BlockId" in data.quad_cells:
             report.kind = "quad mesh"

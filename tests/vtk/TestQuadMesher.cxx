@@ -54,7 +54,8 @@ TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "Coarse", "MeshSize", "CapCorners", "StageSeconds" });
+    { "QuadSize", "QuadCount", "Sizing", "Coarse", "MeshSize", "CapCorners", "RepairHolonomy",
+      "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

@@ -69,7 +69,8 @@ TEST_F(Separatrices, MapKeepsTheRulesOfAFilter)
   FilterChecks::UpdateWithoutError(this->Map);
   FilterChecks::CheckInputUntouched(this->Map);
   FilterChecks::CheckProgressAndAbort(this->Map);
-  FilterChecks::CheckPrintSelf(this->Map, { "MeshSize", "CapCorners", "StageSeconds" });
+  FilterChecks::CheckPrintSelf(
+    this->Map, { "MeshSize", "CapCorners", "RepairHolonomy", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Map);
 }
 
@@ -249,6 +250,26 @@ TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)
   this->Filter->SetSeedsData(TestInputs::Singularities({ { 3.0, 0.0, 1, 0.1 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "seed 0", "outside", "move it inside" }),
     vtkCrossFieldErrorCodes::BadInput);
+}
+
+TEST_F(Separatrices, MapRepairsTheHolonomy)
+{
+  this->Domain->SetDomainName("ring");
+  this->Map->SetSingularitiesData(
+    TestInputs::Singularities({ { 0.7, 0.1, 1, 0.1 }, { 0.5, -0.1, -1, 0.1 } }));
+  this->Map->RepairHolonomyOn();
+  FilterChecks::UpdateWithoutError(this->Map);
+  vtkFieldData* field = this->Map->GetOutput()->GetFieldData();
+  EXPECT_GT(std::abs(FilterChecks::RequireArray(field, "DefectBefore")->GetTuple1(0)), 0.1);
+  EXPECT_LT(std::abs(FilterChecks::RequireArray(field, "HolonomyDefect")->GetTuple1(0)), 0.01);
+  vtkDataArray* places = FilterChecks::RequireArray(field, "RepairedPositions");
+  ASSERT_EQ(places->GetNumberOfTuples(), 2);
+  const double moved =
+    std::max(std::hypot(places->GetComponent(0, 0) - 0.7, places->GetComponent(0, 1) - 0.1),
+      std::hypot(places->GetComponent(1, 0) - 0.5, places->GetComponent(1, 1) + 0.1));
+  EXPECT_NEAR(FilterChecks::RequireArray(field, "RepairDistance")->GetTuple1(0), moved, 1e-14);
+  this->Map->SetInputData(TestInputs::DrilledDisk());
+  FilterChecks::CaptureError(this->Map, { "cannot be moved to repair", "give the domain" });
 }
 
 TEST_F(Separatrices, RefuseWhatIsNoMap)

@@ -1,5 +1,7 @@
 #include "PolygonTriangulation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace crossfield
@@ -24,8 +26,12 @@ public:
     , Blocker(polygon.size(), -1)
   {
     const auto count = static_cast<int>(polygon.size());
+    // Points along straight sides are off by rounding.
+    constexpr double Rounding = 1e-14;
     for (int i = 0; i < count; ++i)
     {
+      this->Flat =
+        std::max(this->Flat, Rounding * (polygon[Index(i)] - polygon.front()).squaredNorm());
       this->Before[Index(i)] = (i + count - 1) % count;
       this->After[Index(i)] = (i + 1) % count;
     }
@@ -47,7 +53,7 @@ public:
       const int ear = this->BestEar(start);
       const int before = this->Before[Index(ear)];
       const int after = this->After[Index(ear)];
-      if (this->Turn(ear) != 0.0)
+      if (std::abs(this->Turn(ear)) > this->Flat)
       {
         this->Triangles.push_back({ before, ear, after });
       }
@@ -84,7 +90,7 @@ private:
     const int after = this->After[Index(i)];
     this->Blocker[Index(i)] = -1;
     this->Cost[Index(i)] = NoEar;
-    if (!(this->Turn(i) > 0.0))
+    if (!(this->Turn(i) > this->Flat))
     {
       return;
     }
@@ -122,6 +128,7 @@ private:
   std::vector<double> Cost;
   std::vector<int> Blocker; ///< A point in the triangle of a vertex that therefore is no ear.
   std::vector<std::array<int, 3>> Triangles;
+  double Flat = 0.0; ///< Twice the area of a triangle that counts as none.
 };
 }
 

@@ -12,6 +12,6 @@ namespace crossfield
 /// first, in O(n²). Points may repeat, as along the slit of a ring that is cut open.
 ///
 /// Where rounding leaves no ear the vertex that turns most to the left is taken all the same: signed areas always
-/// add up to that of the polygon.
+/// add up to that of the polygon, to rounding.
 std::vector<std::array<int, 3>> TriangulatePolygon(const Loop& polygon);
 }

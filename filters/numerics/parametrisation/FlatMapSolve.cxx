@@ -20,23 +20,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// The corners that are chosen: those given, and what capping makes of sharp ones.
-std::vector<CornerChoice> ChooseCorners(const MeshTopology& topology, const FlatMapOptions& options)
-{
-  std::vector<CornerChoice> choices = options.corners;
-  if (options.capCorners)
-  {
-    for (const CountedCorner& corner : CountMeshQuarters(topology, options.corners).corners)
-    {
-      if (!corner.chosen && corner.quarterIndex > 1)
-      {
-        choices.push_back({ corner.position, 1 });
-      }
-    }
-  }
-  return choices;
-}
-
 int VertexAt(const MeshTopology& topology, const Point& position, double reach)
 {
   int nearest = -1;
@@ -236,6 +219,20 @@ void SetPoints(const Eigen::VectorXd& solution, double misfit, FlatMap& map)
 }
 }
 
+std::vector<CornerChoice> CapCorners(
+  const MeshTopology& topology, const std::vector<CornerChoice>& corners)
+{
+  std::vector<CornerChoice> choices = corners;
+  for (const CountedCorner& corner : CountMeshQuarters(topology, corners).corners)
+  {
+    if (!corner.chosen && corner.quarterIndex > 1)
+    {
+      choices.push_back({ corner.position, 1 });
+    }
+  }
+  return choices;
+}
+
 FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& configuration,
   const FlatMapOptions& options, const Progress& progress)
 {
@@ -246,8 +243,8 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
       throw Error("A singularity has a coordinate that is not a finite number; correct it.");
     }
   }
-  const PlacedConfiguration placed =
-    PlaceConfiguration(*topology, configuration, ChooseCorners(*topology, options));
+  const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration,
+    options.capCorners ? CapCorners(*topology, options.corners) : options.corners);
   Alignment alignment =
     AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
   FlatMap map;

@@ -15,6 +15,10 @@ struct FlatMapOptions
   bool capCorners = false;
 };
 
+/// Corner choices, completed by index 1 for the corners that `capCorners` is about.
+std::vector<CornerChoice> CapCorners(
+  const MeshTopology& topology, const std::vector<CornerChoice>& corners);
+
 /// Solves for the map on a mesh with a vertex at every singularity (MeshOnPoints): one factorisation
 /// for H, one for w.
 ///

@@ -26,7 +26,8 @@ std::string Mend(const FlatMap& map)
   {
     return "inner loop " + std::to_string(worst + 1) + " has a holonomy defect of " +
       std::to_string(0.25 * map.holonomyDefect[worst]) +
-      " radians of the cross, move the singularities to make it smaller.";
+      " radians of the cross, repair the holonomy (RepairHolonomy, --repair-holonomy): it moves the "
+      "singularities.";
   }
   return "use a finer mesh, or move singularities away from each other and from the boundary.";
 }
