@@ -22,6 +22,7 @@ from drawing import (boundary, draw_boundaries, draw_lines, draw_norm, draw_sing
 DOMAINS = ["disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape", "hexagonal",
            "star", "angular-balanced", "angular-negative", "angular-positive", "angular-hole"]
 GREY = [0.5, 0.5, 0.5]
+PALE = [(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76), (0.91, 0.85, 0.96)]
 
 
 def rows(*singularities):
@@ -212,6 +213,27 @@ def cross_field_singularities():
     figure(path_of("cross_field_singularities"), field_panel(field, "", found=True))
 
 
+def separatrices():
+    views = []
+    for title, domain, singularities in (
+            ("five of +1, one of -1", disk(), on_circle(5, 0.7, first=6) + [(0, 0, -1)]),
+            ("four of each", PlanarDomainSource(DomainName="ring", EdgeLength=0.03),
+             on_circle(4, 0.8, first=6) + on_circle(4, 0.55, -1, first=6))):
+        points = rows(*singularities)
+        lines = Separatrices(Input=CrossFieldMap(Input=domain, Singularities=points, MeshSize=0.04))
+        view = panel(domain, title)
+        faces = Show(OutputPort(lines, 1), view)
+        ColorBy(faces, ("CELLS", "FaceId"))
+        faces.LookupTable = CreateLookupTable(RGBPoints=[
+            value for face in range(24) for value in (face, *PALE[face * 7 % len(PALE)])])
+        SetProperties(faces, Ambient=1, Diffuse=0)
+        draw_lines(lines, view, BLACK, 2)
+        draw_lines(domain, view, BLACK, 2)
+        draw_singularities(points, view, 0.03)
+        views.append(view)
+    figure(path_of("separatrices"), *views)
+
+
 def cross_glyphs():
     field = solved(disk(), SingularitySource(), size=0.1)
     views = []
@@ -280,7 +302,7 @@ def sizes():
 PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
             poincare_hopf_check, configuration_proposal, perforated_cross_field,
             ginzburg_landau_cross_field, singularity_energy, singularity_optimizer,
-            cross_field_singularities, cross_glyphs, valence, holonomy, unwanted, sizes]
+            cross_field_singularities, separatrices, cross_glyphs, valence, holonomy, unwanted, sizes]
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")

@@ -1,0 +1,41 @@
+"""State: the lines that leave the singularities of a ring, and the rectangles between them.
+
+Four singularities of each sign. Lines have the colour of the singularity where they start; faces are rectangles of
+the flat map, in pale colours; the thin black lines are streamlines of the field from one seed.
+"""
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", DomainName="ring", EdgeLength=0.04)
+singularities = SingularitySource(
+    registrationName="Singularities",
+    Singularities=[0.796, 0.08, 1, 0.05, -0.08, 0.796, 1, 0.05, -0.796, -0.08, 1, 0.05,
+                   0.08, -0.796, 1, 0.05, 0.547, 0.055, -1, 0.05, -0.055, 0.547, -1, 0.05,
+                   -0.547, -0.055, -1, 0.05, 0.055, -0.547, -1, 0.05])
+flat = CrossFieldMap(registrationName="Flat map", Input=domain, Singularities=singularities,
+                     MeshSize=0.04, RepairHolonomy=1)
+seed = SingularitySource(registrationName="Seed", Singularities=[0.6, 0.35, 1, 0.05])
+lines = Separatrices(registrationName="Separatrices", Input=flat, Seeds=seed)
+
+view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                        OrientationAxesVisibility=0, InteractionMode="2D")
+AssignViewToLayout(view)
+faces = Show(OutputPort(lines, 1), view)
+ColorBy(faces, ("CELLS", "FaceId"))
+faces.LookupTable = CreateLookupTable(
+    RGBPoints=[value for face in range(24) for value in (
+        face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
+                (0.91, 0.85, 0.96)][face * 7 % 5])])
+faces.SetScalarBarVisibility(view, False)
+SetProperties(faces, Ambient=1, Diffuse=0)
+separatrices = Threshold(registrationName="Lines of singularities", Input=lines,
+                         Scalars=["CELLS", "Line"], LowerThreshold=0, UpperThreshold=1e9)
+shown = Show(separatrices, view)
+ColorBy(shown, ("CELLS", "Singularity"))
+shown.SetScalarBarVisibility(view, False)
+SetProperties(shown, LineWidth=3, Ambient=1, Diffuse=0)
+streamlines = Threshold(registrationName="Streamlines", Input=lines, Scalars=["CELLS", "Seed"],
+                        LowerThreshold=0, UpperThreshold=1e9)
+thin = Show(streamlines, view)
+SetProperties(thin, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+Hide(lines, view)
+ResetCamera(view)
