@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -65,6 +66,36 @@ Point BoundaryCurves::At(const CurvePlace& place) const
   const Point& from = this->Topology.PointAt(vertices[edge]);
   const Point& to = this->Topology.PointAt(vertices[(edge + 1) % vertices.size()]);
   return from + fraction * (to - from);
+}
+
+CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
+{
+  const std::vector<double>& starts = this->Starts[Index(loop)];
+  const std::vector<int>& vertices = this->Topology.alignedVertices[Index(loop)];
+  // Rounding of a distance between points of the domain.
+  const double rounding = 1e-13 * starts.back();
+  CurvePlace nearest = { loop, 0.0 };
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t edge = 0; edge < vertices.size(); ++edge)
+  {
+    const Point& from = this->Topology.PointAt(vertices[edge]);
+    const Point way = this->Topology.PointAt(vertices[(edge + 1) % vertices.size()]) - from;
+    const double fraction = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    const double distance = (from + fraction * way - point).norm();
+    const bool next = edge == best + 1 || (best == 0 && edge + 1 == vertices.size());
+    if (std::abs(distance - least) <= rounding && next)
+    {
+      nearest.at = edge == best + 1 ? starts[edge] : 0.0;
+    }
+    else if (distance < least)
+    {
+      least = distance;
+      best = edge;
+      nearest.at = starts[edge] + fraction * (starts[edge + 1] - starts[edge]);
+    }
+  }
+  return nearest;
 }
 
 Point BoundaryCurves::Tangent(const CurvePlace& place) const

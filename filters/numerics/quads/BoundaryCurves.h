@@ -20,6 +20,9 @@ public:
   /// The place at a fraction of an entry of mesh.boundary.
   CurvePlace Place(int boundaryPosition, double fraction) const;
   Point At(const CurvePlace& place) const;
+  /// The place of a loop that is nearest to a point; the vertex between two edges that are equally near. Linear in the
+  /// loop's vertices.
+  CurvePlace Nearest(int loop, const Point& point) const;
   /// Unit vector along the polyline there; at a vertex that of the edge after it.
   Point Tangent(const CurvePlace& place) const;
   double Length(int loop) const { return this->Starts[static_cast<std::size_t>(loop)].back(); }

@@ -11,6 +11,7 @@ struct SmoothingReport
   bool keptStart = false; ///< The start was better.
   bool released = false;  ///< Singularities had to move to make all quads positive,
   double moved = 0.0;     ///< by this at most.
+  int symmetries = 1;     ///< That the mesh shares with its domain, the identity included.
 };
 
 /// Moves the points of a mesh with its topology fixed (docs/method.md §14.5): the least of QuadEnergy by L-BFGS, with ε

@@ -1,5 +1,6 @@
 #include "QuadMesher.h"
 
+#include "BoundarySymmetry.h"
 #include "DomainQueries.h"
 #include "FlatMapSolve.h"
 #include "MakePlanarDomain.h"
@@ -263,6 +264,56 @@ TEST(QuadProperties, OfRandomDomains)
     }
   }
   EXPECT_GE(far, meshes / 4); // most fine ones
+}
+
+/// How far images of points under an isometry are from points, at worst.
+double Asymmetry(const QuadMesh& mesh, const Isometry& isometry)
+{
+  double worst = 0.0;
+  for (const QuadPoint& point : mesh.points)
+  {
+    const Point image = isometry(point.place);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const QuadPoint& other : mesh.points)
+    {
+      nearest = std::min(nearest, (other.place - image).norm());
+    }
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
+{
+  const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(96) });
+  const PlanarDomain plate = MakePlanarDomain(
+    { { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } }, RegularPolygon(48, 0.3) });
+  const std::vector<RandomCase> cases = {
+    { "four", disk, OnCircle(4, 0.6, Pi / 4.0, 1, 0.0) },
+    { "plate", plate, OnCircle(4, 0.55, Pi / 4.0, -1, 0.0) },
+    { "six", disk,
+      Join(OnCircle(6, 0.7, 0.0, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } }) },
+  };
+  for (const RandomCase& symmetric : cases)
+  {
+    const FlatMap map = MapOf(symmetric);
+    for (const QuadSizing sizing : { QuadSizing::Conformal, QuadSizing::Uniform })
+    {
+      QuadOptions options;
+      options.size = 0.2;
+      options.sizes.sizing = sizing;
+      const QuadResult result = MakeQuads(map, options);
+      EXPECT_GE(result.smoothing.symmetries, 4);
+      const double extent = symmetric.domain.Diagonal();
+      for (const Isometry& isometry :
+        { Isometry{ Point::Zero(), 0.0, true }, Isometry{ Point::Zero(), Pi, false } })
+      {
+        EXPECT_LT(Asymmetry(result.mesh, isometry), 1e-9 * extent) << symmetric.name;
+      }
+      // And no more: a turn by 0.3 is none.
+      EXPECT_GT(Asymmetry(result.mesh, { Point::Zero(), 0.3, false }), 1e-3 * extent);
+    }
+  }
 }
 }
 }
