@@ -13,6 +13,7 @@
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "PerforatedSolve.h"
+#include "QuadMesher.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
 #include "TMeshFaces.h"
@@ -157,6 +158,39 @@ void BareCholmod(benchmark::State& state)
   FactorBare(state, MeshOf(state.range(0)));
 }
 
+/// The disk with a vertex at each of the eight points.
+SharedTopology TopologyOnPoints(std::int64_t triangles)
+{
+  BuiltinDomain disk;
+  disk.edgeLength = MeshSizeFor(triangles);
+  return ShareTopology(
+    MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
+}
+
+/// From the mesh to a thousand quads: to compare with SolveH of as many triangles, which it contains.
+void MapToQuads(benchmark::State& state)
+{
+  const SharedTopology topology = TopologyOnPoints(state.range(0));
+  for (auto _ : state)
+  {
+    const QuadResult result = MakeQuads(SolveFlatMap(topology, EightHoles()), {});
+    state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
+  }
+}
+
+/// So many quads of one map of 10,000 triangles, smoothed.
+void Quads(benchmark::State& state)
+{
+  const FlatMap map = SolveFlatMap(TopologyOnPoints(10000), EightHoles());
+  QuadOptions options;
+  options.count = static_cast<int>(state.range(0));
+  for (auto _ : state)
+  {
+    const QuadResult result = MakeQuads(map, options);
+    state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
+  }
+}
+
 /// The same on the mesh without holes, to compare HField and FurtherConfiguration with.
 void BareCholmodWithoutHoles(benchmark::State& state)
 {
@@ -296,6 +330,8 @@ BENCHMARK_CAPTURE(Solve, UnitNorm, PerforatedMethod::UnitNorm)
 BENCHMARK(BareCholmodWithoutHoles)->Apply(Sizes)->UseRealTime();
 BENCHMARK(SolveH)->Apply(SizesToFourMillion)->UseManualTime();
 BENCHMARK(MapAndLines)->Apply(Sizes)->UseManualTime();
+BENCHMARK(MapToQuads)->Apply(Sizes)->UseRealTime();
+BENCHMARK(Quads)->Apply(Sizes)->UseRealTime();
 BENCHMARK(FurtherConfiguration)->Apply(Sizes)->UseRealTime();
 BENCHMARK(WholeRun)->Apply(SizesToFourMillion)->UseRealTime();
 }
