@@ -103,7 +103,7 @@ HolonomyRepair RepairHolonomy(const PlanarDomain& domain, const Configuration& c
   StageOptions options;
   options.meshSize = meshSize;
   options.corners = corners;
-  options.clearance = CoreRadius(domain);
+  options.objective.clearance = CoreRadius(domain);
   const OptimizerStage stage = MakeStage(domain, tracked, options, progress.Part(0.0, 0.7));
   const OptimizerObjective& objective = *stage.objective;
   const Eigen::VectorXd start = objective.Start();
