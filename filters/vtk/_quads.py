@@ -17,6 +17,8 @@ from ._results import Corners, chains, copied, places, report_of, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
+_SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform}
+
 
 @dataclass(frozen=True)
 class QuadMesh:
@@ -83,7 +85,7 @@ def _by_valence(report: dict[str, Any], name: str) -> dict[str, int]:
 def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
     found = report_of(mesher.GetOutput())
     seconds = mesher.GetStageSeconds()
-    return {
+    report = {
         "quads": found["quads"], "irregular": _by_valence(found, "irregular_got"),
         "asked": _by_valence(found, "irregular_asked"), "blocks": found["blocks"],
         "scaled_jacobian": {"min": found["scaled_jacobian_range"][0],
@@ -91,11 +93,14 @@ def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
                             "bound": found["scaled_jacobian_bound"]},
         "eta": dict(zip(("min", "mean"), found["eta_range"])),
         "sizes": dict(zip(("min", "mean", "max"), found["size_range"])),
-        "zero_arcs": found["zero_arcs"],
+        "size_variation": found["size_variation"], "zero_arcs": found["zero_arcs"],
         "integers": {"variables": found["integer_variables"], "seconds": seconds[3],
                      "optimal": found["integer_optimal"] != 0, "gap": found["integer_gap"]},
         "inverted": found["inverted"], "moved": found["moved"],
         "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth"), seconds))}
+    if "repair_distance" in found:
+        report["repair"] = {"distance": found["repair_distance"], "defect_before": found["defect_before"]}
+    return report
 
 
 def _points_of_block(grid: Any) -> np.ndarray:
@@ -130,7 +135,7 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = False,
-          repair_holonomy: bool = False) -> QuadMesh:
+          sizing: str = "conformal", coarse: bool = False, repair_holonomy: bool = False) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -140,6 +145,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     count          or about so many quads; default: 1000
     mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
     cap_corners    sharp corners of quarter index 2 get 1
+    sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
+                   singularities may move
+    coarse         the fewest blocks that are sound
     repair_holonomy
                    moves singularities the least way to where no inner loop has a holonomy defect
 
@@ -156,6 +164,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         raise Error("Both the size of the quads and their number are given; leave one out.")
     if count is not None and not count > 0:
         raise Error("The number %s of quads is not positive; give a number, or None." % count)
+    if sizing not in _SIZINGS:
+        raise Error("There is no sizing '%s'; choose %s." % (sizing, ", ".join(_SIZINGS)))
     pipeline = Pipeline()
     data = as_domain(domain, mesh_size)
     mesher = pipeline.add(vtkQuadMesher())
@@ -165,6 +175,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadCount(count)
     mesher.SetMeshSize(checked(mesh_size))
     mesher.SetCapCorners(cap_corners)
+    mesher.SetSizing(_SIZINGS[sizing])
+    mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
     chosen = None
     if singularities is None:

@@ -33,7 +33,9 @@ class Quads(unittest.TestCase):
 
     def test_numbers_are_those_of_the_program(self):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
-                                   ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05"))):
+                                   ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05")),
+                                   ({"size": 0.1, "sizing": "uniform", "coarse": True},
+                                    ("--size", "0.1", "--sizing", "uniform", "--coarse"))):
             with tempfile.TemporaryDirectory() as folder:
                 printed = subprocess.run(
                     [PROGRAM, "quads", "builtin:disk", "-o", "quads.vtu", "--json", "-", *arguments],
@@ -72,6 +74,20 @@ class Quads(unittest.TestCase):
             along, across = block[1, 0] - block[0, 0], block[0, 1] - block[0, 0]
             self.assertGreater(np.cross(along, across)[2], 0)
         self.assertEqual(len(mesh.blocks), mesh.report["blocks"])
+
+    def test_holonomy_is_repaired(self):
+        def four(radius, first, quarters):
+            return [(radius * np.cos(t), radius * np.sin(t), quarters) for t in first + np.pi / 2 * np.arange(4)]
+
+        # The phase 4θ turns by the sum of k_j arg b_j: 0.6.
+        rows = four(0.8, 0.25, 1) + four(0.55, 0.1, -1)
+        repaired = crossfield.quads("builtin:ring", rows, size=0.1, repair_holonomy=True)
+        self.assertEqual(repaired.report["irregular"], {"3": 4, "5": 4})
+        self.assertAlmostEqual(abs(repaired.report["repair"]["defect_before"][0]), 0.6, delta=0.01)
+        # All turn by the least sum of squares of ways r_j δ_j with Σ k_j δ_j = 0.6.
+        least = 0.15 * 4 / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2)
+        most = least / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2) / 0.55
+        self.assertAlmostEqual(repaired.report["repair"]["distance"], most, delta=0.03 * most)
 
     def test_what_is_written_is_read(self):
         mesh = crossfield.quads("builtin:l-shape", [], size=0.2)
@@ -116,6 +132,7 @@ class Quads(unittest.TestCase):
         self.refused("leave one out", "builtin:disk", size=0.1, count=100)
         self.refused("number 0 of quads is not positive", "builtin:disk", count=0)
         self.refused("not positive", "builtin:disk", size=-0.1)
+        self.refused("no sizing 'even'; choose conformal, uniform", "builtin:disk", sizing="even")
         self.refused("split it", "builtin:disk", [(0.4, 0, 3), (-0.4, 0, 1)])
 
     def test_examples(self):
