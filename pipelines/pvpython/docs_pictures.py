@@ -18,6 +18,7 @@ from docs_drawing import (BLACK, GREEN, bounds_of, draw_labels, draw_scalar, fig
                           polygon)
 from drawing import (boundary, draw_boundaries, draw_lines, draw_norm, draw_singularities,
                      look_from_above, white_view)
+from drawing_quads import draw_blocks, draw_nodes
 
 DOMAINS = ["disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape", "hexagonal",
            "star", "angular-balanced", "angular-negative", "angular-positive", "angular-hole"]
@@ -234,6 +235,20 @@ def separatrices():
     figure(path_of("separatrices"), *views)
 
 
+def quad_mesher():
+    views = []
+    for title, options in (("conformal", {}), ("uniform", dict(Sizing="Uniform"))):
+        points = rows(*on_circle(5, 0.7, first=6), (0, 0, -1))
+        quads = QuadMesher(Input=disk(), Singularities=points, QuadCount=500, **options)
+        view = panel(disk(), title)
+        draw_blocks(quads, view)
+        if not options:  # the lines of the field, which uniform quads leave
+            draw_lines(OutputPort(quads, 2), view, BLACK, 2)
+        draw_nodes(quads, view, 0.03)
+        views.append(view)
+    figure(path_of("quad_mesher"), *views)
+
+
 def cross_glyphs():
     field = solved(disk(), SingularitySource(), size=0.1)
     views = []
@@ -302,7 +317,7 @@ def sizes():
 PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
             poincare_hopf_check, configuration_proposal, perforated_cross_field,
             ginzburg_landau_cross_field, singularity_energy, singularity_optimizer,
-            cross_field_singularities, separatrices, cross_glyphs, valence, holonomy, unwanted, sizes]
+            cross_field_singularities, separatrices, quad_mesher, cross_glyphs, valence, holonomy, unwanted, sizes]
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")

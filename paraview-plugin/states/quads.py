@@ -1,0 +1,40 @@
+"""State: an all-quad mesh of a disk with six irregular nodes, and the blocks that it consists of.
+
+Blocks have pale colours, their sides thick lines; nodes of valence 3 are red, those of valence 5 blue. Change the rows
+of the singularities and press Apply. Without singularities the mesher chooses them.
+"""
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
+singularities = SingularitySource(
+    registrationName="Singularities",
+    Singularities=[0.7, 0.07, 1, 0.05, 0.15, 0.68, 1, 0.05, -0.6, 0.35, 1, 0.05,
+                   -0.53, -0.46, 1, 0.05, 0.28, -0.64, 1, 0.05, 0.0, 0.0, -1, 0.05])
+quads = QuadMesher(registrationName="Quads", Input=domain, Singularities=singularities, QuadCount=600)
+
+view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                        OrientationAxesVisibility=0, InteractionMode="2D")
+AssignViewToLayout(view)
+faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "BlockId"],
+                  LowerThreshold=0, UpperThreshold=1e9)
+shown = Show(faces, view)
+ColorBy(shown, ("CELLS", "BlockId"))
+shown.LookupTable = CreateLookupTable(
+    RGBPoints=[value for block in range(200) for value in (
+        block, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
+                 (0.91, 0.85, 0.96)][block * 7 % 5])])
+shown.SetScalarBarVisibility(view, False)
+SetProperties(shown, Representation="Surface With Edges", EdgeColor=[0.4, 0.4, 0.4], Ambient=1, Diffuse=0)
+layout = Show(OutputPort(quads, 2), view)
+SetProperties(layout, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0],
+              LineWidth=3)
+for name, low, high, colour in (("Valence 3", 1, 9, [0.85, 0.1, 0.1]), ("Valence 5", -9, -1, [0.1, 0.2, 0.85])):
+    nodes = Threshold(registrationName=name, Input=singularities, Scalars=["POINTS", "QuarterIndex"],
+                      LowerThreshold=low, UpperThreshold=high)
+    discs = Glyph(registrationName=name + " as discs", Input=nodes, GlyphType="Sphere",
+                  ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.05, GlyphMode="All Points")
+    SetProperties(Show(discs, view), ColorArrayName=[None, ""], AmbientColor=colour, DiffuseColor=colour,
+                  Ambient=1, Diffuse=0)
+Hide(quads, view)
+Hide(singularities, view)
+ResetCamera(view)
