@@ -46,7 +46,7 @@ struct QuadsOptions
   int quads = 1000;
   std::string sizing = "conformal";
   bool coarse = false;
-  bool capCorners = false;
+  bool capCorners = true;
   bool repairHolonomy = false;
 };
 
@@ -121,6 +121,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetCapCorners(options.capCorners);
   mesher->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
+  singularities.SetCapCorners(options.capCorners);
   singularities.Update();
   mesher->SetSingularitiesConnection(singularities.GetOutputPort());
   singularities.ConnectCorners(mesher.Get());
@@ -193,8 +194,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->check(CLI::PositiveNumber);
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option("--layout", options->layout, "write the layout to this .vtp file");
-  command->add_flag("--cap-corners", options->capCorners,
-    "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
+  command->add_flag("--cap-corners,!--no-cap-corners", options->capCorners,
+    "give sharp corners of quarter index 2 index 1; the rest must be among the singularities; default: on");
   command->add_flag("--repair-holonomy", options->repairHolonomy,
     "move the singularities the least way to where no inner loop has a holonomy defect");
   AddCornersTo(*command, options->corners);

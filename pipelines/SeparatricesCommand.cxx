@@ -77,6 +77,7 @@ int Trace(const SeparatricesOptions& options)
   map->SetCapCorners(options.capCorners);
   map->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.size, options.corners);
+  singularities.SetCapCorners(options.capCorners);
   singularities.Update();
   map->SetSingularitiesConnection(singularities.GetOutputPort());
   singularities.ConnectCorners(map.Get());

@@ -47,6 +47,14 @@ SingularityInput::SingularityInput(vtkAlgorithm* source)
 {
 }
 
+void SingularityInput::SetCapCorners(bool cap)
+{
+  if (this->AreChosen())
+  {
+    this->Proposal->SetCapCorners(cap);
+  }
+}
+
 void SingularityInput::Update()
 {
   PipelineRun::Update(this->Source, this->AreChosen() ? "choosing" : "reading");

@@ -27,6 +27,9 @@ public:
   /** What a source gives. */
   explicit SingularityInput(vtkAlgorithm* source);
 
+  /** Whether sharp corners of quarter index 2 get 1 where singularities are chosen. */
+  void SetCapCorners(bool cap);
+
   /** Reads or chooses; throws PipelineRun::Error. */
   void Update();
 

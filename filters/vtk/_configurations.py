@@ -24,9 +24,10 @@ def checked(size: Optional[float]) -> float:
 
 
 def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional[float],
-            corners: Union[Corners, Singularities]) -> Configuration:
+           corners: Union[Corners, Singularities], cap_corners: bool = False) -> Configuration:
     """What vtkConfigurationProposal chooses for a domain, moved to where the energy is least."""
     proposal = _proposal(pipeline, domain, given, size, corners)
+    proposal.SetCapCorners(cap_corners)
     proposal.AutomaticOn()
     return configuration_of(pipeline.update(proposal))
 

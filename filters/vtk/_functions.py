@@ -275,7 +275,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     flat.SetInputData(data)
     flat.SetMeshSize(checked(size))
     if singularities is None:
-        chosen = choose(pipeline, data, None, size, corners)
+        chosen = choose(pipeline, data, None, size, corners, cap_corners)
         flat.SetSingularitiesData(chosen.data)
         flat.SetCornersData(chosen.corners)
     else:

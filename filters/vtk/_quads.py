@@ -134,7 +134,7 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
 
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
-          corners: Union[Corners, Singularities] = None, cap_corners: bool = False,
+          corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "conformal", coarse: bool = False, repair_holonomy: bool = False) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
@@ -144,7 +144,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     size           length of the sides of quads, on the average
     count          or about so many quads; default: 1000
     mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
-    cap_corners    sharp corners of quarter index 2 get 1
+    cap_corners    sharp corners of quarter index 2, which have no angle in a flat map, get 1
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
                    singularities may move
     coarse         the fewest blocks that are sound
@@ -180,7 +180,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetRepairHolonomy(repair_holonomy)
     chosen = None
     if singularities is None:
-        chosen = choose(pipeline, data, None, mesh_size, corners)
+        chosen = choose(pipeline, data, None, mesh_size, corners, cap_corners)
         mesher.SetSingularitiesData(chosen.data)
         mesher.SetCornersData(chosen.corners)
     else:

@@ -55,6 +55,10 @@ int vtkConfigurationProposal::RequestData(
       crossfield::ProposalOptions& options = automatic.proposal;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
+      if (this->CapCorners)
+      {
+        crossfield::CapCorners(input.domain, automatic);
+      }
       options.cancelFlatCorners = this->CancelFlatCorners;
       options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -104,6 +108,7 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Alternatives: " << this->Alternatives << "\n";
   os << indent << "CoreRadius: " << this->CoreRadius << "\n";
   os << indent << "CancelFlatCorners: " << (this->CancelFlatCorners ? "on" : "off") << "\n";
+  os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
 }

@@ -76,6 +76,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Sharp corners whose smallest rotation has quarter index 2 get 1, as vtkQuadMesher needs it, and the
+   * singularities make up for it. Default: off.
+   */
+  vtkSetMacro(CapCorners, bool);
+  vtkGetMacro(CapCorners, bool);
+  vtkBooleanMacro(CapCorners, bool);
+  ///@}
+
+  ///@{
   /** Optimise what was proposed; those of port 1 inside the domain move as well. Default: off. */
   vtkSetMacro(Automatic, bool);
   vtkGetMacro(Automatic, bool);
@@ -123,6 +133,7 @@ private:
 
   double CornerAngle = 30.0;
   bool CancelFlatCorners = false;
+  bool CapCorners = false;
   bool Automatic = false;
   double MeshSize = 0.0;
   int Alternatives = 0;

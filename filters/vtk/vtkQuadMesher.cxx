@@ -76,6 +76,10 @@ int vtkQuadMesher::RequestData(
         // As vtkConfigurationProposal does with Automatic.
         crossfield::AutomaticOptions automatic;
         automatic.proposal.corners = mapOptions.corners;
+        if (this->CapCorners)
+        {
+          crossfield::CapCorners(input.domain, automatic);
+        }
         automatic.optimizer.meshSize = this->MeshSize;
         const crossfield::AutomaticConfiguration choice =
           crossfield::ChooseConfiguration(input.domain, automatic, progress.Part(0.0, 0.5));

@@ -118,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Sharp corners whose smallest rotation has quarter index 2 get 1; what is missing must be among the
-   * singularities. Default: off.
+   * Sharp corners whose smallest rotation has quarter index 2, which have no angle in a flat map, get 1; what is
+   * missing must be among the singularities. Default: on.
    */
   vtkSetMacro(CapCorners, bool);
   vtkGetMacro(CapCorners, bool);
@@ -157,7 +157,7 @@ private:
   int Sizing = SizingConformal;
   bool Coarse = false;
   double MeshSize = 0.0;
-  bool CapCorners = false;
+  bool CapCorners = true;
   bool RepairHolonomy = false;
   double StageSeconds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };

@@ -33,6 +33,15 @@ class Quads(ProgramTest):
         self.assertEqual((report["quads"], report["irregular"], report["blocks"]), (300, {}, 3))
         self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
 
+    def test_corners_without_an_angle_are_capped(self):
+        """Five of index 2 take 1: Σ k = 4 - 5 - (5 of -1) = 4 inside, as many quads at each corner as 2 - k."""
+        report = self.report("builtin:star", "--quads", "1000")
+        self.assertEqual(report["irregular"], report["asked"])
+        self.assertEqual(sum((4 - int(v)) * n for v, n in report["irregular"].items()), 4)
+        self.assertEqual(report["inverted"], 0)
+        self.refuse("quads", "builtin:star", "-o", "quads.vtu", "--no-cap-corners",
+                    says=("quarter index 2", "cap corners"))
+
     def test_a_count_is_reached(self):
         for count in (1000, 4000):
             report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))

@@ -25,7 +25,7 @@ PROXIES = {
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
     "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
     "ConfigurationProposal": (
-        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners Alternatives "
+        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),

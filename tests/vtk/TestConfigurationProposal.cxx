@@ -43,7 +43,7 @@ TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter, false);
   FilterChecks::CheckPrintSelf(
-    this->Filter, { "CornerAngle", "CancelFlatCorners", "Automatic", "MeshSize" });
+    this->Filter, { "CornerAngle", "CancelFlatCorners", "CapCorners", "Automatic", "MeshSize" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

@@ -94,6 +94,14 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
 }
 }
 
+void CapCorners(const PlanarDomain& domain, AutomaticOptions& options)
+{
+  std::vector<CornerChoice> capped =
+    CapCorners(domain.loops, options.proposal.cornerAngle, options.proposal.corners);
+  options.optimizer.keepAll |= capped.size() > options.proposal.corners.size();
+  options.proposal.corners = std::move(capped);
+}
+
 AutomaticConfiguration ChooseConfiguration(
   const PlanarDomain& domain, const AutomaticOptions& options, const Progress& progress)
 {

@@ -11,6 +11,10 @@ struct AutomaticOptions
   OptimizerOptions optimizer; ///< Its corners are those of the proposal.
 };
 
+/// Sharp corners of quarter index 2 get 1 (PoincareHopf.h). Where there are any, every singularity stays what it
+/// is: one that goes into such a corner would undo it.
+void CapCorners(const PlanarDomain& domain, AutomaticOptions& options);
+
 /// Singularities that were chosen for a domain, and how.
 struct AutomaticConfiguration
 {

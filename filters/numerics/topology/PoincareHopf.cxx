@@ -91,6 +91,20 @@ int SmallestRotationIndex(double turning)
   return static_cast<int>(std::lround((turning - SmallestRotation(turning)) / (0.5 * Pi)));
 }
 
+std::vector<CornerChoice> CapCorners(
+  const std::vector<Loop>& loops, double cornerAngle, const std::vector<CornerChoice>& choices)
+{
+  std::vector<CornerChoice> capped = choices;
+  for (const CountedCorner& corner : CountQuarters(loops, 0, cornerAngle, choices).corners)
+  {
+    if (!corner.chosen && corner.quarterIndex > 1)
+    {
+      capped.push_back({ corner.position, 1 });
+    }
+  }
+  return capped;
+}
+
 PoincareHopfCount CountMeshQuarters(
   const MeshTopology& topology, const std::vector<CornerChoice>& choices)
 {

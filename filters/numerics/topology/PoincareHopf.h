@@ -57,6 +57,11 @@ int SmallestRotationIndex(double turning);
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
+/// Corner choices, completed by index 1 for the corners whose smallest rotation has index 2 or more, which
+/// have no angle in a flat map (docs/method.md §12). Error as CountQuarters.
+std::vector<CornerChoice> CapCorners(
+  const std::vector<Loop>& loops, double cornerAngle, const std::vector<CornerChoice>& choices);
+
 /// Counts over the aligned loops of a mesh, and the quarter indices of its holes and imprinted circles.
 PoincareHopfCount CountMeshQuarters(
   const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
