@@ -23,13 +23,13 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
     with open(state, encoding="utf-8") as file:
         exec(compile(file.read(), state, "exec"), {"__name__": "state"})
     simple.RenderAllViews()
+    kept.keep_sources()
     sources = simple.GetSources()
     check(len(sources) >= 4, "the state has its sources")
     for (name, _), source in sources.items():
         data = servermanager.Fetch(source)
         rows = data.GetNumberOfRows() if data.IsA("vtkTable") else data.GetNumberOfCells()
         check(rows > 0, "%s is not empty" % name)
-        kept.keep_data(data)
         check(name != type(source).__name__ + "1", "%s has a name that says what it is" % name)
     for number, layout in enumerate(simple.GetLayouts().values()):
         picture = os.path.join(directory, "%d.png" % number)

@@ -67,8 +67,9 @@ def keep_sources():
     from paraview import servermanager, simple
 
     for source in simple.GetSources().values():
+        # Not what ParaView's own filters leave of them.
         if source.GetXMLName() in ("DrillHoles", "PerforatedCrossField", "GinzburgLandauCrossField",
-                                   "HField"):
+                                   "HField", "QuadMesher"):
             keep_data(servermanager.Fetch(source))
 
 
