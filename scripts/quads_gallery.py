@@ -15,7 +15,7 @@ import domain_files  # noqa: E402
 import engineering  # noqa: E402
 
 PARTS = ("plate3", "bracket", "elbow", "naca_blunt", "tjunction")
-BUILT_IN = ("disk", "ring", "ellipse", "quarter-disk", "l-shape")
+BUILT_IN = ("disk", "ring", "ellipse", "quarter-disk", "l-shape", "star")
 
 PAGE = """# Gallery of quads: a domain in, quads out
 
