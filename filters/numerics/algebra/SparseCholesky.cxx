@@ -4,6 +4,7 @@
 #include "SerialBlas.h"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -45,6 +46,21 @@ struct SparseCholesky::Factor
 namespace
 {
 std::atomic<long> countOfAll = 0;
+
+/// While it exists, parallel regions that this thread opens have one thread. CHOLMOD asks for four in every small
+/// loop, whatever OMP_NUM_THREADS says, and on fewer processors these wait for each other: with
+/// OMP_NUM_THREADS=1, where no region of ours is around them, a second became minutes.
+class SerialRegions
+{
+public:
+  SerialRegions() { omp_set_max_active_levels(omp_get_active_level()); }
+  ~SerialRegions() { omp_set_max_active_levels(this->Before); }
+  SerialRegions(const SerialRegions&) = delete;
+  SerialRegions& operator=(const SerialRegions&) = delete;
+
+private:
+  int Before = omp_get_max_active_levels();
+};
 }
 
 long SparseCholesky::CountOfAll()
@@ -84,6 +100,7 @@ SparseCholesky::SparseCholesky(
   view.packed = 1;
 
   const SerialBlas serial;
+  const SerialRegions regions;
   cholmod_common* common = &this->Data->common;
   this->Data->factor = cholmod_analyze_p(&view, this->Data->order.data(), nullptr, 0, common);
   if (this->Data->factor != nullptr)
@@ -115,6 +132,7 @@ SparseCholesky::~SparseCholesky() = default;
 Eigen::MatrixXd SparseCholesky::Solve(int system, const Eigen::MatrixXd& rightHandSides) const
 {
   const SerialBlas serial;
+  const SerialRegions regions;
   cholmod_dense view = {};
   view.nrow = static_cast<std::size_t>(rightHandSides.rows());
   view.ncol = static_cast<std::size_t>(rightHandSides.cols());
