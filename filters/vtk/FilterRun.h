@@ -10,9 +10,11 @@
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 
+#include <cerrno>
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 
 /** The one way in which the filters of this module call numerics, from their RequestData. */
 namespace FilterRun
@@ -80,6 +82,12 @@ unsigned long Try(Algorithm* self, Work work)
   catch (const std::exception& error) // of a library, and no sentence: it may have several lines
   {
     const std::string text = error.what();
+    if (text.find(std::generic_category().message(EAGAIN)) != std::string::npos)
+    {
+      vtkErrorWithObjectMacro(
+        self, << crossfield::OutOfThreads); // TBB has no type of its own for it
+      return vtkCrossFieldErrorCodes::BadInput;
+    }
     vtkErrorWithObjectMacro(self, << "The computation broke down ("
                                   << text.substr(0, text.find('\n'))
                                   << "); simplify the domain, or report it with this message.");

@@ -129,6 +129,10 @@ void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& f
 const char* const OutOfMemory =
   "There is not enough memory for this mesh; use a larger mesh size or fewer holes.";
 
+const char* const OutOfThreads =
+  "A thread could not be started: there is not enough memory for it, or their number is limited; "
+  "use a larger mesh size, or raise the limit.";
+
 std::optional<double> AvailableMemory(const MemoryLimitFiles& files)
 {
   std::optional<double> least;

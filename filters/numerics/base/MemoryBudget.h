@@ -24,4 +24,8 @@ void RequireMemory(double bytes, const std::string& what, const std::string& men
 
 /// What is said when memory runs out nevertheless (std::bad_alloc).
 extern const char* const OutOfMemory;
+
+/// What is said when the system refuses a thread that a library asks for (EAGAIN): its stack finds no
+/// memory, or the number of threads is limited.
+extern const char* const OutOfThreads;
 }
