@@ -31,7 +31,7 @@ struct OutlinePoint
   int kind = 0;
 };
 
-/** The points inside of arcs, in the plane and by the length in the map, in the direction of their first half-edges. */
+/** The points inside of arcs, in the plane and by the length in the map, along their first half-edges. */
 class ArcOutlines
 {
 public:
@@ -150,19 +150,5 @@ void WriteFaces(const Map& traced, const crossfield::TMesh& mesh, vtkPolyData* o
   };
   addSize(names::USize, 0);
   addSize(names::VSize, 1);
-}
-
-//------------------------------------------------------------------------------
-void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
-{
-  const auto count = [](std::size_t size) { return static_cast<int>(size); };
-  ColumnWriting::AddIntegers(field, names::Lines, { mesh.lineCount });
-  ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.faces.size()) });
-  ColumnWriting::AddIntegers(field, names::Arcs, { count(mesh.arcs.size()) });
-  ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraLines });
-  ColumnWriting::AddIntegers(field, names::HeadOn, { mesh.headOn });
-  ColumnWriting::AddIntegers(field, names::Flips, { 0 });
-  ColumnWriting::AddNumbers(field, names::Longest, { mesh.longest });
-  ColumnWriting::AddNumbers(field, names::Mismatch, { mesh.Mismatch() });
 }
 }

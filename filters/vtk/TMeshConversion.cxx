@@ -170,4 +170,18 @@ void WriteTraces(const Map& traced, const crossfield::TraceGraph& graph,
   }
   writer.Write();
 }
+
+//------------------------------------------------------------------------------
+void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
+{
+  const auto count = [](std::size_t size) { return static_cast<int>(size); };
+  ColumnWriting::AddIntegers(field, names::Lines, { mesh.lineCount });
+  ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.faces.size()) });
+  ColumnWriting::AddIntegers(field, names::Arcs, { count(mesh.arcs.size()) });
+  ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraLines });
+  ColumnWriting::AddIntegers(field, names::HeadOn, { mesh.headOn });
+  ColumnWriting::AddIntegers(field, names::Flips, { 0 });
+  ColumnWriting::AddNumbers(field, names::Longest, { mesh.longest });
+  ColumnWriting::AddNumbers(field, names::Mismatch, { mesh.Mismatch() });
+}
 }

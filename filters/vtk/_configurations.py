@@ -32,6 +32,21 @@ def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional
     return configuration_of(pipeline.update(proposal))
 
 
+def give(pipeline: Pipeline, algorithm: Any, domain: Any, singularities: Singularities,
+         size: Optional[float], corners: Union[Corners, Singularities],
+         cap_corners: bool = False) -> Optional[Configuration]:
+    """Gives a filter its singularities and corners; returns them if they had to be chosen."""
+    if singularities is None:
+        choice = chosen(pipeline, domain, None, size, corners, cap_corners)
+        algorithm.SetSingularitiesData(choice.data)
+        algorithm.SetCornersData(choice.corners)
+        return choice
+    algorithm.SetSingularitiesData(as_configuration(singularities))
+    if corners is not None:
+        algorithm.SetCornersData(corner_points(corners))
+    return None
+
+
 def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional[float],
               corners: Union[Corners, Singularities]) -> Any:
     proposal = pipeline.add(vtkConfigurationProposal())
@@ -44,8 +59,10 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
     return proposal
 
 
-def report_choice(report: dict[str, Any], chosen: Configuration, points: np.ndarray) -> None:
-    """Adds the choice as the program writes it: z only where the points of the result differ in it."""
+def report_choice(report: dict[str, Any], chosen: Optional[Configuration], points: np.ndarray) -> None:
+    """Adds a choice as the program writes it: z only where the points of the result differ in it."""
+    if chosen is None:
+        return
     axes = "xyz" if np.ptp(points[:, 2]) > 0 else "xy"
     report["singularities"] = [
         {**dict(zip(axes, point)), "quarter_index": k}

@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import Any, Optional, Sequence, Union
 
 from . import names
-from ._configurations import checked, chosen as choose, corner_points, report_choice
+from ._configurations import checked, chosen as choose, corner_points, give, report_choice
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
     Corners, CrossField, HField, Mesh, Separatrices, Verdict, copied, field_of, h_field_of, mesh_of,
@@ -45,8 +45,8 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
     """Triangulates a domain with a small hole at every singularity.
 
-    The arguments are those of `solve`; singularities that are not given are chosen. `gradation` is the largest growth of the edge length per unit
-    of distance.
+    The arguments are those of `solve`; singularities that are not given are chosen. `gradation` is the
+    largest growth of the edge length per unit of distance.
 
     >>> mesh = drill("builtin:square", [(1.5, 1, 1, 0.1), (0.5, 1, -1, 0.1)])
     >>> sorted(set(mesh.quarter_index.tolist()))
@@ -135,8 +135,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     found = _drilled(pipeline, data, rows, size, minimum_hole_edges, gradation)
     solver.SetInputConnection(found.GetOutputPort())
     field = field_of(pipeline.update(solver).GetOutput())
-    if chosen is not None:
-        report_choice(field.report, chosen, field.points)
+    report_choice(field.report, chosen, field.points)
     return field
 
 
@@ -157,18 +156,12 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
     solver.SetInputData(data)
     solver.SetMeshSize(checked(size))
     chosen = None
-    if singularities is not None:
-        solver.SetSingularitiesData(as_configuration(singularities))
-    elif not data.GetCellData().HasArray(names.BoundaryKind):
-        chosen = choose(pipeline, data, None, size, corners)
-        solver.SetSingularitiesData(chosen.data)
-    if chosen is not None:
-        solver.SetCornersData(chosen.corners)
-    elif corners is not None:
+    if singularities is not None or not data.GetCellData().HasArray(names.BoundaryKind):
+        chosen = give(pipeline, solver, data, singularities, size, corners)
+    elif corners is not None:  # a drilled mesh has its singularities
         solver.SetCornersData(corner_points(corners))
     field = h_field_of(pipeline.update(solver).GetOutput())
-    if chosen is not None:
-        report_choice(field.report, chosen, field.points)
+    report_choice(field.report, chosen, field.points)
     return field
 
 
@@ -263,7 +256,8 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
 
     The arguments are those of `solve`, without holes. `cap_corners` gives sharp corners of quarter
     index 2 index 1. `repair_holonomy` moves singularities the least way to where no inner loop has a
-    holonomy defect; the map's field data say how far. From each of `seeds`, points as `singularities`, four streamlines are drawn.
+    holonomy defect; the map's field data say how far. From each of `seeds`, points as `singularities`,
+    four streamlines are drawn.
 
     >>> found = separatrices("builtin:l-shape")
     >>> len(found.lines), len(found.faces)
@@ -274,14 +268,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     flat = pipeline.add(vtkCrossFieldMap())
     flat.SetInputData(data)
     flat.SetMeshSize(checked(size))
-    if singularities is None:
-        chosen = choose(pipeline, data, None, size, corners, cap_corners)
-        flat.SetSingularitiesData(chosen.data)
-        flat.SetCornersData(chosen.corners)
-    else:
-        flat.SetSingularitiesData(as_configuration(singularities))
-        if corners is not None:
-            flat.SetCornersData(corner_points(corners))
+    give(pipeline, flat, data, singularities, size, corners, cap_corners)
     flat.SetCapCorners(cap_corners)
     flat.SetRepairHolonomy(repair_holonomy)
     traced = pipeline.add(vtkSeparatrices())

@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LINE, VTK_QUAD, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 from . import names
-from ._configurations import checked, chosen as choose, corner_points, report_choice
-from ._input import Domain, Singularities, as_configuration, as_domain
+from ._configurations import checked, give, report_choice
+from ._input import Domain, Singularities, as_domain
 from ._results import Corners, chains, copied, places, report_of, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
@@ -178,16 +178,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetSizing(_SIZINGS[sizing])
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
-    chosen = None
-    if singularities is None:
-        chosen = choose(pipeline, data, None, mesh_size, corners, cap_corners)
-        mesher.SetSingularitiesData(chosen.data)
-        mesher.SetCornersData(chosen.corners)
-    else:
-        mesher.SetSingularitiesData(as_configuration(singularities))
-        if corners is not None:
-            mesher.SetCornersData(corner_points(corners))
+    chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, cap_corners)
     mesh = _mesh_of(pipeline.update(mesher))
-    if chosen is not None:
-        report_choice(mesh.report, chosen, mesh.points)
+    report_choice(mesh.report, chosen, mesh.points)
     return mesh
