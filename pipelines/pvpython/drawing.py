@@ -44,10 +44,10 @@ def draw_boundaries(field, view):
     draw_lines(boundary(field, 3, 4), view, [0.85, 0.1, 0.1], 4)
 
 
-def draw_singularities(points, view, size):
-    """Positive ones in red, negative ones in blue, as discs of this radius."""
+def draw_singularities(points, view, size, array="QuarterIndex"):
+    """Positive ones in red, negative ones in blue, as discs of this radius; others not."""
     for sign, colour in ((1, [0.85, 0.1, 0.1]), (-1, [0.1, 0.2, 0.85])):
-        kept = pv.Threshold(Input=points, Scalars=["POINTS", "QuarterIndex"],
+        kept = pv.Threshold(Input=points, Scalars=["POINTS", array],
                             LowerThreshold=min(sign, 10 * sign),
                             UpperThreshold=max(sign, 10 * sign))
         kept.UpdatePipeline()

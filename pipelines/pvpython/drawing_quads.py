@@ -4,7 +4,7 @@ Load the plugin before this is used; the proxies are those of paraview.simple.
 """
 import paraview.simple as pv
 
-from drawing import draw_lines, look_from_above, white_view
+from drawing import draw_lines, draw_singularities, look_from_above, white_view
 
 # Pale colours that differ in tone, so that blocks beside each other do.
 PALE = [(0.98, 0.87, 0.72), (0.80, 0.88, 0.96), (0.85, 0.94, 0.80), (0.95, 0.82, 0.88), (0.99, 0.96, 0.75),
@@ -44,23 +44,8 @@ def draw_blocks(quads, view):
 
 def draw_nodes(quads, view, size):
     """Irregular nodes inside: valence 3 and less in red, 5 and more in blue."""
-    inside = pv.Threshold(Input=quads, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,
-                          UpperThreshold=-1, AllScalars=0)
-    for low, high, colour in ((1, 9, [0.85, 0.1, 0.1]), (-99, -1, [0.1, 0.2, 0.85])):
-        kept = pv.Threshold(Input=inside, Scalars=["POINTS", "Irregular"], LowerThreshold=low,
-                            UpperThreshold=high, AllScalars=0)
-        # Cells that touch such a node were kept; their other points go.
-        nodes = pv.MaskPoints(Input=kept, OnRatio=1, MaximumNumberofPoints=10**7, GenerateVertices=1,
-                              SingleVertexPerCell=1)
-        chosen = pv.Threshold(Input=nodes, Scalars=["POINTS", "Irregular"], LowerThreshold=low,
-                              UpperThreshold=high)
-        chosen = pv.Threshold(Input=chosen, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,
-                              UpperThreshold=-1)
-        chosen.UpdatePipeline()
-        if chosen.GetDataInformation().GetNumberOfPoints() == 0:
-            continue
-        discs = pv.Glyph(Input=chosen, GlyphType="Sphere", ScaleArray=["POINTS", "No scale array"],
-                         ScaleFactor=2 * size, GlyphMode="All Points")
-        shown = pv.Show(discs, view)
-        pv.SetProperties(shown, ColorArrayName=[None, ""], AmbientColor=colour,
-                         DiffuseColor=colour, Ambient=1, Diffuse=0)
+    nodes = pv.MaskPoints(Input=quads, OnRatio=1, MaximumNumberofPoints=10**7, GenerateVertices=1,
+                          SingleVertexPerCell=1)
+    inside = pv.Threshold(Input=nodes, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,
+                          UpperThreshold=-1)
+    draw_singularities(inside, view, size, "Irregular")

@@ -1,0 +1,45 @@
+#include "UsedPoints.h"
+
+#include "vtkCellTypes.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+//------------------------------------------------------------------------------
+UsedPoints::UsedPoints(vtkDataSet* input)
+  : Numbers(static_cast<std::size_t>(input->GetNumberOfPoints()), -1)
+{
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+    {
+      continue;
+    }
+    input->GetCellPoints(cell, points);
+    for (const vtkIdType point : *points)
+    {
+      this->Numbers[static_cast<std::size_t>(point)] = 0;
+    }
+  }
+  for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
+  {
+    if (this->Numbers[static_cast<std::size_t>(point)] == 0)
+    {
+      this->Numbers[static_cast<std::size_t>(point)] = static_cast<int>(this->Ids.size());
+      this->Ids.push_back(point);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+crossfield::DomainPlane UsedPoints::FindPlane(vtkDataSet* input) const
+{
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(this->Ids.size()));
+  for (Eigen::Index i = 0; i < places.cols(); ++i)
+  {
+    input->GetPoint(this->Ids[static_cast<std::size_t>(i)], places.col(i).data());
+  }
+  return crossfield::DomainPlane::Find(places);
+}
