@@ -18,8 +18,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -28,6 +32,30 @@ vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
 {
   vtkAbstractArray* array = mesher->GetOutput()->GetFieldData()->GetAbstractArray(name);
   return array == nullptr ? -1 : array->GetNumberOfTuples();
+}
+
+using Place = std::array<double, 3>;
+
+/** The points of a side of a block in the order of increasing I or J. */
+std::vector<Place> PointsOfSide(vtkMultiBlockDataSet* blocks, int block, int side)
+{
+  auto* grid = vtkStructuredGrid::SafeDownCast(blocks->GetBlock(static_cast<unsigned int>(block)));
+  int size[3];
+  grid->GetDimensions(size);
+  std::vector<Place> places;
+  for (int j = 0; j < size[1]; ++j)
+  {
+    for (int i = 0; i < size[0]; ++i)
+    {
+      const bool on[] = { j == 0, i == size[0] - 1, j == size[1] - 1, i == 0 };
+      if (on[side])
+      {
+        places.emplace_back();
+        grid->GetPoint(j * size[0] + i, places.back().data());
+      }
+    }
+  }
+  return places;
 }
 
 class QuadMesher : public testing::Test
@@ -89,6 +117,52 @@ TEST_F(QuadMesher, BlocksAreTheQuadsAndShareTheirPoints)
     FilterChecks::RequireArray(quads->GetFieldData(), "Quads")->GetComponent(0, 0));
   EXPECT_EQ(cells, count);
   EXPECT_GT(quads->GetNumberOfCells(), count); // and the boundary's lines
+}
+
+/// Each side of a block has the points of its neighbour's, in the order that is told, and the neighbour
+/// says the same of it; together the sides without a neighbour are the boundary.
+TEST_F(QuadMesher, BlocksKnowTheirNeighbours)
+{
+  this->Filter->Update();
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1));
+  const auto read = [&](int block, int side)
+  {
+    vtkFieldData* data = blocks->GetBlock(static_cast<unsigned int>(block))->GetFieldData();
+    std::array<int, 3> row{};
+    const char* const columns[] = { "NeighbourBlock", "NeighbourSide", "NeighbourOrientation" };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      row[i] =
+        static_cast<int>(FilterChecks::RequireArray(data, columns[i])->GetComponent(side, 0));
+    }
+    return row;
+  };
+  std::size_t alone = 0;
+  for (int block = 0; block < static_cast<int>(blocks->GetNumberOfBlocks()); ++block)
+  {
+    for (int side = 0; side < 4; ++side)
+    {
+      SCOPED_TRACE("block " + std::to_string(block) + ", side " + std::to_string(side));
+      std::vector<Place> places = PointsOfSide(blocks, block, side);
+      const auto [neighbour, itsSide, orientation] = read(block, side);
+      if (neighbour < 0)
+      {
+        alone += places.size() - 1;
+        continue;
+      }
+      ASSERT_EQ(std::abs(orientation), 1);
+      if (orientation < 0)
+      {
+        std::reverse(places.begin(), places.end());
+      }
+      EXPECT_EQ(places, PointsOfSide(blocks, neighbour, itsSide));
+      EXPECT_EQ(read(neighbour, itsSide), (std::array<int, 3>{ block, side, orientation }));
+    }
+  }
+  vtkUnstructuredGrid* quads = this->Filter->GetOutput();
+  const double count =
+    FilterChecks::RequireArray(quads->GetFieldData(), "Quads")->GetComponent(0, 0);
+  EXPECT_EQ(static_cast<double>(alone), static_cast<double>(quads->GetNumberOfCells()) - count);
 }
 
 TEST_F(QuadMesher, ValencesAreThoseAskedFor)
