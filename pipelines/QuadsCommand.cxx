@@ -44,7 +44,8 @@ struct QuadsOptions
   double size = 0.0;
   double meshSize = 0.0;
   int quads = 1000;
-  std::string sizing = "conformal";
+  bool countIsGiven = false;
+  std::vector<std::string> sizing = { "conformal" };
   bool coarse = false;
   bool capCorners = true;
   bool repairHolonomy = false;
@@ -102,6 +103,38 @@ std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
   return report.dump(2) + "\n";
 }
 
+void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
+{
+  const std::string& sizing = options.sizing[0];
+  if (sizing == "field")
+  {
+    mesher->SetSizingToField();
+    mesher->SetSizeArray(options.sizing[1]);
+    mesher->SetQuadSize(options.countIsGiven ? 0.0 : 1.0); // of the array's lengths
+  }
+  else
+  {
+    sizing == "uniform" ? mesher->SetSizingToUniform() : mesher->SetSizingToConformal();
+  }
+}
+
+/** Why the words after --sizing make no sense; empty if they do. */
+std::string CheckSizing(const QuadsOptions& options)
+{
+  const std::string& sizing = options.sizing[0];
+  if (sizing != "conformal" && sizing != "uniform" && sizing != "field")
+  {
+    return "--sizing: there is no '" + sizing + "'; give conformal, uniform or field NAME";
+  }
+  if (options.sizing.size() != (sizing == "field" ? 2U : 1U))
+  {
+    return "--sizing: give conformal, uniform, or field and the name of a point array of the domain";
+  }
+  return sizing == "field" && options.size > 0.0
+    ? "--sizing field has the sizes in the array; leave --size out, or give --quads"
+    : "";
+}
+
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -114,8 +147,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
   mesher->SetQuadCount(options.quads);
-  mesher->SetSizing(
-    options.sizing == "uniform" ? vtkQuadMesher::SizingUniform : vtkQuadMesher::SizingConformal);
+  SetSizing(options, mesher);
   mesher->SetCoarse(options.coarse);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
@@ -180,13 +212,16 @@ void AddQuadsCommand(CLI::App& app, int& status)
   CLI::Option* size =
     command->add_option("--size", options->size, "length of the sides of quads, on the average")
       ->check(CLI::PositiveNumber);
-  command->add_option("--quads", options->quads, "wanted number of quads; default 1000")
-    ->check(CLI::PositiveNumber)
-    ->excludes(size);
+  CLI::Option* count =
+    command->add_option("--quads", options->quads, "wanted number of quads; default 1000")
+      ->check(CLI::PositiveNumber)
+      ->excludes(size);
   command
     ->add_option("--sizing", options->sizing,
-      "conformal: sizes of the field, the best shapes; uniform: the same everywhere, singularities may move")
-    ->check(CLI::IsMember({ "conformal", "uniform" }));
+      "conformal: sizes of the field, the best shapes; uniform: the same everywhere, singularities may move; "
+      "field NAME: those of a point array of the domain, with --quads in these proportions")
+    ->expected(1, 2)
+    ->type_name("WORD");
   command->add_flag("--coarse", options->coarse, "the fewest blocks that are sound");
   command
     ->add_option("--mesh-size", options->meshSize,
@@ -201,5 +236,15 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
-  command->callback([options, &status] { status = Mesh(*options); });
+  command->callback(
+    [options, count, &status]
+    {
+      options->countIsGiven = count->count() > 0;
+      const std::string problem = CheckSizing(*options);
+      if (!problem.empty())
+      {
+        throw CLI::ValidationError(problem);
+      }
+      status = Mesh(*options);
+    });
 }

@@ -17,7 +17,8 @@ from ._results import Corners, chains, copied, places, report_of, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
-_SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform}
+_SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform,
+            "field": vtkQuadMesher.SizingField}
 
 
 @dataclass(frozen=True)
@@ -135,7 +136,8 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
-          sizing: str = "conformal", coarse: bool = False, repair_holonomy: bool = False) -> QuadMesh:
+          sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
+          repair_holonomy: bool = False) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -146,7 +148,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
     cap_corners    sharp corners of quarter index 2, which have no angle in a flat map, get 1
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
-                   singularities may move
+                   singularities may move; "field": the lengths of a point array of the domain, in
+                   these proportions if `count` is given
+    size_array     the name of this array
     coarse         the fewest blocks that are sound
     repair_holonomy
                    moves singularities the least way to where no inner loop has a holonomy defect
@@ -166,6 +170,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         raise Error("The number %s of quads is not positive; give a number, or None." % count)
     if sizing not in _SIZINGS:
         raise Error("There is no sizing '%s'; choose %s." % (sizing, ", ".join(_SIZINGS)))
+    if (sizing == "field") != (size_array is not None):
+        raise Error("The sizing 'field' and the name size_array go together; give both or none.")
+    if sizing == "field" and size is not None:
+        raise Error("The sizing 'field' has its sizes in the array; leave size out, or give count.")
     pipeline = Pipeline()
     data = as_domain(domain, mesh_size)
     mesher = pipeline.add(vtkQuadMesher())
@@ -176,6 +184,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetMeshSize(checked(mesh_size))
     mesher.SetCapCorners(cap_corners)
     mesher.SetSizing(_SIZINGS[sizing])
+    if size_array is not None:
+        mesher.SetSizeArray(size_array)
+        mesher.SetQuadSize(1.0 if count is None else 0.0)  # of the array's lengths
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
     chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, cap_corners)

@@ -11,6 +11,7 @@
 #include "HolonomyConversion.h"
 #include "MeshForPoints.h"
 #include "QuadConversion.h"
+#include "SizeConversion.h"
 #include "Stopwatch.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -111,6 +112,13 @@ int vtkQuadMesher::RequestData(
       options.count = this->QuadCount;
       options.sizes.sizing = this->Sizing == SizingUniform ? crossfield::QuadSizing::Uniform
                                                            : crossfield::QuadSizing::Conformal;
+      if (this->Sizing == SizingField)
+      {
+        const SizeConversion::Sizes sizes =
+          SizeConversion::ReadSizes(domain, this->SizeArray, input.plane, *topology);
+        options.sizes = { crossfield::QuadSizing::Field, sizes.relative };
+        options.size *= sizes.mean;
+      }
       options.coarse = this->Coarse;
       const crossfield::QuadResult result =
         crossfield::MakeQuads(map, options, rest.Part(0.5, 0.95));
@@ -152,6 +160,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
+  os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Coarse: " << this->Coarse << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";

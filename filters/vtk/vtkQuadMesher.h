@@ -47,6 +47,8 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <string> // for the name of an array
+
 class VTKCROSSFIELDFILTERS_EXPORT vtkQuadMesher : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -82,20 +84,34 @@ public:
   enum SizingType
   {
     SizingConformal = 0,
-    SizingUniform = 1
+    SizingUniform = 1,
+    SizingField = 2
   };
 
   ///@{
   /**
    * SizingConformal: sizes are those of the map, larger where its field spreads, which gives the best shapes.
-   * SizingUniform: the same everywhere as far as the lines allow; singularities may move (`Moved`). Default:
-   * SizingConformal.
+   * SizingUniform: the same everywhere as far as the lines allow; singularities may move (`Moved`).
+   * SizingField: likewise, with the lengths of the point array SizeArray of the domain. Default: SizingConformal.
    */
-  vtkSetClampMacro(Sizing, int, SizingConformal, SizingUniform);
+  vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);
   vtkGetMacro(Sizing, int);
   void SetSizingToConformal() { this->SetSizing(SizingConformal); }
   void SetSizingToUniform() { this->SetSizing(SizingUniform); }
+  void SetSizingToField() { this->SetSizing(SizingField); }
   ///@}
+
+  ///@{
+  /**
+   * Point array of the domain with the wanted length of quads for SizingField, in units of the domain: linear on surface
+   * cells and along curves, of which it is continued inside. Quads are so long times QuadSize, which is then a factor; where
+   * that is 0 only proportions count. Default: none.
+   */
+  vtkSetMacro(SizeArray, std::string);
+  vtkGetMacro(SizeArray, std::string);
+  ///@}
+  /** As above; what ParaView calls. */
+  void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
   ///@{
   /**
@@ -155,6 +171,7 @@ private:
   double QuadSize = 0.0;
   int QuadCount = 1000;
   int Sizing = SizingConformal;
+  std::string SizeArray;
   bool Coarse = false;
   double MeshSize = 0.0;
   bool CapCorners = true;

@@ -47,6 +47,35 @@ class Quads(ProgramTest):
             report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))
             self.assertLess(abs(report["quads"] - count), 0.05 * count)
 
+    STRIP = """# vtk DataFile Version 3.0
+strip
+ASCII
+DATASET POLYDATA
+POINTS 4 double
+0 0 0  3 0 0  3 0.3 0  0 0.3 0
+LINES 1 6
+5 0 1 2 3 0
+POINT_DATA 4
+SCALARS Length double
+LOOKUP_TABLE default
+0.1 0.2 0.2 0.1
+"""
+
+    def test_sizes_follow_an_array_of_the_domain(self):
+        (self.folder / "strip.vtk").write_text(self.STRIP)
+        write_configuration(self.folder / "none.csv", [])
+        given = ("strip.vtk", "-s", "none.csv", "--sizing", "field", "Length")
+        # Linear on the segments: 30 log 2 = 20.8 columns, in two rows or three.
+        quads = self.report(*given)["quads"]
+        self.assertIn(quads, (40, 42, 60, 63))
+        self.assertLess(abs(self.report(*given, "--quads", "200")["quads"] - 200), 10)
+        common = ("quads", "strip.vtk", "-s", "none.csv", "-o", "quads.vtu", "--sizing")
+        self.refuse(*common, "field", "Other", says=("no point array 'Other'", "name one"))
+        self.refuse(*common, "field", says=("--sizing: give", "name of a point array"))
+        self.refuse(*common, "uniform", "Length", says=("--sizing: give",))
+        self.refuse(*common, "even", says=("no 'even'", "conformal"))
+        self.refuse(*common, "field", "Length", "--size", "0.1", says=("leave --size out",))
+
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):
             self.succeed("quads", "builtin:disk", "-s", "four.csv", "-o", f"{name}.vtu")

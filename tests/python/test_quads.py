@@ -16,6 +16,10 @@ import unittest
 
 import numpy as np
 
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
 import crossfield
 from crossfield import _quads
 
@@ -75,6 +79,27 @@ class Quads(unittest.TestCase):
             self.assertGreater(np.cross(along, across)[2], 0)
         self.assertEqual(len(mesh.blocks), mesh.report["blocks"])
 
+    def test_sizes_follow_an_array(self):
+        """A strip with 0.1 at the left and 0.2 at the right: columns twice as wide there."""
+        strip = vtkPolyData()
+        points, lines = vtkPoints(), vtkCellArray()
+        for place in ((0, 0, 0), (3, 0, 0), (3, 0.3, 0), (0, 0.3, 0)):
+            points.InsertNextPoint(place)
+        lines.InsertNextCell(5)
+        for point in (0, 1, 2, 3, 0):
+            lines.InsertCellPoint(point)
+        strip.SetPoints(points)
+        strip.SetLines(lines)
+        lengths = numpy_to_vtk(np.array([0.1, 0.2, 0.2, 0.1]), deep=True)
+        lengths.SetName("Length")
+        strip.GetPointData().AddArray(lengths)
+        mesh = crossfield.quads(strip, [], sizing="field", size_array="Length")
+        x = np.sort(mesh.points[mesh.points[:, 1] == 0, 0])
+        self.assertAlmostEqual(len(x) - 1, 30 * np.log(2), delta=1)
+        self.assertAlmostEqual((x[-1] - x[-2]) / (x[1] - x[0]), 2, delta=0.25)
+        count = len(crossfield.quads(strip, [], sizing="field", size_array="Length", count=200).quads)
+        self.assertLessEqual(abs(count - 200), 10)
+
     def test_holonomy_is_repaired(self):
         def four(radius, first, quarters):
             return [(radius * np.cos(t), radius * np.sin(t), quarters) for t in first + np.pi / 2 * np.arange(4)]
@@ -133,6 +158,10 @@ class Quads(unittest.TestCase):
         self.refused("number 0 of quads is not positive", "builtin:disk", count=0)
         self.refused("not positive", "builtin:disk", size=-0.1)
         self.refused("no sizing 'even'; choose conformal, uniform", "builtin:disk", sizing="even")
+        self.refused("give both or none", "builtin:disk", sizing="field")
+        self.refused("give both or none", "builtin:disk", size_array="Length")
+        self.refused("leave size out", "builtin:disk", sizing="field", size_array="Length", size=0.1)
+        self.refused("no point array 'Length'", "builtin:disk", sizing="field", size_array="Length")
         self.refused("split it", "builtin:disk", [(0.4, 0, 3), (-0.4, 0, 1)])
 
     def test_examples(self):

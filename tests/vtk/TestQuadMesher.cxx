@@ -1,12 +1,15 @@
 #include "FilterChecks.h"
 #include "TestInputs.h"
 #include "vtkConfigurationProposal.h"
+#include "vtkCrossFieldErrorCodes.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkQuadMesher.h"
 #include "vtkSingularitySource.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -20,7 +23,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -82,8 +87,8 @@ TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "Coarse", "MeshSize", "CapCorners", "RepairHolonomy",
-      "StageSeconds" });
+    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "CapCorners",
+      "RepairHolonomy", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -182,6 +187,71 @@ TEST_F(QuadMesher, ValencesAreThoseAskedFor)
   EXPECT_EQ(singular, 4);
   EXPECT_EQ(
     vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2))->GetNumberOfLines(), 24);
+}
+
+/// Along a strip the columns follow h(x) = 0.1 · 2^(x/3): there are ∫ dx / h of them, 30 (1 − 1/2) / log 2 = 21.6, and
+/// between two of them ∫ dx / h is nearly the same, as far as shapes allow. As given along curves and as given
+/// on a surface.
+TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
+{
+  const int columns = 60; // values are linear along the segments between
+  TestInputs::Curve strip;
+  for (int i = 0; i <= 2 * columns + 1; ++i)
+  {
+    strip.push_back(
+      { 3.0 * (i <= columns ? i : 2 * columns + 1 - i) / columns, i <= columns ? 0.0 : 0.2 });
+  }
+  const auto curves = TestInputs::Loops({ strip });
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("Length");
+  for (const TestInputs::Place& place : strip)
+  {
+    lengths->InsertNextValue(0.1 * std::exp2(place[0] / 3.0));
+  }
+  curves->GetPointData()->AddArray(lengths);
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(curves->GetPoints());
+  surface->GetPointData()->AddArray(lengths);
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < columns; ++i)
+  {
+    cells->InsertNextCell({ i, i + 1, 2 * columns - i, 2 * columns + 1 - i });
+  }
+  surface->SetPolys(cells);
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
+  this->Filter->SetQuadSize(1.0);
+  this->Filter->SetSizingToField();
+  this->Filter->SetSizeArray("Length");
+  for (vtkPolyData* domain : { curves.Get(), surface.Get() })
+  {
+    this->Filter->SetInputData(domain);
+    FilterChecks::UpdateWithoutError(this->Filter);
+    vtkUnstructuredGrid* quads = this->Filter->GetOutput();
+    std::set<double> bottom;
+    for (vtkIdType p = 0; p < quads->GetNumberOfPoints(); ++p)
+    {
+      const double* place = quads->GetPoint(p);
+      if (place[1] == 0.0)
+      {
+        bottom.insert(-30.0 * std::exp2(-place[0] / 3.0) / std::log(2.0)); // ∫ dx / h
+      }
+    }
+    ASSERT_EQ(bottom.size(), 23U);
+    for (auto next = std::next(bottom.begin()); next != bottom.end(); ++next)
+    {
+      EXPECT_NEAR(*next - *std::prev(next), 21.64 / 22.0, 0.12);
+    }
+  }
+  this->Filter->SetSizeArray("Other");
+  EXPECT_EQ(FilterChecks::CaptureError(
+              this->Filter, { "no point array 'Other'", "name one with the wanted length" }),
+    vtkCrossFieldErrorCodes::BadInput);
+  lengths->SetValue(7, 0.0);
+  lengths->Modified();
+  this->Filter->SetSizeArray("Length");
+  EXPECT_EQ(FilterChecks::CaptureError(
+              this->Filter, { "size at point 7", "not a positive number", "correct the array" }),
+    vtkCrossFieldErrorCodes::BadInput);
 }
 
 TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)

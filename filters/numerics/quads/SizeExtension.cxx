@@ -1,0 +1,52 @@
+#include "SizeExtension.h"
+
+#include "DissectedCholesky.h"
+#include "P1Laplacian.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+Eigen::VectorXd ExtendSizes(const MeshTopology& topology, const Eigen::VectorXd& sizes)
+{
+  std::vector<int> boundary;
+  Eigen::VectorXd logarithms = Eigen::VectorXd::Zero(sizes.size());
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    const int vertex = edge.vertices[0]; // every boundary vertex starts one edge
+    boundary.push_back(vertex);
+    logarithms[vertex] = std::log(sizes[vertex]);
+  }
+  std::sort(boundary.begin(), boundary.end());
+  boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
+  const Eigen::SparseMatrix<double> stiffness = P1Stiffness(topology.mesh, topology.edges);
+  const DissectedCholesky factor(stiffness, topology.mesh.points, {}, boundary);
+  // 0 for vertices left out: those of the boundary keep what they have.
+  logarithms += factor.Substitute(factor.Eliminate(-(stiffness * logarithms)));
+  Eigen::VectorXd extended = logarithms.array().exp();
+  for (const int vertex : boundary)
+  {
+    extended[vertex] = sizes[vertex];
+  }
+  return extended;
+}
+
+double EquivalentSize(const TriangleMesh& mesh, const Eigen::VectorXd& sizes)
+{
+  double area = 0.0;
+  double count = 0.0;
+  for (const std::array<int, 3>& triangle : mesh.triangles)
+  {
+    const auto point = [&](std::size_t i)
+    { return mesh.points[static_cast<std::size_t>(triangle[i])]; };
+    const double part = SignedArea({ point(0), point(1), point(2) }) / 3.0;
+    for (const int vertex : triangle)
+    {
+      area += part;
+      count += part / (sizes[vertex] * sizes[vertex]);
+    }
+  }
+  return std::sqrt(area / count);
+}
+}
