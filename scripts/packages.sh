@@ -23,8 +23,8 @@ done
 packages=(
   # Compiler and tools; Rules.Format needs this very version of clang-format.
   ccache clang-format-14 cmake g++ ninja-build
-  # Numerics: meshes, matrices, network flows, sparse Cholesky factorisation.
-  libcgal-dev libeigen3-dev liblemon-dev libopenblas-dev libsuitesparse-dev
+  # Numerics: meshes, matrices, integers, network flows, sparse Cholesky factorisation.
+  libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev
   # Program and tests; Xvfb is the screen on which pictures are drawn.
   libbenchmark-dev libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
   # ParaView, its VTK and its Python.

@@ -12,6 +12,7 @@
 #include "MeshForPoints.h"
 #include "QuadConversion.h"
 #include "SizeConversion.h"
+#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -127,9 +128,8 @@ int vtkQuadMesher::RequestData(
       this->StageSeconds[4] = result.layoutSeconds;
       this->StageSeconds[5] = result.smoothSeconds;
       const auto count = static_cast<double>(result.mesh.quads.size());
-      // As --quads promises.
-      constexpr double CountTolerance = 0.05;
-      if (this->QuadSize == 0.0 && std::abs(count / this->QuadCount - 1.0) > CountTolerance)
+      if (this->QuadSize == 0.0 &&
+        std::abs(count / this->QuadCount - 1.0) > crossfield::CountTolerance)
       {
         vtkWarningMacro(<< "No number of quads within 5 % of " << this->QuadCount
                         << " was found for these lines, " << result.mesh.quads.size()

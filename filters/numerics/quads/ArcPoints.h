@@ -34,6 +34,8 @@ public:
   ArcPoints(const TMesh& mesh, const std::vector<int>& counts);
 
   int Count() const { return this->Total; }
+  /// Edges along a half-edge.
+  int CountOf(int halfEdge) const { return this->Counts[static_cast<std::size_t>(halfEdge / 2)]; }
   /// The j-th point along a half-edge, 0 to n_a.
   int At(int halfEdge, int j) const;
   /// The points along a side of a face, one more than it has edges.

@@ -65,12 +65,27 @@ public:
   {
   }
 
-  /// Counts of the wanted size, or of one that gives the wanted number.
+  /// Counts of the wanted size, or of one that gives the wanted number: that is searched for quickly.
   void Count(const Progress& progress)
   {
-    const SizedCounts found = this->ForSize([this](double size)
-      { return CountArcs(this->Result.lines, ProblemOf(this->Result.lines, this->Lengths, size)); },
+    const auto countsOf = [this](double size, ArcSearch search)
+    {
+      return CountArcs(
+        this->Result.lines, ProblemOf(this->Result.lines, this->Lengths, size), search);
+    };
+    const bool given = this->Options.size > 0.0;
+    SizedCounts found = this->ForSize([&](double size)
+      { return countsOf(size, given ? ArcSearch::Thorough : ArcSearch::Quick); },
       progress);
+    if (!given && !found.counts.optimal)
+    {
+      ArcCounts best = countsOf(found.size, ArcSearch::Thorough);
+      const double off = this->Off(best);
+      if (off <= CountTolerance || off <= this->Off(found.counts))
+      {
+        found.counts = std::move(best);
+      }
+    }
     this->Take(found, this->Result);
   }
 
@@ -142,6 +157,13 @@ private:
       std::sqrt(this->Area / this->Options.count), countsOf, progress);
   }
 
+  /// The part by which a number of quads misses the wanted one.
+  double Off(const ArcCounts& counts) const
+  {
+    const auto count = static_cast<double>(CountQuads(this->Result.lines, counts.counts));
+    return std::abs(count / this->Options.count - 1.0);
+  }
+
   static void Take(const SizedCounts& found, QuadResult& result)
   {
     result.size = found.size;
@@ -157,7 +179,8 @@ private:
     for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
     {
       const TMesh& lines = this->Result.lines;
-      const ArcCounts coarse = CountArcs(lines, ProblemOf(lines, this->Lengths, size));
+      const ArcCounts coarse =
+        CountArcs(lines, ProblemOf(lines, this->Lengths, size), ArcSearch::Quick);
       if (coarse.counts == last)
       {
         continue;

@@ -1,9 +1,8 @@
 #include "Separation.h"
 
-#include "ArcPoints.h"
-
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace crossfield
 {
@@ -106,10 +105,16 @@ private:
       {
         for (int q = p; q != start;)
         {
-          const PointLink& link = this->Links[via.at(q)];
+          PointLink link = this->Links[via.at(q)];
           this->AddArcs(link, violation.arcs);
-          q = link.from == q ? link.to : link.from;
+          if (link.to != q)
+          {
+            std::swap(link.from, link.to);
+          }
+          violation.way.push_back(link);
+          q = link.from;
         }
+        std::reverse(violation.way.begin(), violation.way.end());
         break;
       }
       for (const std::size_t l : this->LinksAt[Index(p)])
@@ -174,6 +179,22 @@ private:
   std::vector<bool> OnBoundary;
   std::vector<std::vector<std::size_t>> LinksAt;
 };
+}
+
+ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& wanted)
+{
+  if (!violation.way.empty())
+  {
+    return SeparateEnds(mesh, counts, wanted, violation.way);
+  }
+  ArcRow row;
+  row.least = LeastLoop;
+  for (const int arc : violation.arcs)
+  {
+    row.terms.emplace_back(arc, 1);
+  }
+  return row;
 }
 
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts)

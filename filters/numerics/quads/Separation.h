@@ -1,6 +1,6 @@
 #pragma once
 
-#include "TMesh.h"
+#include "SeparationRow.h"
 
 namespace crossfield
 {
@@ -8,7 +8,12 @@ namespace crossfield
 struct Violation
 {
   std::vector<int> arcs;
+  std::vector<PointLink> way; ///< Between the two points; empty for a loop.
 };
+
+/// What keeps a violation from happening again, of arcs of wanted lengths: a row without terms where that is none.
+ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& wanted);
 
 /// What must not be one point but is (docs/method.md §14.3): two cones, a singularity and the boundary, points of the
 /// boundary that no boundary arcs without edges join; one violation per class of points, with the arcs on the

@@ -9,9 +9,8 @@ namespace crossfield
 namespace
 {
 constexpr int MostSizes = 20;
-/// Good enough at once, and after a few sizes.
+/// Good enough at once; the tolerance is after a few sizes.
 constexpr double Fine = 0.01;
-constexpr double Enough = 0.05;
 constexpr int FewSizes = 6;
 }
 
@@ -54,7 +53,7 @@ SizedCounts SearchSize(const TMesh& mesh, int wanted, double first,
       least = misfit;
       best = { size, std::move(counts), quads };
     }
-    if (least <= Fine || (least <= Enough && tried + 1 >= FewSizes))
+    if (least <= Fine || (least <= CountTolerance && tried + 1 >= FewSizes))
     {
       break;
     }

@@ -17,6 +17,9 @@ struct SizedCounts
   long long quads = 0;
 };
 
+/// The part by which a number of quads may miss the wanted one.
+constexpr double CountTolerance = 0.05;
+
 /// The size whose number of quads is nearest to the wanted one, of at most `MostSizes`: first along the square root law,
 /// then by halving between one that gives too many and one that gives too few. A count jumps with the size where a
 /// whole row of quads comes in at once, so within a jump there is none.

@@ -252,7 +252,7 @@ TEST(QuadProperties, OfRandomDomains)
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
             result.quality.inverted, FarApart(map, options.size), result.counts.zeroArcs,
-            result.counts.forced, result.counts.gap, result.counts.flows, result.smoothing.released,
+            result.counts.nodes, result.counts.gap, result.counts.flows, result.smoothing.released,
             result.smoothing.moved / options.size, result.traceSeconds, result.counts.seconds,
             result.smoothSeconds);
         }

@@ -1,10 +1,8 @@
 #include "QuadMesher.h"
 
-#include "ArcFlow.h"
 #include "FlatMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
-#include "Separation.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -73,7 +71,7 @@ std::string Tell(const QuadResult& r)
     "iter %d kept %d released %d moved %.3g  s: trace %.3f int %.4f lay %.3f smooth %.3f ratio",
     r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.faces.size(), r.lines.arcs.size(),
     r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
-    r.counts.zeroArcs, r.counts.forced, r.counts.optimal, r.counts.gap, r.counts.flows,
+    r.counts.zeroArcs, r.counts.nodes, r.counts.optimal, r.counts.gap, r.counts.flows,
     r.smoothing.iterations, r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved,
     r.traceSeconds, r.counts.seconds, r.layoutSeconds, r.smoothSeconds);
   return text;
@@ -168,69 +166,6 @@ TEST(Quads, OfTheOtherReferenceCases)
       EXPECT_NEAR(static_cast<double>(result.mesh.quads.size()), reference.quads[i],
         0.05 * reference.quads[i]);
       ExpectSound(result, map, i == 0 ? 0.0 : reference.least);
-    }
-  }
-}
-
-/// The least cost over all integers up to a largest one, with nothing joined that must not be, if asked.
-double BruteForce(const TMesh& lines, const ArcProblem& problem, int largest, bool separate)
-{
-  double best = std::numeric_limits<double>::infinity();
-  std::vector<int> counts(problem.Count(), 0);
-  const std::function<void(std::size_t, double)> search = [&](std::size_t arc, double cost)
-  {
-    if (cost >= best)
-    {
-      return;
-    }
-    if (arc == counts.size())
-    {
-      if (problem.Allows(counts) && (!separate || FindViolations(lines, counts).empty()))
-      {
-        best = cost;
-      }
-      return;
-    }
-    for (int n = 0; n <= largest; ++n)
-    {
-      counts[arc] = n;
-      search(arc + 1, cost + problem.Cost(arc, n));
-    }
-    counts[arc] = 0;
-  };
-  search(0, 0.0);
-  return best;
-}
-
-TEST(ArcFlow, FindsTheOptimumOfBruteForce)
-{
-  const std::vector<std::pair<PlanarDomain, Configuration>> cases = {
-    { LShape(), {} },
-    { RingOfEdges(0.2), {} },
-  };
-  for (const auto& [domain, configuration] : cases)
-  {
-    const TMesh lines = [&, &d = domain, &c = configuration]
-    {
-      const FlatMap map = MapOf(d, c, 0.1);
-      QuadOptions options;
-      options.size = 0.3;
-      return MakeQuads(map, options).lines;
-    }();
-    for (const double size : { 1.9, 1.3, 0.83 })
-    {
-      const ArcProblem problem = MakeArcProblem(lines, size);
-      const IntegerCounts found = SolveArcFlow(problem);
-      const int largest =
-        2 + static_cast<int>(*std::max_element(problem.wanted.begin(), problem.wanted.end()));
-      EXPECT_TRUE(problem.Allows(found.counts));
-      EXPECT_TRUE(found.optimal);
-      EXPECT_NEAR(found.cost, BruteForce(lines, problem, largest, false), 1e-9);
-      const ArcCounts counts = CountArcs(lines, problem);
-      const double separated = BruteForce(lines, problem, largest + 1, true);
-      EXPECT_TRUE(FindViolations(lines, counts.counts).empty());
-      EXPECT_GE(counts.cost, separated - 1e-9);
-      EXPECT_LE(counts.cost, 1.5 * separated + 1e-9);
     }
   }
 }

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ArcProblem.h"
+#include "SeparationRow.h"
+
+#include <memory>
+
+namespace crossfield
+{
+struct ProgramCounts
+{
+  std::vector<int> counts; ///< Empty where none were found.
+  double cost = 0.0;
+  double bound = 0.0; ///< No counts for which the rows hold cost less.
+  int nodes = 0;      ///< Of branch and cut.
+};
+
+/// An ArcProblem with more and more rows, solved by GLPK's branch and cut (docs/method.md §14.3).
+///
+/// n = ⌊ℓ⌋ − d + m + u with 0 ≤ d ≤ ⌊ℓ⌋, 0 ≤ m ≤ 1, u ≥ 0: three columns an arc, whose costs are the slopes of
+/// w |n − ℓ|. Then the absolute value needs no row, and the relaxation is that of the flow. Lower bounds of the problem
+/// are not used.
+class ArcProgram
+{
+public:
+  explicit ArcProgram(const ArcProblem& problem);
+  ~ArcProgram();
+  ArcProgram(const ArcProgram&) = delete;
+  ArcProgram& operator=(const ArcProgram&) = delete;
+
+  void Add(const ArcRow& row);
+
+  /// The least cost but for a part `gap` of it. Ends after `mostNodes` nodes, not after a time: the result is the same on
+  /// every machine. `start`, if not empty, are counts to begin with; not used where a row does not hold for them.
+  ProgramCounts Solve(const std::vector<int>& start, int mostNodes, double gap);
+
+private:
+  struct Program;
+  std::unique_ptr<Program> Data;
+  std::vector<ArcRow> Rows;
+};
+}
