@@ -57,10 +57,10 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
       { return energy.consistent ? value(energy) : std::numeric_limits<double>::quiet_NaN(); });
   };
   using Energy = ConfigurationEnergy;
-  add(names::Energy, [](const Energy& e) { return e.perforated.aligned; });
+  add(names::Energy, [](const Energy& e) { return e.perforated.Aligned(); });
   add(names::EnergyLowerBound, [](const Energy& e) { return e.perforated.alignedLower; });
   add(names::EnergyUpperBound, [](const Energy& e) { return e.perforated.alignedUpper; });
-  add(names::EnergyDegreeOnly, [](const Energy& e) { return e.DegreeOnly(); });
+  add(names::EnergyDegreeOnly, [](const Energy& e) { return e.perforated.DegreeOnly(); });
   add(names::EnergyDegreeOnlyLowerBound,
     [](const Energy& e) { return e.perforated.degreeOnlyLower; });
   add(names::EnergyDegreeOnlyUpperBound,

@@ -18,9 +18,12 @@
  * inconsistent ones last. Columns:
  * - `Configuration` (int): number of the connection on port 1, from 0;
  * - `Consistent` (int): whether it satisfies the Poincaré-Hopf theorem; else all numbers are NaN;
- * - `Energy`: E_ρ of the field aligned with the boundary, that of vtkPerforatedCrossField (UnitNorm);
+ * - `Energy`: E_ρ of the field aligned with the boundary: the middle of its bounds, whose errors have
+ *   opposite signs and the same size but for higher orders;
  * - `EnergyLowerBound`, `EnergyUpperBound`: bounds of it on this polygon, for a boundary phase that is
- *   linear along its edges; their gap is the discretisation error. At corners with a rotation of the
+ *   linear along its edges. The gap closes at second order: below the default mesh size the triangles
+ *   at holes shrink with the others, and those at re-entrant corners faster. On straight sides the lower bound is
+ *   the energy of vtkPerforatedCrossField (UnitNorm) on this mesh. At corners with a rotation of the
  *   cross E_ρ is infinite, and these numbers grow with the logarithm of the mesh size;
  * - `EnergyDegreeOnly`, `EnergyDegreeOnlyLowerBound`, `EnergyDegreeOnlyUpperBound`: E_ρ of a field
  *   that may rotate along the boundary: the middle of its bounds, and these;

@@ -77,8 +77,8 @@ TEST_F(SingularityEnergy, RowsAreSortedAndComplete)
   }
   for (vtkIdType row = 0; row < 3; ++row)
   {
-    EXPECT_LE(this->Value(row, "EnergyLowerBound"), this->Value(row, "Energy"));
-    EXPECT_LT(this->Value(row, "EnergyLowerBound"), this->Value(row, "EnergyUpperBound"));
+    EXPECT_LT(this->Value(row, "EnergyLowerBound"), this->Value(row, "Energy"));
+    EXPECT_LT(this->Value(row, "Energy"), this->Value(row, "EnergyUpperBound"));
     EXPECT_LT(this->Value(row, "EnergyDegreeOnlyLowerBound"), this->Value(row, "EnergyDegreeOnly"));
     EXPECT_LT(this->Value(row, "EnergyDegreeOnly"), this->Value(row, "EnergyDegreeOnlyUpperBound"));
     EXPECT_EQ(this->Value(row, "HolonomyDefect"), 0.0);

@@ -2,7 +2,7 @@
 
 #include "BoundarySingularities.h"
 #include "ConfigurationPlacement.h"
-#include "DrillHoles.h"
+#include "EnergyMesh.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -53,8 +53,9 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       energy.coreRadius = coreRadius;
       energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);
-      TriangleMesh drilled =
-        DrillHoles(refined, placed.interior, drill, progress.Part(step(0.1), step(0.5)));
+      TriangleMesh drilled = DrillHoles(refined, placed.interior,
+        DrillForEnergies(domain, placed.interior, options.meshSize),
+        progress.Part(step(0.1), step(0.5)));
       energy.perforated =
         ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
       energy.consistent = true;

@@ -9,21 +9,15 @@ namespace crossfield
 /// What one of several configurations on a domain costs.
 struct ConfigurationEnergy
 {
-  int configuration = 0;       ///< Number in the list that was given.
-  bool consistent = false;     ///< Otherwise nothing else but the reason is set.
-  std::string reason;          ///< Verdict of the Poincaré-Hopf theorem.
-  PerforatedEnergy perforated; ///< E_ρ, with a hole at every singularity.
+  int configuration = 0;   ///< Number in the list that was given.
+  bool consistent = false; ///< Otherwise nothing else but the reason is set.
+  std::string reason;      ///< Verdict of the Poincaré-Hopf theorem.
+  PerforatedEnergy
+    perforated; ///< E_ρ, with a hole at every singularity, on the mesh of EnergyMesh.h.
   RenormalizedEnergyValue renormalized;
   double coreRadius = 0.0;   ///< As in the options, resolved,
   double atCoreRadius = 0.0; ///< and the energy at it.
   Configuration interior;    ///< The columns of the gradient, in the order given.
-
-  /// Of the energy of a field that may rotate along the boundary: the middle of its bounds, whose
-  /// errors have opposite signs.
-  double DegreeOnly() const
-  {
-    return 0.5 * (this->perforated.degreeOnlyLower + this->perforated.degreeOnlyUpper);
-  }
 };
 
 struct ConfigurationEnergyOptions

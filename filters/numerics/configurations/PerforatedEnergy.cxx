@@ -175,16 +175,9 @@ PerforatedEnergy ComputePerforatedEnergy(
   RequireConsistent(alignment.count);
   const PotentialProblem problem(
     std::make_shared<const PotentialSolver>(topology), std::move(alignment));
-  const AlignedPotential estimate = SolveAligned(problem, PiecewiseConstantPhase(problem));
-  result.aligned = estimate.energy;
-  result.holonomyDefect = estimate.holonomyDefect;
   const AlignedPotential linear = SolveAligned(problem, LinearPhase(problem));
   result.alignedLower = linear.energy;
-  // Where no side of the polygon was divided the two are the same but for rounding.
-  if (std::abs(result.aligned - linear.energy) <= 1e-10 * linear.energy)
-  {
-    result.alignedLower = std::min(result.aligned, linear.energy);
-  }
+  result.holonomyDefect = linear.holonomyDefect;
 
   const PotentialSolver given(topology, PotentialSolver::Boundary::Given);
   ConformingPhase phase(problem, LinearEdgePhases(problem));

@@ -4,15 +4,13 @@
 
 namespace crossfield
 {
-/// Energies E = ½ ∫ |∇φ|² of the unit-norm field on a perforated mesh, φ turning d_i times around
-/// hole i (docs/method.md §5; paper, "How to evaluate the choice of a singularity location").
+/// Bounds of E = ½ ∫ |∇φ|² on a perforated mesh, φ = 4θ of a field of norm one that turns d_i times around
+/// hole i (docs/method.md §5.2; paper, "How to evaluate the choice of a singularity location"). Errors
+/// of the two bounds have opposite signs and tend to the same size: the estimate is their middle.
 struct PerforatedEnergy
 {
-  /// Aligned with outer and inner loops: the energy of UnitNormField.h, phase constant along edges.
-  /// An estimate; it is ½ ∫ |∇Φ|² of the conjugate potential.
-  double aligned = 0.0;
-  /// Bounds of the aligned energy on this polygon when the phase is linear along its edges (LinearPhase
-  /// of AlignedSources.h): from continuous piecewise linear Φ and φ. Their gap is the discretisation
+  /// Aligned with outer and inner loops, the phase linear along their edges (LinearPhase of
+  /// AlignedSources.h): from continuous piecewise linear Φ and φ. The gap is the discretisation
   /// error. At a corner with a rotation of the cross both grow with the logarithm of the mesh size.
   double alignedLower = 0.0;
   double alignedUpper = 0.0;
@@ -22,6 +20,9 @@ struct PerforatedEnergy
   double degreeOnlyLower = 0.0;
   double degreeOnlyUpper = 0.0;
   std::vector<double> holonomyDefect; ///< See AlignedPotential.
+
+  double Aligned() const { return 0.5 * (this->alignedLower + this->alignedUpper); }
+  double DegreeOnly() const { return 0.5 * (this->degreeOnlyLower + this->degreeOnlyUpper); }
 };
 
 /// Two factorisations of the P1 Laplacian: with the boundary free, for Φ given by its flux and for φ
