@@ -282,7 +282,7 @@ void AddSolveCommand(CLI::App& app, int& status)
   command
     ->add_option("--epsilon", options->epsilon,
       "length of the penalty on the norm, about the size of a triangle: of ginzburg-landau (default: "
-      "the mean edge length), or added to the constrained method, which then takes any sum of quarter "
+      "the mean edge length by area), or added to the constrained method, which then takes any sum of quarter "
       "indices")
     ->check(CLI::PositiveNumber);
   AddModeTo(*command, options->mode);

@@ -81,7 +81,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
                    "harmonic" (default), "constant", "zero"
     unit_holes     force unit crosses on the holes
     corners        quarter indices of corners: what `corners` gives, or as `singularities`
-    epsilon        "ginzburg-landau": radius of the cores, a length; default: the mean edge length
+    epsilon        "ginzburg-landau": radius of the cores, a length; default: the mean edge length by area
     minimum_hole_edges, gradation
                    of the mesh, see `drill`
 

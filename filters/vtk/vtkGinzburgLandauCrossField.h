@@ -77,7 +77,7 @@ public:
 
   ///@{
   /**
-   * The length ε, in the units of the domain. Default: 0, which means the mean edge length of the
+   * The length ε, in the units of the domain. Default: 0, which means the mean edge length, weighted by area, of the
    * mesh.
    */
   vtkSetClampMacro(Epsilon, double, 0.0, VTK_DOUBLE_MAX);

@@ -165,13 +165,11 @@ std::vector<ProposedConfiguration> FindStarts(
   Collection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
-    const CoarseField coarse = SolveCoarseField(domain, progress);
+    const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
+    const CoarseField coarse = SolveCoarseField(domain, reading, progress);
     collection.AddField(coarse, options.corners, "");
     if (options.chooseCorners)
     {
-      FieldConfigurationOptions reading;
-      reading.cornerAngle = options.cornerAngle;
-      reading.corners = options.corners;
       std::vector<CornerChoice> ofField = options.corners;
       for (const CornerChoice& corner : ReadConfiguration(domain, coarse, reading).otherCorners)
       {

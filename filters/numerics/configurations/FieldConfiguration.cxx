@@ -1,5 +1,6 @@
 #include "FieldConfiguration.h"
 
+#include "CoarseBoundary.h"
 #include "ConfigurationPairs.h"
 #include "ConfigurationSpread.h"
 #include "DomainQueries.h"
@@ -77,19 +78,28 @@ void AddUnits(const Point& place, int quarterIndex, Configuration& result)
 }
 }
 
-CoarseField SolveCoarseField(const PlanarDomain& domain, const Progress& progress)
+CoarseField SolveCoarseField(
+  const PlanarDomain& domain, const FieldConfigurationOptions& options, const Progress& progress)
 {
   DrillOptions drill;
   drill.meshSize = CoarseSize(domain);
-  const SharedTopology topology =
-    ShareTopology(DrillHoles(domain, {}, drill, progress.Part(0.0, 0.2)));
-  GinzburgLandauOptions options;
-  options.epsilon = drill.meshSize;
+  std::size_t sides = 0;
+  for (const Loop& loop : domain.loops)
+  {
+    sides += loop.size();
+  }
+  // Every side has a triangle of its size, and more up to the size of the others.
+  const bool fine = static_cast<double>(sides) > 0.5 * Triangles;
+  const SharedTopology topology = ShareTopology(DrillHoles(
+    fine ? CoarsenBoundary(domain, drill.meshSize, options.cornerAngle, options.corners) : domain,
+    {}, drill, progress.Part(0.0, 0.2)));
+  GinzburgLandauOptions solve;
+  solve.epsilon = drill.meshSize;
   // Singularities rest long before the field does: they are wanted within an edge, and a start need not
   // be a minimum.
-  options.tolerance = 1e-3;
-  options.maximumIterations = 30;
-  GinzburgLandauField field = SolveGinzburgLandau(topology, options, progress.Part(0.2, 1.0));
+  solve.tolerance = 1e-3;
+  solve.maximumIterations = 30;
+  GinzburgLandauField field = SolveGinzburgLandau(topology, solve, progress.Part(0.2, 1.0));
   return { std::move(static_cast<CrossField&>(field)), drill.meshSize };
 }
 

@@ -23,13 +23,16 @@ struct FieldConfiguration
   std::vector<CornerChoice> otherCorners;
 };
 
-/// A coarse Ginzburg-Landau field, on about 5,000 triangles (docs/method.md §5.6).
+/// A coarse Ginzburg-Landau field, on about 5,000 triangles (docs/method.md §5.6). Of a boundary of
+/// thousands of vertices it has only what that many triangles can tell (CoarseBoundary.h), corners and those
+/// of the options among it.
 struct CoarseField
 {
   CrossField field;
   double meshSize = 0.0;
 };
-CoarseField SolveCoarseField(const PlanarDomain& domain, const Progress& progress = {});
+CoarseField SolveCoarseField(const PlanarDomain& domain,
+  const FieldConfigurationOptions& options = {}, const Progress& progress = {});
 
 /// Reads a starting configuration from it. Its singularities add up with its own corners; where a corner
 /// has another quarter index in the count than in the field, the difference goes inside next to it, and

@@ -57,12 +57,22 @@ double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& 
   {
     return options.epsilon;
   }
+  double area = 0.0;
   double sum = 0.0;
-  for (const auto& [from, to] : topology.edges.vertices)
+  const EdgeNumbering& edges = topology.edges;
+  for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)
   {
-    sum += (topology.PointAt(to) - topology.PointAt(from)).norm();
+    const auto& [a, b, c] = topology.mesh.triangles[t];
+    const double here = Cross(topology.PointAt(b) - topology.PointAt(a),
+      topology.PointAt(c) - topology.PointAt(a)); // twice the area
+    for (const int edge : edges.ofTriangle[t])
+    {
+      const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];
+      area += here;
+      sum += here * (topology.PointAt(to) - topology.PointAt(from)).norm();
+    }
   }
-  return sum / topology.edges.Count();
+  return sum / area;
 }
 
 GinzburgLandauField SolveGinzburgLandau(

@@ -18,7 +18,8 @@ enum class GinzburgLandauStart
 
 struct GinzburgLandauOptions
 {
-  /// ε, a length: about the radius of the cores of singularities. 0: the mean edge length. Below a
+  /// ε, a length: about the radius of the cores of singularities. 0: the mean edge length weighted
+  /// by area, that of most of the domain also where a fine boundary has most of the edges. Below a
   /// third of the edge length the mesh holds singularities wherever they happen to be.
   double epsilon = 0.0;
   GinzburgLandauStart start = GinzburgLandauStart::Harmonic;

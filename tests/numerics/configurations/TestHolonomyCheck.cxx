@@ -1,5 +1,6 @@
 #include "HolonomyCheck.h"
 
+#include "ExactFields.h"
 #include "HField.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
@@ -12,33 +13,18 @@ namespace crossfield::test
 {
 namespace
 {
-/// The image of the ring inner ≤ |z| ≤ 1 under f(z) = z + a zⁿ. It is injective on the disk for n |a| < 1.
-struct RingImage
+/// The image of the ring inner ≤ |z| ≤ 1.
+struct RingImage : DiskImage
 {
   double inner = 0.4;
-  Complex a = 0.0;
-  int n = 2;
 
-  Point operator()(Complex z) const
-  {
-    const Complex image = z + this->a * std::pow(z, this->n);
-    return { image.real(), image.imag() };
-  }
-
-  /// Both circles as polygons, inscribed, with sides of about this length.
+  /// Both circles as polygons with sides of about this length.
   PlanarDomain Domain(double edgeLength) const
   {
-    std::vector<Loop> loops;
-    for (const double radius : { 1.0, this->inner })
-    {
-      const int count = static_cast<int>(std::ceil(2.0 * Pi * radius / edgeLength));
-      loops.emplace_back();
-      for (int i = 0; i < count; ++i)
-      {
-        loops.back().push_back((*this)(std::polar(radius, 2.0 * Pi * i / count)));
-      }
-    }
-    return MakePlanarDomain(loops);
+    const auto count = [edgeLength](double radius)
+    { return static_cast<int>(std::ceil(2.0 * Pi * radius / edgeLength)); };
+    return MakePlanarDomain(
+      { this->Polygon(count(1.0)), this->Polygon(count(this->inner), this->inner) });
   }
 };
 
@@ -76,7 +62,7 @@ struct RingCase
 RingCase RandomCase(Random& random, Complex a, int n)
 {
   RingCase result;
-  result.image = { random.Uniform(0.2, 0.6), a, n };
+  result.image = { { a, n }, random.Uniform(0.2, 0.6) };
   const double inner = result.image.inner;
   const auto count = static_cast<std::size_t>(random.Integer(2, 6));
   while (result.preimages.size() < count)

@@ -274,6 +274,18 @@ TEST(GinzburgLandau, EpsilonIsALengthWithTheMeanEdgeLengthAsDefault)
   EXPECT_NEAR(scaled.energy, field.energy, 1e-6 * field.energy);
 }
 
+TEST(GinzburgLandau, EpsilonIsThatOfMostOfTheDomainWhereTheBoundaryIsFine)
+{
+  // Nearly all edges are along the circle: the mean of their lengths is 0.01.
+  DrillOptions options;
+  options.meshSize = 0.1;
+  const SharedTopology topology =
+    ShareTopology(DrillHoles({ { RegularPolygon(2000) } }, {}, options));
+  const double epsilon = ResolveEpsilon({}, *topology);
+  EXPECT_GT(epsilon, 0.06);
+  EXPECT_LT(epsilon, 0.1);
+}
+
 TEST(GinzburgLandau, RotatingTheDomainRotatesTheCrosses)
 {
   const TriangleMesh mesh = Mesh("ring", 0.1);

@@ -3,6 +3,7 @@
 #include "Alignment.h"
 #include "BoundarySingularities.h"
 #include "DrillHoles.h"
+#include "ExactFields.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -35,23 +36,7 @@ double ExactH(const Configuration& configuration, const Point& point)
 
 Complex ExactCross(const Configuration& configuration, const Point& point)
 {
-  const Complex z(point.x(), point.y());
-  Complex u = 1.0;
-  for (const Singularity& singularity : configuration)
-  {
-    const Complex b(singularity.position.x(), singularity.position.y());
-    const Complex turn = (z - b) * (1.0 - std::conj(b) * z);
-    u *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
-  }
-  // Aligned at z = 1, where the tangent is vertical.
-  Complex atOne = 1.0;
-  for (const Singularity& singularity : configuration)
-  {
-    const Complex b(singularity.position.x(), singularity.position.y());
-    const Complex turn = (1.0 - b) * (1.0 - std::conj(b));
-    atOne *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
-  }
-  return u / atOne;
+  return DiskImage{}.CrossAt(configuration, point);
 }
 
 TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configuration& holes = {})

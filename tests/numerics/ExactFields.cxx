@@ -1,0 +1,123 @@
+#include "ExactFields.h"
+
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+using Complex = std::complex<double>;
+
+Complex ToComplex(const Point& point)
+{
+  return { point.x(), point.y() };
+}
+}
+
+bool IsOnCircle(const Singularity& singularity)
+{
+  return singularity.position.norm() > 1.0 - 1e-9;
+}
+
+double ExactEnergyOnDisk(const Configuration& configuration)
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    const Complex b = ToComplex(configuration[i].position);
+    for (std::size_t j = 0; j < configuration.size(); ++j)
+    {
+      const Complex c = ToComplex(configuration[j].position);
+      const double degrees = configuration[i].quarterIndex * configuration[j].quarterIndex;
+      const bool own = i == j;
+      energy -= Pi * degrees * (own ? 0.0 : std::log(std::abs(b - c)));
+      energy -= Pi * degrees *
+        (own && IsOnCircle(configuration[i]) ? 0.0 : std::log(std::abs(1.0 - b * std::conj(c))));
+    }
+  }
+  return energy;
+}
+
+Point DiskImage::operator()(Complex z) const
+{
+  const Complex image = z + this->a * std::pow(z, this->n);
+  return { image.real(), image.imag() };
+}
+
+Configuration DiskImage::operator()(const Configuration& preimages) const
+{
+  Configuration images = preimages;
+  for (Singularity& singularity : images)
+  {
+    singularity.position = (*this)(ToComplex(singularity.position));
+  }
+  return images;
+}
+
+Complex DiskImage::Slope(Complex z) const
+{
+  return 1.0 + static_cast<double>(this->n) * this->a * std::pow(z, this->n - 1);
+}
+
+Complex DiskImage::Preimage(const Point& point) const
+{
+  const Complex image = ToComplex(point);
+  Complex z = image;
+  for (int i = 0; i < 30; ++i)
+  {
+    z -= (z + this->a * std::pow(z, this->n) - image) / this->Slope(z);
+  }
+  return z;
+}
+
+Loop DiskImage::Polygon(int count, double radius) const
+{
+  Loop loop;
+  for (int i = 0; i < count; ++i)
+  {
+    loop.push_back((*this)(std::polar(radius, 2.0 * Pi * i / count)));
+  }
+  return loop;
+}
+
+double DiskImage::PhiAt(const Configuration& preimages, const Point& point) const
+{
+  const Complex z = this->Preimage(point);
+  double value = 4.0 * std::log(std::abs(this->Slope(z)));
+  for (const Singularity& singularity : preimages)
+  {
+    const Complex b = ToComplex(singularity.position);
+    value += singularity.quarterIndex * std::log(std::abs((z - b) * (1.0 - std::conj(b) * z)));
+  }
+  return value;
+}
+
+Complex DiskImage::CrossAt(const Configuration& preimages, const Point& point) const
+{
+  const Complex z = this->Preimage(point);
+  const Complex slope = this->Slope(z);
+  Complex u = std::pow(slope / std::abs(slope), 4);
+  for (const Singularity& singularity : preimages)
+  {
+    const Complex b = ToComplex(singularity.position);
+    const Complex turn = (z - b) * (1.0 - std::conj(b) * z);
+    u *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
+  }
+  return u;
+}
+
+double DiskImage::Energy(const Configuration& preimages) const
+{
+  const double factor = this->n * std::abs(this->a);
+  double energy =
+    ExactEnergyOnDisk(preimages) - 8.0 * Pi * (this->n - 1) * std::log(1.0 - factor * factor);
+  for (const Singularity& singularity : preimages)
+  {
+    const double k = singularity.quarterIndex;
+    const double own = (IsOnCircle(singularity) ? 2.0 : 1.0) * Pi * k * k;
+    energy +=
+      (own - 8.0 * Pi * k) * std::log(std::abs(this->Slope(ToComplex(singularity.position))));
+  }
+  return energy;
+}
+}
