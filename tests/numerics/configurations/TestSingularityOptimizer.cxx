@@ -3,6 +3,7 @@
 
 #include "BuiltinDomains.h"
 #include "DrillHoles.h"
+#include "MinimumCheck.h"
 #include "RenormalizedEnergy.h"
 #include "Support.h"
 
@@ -71,6 +72,13 @@ void ExpectStationary(const OptimizerResult& result)
   {
     EXPECT_NEAR(defect, 0.0, 1e-6);
   }
+}
+
+void ExpectMinimum(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
+{
+  const MinimumCheck check = CheckMinimum(domain, configuration, meshSize);
+  EXPECT_GT(check.lowestEigenvalue, 0.0);
+  EXPECT_LT(check.gain, 0.01); // the optimiser's last mesh is finer around the singularities
 }
 
 TEST(SingularityOptimizer, FourOnADiskEndOnTheSquareOfTheTheory)
@@ -146,6 +154,7 @@ TEST(SingularityOptimizer, OnAnEllipse)
       { { 0.3, 0.05 }, 1, 0.0 } },
     0.05);
   ExpectStationary(result);
+  ExpectMinimum(domain, result.configuration, 0.05);
   ExpectConsistentGradient(domain, result.configuration, 0.05);
 }
 
@@ -182,6 +191,7 @@ TEST(SingularityOptimizer, OnADomainWithTwoIslands)
   const OptimizerResult result = Optimize(domain, OnCircle(4, 0.7, 0.4, 1, 0.0), 0.05);
   ExpectStationary(result);
   ASSERT_EQ(result.holonomyDefect.size(), 2u);
+  ExpectMinimum(domain, result.configuration, 0.05);
   ExpectConsistentGradient(domain, result.configuration, 0.05);
 }
 
@@ -213,6 +223,7 @@ TEST(SingularityOptimizer, OnAnLShapeWithRoundedCorners)
       { { 0.2, 0.6 }, 1, 0.0 } },
     0.02);
   ExpectStationary(result);
+  ExpectMinimum(domain, result.configuration, 0.02);
   ExpectConsistentGradient(domain, result.configuration, 0.02);
 }
 

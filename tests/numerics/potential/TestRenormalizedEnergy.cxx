@@ -97,7 +97,7 @@ TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
     }
     std::vector<double> sizes;
     std::vector<double> errors;
-    for (const int count : { 60, 120, 240 })
+    for (const int count : { 80, 160, 320 })
     {
       // At vertices, in the middle of sides and anywhere along them, on polygons turned by some angle.
       const double size = 2.0 * Pi / count;

@@ -1,0 +1,88 @@
+#include "ExactFields.h"
+#include "MakePlanarDomain.h"
+#include "MinimumCheck.h"
+#include "SingularityOptimizer.h"
+#include "Support.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <limits>
+
+namespace crossfield::test
+{
+namespace
+{
+Eigen::VectorXd PlacesOf(const Configuration& configuration)
+{
+  Eigen::VectorXd places(2 * static_cast<Eigen::Index>(configuration.size()));
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    places.segment<2>(2 * static_cast<Eigen::Index>(i)) = configuration[i].position;
+  }
+  return places;
+}
+
+/// W of the image, with the preimages of singularities inside at these places.
+double ExactEnergy(const DiskImage& image, Configuration preimages, const Eigen::VectorXd& places)
+{
+  for (std::size_t i = 0; i < preimages.size(); ++i)
+  {
+    preimages[i].position = places.segment<2>(2 * static_cast<Eigen::Index>(i));
+    if (preimages[i].position.norm() > 0.999)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return image.Energy(preimages);
+}
+
+TEST(OptimizerMinima, OnDiskImagesTheyAreThoseOfTheExactEnergy)
+{
+  const std::vector<Configuration> starts = { { { { 0.1, 0.2 }, 1, 0.0 }, { { -0.3, 0.5 }, 1, 0.0 },
+                                                { { -0.5, -0.6 }, 1, 0.0 },
+                                                { { 0.3, 0.05 }, 1, 0.0 } },
+    { { { 0.4, 0.1 }, 2, 0.0 }, { { -0.3, 0.4 }, 1, 0.0 }, { { -0.2, -0.6 }, 1, 0.0 } } };
+  for (const DiskImage& image : { DiskImage{ { 0.2, 0.1 }, 2 }, DiskImage{ { -0.1, 0.12 }, 3 } })
+  {
+    const double size = 0.04;
+    const PlanarDomain domain =
+      MakePlanarDomain({ image.Polygon(static_cast<int>(2.0 * Pi / size)) });
+    for (const Configuration& start : starts)
+    {
+      OptimizerOptions options;
+      options.meshSize = size;
+      const OptimizerResult result = OptimizeSingularities(domain, image(start), options);
+      EXPECT_TRUE(result.converged) << result.reason;
+      ASSERT_EQ(result.configuration.size(), start.size());
+      const auto energy = [&](const Eigen::VectorXd& places)
+      { return ExactEnergy(image, start, places); };
+      Configuration found = start;
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        const std::complex<double> z = image.Preimage(result.configuration[i].position);
+        found[i].position = Point(z.real(), z.imag());
+      }
+      const Eigen::VectorXd places = PlacesOf(found);
+      // A minimum of the exact W is near, and none below it is on the way from the start.
+      const Eigen::VectorXd least = Minimise(energy, places);
+      const Derivatives there = Differentiate(energy, least, 1e-4);
+      EXPECT_GT(
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(there.hessian).eigenvalues()[0], 0.1);
+      EXPECT_LT(there.gradient.norm(), 1e-3);
+      EXPECT_LT((places - least).cwiseAbs().maxCoeff(), 0.01);
+      EXPECT_LT(energy(places) - energy(least), 5e-3);
+      EXPECT_NEAR(result.energyAfter, energy(least), 0.05);
+      EXPECT_LT(energy(places), energy(Minimise(energy, PlacesOf(start))) + 5e-3);
+    }
+  }
+}
+
+TEST(OptimizerMinima, ASaddleIsNone)
+{
+  // Four in a row are pushed off it by each other.
+  const Configuration row = { { { -0.8, 0.0 }, 1, 0.0 }, { { -0.3, 0.0 }, 1, 0.0 },
+    { { 0.3, 0.0 }, 1, 0.0 }, { { 0.8, 0.0 }, 1, 0.0 } };
+  EXPECT_LT(CheckMinimum(Builtin("disk", 0.1), row, 0.1).lowestEigenvalue, -1.0);
+}
+}
+}
