@@ -1,9 +1,8 @@
 #include "HolonomyConversion.h"
 
 #include "ColumnWriting.h"
-#include "FlatMapSolve.h"
 #include "HolonomyRepair.h"
-#include "MeshForPoints.h"
+#include "PoincareHopf.h"
 #include "vtkCrossFieldArrayNames.h"
 
 namespace names = vtkCrossFieldArrayNames;
@@ -18,12 +17,12 @@ crossfield::Configuration Repair(const DomainConversion::Domain& domain,
   std::vector<crossfield::CornerChoice> corners = options.corners;
   if (options.capCorners)
   {
-    const crossfield::SharedTopology topology = crossfield::ShareTopology(
-      crossfield::MeshForPoints(domain.domain, {}, options.meshSize, progress.Part(0.0, 0.2)));
-    corners = crossfield::CapCorners(*topology, corners);
+    const auto count =
+      crossfield::CountQuarters(domain.domain.loops, 0, crossfield::DefaultCornerAngle, corners);
+    corners = crossfield::CapCorners(count, corners);
   }
-  const crossfield::HolonomyRepair repair = crossfield::RepairHolonomy(
-    domain.domain, configuration, corners, options.meshSize, progress.Part(0.2, 1.0));
+  const crossfield::HolonomyRepair repair =
+    crossfield::RepairHolonomy(domain.domain, configuration, corners, options.meshSize, progress);
   ColumnWriting::AddNumbers(field, names::RepairDistance, { repair.largestMove });
   ColumnWriting::AddNumbers(field, names::DefectBefore, repair.before);
   vtkNew<vtkDoubleArray> places;

@@ -96,10 +96,11 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
 
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options)
 {
+  std::vector<CornerChoice>& corners = options.proposal.corners;
   std::vector<CornerChoice> capped =
-    CapCorners(domain.loops, options.proposal.cornerAngle, options.proposal.corners);
-  options.optimizer.keepAll |= capped.size() > options.proposal.corners.size();
-  options.proposal.corners = std::move(capped);
+    CapCorners(CountQuarters(domain.loops, 0, options.proposal.cornerAngle, corners), corners);
+  options.optimizer.keepAll |= capped.size() > corners.size();
+  corners = std::move(capped);
 }
 
 AutomaticConfiguration ChooseConfiguration(

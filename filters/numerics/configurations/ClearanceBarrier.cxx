@@ -1,5 +1,7 @@
 #include "ClearanceBarrier.h"
 
+#include "Segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,9 +87,8 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& places
     const double own = this->Quarters[i];
     for (const Side& side : this->Sides)
     {
-      const Point along = side.to - side.from;
-      const double t = std::clamp((here - side.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const Point apart = here - side.from - t * along;
+      const double t = NearestFraction(here, side.from, side.to);
+      const Point apart = WayFromSegment(here, side.from, side.to);
       const double d = apart.norm();
       if (d < 2.0 * this->Distance)
       {

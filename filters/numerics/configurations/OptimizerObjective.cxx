@@ -2,6 +2,7 @@
 
 #include "DomainQueries.h"
 #include "RenormalizedEnergy.h"
+#include "Segment.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,13 +27,11 @@ double NearestEdge(const std::vector<BoundaryHalf>& halves, const Point& point)
   double length = 0.0;
   for (const BoundaryHalf& half : halves)
   {
-    const Point along = half.to - half.from;
-    const double t = std::clamp((point - half.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    const double distance = (point - half.from - t * along).norm();
+    const double distance = WayFromSegment(point, half.from, half.to).norm();
     if (distance < nearest)
     {
       nearest = distance;
-      length = 2.0 * along.norm();
+      length = 2.0 * (half.to - half.from).norm();
     }
   }
   return length;

@@ -3,6 +3,7 @@
 #include "BoundaryCorners.h"
 #include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
+#include "Segment.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,9 +21,7 @@ Point FromBoundary(const PlanarDomain& domain, const Point& place)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const Point along = loop[(i + 1) % loop.size()] - loop[i];
-      const double t = std::clamp((place - loop[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const Point apart = place - loop[i] - t * along;
+      const Point apart = WayFromSegment(place, loop[i], loop[(i + 1) % loop.size()]);
       nearest = apart.squaredNorm() < nearest.squaredNorm() ? apart : nearest;
     }
   }

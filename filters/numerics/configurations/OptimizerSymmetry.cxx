@@ -1,5 +1,7 @@
 #include "OptimizerSymmetry.h"
 
+#include "Segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,9 +20,7 @@ double DistanceTo(const Loop& loop, const Point& place)
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const Point along = loop[(i + 1) % loop.size()] - loop[i];
-    const double t = std::clamp((place - loop[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (place - loop[i] - t * along).norm());
+    least = std::min(least, WayFromSegment(place, loop[i], loop[(i + 1) % loop.size()]).norm());
   }
   return least;
 }

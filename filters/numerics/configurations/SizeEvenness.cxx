@@ -1,5 +1,7 @@
 #include "SizeEvenness.h"
 
+#include "TriangleArea.h"
+
 #include <cmath>
 
 namespace crossfield
@@ -22,10 +24,7 @@ SizeEvenness::SizeEvenness(const PointPotential& potential)
   this->Masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
   for (const auto& triangle : mesh.triangles)
   {
-    const Point& first = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const double area = 0.5 *
-      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - first,
-        mesh.points[static_cast<std::size_t>(triangle[2])] - first);
+    const double area = TriangleArea(mesh, triangle);
     for (const int vertex : triangle)
     {
       this->Masses[vertex] += area / 3.0;

@@ -1,6 +1,7 @@
 #include "GinzburgLandauEnergy.h"
 
 #include "Error.h"
+#include "TriangleArea.h"
 
 #include <cmath>
 #include <string>
@@ -9,15 +10,6 @@ namespace crossfield
 {
 namespace
 {
-double TriangleArea(const TriangleMesh& mesh, std::size_t t)
-{
-  const auto& triangle = mesh.triangles[t];
-  const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];
-  return 0.5 *
-    Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
-      mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
-}
-
 const GinzburgLandauPinning& CheckPinning(
   const GinzburgLandauPinning& pinning, const TriangleMesh& mesh, const EdgeNumbering& numbering)
 {
@@ -96,7 +88,7 @@ GinzburgLandauEnergy::GinzburgLandauEnergy(
   const bool perTriangle = pinning.norm.size() == triangleCount;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const double share = TriangleArea(mesh, t) / 3.0;
+    const double share = TriangleArea(mesh, mesh.triangles[t]) / 3.0;
     for (const int edge : edges.ofTriangle[t])
     {
       const double norm = pinning.norm.size() == 0 ? 1.0

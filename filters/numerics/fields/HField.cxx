@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
+#include "TriangleArea.h"
 #include "UnitNormField.h"
 
 #include <algorithm>
@@ -21,10 +22,7 @@ std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd&
   std::array<double, 2> result = { 0.0, 0.0 };
   for (const auto& triangle : mesh.triangles)
   {
-    const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const double area = 0.5 *
-      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - p0,
-        mesh.points[static_cast<std::size_t>(triangle[2])] - p0);
+    const double area = TriangleArea(mesh, triangle);
     result[0] += area * (values[triangle[0]] + values[triangle[1]] + values[triangle[2]]) / 3.0;
     result[1] += area;
   }

@@ -2,6 +2,7 @@
 
 #include "BoundaryCorners.h"
 #include "Error.h"
+#include "Segment.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,13 +12,6 @@ namespace crossfield
 {
 namespace
 {
-double SquaredDistanceToSegment(const Point& point, const Point& from, const Point& to)
-{
-  const Point along = to - from;
-  const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - from - t * along).squaredNorm();
-}
-
 /// How a segment counts in the winding number around a point: whether it crosses the ray to the
 /// right of the point upwards, 1, or downwards, −1.
 int RayCrossing(const Point& point, const Point& from, const Point& to)
@@ -42,7 +36,7 @@ double SignedDistance(const Point& point, const PlanarDomain& domain)
     {
       const Point& from = loop[i];
       const Point& to = loop[(i + 1) % loop.size()];
-      distance = std::min(distance, SquaredDistanceToSegment(point, from, to));
+      distance = std::min(distance, WayFromSegment(point, from, to).squaredNorm());
       winding += RayCrossing(point, from, to);
     }
   }

@@ -1,5 +1,7 @@
 #include "ConjugateField.h"
 
+#include "TriangleArea.h"
+
 #include <algorithm>
 
 namespace crossfield
@@ -64,11 +66,7 @@ double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients
   double energy = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const auto& triangle = mesh.triangles[t];
-    const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const double area = 0.5 *
-      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - p0,
-        mesh.points[static_cast<std::size_t>(triangle[2])] - p0);
+    const double area = TriangleArea(mesh, mesh.triangles[t]);
     energy += 0.5 * area * gradients.col(static_cast<Eigen::Index>(t)).squaredNorm();
   }
   return energy;

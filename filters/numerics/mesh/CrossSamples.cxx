@@ -1,5 +1,7 @@
 #include "CrossSamples.h"
 
+#include "TriangleArea.h"
+
 namespace crossfield
 {
 CrossSamples SampleField(
@@ -13,10 +15,7 @@ CrossSamples SampleField(
   {
     const auto& triangle = mesh.triangles[t];
     const auto& numbers = edges.ofTriangle[t];
-    const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];
-    const double area = 0.5 *
-      Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
-        mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
+    const double area = TriangleArea(mesh, triangle);
     const Complex sum = u[numbers[0]] + u[numbers[1]] + u[numbers[2]];
     samples.atTriangles[static_cast<Eigen::Index>(t)] = sum / 3.0;
     for (std::size_t i = 0; i < 3; ++i)

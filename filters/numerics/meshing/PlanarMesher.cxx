@@ -8,6 +8,7 @@
 #include "MesherPoints.h"
 #include "MesherTriangulation.h"
 #include "PointLattice.h"
+#include "Segment.h"
 
 #include <CGAL/Delaunay_mesher_2.h>
 
@@ -97,15 +98,14 @@ constexpr std::size_t MostAddedVertices = 150000;
     for (int i = 0; i < 3; ++i)
     {
       const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
-      const Point along = FromCgal(face->vertex(Triangulation::cw(i))->point()) - from;
+      const Point to = FromCgal(face->vertex(Triangulation::cw(i))->point());
+      const Point apex = FromCgal(face->vertex(i)->point());
       // From the segment, not from its line: the next vertex of a fine polyline lies low over the line.
-      const Point arm = FromCgal(face->vertex(i)->point()) - from;
-      const double at = std::clamp(arm.dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const double distance = (arm - at * along).norm();
+      const double distance = WayFromSegment(apex, from, to).norm();
       if (face->is_constrained(i) && distance < narrowest)
       {
         narrowest = distance;
-        place = from + arm;
+        place = apex;
       }
     }
   }

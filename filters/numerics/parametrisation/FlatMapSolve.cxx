@@ -4,6 +4,7 @@
 #include "DomainQueries.h"
 #include "Error.h"
 #include "InjectivityCheck.h"
+#include "PoincareHopf.h"
 #include "SeamEquations.h"
 #include "SeamlessPoisson.h"
 #include "TriangleFrames.h"
@@ -219,20 +220,6 @@ void SetPoints(const Eigen::VectorXd& solution, double misfit, FlatMap& map)
 }
 }
 
-std::vector<CornerChoice> CapCorners(
-  const MeshTopology& topology, const std::vector<CornerChoice>& corners)
-{
-  std::vector<CornerChoice> choices = corners;
-  for (const CountedCorner& corner : CountMeshQuarters(topology, corners).corners)
-  {
-    if (!corner.chosen && corner.quarterIndex > 1)
-    {
-      choices.push_back({ corner.position, 1 });
-    }
-  }
-  return choices;
-}
-
 FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& configuration,
   const FlatMapOptions& options, const Progress& progress)
 {
@@ -244,7 +231,8 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
     }
   }
   const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration,
-    options.capCorners ? CapCorners(*topology, options.corners) : options.corners);
+    options.capCorners ? CapCorners(CountMeshQuarters(*topology, options.corners), options.corners)
+                       : options.corners);
   Alignment alignment =
     AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
   FlatMap map;

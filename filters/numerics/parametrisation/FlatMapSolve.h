@@ -10,14 +10,9 @@ namespace crossfield
 struct FlatMapOptions
 {
   std::vector<CornerChoice> corners; ///< As for SolveHField.
-  /// Corners whose smallest rotation has index 2, where a flat map would have no angle, get 1; what
-  /// is missing must be among the singularities.
+  /// CapCorners of PoincareHopf.h; what is missing must be among the singularities.
   bool capCorners = false;
 };
-
-/// Corner choices, completed by index 1 for the corners that `capCorners` is about.
-std::vector<CornerChoice> CapCorners(
-  const MeshTopology& topology, const std::vector<CornerChoice>& corners);
 
 /// Solves for the map on a mesh with a vertex at every singularity (MeshOnPoints): one factorisation
 /// for H, one for w.

@@ -1,6 +1,7 @@
 #include "TriangleFrames.h"
 
 #include "Error.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,9 +107,7 @@ std::vector<TriangleFrames::NearLog> FindNear(
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     const Point centre = walk.Centre(t);
     // Of an equilateral triangle the square of an edge is 4 / √3 times the area.
-    const double area = 0.5 *
-      Cross(topology.PointAt(v[1]) - topology.PointAt(v[0]),
-        topology.PointAt(v[2]) - topology.PointAt(v[0]));
+    const double area = TriangleArea(topology.mesh, v);
     double nearest = Edges * Edges * 4.0 / std::sqrt(3.0) * area;
     const LogSource* found = nullptr;
     for (std::size_t m = 0; m < logs.size(); ++m)

@@ -1,5 +1,7 @@
 #include "BoundaryCurves.h"
 
+#include "Segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,9 +82,8 @@ CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
   for (std::size_t edge = 0; edge < vertices.size(); ++edge)
   {
     const Point& from = this->Topology.PointAt(vertices[edge]);
-    const Point way = this->Topology.PointAt(vertices[(edge + 1) % vertices.size()]) - from;
-    const double fraction = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    const double distance = (from + fraction * way - point).norm();
+    const Point& to = this->Topology.PointAt(vertices[(edge + 1) % vertices.size()]);
+    const double distance = WayFromSegment(point, from, to).norm();
     const bool next = edge == best + 1 || (best == 0 && edge + 1 == vertices.size());
     if (std::abs(distance - least) <= rounding && next)
     {
@@ -92,7 +93,8 @@ CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
     {
       least = distance;
       best = edge;
-      nearest.at = starts[edge] + fraction * (starts[edge + 1] - starts[edge]);
+      nearest.at =
+        starts[edge] + NearestFraction(point, from, to) * (starts[edge + 1] - starts[edge]);
     }
   }
   return nearest;

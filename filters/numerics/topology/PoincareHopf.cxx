@@ -92,10 +92,10 @@ int SmallestRotationIndex(double turning)
 }
 
 std::vector<CornerChoice> CapCorners(
-  const std::vector<Loop>& loops, double cornerAngle, const std::vector<CornerChoice>& choices)
+  const PoincareHopfCount& count, const std::vector<CornerChoice>& choices)
 {
   std::vector<CornerChoice> capped = choices;
-  for (const CountedCorner& corner : CountQuarters(loops, 0, cornerAngle, choices).corners)
+  for (const CountedCorner& corner : count.corners)
   {
     if (!corner.chosen && corner.quarterIndex > 1)
     {

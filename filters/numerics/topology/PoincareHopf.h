@@ -57,10 +57,10 @@ int SmallestRotationIndex(double turning);
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
-/// Corner choices, completed by index 1 for the corners whose smallest rotation has index 2 or more, which
-/// have no angle in a flat map (docs/method.md §12). Error as CountQuarters.
+/// The choices that a count was made with, completed by index 1 for the corners whose smallest rotation has
+/// index 2 or more, which have no angle in a flat map (docs/method.md §12).
 std::vector<CornerChoice> CapCorners(
-  const std::vector<Loop>& loops, double cornerAngle, const std::vector<CornerChoice>& choices);
+  const PoincareHopfCount& count, const std::vector<CornerChoice>& choices);
 
 /// Counts over the aligned loops of a mesh, and the quarter indices of its holes and imprinted circles.
 PoincareHopfCount CountMeshQuarters(

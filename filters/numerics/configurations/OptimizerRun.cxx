@@ -1,0 +1,335 @@
+#include "OptimizerRun.h"
+
+#include "DomainQueries.h"
+#include "Error.h"
+#include "HoleRadii.h"
+#include "OptimizerCurvature.h"
+#include "OptimizerStart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace crossfield
+{
+namespace
+{
+/// Below this a defect may come from the mesh; radians.
+constexpr double NotableDefect = 0.01;
+/// Moves along the boundary; each is a few clearances long, and a nose has no room for more.
+constexpr int MostSlides = 10;
+}
+
+OptimizerRun::OptimizerRun(
+  const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result)
+  : Domain(domain)
+  , KeepAll(options.keepAll)
+  , Result(result)
+{
+  if (options.clearance < 0.0 || !std::isfinite(options.clearance))
+  {
+    throw Error(
+      "The clearance of the singularities must be positive, or 0 for 1/400 of the diagonal.");
+  }
+  this->Stages.meshSize = options.meshSize;
+  this->Stages.corners = options.corners;
+  this->Stages.objective.clearance =
+    options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
+  this->Iteration.tolerance = options.tolerance;
+  this->Iteration.maximumIterations = options.maximumIterations;
+}
+
+void OptimizerRun::Start(const Configuration& start, const Progress& progress)
+{
+  TrackedConfiguration tracked{ start, std::vector<int>(start.size()), {} };
+  std::iota(tracked.origins.begin(), tracked.origins.end(), 0);
+  const double asked = this->Stages.objective.clearance;
+  this->Stages.objective.clearance = ClearStart(this->Domain, asked, tracked.singularities);
+  if (this->Stages.objective.clearance < asked)
+  {
+    this->Say(
+      "Two singularities, or one and the boundary, are too near each other for a clearance of " +
+      Short(asked) + "; it is " + Short(this->Stages.objective.clearance) + " in this run.");
+  }
+  for (std::size_t i = 0; i < start.size(); ++i)
+  {
+    const double way = (tracked.singularities[i].position - start[i].position).norm();
+    if (way > 0.0)
+    {
+      this->Say("Singularity " + std::to_string(i + 1) + " at " + Describe(start[i].position) +
+        " was moved by " + Short(way) + " to have the clearance at the start.");
+    }
+  }
+  this->Begin(tracked, progress.Part(0.0, 0.2));
+  this->StartsSymmetric = this->Stage.objective->KeepsSymmetry();
+  this->Result.energyBefore = this->Here.fullEnergy;
+  progress.Report(0.2);
+}
+
+OptimizerEnd OptimizerRun::Move(const Progress& progress)
+{
+  constexpr int MostMeshes = 30; // then W on the present one has to do
+  for (int meshes = 1;; ++meshes)
+  {
+    this->Iteration.watchesMesh = meshes < MostMeshes;
+    this->Iteration.changes = [this](const OptimizerPlace& place)
+    { return !this->KeepAll && this->Persists(place); };
+    const OptimizerEnd end = this->Iteration.Run(*this->Stage.objective, progress, this->Here);
+    if (end == OptimizerEnd::Mesh)
+    {
+      this->Begin(this->Stage.At(this->Here.place), {});
+    }
+    else if (end == OptimizerEnd::Aborted || end == OptimizerEnd::Limit || !this->Change())
+    {
+      if (end == OptimizerEnd::Rest && (this->LeaveSaddle() || this->RestoreSymmetry()))
+      {
+        continue;
+      }
+      if (end != OptimizerEnd::Change)
+      {
+        return end;
+      }
+    }
+  }
+}
+
+OptimizerEnd OptimizerRun::Even(const Progress& progress)
+{
+  this->Stages.objective.goal = OptimizerGoal::EvenSizes;
+  this->KeepAll = true;
+  this->Begin(this->Stage.At(this->Here.place), {});
+  this->Result.sizeSpreads = SizeSpreads{ this->Here.sizeSpread, this->Here.sizeSpread };
+  this->Iteration.Restart();
+  this->Iteration.maximumIterations += this->Iteration.iterations;
+  return this->Move(progress);
+}
+
+void OptimizerRun::Finish(OptimizerEnd end)
+{
+  const TrackedConfiguration last = this->Stage.At(this->Here.place);
+  OptimizerResult& result = this->Result;
+  result.configuration = last.singularities;
+  result.energyAfter = this->Here.fullEnergy;
+  if (result.sizeSpreads)
+  {
+    result.sizeSpreads->after = this->Here.sizeSpread;
+  }
+  result.holonomyDefect.assign(this->Here.defects.begin(), this->Here.defects.end());
+  result.iterations = this->Iteration.iterations;
+  result.history = this->Iteration.history;
+  result.converged = end == OptimizerEnd::Rest;
+  result.aborted = end == OptimizerEnd::Aborted;
+  this->GiveReason(end);
+  for (const std::size_t i : HeldSingularities(this->Stage, this->Here))
+  {
+    this->Say("The clearance holds " + last.Name(this->Stage.placed.rows[i]) + " at " +
+      Describe(last.singularities[this->Stage.placed.rows[i]].position) +
+      "; it would go nearer to the boundary.");
+  }
+  if (this->Iteration.unreachableDefect > NotableDefect)
+  {
+    this->Say("A holonomy defect of " + Short(this->Iteration.unreachableDefect) +
+      " remains that no singularity inside can change; add two of opposite sign.");
+  }
+  if (!this->Changed && this->Stages.objective.goal == OptimizerGoal::Energy &&
+    result.energyAfter > result.energyBefore + 1e-3 * (1.0 + std::abs(result.energyBefore)))
+  {
+    this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
+      Short(result.energyAfter) + " instead of " + Short(result.energyBefore) + ".");
+  }
+  this->ShrinkRadii();
+}
+
+void OptimizerRun::Begin(const TrackedConfiguration& tracked, const Progress& progress)
+{
+  this->Stage = MakeStage(this->Domain, tracked, this->Stages, progress);
+  this->Here = this->Stage.objective->Evaluate(this->Stage.objective->Start());
+}
+
+bool OptimizerRun::LeaveSaddle()
+{
+  if (!this->Stage.objective->KeepsSymmetry())
+  {
+    return false;
+  }
+  const auto free =
+    std::make_shared<const OptimizerObjective>(this->Stage.objective->WithoutSymmetry());
+  const auto direction = FindDescent(*this->Stage.objective, *free, this->Here.place);
+  if (!direction)
+  {
+    return false;
+  }
+  Eigen::VectorXd step = 0.5 * free->Clearance() * *direction;
+  step *= free->LongestPart(this->Here.place, step);
+  while (!std::isfinite(free->EvaluateBarrier(this->Here.place + step).energy))
+  {
+    step *= 0.5; // at zero it is finite
+  }
+  this->Here = free->Evaluate(this->Here.place + step);
+  this->Stage.objective = free;
+  this->Stages.objective.keepSymmetry = false;
+  this->Iteration.Restart();
+  this->Say("The singularities left a symmetry of the domain, which kept them at a saddle of "
+            "what is minimised.");
+  return true;
+}
+
+bool OptimizerRun::RestoreSymmetry()
+{
+  if (!this->StartsSymmetric || !this->Stages.objective.keepSymmetry || !this->Changed ||
+    this->Restored || this->Stage.objective->KeepsSymmetry())
+  {
+    return false;
+  }
+  this->Restored = true;
+  Configuration interior = this->Stage.objective->At(this->Here.place);
+  const ConfigurationSymmetry symmetry = MatchWithBoundary(*this->Stage.potential,
+    FindSymmetries(this->Domain), interior, this->Stages.objective.clearance);
+  if (symmetry.IsTrivial())
+  {
+    return false;
+  }
+  symmetry.Project(interior);
+  TrackedConfiguration tracked = this->Stage.At(this->Here.place);
+  for (std::size_t i = 0; i < interior.size(); ++i)
+  {
+    tracked.singularities[this->Stage.placed.rows[i]].position = interior[i].position;
+  }
+  this->Begin(tracked, {});
+  this->Iteration.Restart();
+  return true;
+}
+
+bool OptimizerRun::Persists(const OptimizerPlace& place)
+{
+  constexpr int Steps = 5;
+  constexpr double Still =
+    0.2; // of the clearance: one that glides along the boundary is not there yet
+  bool still = this->Last.size() == place.place.size();
+  for (const std::size_t i : HeldSingularities(this->Stage, place))
+  {
+    const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
+    still = still &&
+      (place.place - this->Last).segment<2>(row).norm() <
+        Still * this->Stage.objective->Clearance();
+  }
+  this->Last = place.place;
+  const bool wanted =
+    FindMeeting(this->Stage, place) || FindPressed(this->Stage, place, this->Refused);
+  this->Wanted = wanted && still ? this->Wanted + 1 : 0;
+  return this->Wanted >= Steps;
+}
+
+bool OptimizerRun::Change()
+{
+  this->Wanted = 0;
+  while (!this->KeepAll)
+  {
+    auto change = FindMeeting(this->Stage, this->Here);
+    change = change ? change : FindPressed(this->Stage, this->Here, this->Refused);
+    change = change ? change : FindLoose(this->Stage, this->Here, this->Refused);
+    change = change || this->Slides == MostSlides
+      ? change
+      : FindSlide(this->Stage, this->Here, this->Refused);
+    if (!change)
+    {
+      return false;
+    }
+    if (this->Try(*change))
+    {
+      this->Say(change->event);
+      this->Changed = true;
+      this->Slides += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
+      if (change->meets)
+      {
+        this->Result.annihilations.push_back(change->pair);
+      }
+      return true;
+    }
+    this->Refused.insert(change->key);
+  }
+  return false;
+}
+
+bool OptimizerRun::Try(const ConfigurationChange& change)
+{
+  constexpr int TrialSteps = 30;
+  const OptimizerStage stage = this->Stage;
+  const OptimizerPlace here = this->Here;
+  const OptimizerIteration iteration = this->Iteration;
+  const double before = stage.CoreEnergy(here);
+  try
+  {
+    this->Begin(change.tracked, {});
+    this->Iteration.Restart();
+    if (change.meets || this->Stage.CoreEnergy(this->Here) < before)
+    {
+      return true;
+    }
+    this->Iteration.changes = nullptr;
+    this->Iteration.watchesMesh = false;
+    this->Iteration.maximumIterations =
+      std::min(iteration.maximumIterations, iteration.iterations + TrialSteps);
+    this->Iteration.Run(*this->Stage.objective, {}, this->Here);
+    this->Iteration.maximumIterations = iteration.maximumIterations;
+    if (this->Stage.CoreEnergy(this->Here) < before)
+    {
+      return true;
+    }
+  }
+  catch (const Error&)
+  {
+    // Such a configuration cannot exist: it stays what it was.
+  }
+  this->Stage = stage;
+  this->Here = here;
+  this->Iteration = iteration;
+  return false;
+}
+
+void OptimizerRun::GiveReason(OptimizerEnd end)
+{
+  OptimizerResult& result = this->Result;
+  if (end == OptimizerEnd::Rest && this->Stage.objective->Count() == 0)
+  {
+    result.reason = "No singularity lies inside that could move.";
+  }
+  else if (end == OptimizerEnd::Rest)
+  {
+    result.reason = this->Stages.objective.goal == OptimizerGoal::EvenSizes
+      ? "The singularities are where sizes are most even."
+      : "The singularities are at a stationary point of the renormalised energy.";
+  }
+  else if (end == OptimizerEnd::Aborted)
+  {
+    result.reason = "The iteration was aborted; this is the best configuration so far.";
+  }
+  else if (end == OptimizerEnd::Limit)
+  {
+    result.reason = "The iteration stopped after " + std::to_string(result.iterations) +
+      " steps before the singularities came to rest; allow more steps.";
+  }
+  else
+  {
+    result.reason = "No step lowers the renormalised energy any more, though its derivatives are "
+                    "not zero; choose a larger tolerance or a finer mesh.";
+  }
+}
+
+void OptimizerRun::ShrinkRadii()
+{
+  Configuration& all = this->Result.configuration;
+  const Configuration given = all;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const double room = RoomOf(this->Domain, given, i);
+    if (given[i].radius > 0.75 * room && room > BoundaryReach * this->Domain.Diagonal())
+    {
+      all[i].radius = ChosenRadius(this->Domain, given, i, given[i].radius);
+      this->Say("The radius of singularity " + std::to_string(i + 1) +
+        " of the result was shrunk from " + Short(given[i].radius) + " to " + Short(all[i].radius) +
+        " to fit.");
+    }
+  }
+}
+}

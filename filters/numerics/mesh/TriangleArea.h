@@ -1,0 +1,15 @@
+#pragma once
+
+#include "TriangleMesh.h"
+
+namespace crossfield
+{
+/// Positive where the corners are counter-clockwise.
+inline double TriangleArea(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
+{
+  const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];
+  return 0.5 *
+    Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - origin,
+      mesh.points[static_cast<std::size_t>(triangle[2])] - origin);
+}
+}
