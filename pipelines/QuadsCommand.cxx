@@ -47,6 +47,7 @@ struct QuadsOptions
   bool countIsGiven = false;
   std::vector<std::string> sizing = { "conformal" };
   bool coarse = false;
+  double clearance = 0.0;
   bool capCorners = true;
   bool repairHolonomy = false;
 };
@@ -154,6 +155,9 @@ int Mesh(const QuadsOptions& options)
   mesher->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
   singularities.SetCapCorners(options.capCorners);
+  const bool factor =
+    options.sizing[0] == "field" && !options.countIsGiven; // of the array's lengths
+  singularities.SetQuads(options.clearance, options.size, factor ? 0 : options.quads);
   singularities.Update();
   mesher->SetSingularitiesConnection(singularities.GetOutputPort());
   singularities.ConnectCorners(mesher.Get());
@@ -229,6 +233,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->check(CLI::PositiveNumber);
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option("--layout", options->layout, "write the layout to this .vtp file");
+  command
+    ->add_option("--clearance", options->clearance,
+      "where singularities are chosen, their least distance to the boundary and to each other; default: 0.7 of "
+      "the size of quads")
+    ->check(CLI::PositiveNumber);
   command->add_flag("--cap-corners,!--no-cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities; default: on");
   command->add_flag("--repair-holonomy", options->repairHolonomy,

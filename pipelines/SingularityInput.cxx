@@ -55,6 +55,16 @@ void SingularityInput::SetCapCorners(bool cap)
   }
 }
 
+void SingularityInput::SetQuads(double clearance, double quadSize, int quadCount)
+{
+  if (this->AreChosen())
+  {
+    this->Proposal->SetClearance(clearance);
+    this->Proposal->SetQuadSize(quadSize);
+    this->Proposal->SetQuadCount(quadCount);
+  }
+}
+
 void SingularityInput::Update()
 {
   PipelineRun::Update(this->Source, this->AreChosen() ? "choosing" : "reading");

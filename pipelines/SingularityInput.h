@@ -30,6 +30,9 @@ public:
   /** Whether sharp corners of quarter index 2 get 1 where singularities are chosen. */
   void SetCapCorners(bool cap);
 
+  /** What singularities are chosen for, as the properties of vtkConfigurationProposal with these names. */
+  void SetQuads(double clearance, double quadSize, int quadCount);
+
   /** Reads or chooses; throws PipelineRun::Error. */
   void Update();
 

@@ -24,20 +24,23 @@ def checked(size: Optional[float]) -> float:
 
 
 def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional[float],
-           corners: Union[Corners, Singularities], cap_corners: bool = False) -> Configuration:
-    """What vtkConfigurationProposal chooses for a domain, moved to where the energy is least."""
+           corners: Union[Corners, Singularities],
+           properties: Optional[dict[str, Any]] = None) -> Configuration:
+    """What vtkConfigurationProposal, with these properties, chooses for a domain and moves to where the energy is
+    least."""
     proposal = _proposal(pipeline, domain, given, size, corners)
-    proposal.SetCapCorners(cap_corners)
+    for name, value in (properties or {}).items():
+        getattr(proposal, "Set" + name)(value)
     proposal.AutomaticOn()
     return configuration_of(pipeline.update(proposal))
 
 
 def give(pipeline: Pipeline, algorithm: Any, domain: Any, singularities: Singularities,
          size: Optional[float], corners: Union[Corners, Singularities],
-         cap_corners: bool = False) -> Optional[Configuration]:
-    """Gives a filter its singularities and corners; returns them if they had to be chosen."""
+         properties: Optional[dict[str, Any]] = None) -> Optional[Configuration]:
+    """Gives a filter its singularities and corners; returns them if they had to be chosen, with these properties."""
     if singularities is None:
-        choice = chosen(pipeline, domain, None, size, corners, cap_corners)
+        choice = chosen(pipeline, domain, None, size, corners, properties)
         algorithm.SetSingularitiesData(choice.data)
         algorithm.SetCornersData(choice.corners)
         return choice
@@ -72,11 +75,12 @@ def report_choice(report: dict[str, Any], chosen: Optional[Configuration], point
 
 def propose(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
             corners: Union[Corners, Singularities] = None, cancel_flat_corners: bool = False,
-            automatic: bool = False) -> Configuration:
+            automatic: bool = False, clearance: Optional[float] = None,
+            keep_all: bool = False) -> Configuration:
     """Singularities that can exist on a domain: those given and what they lack.
 
-    With `automatic` they are moved to where the energy is least, as `solve` does when none are given.
-    The other arguments are those of `solve`.
+    With `automatic` they are moved to where the energy is least, as `solve` does when none are given;
+    `clearance` and `keep_all` are then those of `optimize`. The other arguments are those of `solve`.
 
     >>> propose("builtin:disk").quarter_index.tolist()
     [1, 1, 1, 1]
@@ -85,13 +89,19 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
     proposal = _proposal(pipeline, as_domain(domain, size), singularities, size, corners)
     proposal.SetCancelFlatCorners(cancel_flat_corners)
     proposal.SetAutomatic(automatic)
+    proposal.SetClearance(checked(clearance))
+    proposal.SetKeepAll(keep_all)
     return configuration_of(pipeline.update(proposal))
 
 
 def optimize(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
              corners: Union[Corners, Singularities] = None, iterations: int = 200,
-             even: bool = False) -> Configuration:
+             even: bool = False, clearance: Optional[float] = None,
+             keep_all: bool = False) -> Configuration:
     """Moves singularities to where the renormalised energy of their field is least.
+
+    `clearance` is their least distance to the boundary and to each other, 1/400 of the diagonal if it is
+    None; with `keep_all` none of them moves into the boundary or out of it, or is taken out.
 
     With `even` it then moves on to where the sizes of quads that follow the field are most even:
     report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size.
@@ -115,6 +125,8 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     optimizer.SetMeshSize(checked(size))
     optimizer.SetMaximumIterations(iterations)
     optimizer.SetEvenSizes(even)
+    optimizer.SetClearance(checked(clearance))
+    optimizer.SetKeepAll(keep_all)
     if corners is not None:
         optimizer.SetCornersData(corner_points(corners))
     return configuration_of(pipeline.update(optimizer))

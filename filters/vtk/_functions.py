@@ -268,7 +268,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     flat = pipeline.add(vtkCrossFieldMap())
     flat.SetInputData(data)
     flat.SetMeshSize(checked(size))
-    give(pipeline, flat, data, singularities, size, corners, cap_corners)
+    give(pipeline, flat, data, singularities, size, corners, {"CapCorners": cap_corners})
     flat.SetCapCorners(cap_corners)
     flat.SetRepairHolonomy(repair_holonomy)
     traced = pipeline.add(vtkSeparatrices())

@@ -137,7 +137,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
-          repair_holonomy: bool = False) -> QuadMesh:
+          repair_holonomy: bool = False, clearance: Optional[float] = None) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -154,6 +154,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     coarse         the fewest blocks that are sound
     repair_holonomy
                    moves singularities the least way to where no inner loop has a holonomy defect
+    clearance      where singularities are chosen, their least distance to the boundary and to each other;
+                   default: 0.7 of the size of quads
 
     Quads that are turned over are a RuntimeWarning, and report["inverted"] counts them.
 
@@ -189,7 +191,11 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # of the array's lengths
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
-    chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, cap_corners)
+    relative = mesher.GetSizing() == vtkQuadMesher.SizingField  # QuadSize is then a factor
+    chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, {
+        "CapCorners": cap_corners, "Clearance": checked(clearance),
+        "QuadSize": 0.0 if relative else mesher.GetQuadSize(),
+        "QuadCount": 0 if relative and mesher.GetQuadSize() > 0 else mesher.GetQuadCount()})
     mesh = _mesh_of(pipeline.update(mesher))
     report_choice(mesh.report, chosen, mesh.points)
     return mesh

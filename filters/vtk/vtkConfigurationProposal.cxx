@@ -52,6 +52,10 @@ int vtkConfigurationProposal::RequestData(
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       crossfield::AutomaticOptions automatic;
+      automatic.optimizer.clearance = this->Clearance;
+      automatic.optimizer.keepAll = this->KeepAll;
+      automatic.quadSize = this->QuadSize;
+      automatic.quadCount = this->QuadCount;
       crossfield::ProposalOptions& options = automatic.proposal;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
@@ -111,4 +115,8 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CapCorners: " << (this->CapCorners ? "on" : "off") << "\n";
   os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "Clearance: " << this->Clearance << "\n";
+  os << indent << "QuadSize: " << this->QuadSize << "\n";
+  os << indent << "QuadCount: " << this->QuadCount << "\n";
+  os << indent << "KeepAll: " << (this->KeepAll ? "on" : "off") << "\n";
 }

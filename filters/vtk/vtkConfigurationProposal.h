@@ -112,6 +112,33 @@ public:
 
   ///@{
   /**
+   * With Automatic, least distance of the singularities inside to the boundary and to each other, as of
+   * vtkSingularityOptimizer; 0: by QuadSize or QuadCount. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Clearance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the sides of the quads to come, or else their number, as of vtkQuadMesher: where Clearance is 0 it is 0.7
+   * of that length; where these are 0, too, 1/400 of the diagonal of the bounding box. Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(QuadSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(QuadSize, double);
+  vtkSetClampMacro(QuadCount, int, 0, VTK_INT_MAX);
+  vtkGetMacro(QuadCount, int);
+  ///@}
+
+  ///@{
+  /** With Automatic, every singularity stays what it is, as of vtkSingularityOptimizer. Default: off. */
+  vtkSetMacro(KeepAll, bool);
+  vtkGetMacro(KeepAll, bool);
+  vtkBooleanMacro(KeepAll, bool);
+  ///@}
+
+  ///@{
+  /**
    * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the bounding
    * box. Default: 0. Range: 0 or more.
    */
@@ -136,6 +163,10 @@ private:
   bool CapCorners = false;
   bool Automatic = false;
   double MeshSize = 0.0;
+  double Clearance = 0.0;
+  double QuadSize = 0.0;
+  int QuadCount = 0;
+  bool KeepAll = false;
   int Alternatives = 0;
   double CoreRadius = 0.0;
 };

@@ -83,6 +83,11 @@ int vtkQuadMesher::RequestData(
           crossfield::CapCorners(input.domain, automatic);
         }
         automatic.optimizer.meshSize = this->MeshSize;
+        automatic.optimizer.clearance = this->Clearance;
+        const bool relative =
+          this->Sizing == SizingField; // QuadSize is then a factor of the array's lengths
+        automatic.quadSize = relative ? 0.0 : this->QuadSize;
+        automatic.quadCount = relative && this->QuadSize > 0.0 ? 0 : this->QuadCount;
         const crossfield::AutomaticConfiguration choice =
           crossfield::ChooseConfiguration(input.domain, automatic, progress.Part(0.0, 0.5));
         configuration = choice.singularities;
@@ -163,6 +168,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Coarse: " << this->Coarse << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "StageSeconds:";

@@ -134,6 +134,15 @@ public:
 
   ///@{
   /**
+   * Where singularities are chosen, their least distance to the boundary and to each other; 0: 0.7 of the size of quads.
+   * Default: 0. Range: 0 or more.
+   */
+  vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Clearance, double);
+  ///@}
+
+  ///@{
+  /**
    * Sharp corners whose smallest rotation has quarter index 2, which have no angle in a flat map, get 1; what is
    * missing must be among the singularities. Default: on.
    */
@@ -174,6 +183,7 @@ private:
   std::string SizeArray;
   bool Coarse = false;
   double MeshSize = 0.0;
+  double Clearance = 0.0;
   bool CapCorners = true;
   bool RepairHolonomy = false;
   double StageSeconds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -106,6 +107,28 @@ TEST_F(ConfigurationProposalFilter, AutomaticOptimisesAndSaysSo)
   EXPECT_EQ(FilterChecks::RequireArray(data, "Converged")->GetTuple1(0), 1.0);
   ASSERT_NE(data->GetAbstractArray("Events"), nullptr);
   EXPECT_GE(data->GetAbstractArray("Events")->GetNumberOfTuples(), 1);
+}
+
+TEST_F(ConfigurationProposalFilter, KeepsTheClearanceOfQuads)
+{
+  this->Filter->AutomaticOn();
+  this->Filter->SetMeshSize(0.1);
+  this->Source->SetEdgeLength(0.1);
+  const auto room = [this]
+  {
+    FilterChecks::UpdateWithoutError(this->Filter);
+    double farthest = 0.0;
+    for (vtkIdType i = 0; i < this->Filter->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const double* place = this->Filter->GetOutput()->GetPoint(i);
+      farthest = std::max(farthest, std::hypot(place[0], place[1]));
+    }
+    return 1.0 - farthest;
+  };
+  this->Filter->SetQuadSize(0.3);
+  EXPECT_NEAR(room(), 0.24, 0.03); // 0.7 of it, and a little more by the barrier
+  this->Filter->SetClearance(0.3);
+  EXPECT_NEAR(room(), 0.33, 0.03);
 }
 
 TEST_F(ConfigurationProposalFilter, ChosenCornersGoOn)

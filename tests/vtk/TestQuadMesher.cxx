@@ -87,8 +87,8 @@ TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "CapCorners",
-      "RepairHolonomy", "StageSeconds" });
+    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance",
+      "CapCorners", "RepairHolonomy", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -261,6 +261,7 @@ TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
   proposal->SetInputData(domain);
   proposal->AutomaticOn();
   proposal->SetMeshSize(0.15);
+  proposal->SetQuadSize(0.1);
   this->Filter->SetInputData(domain);
   this->Filter->SetMeshSize(0.15);
   this->Filter->SetSingularitiesConnection(proposal->GetOutputPort());

@@ -2,6 +2,7 @@
 
 #include "DrillHoles.h"
 #include "MeshBudget.h"
+#include "OptimizerStage.h"
 #include "PoincareHopf.h"
 
 #include <algorithm>
@@ -72,6 +73,28 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
   return LargestDefect(one) < LargestDefect(other);
 }
 
+/// The clearance that is asked for, 0 if none is.
+double AskedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
+{
+  // Of the side of a quad: the meshes of the gallery are best at 0.7 to 1.
+  constexpr double Part = 0.7;
+  if (options.optimizer.clearance != 0.0)
+  {
+    return options.optimizer.clearance;
+  }
+  return Part *
+    (options.quadSize == 0.0 && options.quadCount > 0 ? std::sqrt(domain.Area() / options.quadCount)
+                                                      : options.quadSize);
+}
+
+/// Adds what happened in a run.
+void Tell(AutomaticConfiguration& result)
+{
+  const OptimizerResult& optimum = result.optimum;
+  result.events.insert(result.events.end(), optimum.events.begin(), optimum.events.end());
+  result.events.push_back(DescribeOptimum(optimum));
+}
+
 AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfiguration& start,
   const AutomaticOptions& options, const Progress& progress)
 {
@@ -87,10 +110,21 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   result.singularities = result.optimum.configuration;
   result.corners = start.corners;
   result.events = { DescribeChoice(result.singularities) + " Start: " + start.origin + "." };
-  result.events.insert(
-    result.events.end(), result.optimum.events.begin(), result.optimum.events.end());
-  result.events.push_back(DescribeOptimum(result.optimum));
+  Tell(result);
   return result;
+}
+
+/// From the least energy on to the least one at a larger clearance.
+void MoveApart(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
+  const Progress& progress, AutomaticConfiguration& result)
+{
+  OptimizerOptions apart = options.optimizer;
+  apart.corners = result.corners;
+  apart.clearance = clearance;
+  apart.keepAll = true;
+  result.optimum = OptimizeSingularities(domain, result.singularities, apart, progress);
+  result.singularities = result.optimum.configuration;
+  Tell(result);
 }
 }
 
@@ -111,15 +145,22 @@ AutomaticConfiguration ChooseConfiguration(
   drillOptions.meshSize = options.optimizer.meshSize;
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
 
+  // What the singularities are is decided by the energy, where they may go next to the boundary: only then the
+  // size of quads keeps them off it.
+  const double clearance = AskedClearance(domain, options);
+  const bool movesApart = clearance > CoreRadius(domain);
+  AutomaticOptions least = options;
+  least.optimizer.clearance = movesApart ? 0.0 : clearance;
+
   const std::vector<ProposedConfiguration> starts =
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
   for (std::size_t i = 0; i < starts.size() && !Arrived(best.optimum); ++i)
   {
-    const double share = 0.6 / static_cast<double>(starts.size());
+    const double share = (movesApart ? 0.4 : 0.6) / static_cast<double>(starts.size());
     const double begin = 0.4 + share * static_cast<double>(i);
     AutomaticConfiguration tried =
-      Optimize(domain, starts[i], options, progress.Part(begin, begin + share));
+      Optimize(domain, starts[i], least, progress.Part(begin, begin + share));
     if (i == 0 || IsBetter(tried.optimum, best.optimum))
     {
       best = std::move(tried);
@@ -128,6 +169,10 @@ AutomaticConfiguration ChooseConfiguration(
     {
       break;
     }
+  }
+  if (movesApart && !best.optimum.aborted)
+  {
+    MoveApart(domain, options, clearance, progress.Part(0.8, 1.0), best);
   }
   return best;
 }

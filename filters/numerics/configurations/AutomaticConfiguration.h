@@ -9,6 +9,10 @@ struct AutomaticOptions
 {
   ProposalOptions proposal;   ///< What is given and what is asked of the corners.
   OptimizerOptions optimizer; ///< Its corners are those of the proposal.
+  /// Of the quads to come, if there are any: the length of their sides, or else their number, from which it follows.
+  /// Where the optimiser's clearance is not given it is 0.7 of that length (docs/method.md §5.6).
+  double quadSize = 0.0;
+  int quadCount = 0;
 };
 
 /// Sharp corners of quarter index 2 get 1 (PoincareHopf.h). Where there are any, every singularity stays what it

@@ -20,6 +20,15 @@ constexpr double CornerReach = 20.0;
 /// How far it may go along the boundary otherwise.
 constexpr double VertexReach = 6.0;
 
+/// A length of so many clearances; of those of CoreRadius where they are larger, since it is about how far W
+/// pulls, and not where the barrier holds. Not less than from there to the boundary.
+double ReachOf(const OptimizerStage& stage, double clearances)
+{
+  const double clearance = stage.objective->Clearance() * stage.objective->Unit();
+  return std::max(
+    2.0 * clearance, clearances * std::min(clearance, CoreRadius(stage.potential->GetDomain())));
+}
+
 Point PlaceOf(const OptimizerPlace& here, std::size_t i)
 {
   return here.place.segment<2>(2 * static_cast<Eigen::Index>(i));
@@ -37,7 +46,8 @@ std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boun
 {
   const int quarters = stage.placed.interior[i].quarterIndex;
   const Point place = stage.objective->Unit() * PlaceOf(here, i);
-  const double clearance = stage.objective->Clearance() * stage.objective->Unit();
+  const double cornerReach = ReachOf(stage, CornerReach);
+  const double vertexReach = ReachOf(stage, VertexReach);
   double relief = 0.0;
   std::size_t target = 0;
   std::vector<std::pair<double, std::size_t>> near; // by distance
@@ -48,7 +58,7 @@ std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boun
     near.emplace_back(distance, v);
     const double own = CornerCoefficient(corner, boundary.quarters[v]) + Pi * quarters * quarters -
       CornerCoefficient(corner, boundary.quarters[v] + quarters);
-    if (distance <= CornerReach * clearance && own > relief)
+    if (distance <= cornerReach && own > relief)
     {
       relief = own;
       target = v;
@@ -63,7 +73,7 @@ std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boun
   std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
   target = near.front().second;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = 0; n < count && near[n].first <= VertexReach * clearance; ++n)
+  for (std::size_t n = 0; n < count && near[n].first <= vertexReach; ++n)
   {
     const std::size_t v = near[n].second;
     const double energy = stage.CoreEnergyOf(
@@ -231,7 +241,7 @@ std::optional<ConfigurationChange> FindSlide(
     return std::nullopt;
   }
   const BoundaryVertices boundary(stage);
-  const double reach = VertexReach * stage.objective->Clearance() * stage.objective->Unit();
+  const double reach = ReachOf(stage, VertexReach);
   double least = stage.CoreEnergyOf(tracked.singularities);
   std::optional<ConfigurationChange> best;
   for (std::size_t row = 0; row < tracked.singularities.size(); ++row)

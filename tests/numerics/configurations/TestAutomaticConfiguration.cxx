@@ -1,0 +1,165 @@
+// From a bare domain to singularities at rest: against the count, symmetry and the disk's exact minimum.
+
+#include "AutomaticConfiguration.h"
+
+#include "ConfigurationSymmetry.h"
+#include "DomainQueries.h"
+#include "MakePlanarDomain.h"
+#include "RenormalizedEnergy.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace crossfield::test
+{
+namespace
+{
+Loop Box(double width, double height)
+{
+  return { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
+}
+
+PlanarDomain BoxWithHole()
+{
+  return MakePlanarDomain({ Box(2.0, 1.5), RegularPolygon(32, 0.3, { 0.8, 0.7 }) });
+}
+
+/// Two holes in a row on the middle of a plate: two reflections.
+PlanarDomain SymmetricPlate()
+{
+  return MakePlanarDomain({ Box(3.0, 1.4), RegularPolygon(32, 0.25, { 0.8, 0.7 }),
+    RegularPolygon(32, 0.25, { 2.2, 0.7 }) });
+}
+
+/// The least distance inside to the boundary and to others, and whether all are inside.
+double LeastDistance(const PlanarDomain& domain, const Configuration& configuration)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    least = std::min(least, SignedDistance(configuration[i].position, domain));
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      least = std::min(least, (configuration[i].position - configuration[j].position).norm());
+    }
+  }
+  return least;
+}
+
+/// W on a mesh of this size.
+double EnergyOn(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  const PointPotential potential =
+    PointPotentialOn(DrillHoles(domain, {}, options), {}, TotalQuarters(configuration));
+  return EvaluateRenormalizedEnergy(potential, potential.Solve(configuration)).energy;
+}
+
+TEST(AutomaticConfiguration, OfTheDiskIsTheSquareOfLeastEnergy)
+{
+  // W/π = −12 log r − 8 log 2 − 4 log(1 − r⁸) is least at r⁸ = 3/11 (docs/method.md §5.3).
+  const PlanarDomain disk = DiskOfEdges(0.05);
+  const AutomaticConfiguration chosen = ChooseConfiguration(disk);
+  EXPECT_TRUE(chosen.optimum.converged) << chosen.optimum.reason;
+  ASSERT_EQ(chosen.singularities.size(), 4U);
+  const double radius = std::pow(3.0 / 11.0, 0.125);
+  const double angle = AngleBetween({ 1.0, 0.0 }, chosen.singularities[0].position);
+  for (const Singularity& singularity : chosen.singularities)
+  {
+    EXPECT_EQ(singularity.quarterIndex, 1);
+    EXPECT_NEAR(singularity.position.norm(), radius, 0.005);
+    const double turn = AngleBetween({ 1.0, 0.0 }, singularity.position) - angle;
+    EXPECT_NEAR(std::remainder(turn, 0.5 * Pi), 0.0, 0.01);
+  }
+  const double least =
+    Pi * (-12.0 * std::log(radius) - 8.0 * std::log(2.0) - 4.0 * std::log(8.0 / 11.0));
+  EXPECT_NEAR(chosen.optimum.energyAfter, least, 0.01 * std::abs(least));
+}
+
+TEST(AutomaticConfiguration, HasTheSumOfTheCountInsideTheDomain)
+{
+  // 4 (1 − inner loops) less the quarter indices of corners.
+  struct Case
+  {
+    const char* name;
+    PlanarDomain domain;
+    int sum;
+  };
+  const Case cases[] = { { "ring", RingOfEdges(0.1), 0 }, { "L", LShape(), 0 },
+    { "pentagon", MakePlanarDomain({ RegularPolygon(5) }), 4 - 5 },
+    { "plate", SymmetricPlate(), -4 - 4 }, { "box with a hole", BoxWithHole(), -4 } };
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    const AutomaticConfiguration chosen = ChooseConfiguration(one.domain);
+    EXPECT_EQ(TotalQuarters(chosen.singularities), one.sum);
+    EXPECT_GT(LeastDistance(one.domain, chosen.singularities), one.domain.Diagonal() / 400.0);
+    EXPECT_TRUE(chosen.optimum.converged) << chosen.optimum.reason;
+    for (const double defect : chosen.optimum.holonomyDefect)
+    {
+      EXPECT_NEAR(defect, 0.0, 1e-4); // without singularities that of the mesh
+    }
+    EXPECT_LE(chosen.optimum.energyAfter, chosen.optimum.energyBefore + 1e-9);
+    EXPECT_FALSE(chosen.events.empty());
+  }
+}
+
+TEST(AutomaticConfiguration, IsAsSymmetricAsTheDomain)
+{
+  const PlanarDomain domain = SymmetricPlate();
+  const AutomaticConfiguration chosen = ChooseConfiguration(domain);
+  for (const Isometry& element : FindSymmetries(domain).Elements())
+  {
+    for (const Singularity& singularity : chosen.singularities)
+    {
+      const Point image = element(singularity.position);
+      EXPECT_TRUE(std::any_of(chosen.singularities.begin(), chosen.singularities.end(),
+        [&](const Singularity& other)
+        { return (other.position - image).norm() < 1e-9 * domain.Diagonal(); }))
+        << Describe(image);
+    }
+  }
+}
+
+TEST(AutomaticConfiguration, IsALocalMinimumOnAnotherMesh)
+{
+  const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(5) });
+  const AutomaticConfiguration chosen = ChooseConfiguration(domain);
+  const double size = 0.7 * domain.Diagonal() / 40.0;
+  const double here = EnergyOn(domain, chosen.singularities, size);
+  EXPECT_NEAR(here, chosen.optimum.energyAfter, 0.01 * (1.0 + std::abs(here)));
+  for (int i = 0; i < 4; ++i)
+  {
+    Configuration moved = chosen.singularities;
+    moved[0].position += 0.1 * Point(std::cos(0.5 * Pi * i), std::sin(0.5 * Pi * i));
+    EXPECT_GT(EnergyOn(domain, moved, size), here);
+  }
+}
+
+TEST(AutomaticConfiguration, KeepsAClearanceByTheSizeOfQuads)
+{
+  // The least energy on the disk has them 0.15 off the boundary; sixty quads have sides of 0.23.
+  const PlanarDomain disk = DiskOfEdges(0.1);
+  AutomaticOptions options;
+  options.quadCount = 60;
+  const double clearance = 0.7 * std::sqrt(disk.Area() / 60.0);
+  const AutomaticConfiguration chosen = ChooseConfiguration(disk, options);
+  EXPECT_EQ(TotalQuarters(chosen.singularities), 4);
+  EXPECT_GT(LeastDistance(disk, chosen.singularities), clearance);
+  EXPECT_LT(LeastDistance(disk, chosen.singularities), 1.3 * clearance);
+  // A given clearance goes before.
+  options.optimizer.clearance = 0.01;
+  EXPECT_LT(LeastDistance(disk, ChooseConfiguration(disk, options).singularities), clearance);
+}
+
+TEST(AutomaticConfiguration, NothingIsNeededWhereCornersDoIt)
+{
+  const AutomaticConfiguration chosen = ChooseConfiguration(LShape());
+  EXPECT_TRUE(chosen.singularities.empty());
+  EXPECT_NE(chosen.events.front().find("needs no singularities"), std::string::npos);
+}
+}
+}
