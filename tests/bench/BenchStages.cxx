@@ -189,6 +189,9 @@ void Quads(benchmark::State& state)
   {
     const QuadResult result = MakeQuads(map, options);
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
+    state.counters["iterations"] = result.smoothing.iterations;
+    state.counters["layout"] = result.layoutSeconds;
+    state.counters["smooth"] = result.smoothSeconds;
   }
 }
 

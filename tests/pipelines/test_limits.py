@@ -87,7 +87,7 @@ class Threads(ProgramTest):
             ("hfield", "--size", "0.05"), ("drill", "--size", "0.05"),
             ("solve", "--size", "0.15", "--method", "ginzburg-landau"),
             ("solve", "--size", "0.1", "--mode", "imprint"),
-            ("solve", "--size", "0.1", "--epsilon", "0.1"))
+            ("solve", "--size", "0.1", "--epsilon", "0.1"), ("quads", "--quads", "25000"))
     LIMITS = ({"OMP_THREAD_LIMIT": "1", "OPENBLAS_NUM_THREADS": "1"},
               {"OMP_NUM_THREADS": "4", "OPENBLAS_NUM_THREADS": "4", "OMP_DYNAMIC": "true"},
               {"OMP_NUM_THREADS": "1", "OMP_WAIT_POLICY": "passive", "VTK_SMP_MAX_THREADS": "1"})

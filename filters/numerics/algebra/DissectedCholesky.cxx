@@ -1,13 +1,11 @@
 #include "DissectedCholesky.h"
 
+#include "BothHalves.h"
 #include "MemoryBudget.h"
 #include "NestedDissection.h"
 #include "SerialBlas.h"
 
-#include <omp.h>
-
 #include <algorithm>
-#include <exception>
 #include <numeric>
 
 namespace crossfield
@@ -18,35 +16,6 @@ namespace
 /// threads wait for each other longer than they compute where other programs want the processors, too: an
 /// optimiser that solves ten thousand times on a coarse mesh took twenty times as long.
 constexpr Eigen::Index FewestForTwoThreads = 20000;
-
-/// Calls do(0) and do(1), in two threads if `parallel` and OpenMP may have as many, and throws what they throw.
-/// OpenMP's threads rather than others: CHOLMOD's own parallel loops, which do not pay here, run
-/// serially inside them.
-template <typename Function>
-void ForBothHalves(bool parallel, const Function& function)
-{
-  std::array<std::exception_ptr, 2> failures;
-  const int threads = parallel ? std::min(2, omp_get_max_threads()) : 1;
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (int half = 0; half < 2; ++half)
-  {
-    try
-    {
-      function(static_cast<std::size_t>(half));
-    }
-    catch (...)
-    {
-      failures[static_cast<std::size_t>(half)] = std::current_exception();
-    }
-  }
-  for (const std::exception_ptr& failure : failures)
-  {
-    if (failure)
-    {
-      std::rethrow_exception(failure);
-    }
-  }
-}
 
 Eigen::Index Count(const std::vector<int>& list)
 {

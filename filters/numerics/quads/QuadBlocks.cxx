@@ -12,18 +12,17 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// Side s of quad q is number 4 q + s; it leads from corner s to corner s + 1 with the quad on its left.
+/// Sides are numbered as in QuadMesh::Twins.
 class Cutter
 {
 public:
   explicit Cutter(const QuadMesh& mesh)
     : Mesh(mesh)
-    , Twins(4 * mesh.quads.size(), -1)
+    , Twins(mesh.Twins())
     , Walls(4 * mesh.quads.size(), false)
     , Regular(mesh.points.size(), false)
     , Inside(mesh.points.size(), false)
   {
-    this->FindTwins();
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
     {
       this->Inside[p] = mesh.points[p].curve.loop < 0;
@@ -63,26 +62,6 @@ private:
   int StartOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index(side % 4)]; }
   int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
   static int Next(int side) { return side / 4 * 4 + (side + 1) % 4; }
-
-  void FindTwins()
-  {
-    std::vector<std::array<int, 3>> sides;
-    for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
-    {
-      const int from = this->StartOf(side);
-      const int to = this->EndOf(side);
-      sides.push_back({ std::min(from, to), std::max(from, to), side });
-    }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t k = 1; k < sides.size(); ++k)
-    {
-      if (sides[k][0] == sides[k - 1][0] && sides[k][1] == sides[k - 1][1])
-      {
-        this->Twins[Index(sides[k][2])] = sides[k - 1][2];
-        this->Twins[Index(sides[k - 1][2])] = sides[k][2];
-      }
-    }
-  }
 
   /// Walls from a side on, straight through regular points, up to another wall on the way.
   void MarkLine(int side)

@@ -1,184 +1,251 @@
 #include "QuadEnergy.h"
 
+#include "BothHalves.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
+/// Quads from which on two threads pay: their energy takes a millisecond then.
+constexpr std::size_t FewestForTwoThreads = 20000;
+
 std::size_t Index(int i)
 {
   return static_cast<std::size_t>(i);
 }
 
-/// The sides of a quad's corner over the wanted lengths, the columns of J.
-struct CornerFrame
+Eigen::Index First(int point)
 {
-  Point next;
-  Point previous;
-  double nextLength;
-  double previousLength;
-  int at;
-  int to;
-  int from;
+  return 2 * static_cast<Eigen::Index>(point);
+}
 
-  double Determinant() const { return Cross(this->next, this->previous); }
+/// The sides of a quad over the wanted lengths: two of either direction. Corner (i, j) is between a_i and b_j.
+struct QuadFrame
+{
+  std::array<Point, 2> a;
+  std::array<Point, 2> b;
+  double inverseA;
+  double inverseB;
+
+  double Determinant(std::size_t i, std::size_t j) const { return Cross(this->a[i], this->b[j]); }
 };
 
-CornerFrame FrameAt(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
+QuadFrame FrameOf(const QuadMesh& mesh, const Eigen::VectorXd& places, std::size_t quad)
 {
-  const auto& points = mesh.quads[quad];
-  CornerFrame frame{};
-  frame.at = points[corner];
-  frame.to = points[(corner + 1) % 4];
-  frame.from = points[(corner + 3) % 4];
-  frame.nextLength = mesh.wanted[quad][corner % 2];
-  frame.previousLength = mesh.wanted[quad][(corner + 1) % 2];
-  const Point& place = mesh.points[Index(frame.at)].place;
-  frame.next = (mesh.points[Index(frame.to)].place - place) / frame.nextLength;
-  frame.previous = (mesh.points[Index(frame.from)].place - place) / frame.previousLength;
+  const std::array<int, 4>& points = mesh.quads[quad];
+  const auto at = [&places](int point) -> Point { return places.segment<2>(First(point)); };
+  const std::array<Point, 4> p = { at(points[0]), at(points[1]), at(points[2]), at(points[3]) };
+  QuadFrame frame;
+  frame.inverseA = 1.0 / mesh.wanted[quad][0];
+  frame.inverseB = 1.0 / mesh.wanted[quad][1];
+  frame.a = { Point(frame.inverseA * (p[1] - p[0])), Point(frame.inverseA * (p[2] - p[3])) };
+  frame.b = { Point(frame.inverseB * (p[3] - p[0])), Point(frame.inverseB * (p[2] - p[1])) };
   return frame;
+}
+
+/// χ = (D + root) / 2 with root = √(D² + ε²), without cancellation.
+double Regularised(double determinant, double root, double epsilon)
+{
+  return determinant >= 0.0 ? 0.5 * (determinant + root)
+                            : 0.5 * epsilon * epsilon / (root - determinant);
 }
 }
 
-QuadEnergy::QuadEnergy(
-  QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones, double sizePart)
+QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
+  const std::vector<bool>& moves, double sizePart, std::vector<double> weights)
   : Mesh(mesh)
   , Curves(curves)
   , SizePart(sizePart)
+  , Weights(std::move(weights))
 {
-  for (const QuadPoint& point : mesh.points)
-  {
-    const bool inside = point.curve.loop < 0;
-    const bool free = !point.fixed || (releaseCones && inside);
-    this->First.push_back(free ? this->Count : -1);
-    this->Count += free ? (inside ? 2 : 1) : 0;
-  }
-  this->Diagonal = Eigen::VectorXd::Zero(this->Count);
+  const auto size = 2 * static_cast<Eigen::Index>(mesh.points.size());
+  this->Diagonal = Eigen::VectorXd::Zero(size);
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
+    this->Ideal += 8.0 * this->Weights[q];
     const double curvature =
       1.0 / (mesh.wanted[q][0] * mesh.wanted[q][0]) + 1.0 / (mesh.wanted[q][1] * mesh.wanted[q][1]);
     for (const int p : mesh.quads[q])
     {
-      const Eigen::Index first = this->First[Index(p)];
-      if (first >= 0)
-      {
-        this->Diagonal.segment(first, mesh.points[Index(p)].curve.loop < 0 ? 2 : 1).array() +=
-          4.0 * curvature;
-      }
+      this->Diagonal.segment<2>(First(p)).array() += 4.0 * this->Weights[q] * curvature;
+    }
+  }
+  for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
+  {
+    if (!moves[Index(p)])
+    {
+      this->Fixed.push_back(p);
+      this->Diagonal.segment<2>(First(p)).setOnes();
+    }
+    else if (mesh.points[Index(p)].curve.loop >= 0)
+    {
+      this->OnBoundary.push_back(p);
+      this->Diagonal[First(p) + 1] = 1.0;
     }
   }
 }
 
 Eigen::VectorXd QuadEnergy::Unknowns() const
 {
-  Eigen::VectorXd unknowns(this->Count);
-  for (std::size_t p = 0; p < this->First.size(); ++p)
+  Eigen::VectorXd unknowns(this->Diagonal.size());
+  for (int p = 0; p < static_cast<int>(this->Mesh.points.size()); ++p)
   {
-    const QuadPoint& point = this->Mesh.points[p];
-    if (this->First[p] >= 0 && point.curve.loop < 0)
-    {
-      unknowns.segment<2>(this->First[p]) = point.place;
-    }
-    else if (this->First[p] >= 0)
-    {
-      unknowns[this->First[p]] = point.curve.at;
-    }
+    unknowns.segment<2>(First(p)) = this->Mesh.points[Index(p)].place;
+  }
+  for (const int p : this->OnBoundary)
+  {
+    unknowns.segment<2>(First(p)) << this->Mesh.points[Index(p)].curve.at, 0.0;
   }
   return unknowns;
 }
 
-void QuadEnergy::Move(const Eigen::VectorXd& unknowns)
+void QuadEnergy::Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin)
 {
-  for (std::size_t p = 0; p < this->First.size(); ++p)
+  this->Slope = tilt;
+  this->Origin = origin;
+}
+
+Eigen::VectorXd QuadEnergy::Masked(Eigen::VectorXd moves) const
+{
+  for (const int p : this->Fixed)
   {
-    QuadPoint& point = this->Mesh.points[p];
-    if (this->First[p] >= 0 && point.curve.loop < 0)
-    {
-      point.place = unknowns.segment<2>(this->First[p]);
-    }
-    else if (this->First[p] >= 0)
-    {
-      point.curve.at = unknowns[this->First[p]];
-      point.place = this->Curves.At(point.curve);
-    }
+    moves.segment<2>(First(p)).setZero();
+  }
+  return moves;
+}
+
+void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
+{
+  std::vector<CurvePlace> curves;
+  curves.reserve(this->OnBoundary.size());
+  for (const int p : this->OnBoundary)
+  {
+    curves.push_back({ mesh.points[Index(p)].curve.loop, unknowns[First(p)] });
+  }
+  for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
+  {
+    mesh.points[Index(p)].place = unknowns.segment<2>(First(p));
+  }
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    QuadPoint& point = mesh.points[Index(this->OnBoundary[i])];
+    point.curve = curves[i];
+    point.place = this->Curves.At(point.curve);
   }
 }
 
-double QuadEnergy::Value(double epsilon, Eigen::VectorXd* gradient) const
+void QuadEnergy::Place(const Eigen::VectorXd& unknowns)
 {
-  double energy = 0.0;
-  std::vector<Point> forces;
-  if (gradient != nullptr)
+  this->Places = unknowns;
+  for (const int p : this->OnBoundary)
   {
-    forces.assign(this->Mesh.points.size(), Point::Zero());
+    this->Places.segment<2>(First(p)) =
+      this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[First(p)] });
   }
-  for (std::size_t q = 0; q < this->Mesh.quads.size(); ++q)
+}
+
+double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
+{
+  const std::size_t count = this->Mesh.quads.size();
+  const std::size_t end = half == 0 ? count / 2 : count;
+  Eigen::VectorXd& force = this->Forces[half];
+  if (forces)
   {
-    for (std::size_t c = 0; c < 4; ++c)
+    force.setZero(this->Places.size());
+  }
+  double energy = 0.0;
+  for (std::size_t q = half == 0 ? 0 : count / 2; q < end; ++q)
+  {
+    const QuadFrame frame = FrameOf(this->Mesh, this->Places, q);
+    const double weight = this->Weights[q];
+    std::array<Point, 2> byA = { Point::Zero(), Point::Zero() };
+    std::array<Point, 2> byB = { Point::Zero(), Point::Zero() };
+    for (std::size_t i = 0; i < 2; ++i)
     {
-      const CornerFrame frame = FrameAt(this->Mesh, q, c);
-      const double determinant = frame.Determinant();
-      if (epsilon <= 0.0 && determinant <= 0.0)
+      for (std::size_t j = 0; j < 2; ++j)
       {
-        return std::numeric_limits<double>::infinity();
-      }
-      const double root = std::sqrt(determinant * determinant + epsilon * epsilon);
-      const double chi = 0.5 * (determinant + root);
-      const double top =
-        (1.0 - this->SizePart) * (frame.next.squaredNorm() + frame.previous.squaredNorm()) +
-        this->SizePart * (determinant * determinant + 1.0);
-      energy += top / chi;
-      if (gradient != nullptr)
-      {
-        const double slope = 0.5 * (1.0 + determinant / root);
-        const double byDeterminant =
-          2.0 * this->SizePart * determinant / chi - top * slope / (chi * chi);
-        const double byNorm = 2.0 * (1.0 - this->SizePart) / chi;
-        // ∂ Cross(n, p) = (p_y, −p_x) by n and (−n_y, n_x) by p.
-        const Point byNext =
-          (byNorm * frame.next + byDeterminant * Point(frame.previous.y(), -frame.previous.x())) /
-          frame.nextLength;
-        const Point byPrevious =
-          (byNorm * frame.previous + byDeterminant * Point(-frame.next.y(), frame.next.x())) /
-          frame.previousLength;
-        forces[Index(frame.to)] += byNext;
-        forces[Index(frame.from)] += byPrevious;
-        forces[Index(frame.at)] -= byNext + byPrevious;
+        const Point& a = frame.a[i];
+        const Point& b = frame.b[j];
+        const double determinant = frame.Determinant(i, j);
+        if (epsilon <= 0.0 && !(determinant > 0.0))
+        {
+          return std::numeric_limits<double>::infinity();
+        }
+        const double root =
+          epsilon <= 0.0 ? determinant : std::sqrt(determinant * determinant + epsilon * epsilon);
+        const double inverse = weight / Regularised(determinant, root, epsilon);
+        const double value = inverse *
+          ((1.0 - this->SizePart) * (a.squaredNorm() + b.squaredNorm()) +
+            this->SizePart * (determinant * determinant + 1.0));
+        energy += value;
+        // ∂ Cross(a, b) = (b_y, −b_x) by a and (−a_y, a_x) by b; ∂χ / ∂D = χ / root.
+        const double byNorm = 2.0 * (1.0 - this->SizePart) * inverse;
+        const double byDeterminant = 2.0 * this->SizePart * determinant * inverse - value / root;
+        byA[i] += byNorm * a + byDeterminant * Point(b.y(), -b.x());
+        byB[j] += byNorm * b + byDeterminant * Point(-a.y(), a.x());
       }
     }
-  }
-  if (gradient != nullptr)
-  {
-    gradient->resize(this->Count);
-    for (std::size_t p = 0; p < this->First.size(); ++p)
+    if (forces)
     {
-      const QuadPoint& point = this->Mesh.points[p];
-      if (this->First[p] >= 0 && point.curve.loop < 0)
-      {
-        gradient->segment<2>(this->First[p]) = forces[p];
-      }
-      else if (this->First[p] >= 0)
-      {
-        (*gradient)[this->First[p]] = forces[p].dot(this->Curves.Tangent(point.curve));
-      }
+      const std::array<int, 4>& points = this->Mesh.quads[q];
+      force.segment<2>(First(points[0])) -= frame.inverseA * byA[0] + frame.inverseB * byB[0];
+      force.segment<2>(First(points[1])) += frame.inverseA * byA[0] - frame.inverseB * byB[1];
+      force.segment<2>(First(points[2])) += frame.inverseA * byA[1] + frame.inverseB * byB[1];
+      force.segment<2>(First(points[3])) += frame.inverseB * byB[0] - frame.inverseA * byA[1];
     }
   }
   return energy;
 }
 
-double QuadEnergy::LeastDeterminant() const
+double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient)
 {
+  this->Place(unknowns);
+  std::array<double, 2> energies{};
+  ForBothHalves(this->Mesh.quads.size() >= FewestForTwoThreads,
+    [&](std::size_t half)
+    { energies[half] = this->HalfValue(half, epsilon, gradient != nullptr); });
+  double energy = energies[0] + energies[1];
+  if (this->Slope.size() > 0)
+  {
+    energy -= this->Slope.dot(unknowns - this->Origin);
+  }
+  if (gradient == nullptr || !std::isfinite(energy))
+  {
+    return energy;
+  }
+  *gradient = this->Forces[0] + this->Forces[1];
+  for (const int p : this->OnBoundary)
+  {
+    const Point force = gradient->segment<2>(First(p));
+    const int loop = this->Mesh.points[Index(p)].curve.loop;
+    gradient->segment<2>(First(p)) << force.dot(this->Curves.Tangent({ loop, unknowns[First(p)] })),
+      0.0;
+  }
+  if (this->Slope.size() > 0)
+  {
+    *gradient -= this->Slope;
+  }
+  for (const int p : this->Fixed)
+  {
+    gradient->segment<2>(First(p)).setZero();
+  }
+  return energy;
+}
+
+double QuadEnergy::LeastDeterminant(const Eigen::VectorXd& unknowns)
+{
+  this->Place(unknowns);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t q = 0; q < this->Mesh.quads.size(); ++q)
   {
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      least = std::min(least, FrameAt(this->Mesh, q, c).Determinant());
-    }
+    const QuadFrame frame = FrameOf(this->Mesh, this->Places, q);
+    least = std::min({ least, frame.Determinant(0, 0), frame.Determinant(0, 1),
+      frame.Determinant(1, 0), frame.Determinant(1, 1) });
   }
   return least;
 }

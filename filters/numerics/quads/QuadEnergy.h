@@ -4,36 +4,58 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace crossfield
 {
 /// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of each quad, with
 /// J the map from the wanted rectangle and D = det J,
 ///   f = (1 − a) |J|² / χ + a (D² + 1) / χ,  χ = (D + √(D² + ε²)) / 2.
-/// Unknowns are the places of the points that are free: two coordinates inside, the length along its polyline
-/// for one on the boundary.
+/// Least where J is a rotation: 2.
+///
+/// Unknowns are two per point: its place inside; on the boundary the length along its polyline, and 0. Those of points
+/// that are fixed are among them, with no gradient.
 class QuadEnergy
 {
 public:
-  /// `releaseCones`: the singularities inside move, too. `sizePart`: a.
-  QuadEnergy(QuadMesh& mesh, const BoundaryCurves& curves, bool releaseCones, double sizePart);
+  /// `moves`: which points do. `sizePart`: a. `weights`: as how many every quad counts.
+  QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves, const std::vector<bool>& moves,
+    double sizePart, std::vector<double> weights);
 
-  Eigen::Index UnknownCount() const { return this->Count; }
+  /// Of the mesh.
   Eigen::VectorXd Unknowns() const;
-  /// Puts the points of the mesh where the unknowns say.
-  void Move(const Eigen::VectorXd& unknowns);
-  /// At the mesh as it is. Infinite with ε = 0 where a corner is not positive.
-  double Value(double epsilon, Eigen::VectorXd* gradient = nullptr) const;
+  /// Takes tilt · (unknowns − origin) away from the value, so that the origin has the gradient that is wanted there.
+  void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
+  /// Moves without those of points that do not move.
+  Eigen::VectorXd Masked(Eigen::VectorXd moves) const;
+  /// Puts the points of the mesh where unknowns say.
+  void Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
+  /// That of quads as wanted, the least possible.
+  double IdealValue() const { return this->Ideal; }
+  /// Infinite with ε = 0 where a corner is not positive; the gradient is then not set. The same to the last bit however
+  /// many threads there are.
+  double Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient);
   /// Least D.
-  double LeastDeterminant() const;
-  /// Per unknown the inverse square of the lengths that it acts on: the size of the Hessian's diagonal.
+  double LeastDeterminant(const Eigen::VectorXd& unknowns);
+  /// Per unknown the inverse square of the lengths that it acts on, the size of the Hessian's diagonal; 1 where nothing
+  /// moves.
   const Eigen::VectorXd& Curvature() const { return this->Diagonal; }
 
 private:
-  QuadMesh& Mesh;
+  void Place(const Eigen::VectorXd& unknowns);
+  double HalfValue(std::size_t half, double epsilon, bool forces);
+
+  const QuadMesh& Mesh;
   const BoundaryCurves& Curves;
   const double SizePart;
-  std::vector<Eigen::Index> First; ///< Unknown of every point; −1: fixed.
-  Eigen::Index Count = 0;
+  const std::vector<double> Weights;
+  double Ideal = 0.0;
+  std::vector<int> Fixed;      ///< Points that do not move.
+  std::vector<int> OnBoundary; ///< Those that move along the boundary.
   Eigen::VectorXd Diagonal;
+  Eigen::VectorXd Slope;                 ///< Of the tilt, if any,
+  Eigen::VectorXd Origin;                ///< and from where.
+  Eigen::VectorXd Places;                ///< Of all points.
+  std::array<Eigen::VectorXd, 2> Forces; ///< By the quads of either half.
 };
 }

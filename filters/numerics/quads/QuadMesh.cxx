@@ -3,14 +3,15 @@
 #include "Error.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace crossfield
 {
-int QuadMesh::EulerCharacteristic() const
+std::vector<int> QuadMesh::Twins() const
 {
-  // Every edge as (smaller, larger, direction), sorted: two of one edge run against each other.
-  std::vector<std::array<int, 3>> sides;
-  sides.reserve(4 * this->quads.size());
+  const auto index = [](int i) { return static_cast<std::size_t>(i); };
+  // 1. Sides by their smaller point: few have the same.
+  std::vector<int> starts(this->points.size() + 1, 0);
   for (const std::array<int, 4>& quad : this->quads)
   {
     for (std::size_t i = 0; i < 4; ++i)
@@ -19,27 +20,62 @@ int QuadMesh::EulerCharacteristic() const
       const int to = quad[(i + 1) % 4];
       if (from == to || from == quad[(i + 2) % 4])
       {
-        throw Error("A quad near " + Describe(this->points[static_cast<std::size_t>(from)].place) +
+        throw Error("A quad near " + Describe(this->points[index(from)].place) +
           " has a point twice; use a smaller size.");
       }
-      sides.push_back({ std::min(from, to), std::max(from, to), from < to ? 0 : 1 });
+      ++starts[index(std::min(from, to)) + 1];
     }
   }
-  std::sort(sides.begin(), sides.end());
-  int edges = 0;
-  for (std::size_t i = 0; i < sides.size(); ++i)
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  struct Side
   {
-    if (i > 0 && sides[i] == sides[i - 1])
+    int larger;
+    int number;
+  };
+  std::vector<Side> sides(4 * this->quads.size());
+  std::vector<int> ends(starts.begin(), starts.end() - 1);
+  const auto pointAt = [&](int side) { return this->quads[index(side / 4)][index(side % 4)]; };
+  const auto startOf = [&](int side) { return pointAt(side); };
+  const auto endOf = [&](int side) { return pointAt(side / 4 * 4 + (side + 1) % 4); };
+  for (int side = 0; side < static_cast<int>(sides.size()); ++side)
+  {
+    const auto [smaller, larger] = std::minmax({ startOf(side), endOf(side) });
+    sides[index(ends[index(smaller)]++)] = { larger, side };
+  }
+  // 2. Two of one edge run against each other.
+  std::vector<int> twins(sides.size(), -1);
+  for (std::size_t p = 0; p + 1 < starts.size(); ++p)
+  {
+    for (int i = starts[p]; i < starts[p + 1]; ++i)
     {
-      throw Error("An edge near " +
-        Describe(this->points[static_cast<std::size_t>(sides[i][0])].place) +
-        " has more than two quads; use a smaller size.");
-    }
-    if (i == 0 || sides[i][0] != sides[i - 1][0] || sides[i][1] != sides[i - 1][1])
-    {
-      ++edges;
+      const Side& mine = sides[index(i)];
+      for (int j = starts[p]; j < i; ++j)
+      {
+        const Side& other = sides[index(j)];
+        if (other.larger != mine.larger)
+        {
+          continue;
+        }
+        if (twins[index(other.number)] >= 0 || twins[index(mine.number)] >= 0 ||
+          startOf(mine.number) == startOf(other.number))
+        {
+          throw Error("An edge near " + Describe(this->points[p].place) +
+            " has more than two quads; use a smaller size.");
+        }
+        twins[index(mine.number)] = other.number;
+        twins[index(other.number)] = mine.number;
+      }
     }
   }
-  return static_cast<int>(this->points.size()) - edges + static_cast<int>(this->quads.size());
+  return twins;
+}
+
+int QuadMesh::EulerCharacteristic() const
+{
+  const std::vector<int> twins = this->Twins();
+  const auto onBoundary = std::count(twins.begin(), twins.end(), -1);
+  const auto edges = (static_cast<std::ptrdiff_t>(twins.size()) + onBoundary) / 2;
+  return static_cast<int>(static_cast<std::ptrdiff_t>(this->points.size()) - edges +
+    static_cast<std::ptrdiff_t>(this->quads.size()));
 }
 }

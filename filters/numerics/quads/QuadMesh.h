@@ -37,7 +37,11 @@ struct QuadMesh
   std::vector<int> face; ///< Of the T-mesh, per quad.
   std::vector<QuadBoundaryEdge> boundary;
 
-  /// Points − edges + quads. Throws Error when an edge has more than two quads, or a quad a point twice.
+  /// Side s of quad q, number 4 q + s, leads from corner s to corner s + 1 with the quad on its left. Of every side the
+  /// number of that which runs against it; −1 on the boundary. Throws Error when an edge has more than two quads, or a
+  /// quad a point twice. Cost: linear in quads.
+  std::vector<int> Twins() const;
+  /// Points − edges + quads. Throws Error as Twins.
   int EulerCharacteristic() const;
 };
 }

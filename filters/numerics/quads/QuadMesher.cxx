@@ -104,12 +104,12 @@ public:
   {
     Stopwatch stopwatch;
     const bool even = this->Options.sizes.sizing != QuadSizing::Conformal;
-    result.smoothing = SmoothQuads(result.mesh, this->Curves, even, progress);
+    result.blocks = FindBlocks(result.mesh); // of the quads alone, wherever the points go
+    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, even, progress);
     result.smoothing.symmetries =
       MakeSymmetric(result.mesh, this->Curves, this->Domain, result.smoothing.released);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
-    result.blocks = FindBlocks(result.mesh);
   }
 
   /// Replaces the result by one with fewer blocks, the fewest that are sound.

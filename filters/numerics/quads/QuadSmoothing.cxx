@@ -1,183 +1,246 @@
 #include "QuadSmoothing.h"
 
-#include "QuadEnergy.h"
+#include "QuadDescent.h"
+#include "QuadPart.h"
 #include "QuadQuality.h"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <limits>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Steps of the limited memory method, and how many of them it remembers.
-constexpr int MostSteps = 120;
-constexpr std::size_t Memory = 8;
+/// Meshes with more quads are smoothed beside coarser ones.
+constexpr std::size_t MostAlone = 5000;
 
 /// The part of the determinant against the shape: shape matters, but sizes must not drift. Where even sizes are
 /// wanted both count.
 constexpr double SizePart = 0.2;
 constexpr double EvenSizePart = 0.5;
 
-struct Correction
+/// Until a step brings far less than can be seen in a picture, 1e-7 of the energy.
+constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
+/// Beside a coarser mesh, which does what is far apart: until a step brings a hundredth of what is above perfect quads.
+constexpr DescentLimits BesideCoarser = { 5, 1e-2, 1e-7 };
+
+/// A mesh with what its quads count and its lattices, of itself or of a coarser one.
+struct Level
 {
-  Eigen::VectorXd step;
-  Eigen::VectorXd change;
-  double inverse;
+  QuadMesh& mesh;
+  const std::vector<double>& weights;
+  const std::vector<QuadLattice>& lattices;
 };
 
-/// The two-loop recursion, with the inverse of the curvature as first guess.
-Eigen::VectorXd Direction(const std::deque<Correction>& memory, const Eigen::VectorXd& curvature,
-  const Eigen::VectorXd& gradient)
+class Smoother
 {
-  Eigen::VectorXd direction = -gradient;
-  std::vector<double> factors(memory.size());
-  for (std::size_t i = memory.size(); i-- > 0;)
+public:
+  Smoother(const BoundaryCurves& curves, bool release, double sizePart)
+    : Curves(curves)
+    , Release(release)
+    , SizePart(sizePart)
   {
-    factors[i] = memory[i].inverse * memory[i].step.dot(direction);
-    direction -= factors[i] * memory[i].change;
   }
-  double scale = 1.0;
-  if (!memory.empty())
-  {
-    const Correction& last = memory.back();
-    scale = 1.0 / (last.inverse * last.change.dot(last.change.cwiseQuotient(curvature)));
-  }
-  direction = scale * direction.cwiseQuotient(curvature);
-  for (std::size_t i = 0; i < memory.size(); ++i)
-  {
-    direction +=
-      (factors[i] - memory[i].inverse * memory[i].change.dot(direction)) * memory[i].step;
-  }
-  return direction;
-}
 
-int Descend(QuadEnergy& energy, double epsilon, int mostSteps, const Progress& progress)
-{
-  const Eigen::VectorXd& curvature = energy.Curvature();
-  Eigen::VectorXd at = energy.Unknowns();
-  Eigen::VectorXd gradient;
-  double value = energy.Value(epsilon, &gradient);
-  std::deque<Correction> memory;
-  int step = 0;
-  for (; step < mostSteps && at.size() > 0; ++step)
+  QuadEnergy EnergyOf(const QuadMesh& mesh, const std::vector<double>& weights) const
   {
-    progress.Report(static_cast<double>(step) / mostSteps);
-    Eigen::VectorXd direction = Direction(memory, curvature, gradient);
-    double slope = direction.dot(gradient);
-    if (!(slope < 0.0))
+    return { mesh, this->Curves, this->Moves(mesh), this->SizePart, weights };
+  }
+
+  /// Moves a mesh to the least of its energy, less a tilt if there is one. Returns the number of steps on the mesh itself.
+  int Smooth(const Level& level, const Eigen::VectorXd& tilt, const Progress& progress) const
+  {
+    QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
+    Eigen::VectorXd unknowns = energy.Unknowns();
+    const bool large = level.mesh.quads.size() > MostAlone;
+    int steps = this->Untangle(energy, unknowns, progress);
+    if (energy.LeastDeterminant(unknowns) > 0.0)
     {
-      memory.clear();
-      direction = -gradient.cwiseQuotient(curvature);
-      slope = direction.dot(gradient);
-    }
-    // A decrease far below what can be seen in a picture: 1e-7 of the energy.
-    if (!(-slope > 1e-7 * value))
-    {
-      break;
-    }
-    // Armijo's rule, halving. Infinite where a corner would turn over.
-    double length = 1.0;
-    double next = std::numeric_limits<double>::infinity();
-    for (int halving = 0; halving < 30; ++halving, length *= 0.5)
-    {
-      energy.Move(at + length * direction);
-      next = energy.Value(epsilon);
-      if (next <= value + 1e-4 * length * slope)
+      energy.Tilt(tilt, unknowns);
+      if (large)
       {
-        break;
+        steps += Descend(energy, 0.0, BesideCoarser, unknowns, progress.Part(0.0, 0.4));
+        energy.Store(unknowns, level.mesh);
+        this->Correct(energy, level, unknowns, progress.Part(0.4, 0.6));
+      }
+      steps += Descend(energy, 0.0, large ? BesideCoarser : Alone, unknowns,
+        progress.Part(large ? 0.6 : 0.0, 1.0));
+    }
+    energy.Store(unknowns, level.mesh);
+    return steps;
+  }
+
+  /// Smooths some rings around every singularity to the end: there the places of quads change most from one to the
+  /// next, and a coarser mesh says least.
+  void SmoothNearCones(QuadMesh& mesh) const
+  {
+    constexpr int Rings = 12; // six of a coarser mesh
+    QuadPart part(mesh, this->Moves(mesh), Rings);
+    QuadEnergy energy(part.mesh, this->Curves, part.moves, this->SizePart,
+      std::vector<double>(part.mesh.quads.size(), 1.0));
+    Eigen::VectorXd unknowns = energy.Unknowns();
+    if (energy.LeastDeterminant(unknowns) > 0.0)
+    {
+      Descend(energy, 0.0, Alone, unknowns);
+      energy.Store(unknowns, part.mesh);
+      part.PutBack(mesh);
+    }
+  }
+
+private:
+  std::vector<bool> Moves(const QuadMesh& mesh) const
+  {
+    std::vector<bool> moves;
+    moves.reserve(mesh.points.size());
+    for (const QuadPoint& point : mesh.points)
+    {
+      moves.push_back(!point.fixed || (this->Release && point.curve.loop < 0));
+    }
+    return moves;
+  }
+
+  /// ε follows the worst corner down, by half of it at a time (Garanzha et al. 2021).
+  int Untangle(QuadEnergy& energy, Eigen::VectorXd& unknowns, const Progress& progress) const
+  {
+    constexpr int Rounds = 8;
+    int steps = 0;
+    double least = energy.LeastDeterminant(unknowns);
+    for (int round = 0; round < Rounds && least <= 0.0; ++round)
+    {
+      const double epsilon = std::sqrt(1e-4 + 0.25 * least * least);
+      DescentLimits limits = Alone;
+      limits.steps /= 3;
+      steps += Descend(energy, epsilon, limits, unknowns, progress);
+      least = energy.LeastDeterminant(unknowns);
+    }
+    return steps;
+  }
+
+  /// A step along the way of a coarser mesh whose energy is tilted so that it has the gradient of this one: at the
+  /// least of this mesh's energy it would stay where it is.
+  void Correct(QuadEnergy& energy, const Level& level, Eigen::VectorXd& unknowns,
+    const Progress& progress) const
+  {
+    CoarseQuads coarse(level.mesh, level.lattices);
+    if (!coarse.IsSmaller())
+    {
+      return;
+    }
+    QuadEnergy coarseEnergy = this->EnergyOf(coarse.mesh, coarse.weights);
+    const Eigen::VectorXd start = coarseEnergy.Unknowns();
+    Eigen::VectorXd gradient;
+    Eigen::VectorXd coarseGradient;
+    const double value = energy.Value(unknowns, 0.0, &gradient);
+    if (!std::isfinite(coarseEnergy.Value(start, 0.0, &coarseGradient)))
+    {
+      return;
+    }
+    this->Smooth({ coarse.mesh, coarse.weights, coarse.lattices },
+      coarseGradient - coarse.Restrict(this->Curves, gradient), progress);
+    const Eigen::VectorXd way =
+      energy.Masked(coarse.Prolong(this->Curves, coarseEnergy.Unknowns() - start));
+    for (double length = 1.0; length > 0.1; length *= 0.5)
+    {
+      const Eigen::VectorXd next = unknowns + length * way;
+      if (energy.Value(next, 0.0, nullptr) < value)
+      {
+        unknowns = next;
+        return;
       }
     }
-    if (!(next <= value + 1e-4 * length * slope))
-    {
-      energy.Move(at);
-      if (memory.empty())
-      {
-        break;
-      }
-      memory.clear();
-      continue;
-    }
-    Eigen::VectorXd newGradient;
-    energy.Value(epsilon, &newGradient);
-    Correction correction = { length * direction, newGradient - gradient, 0.0 };
-    const double product = correction.step.dot(correction.change);
-    if (product > 0.0)
-    {
-      correction.inverse = 1.0 / product;
-      memory.push_back(std::move(correction));
-      if (memory.size() > Memory)
-      {
-        memory.pop_front();
-      }
-    }
-    at += length * direction;
-    gradient = std::move(newGradient);
-    value = next;
   }
-  return step;
-}
 
-int Smooth(QuadMesh& mesh, const BoundaryCurves& curves, bool release, double sizePart,
-  const Progress& progress)
+  const BoundaryCurves& Curves;
+  const bool Release;
+  const double SizePart;
+};
+
+double LeastJacobian(const QuadMesh& mesh)
 {
-  QuadEnergy energy(mesh, curves, release, sizePart);
-  int steps = 0;
-  // Untangles: ε follows the worst corner down, by half of it at a time (Garanzha et al. 2021).
-  constexpr int Rounds = 8;
-  for (int round = 0; round < Rounds; ++round)
+  double worst = 1.0;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
-    const double least = energy.LeastDeterminant();
-    if (least > 0.0)
+    worst = std::min(worst, ScaledJacobian(mesh, q));
+  }
+  return worst;
+}
+
+/// With even sizes the way is long: a coarser mesh goes it first, with singularities fixed and then free.
+int SmoothEven(const Level& level, const BoundaryCurves& curves, const Progress& progress)
+{
+  const Smoother fixed(curves, false, EvenSizePart);
+  const Smoother released(curves, true, EvenSizePart);
+  if (level.mesh.quads.size() > MostAlone)
+  {
+    CoarseQuads coarse(level.mesh, level.lattices);
+    if (coarse.IsSmaller())
     {
-      break;
+      const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
+      SmoothEven({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
+      const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
+      const std::vector<QuadPoint> start = level.mesh.points;
+      {
+        const QuadEnergy energy = released.EnergyOf(level.mesh, level.weights);
+        energy.Store(
+          energy.Unknowns() + energy.Masked(coarse.Prolong(curves, after - before)), level.mesh);
+      }
+      const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
+      released.SmoothNearCones(level.mesh);
+      if (LeastJacobian(level.mesh) > 0.0)
+      {
+        return steps;
+      }
+      level.mesh.points = start;
     }
-    const double epsilon = std::sqrt(1e-4 + 0.25 * least * least);
-    steps += Descend(energy, epsilon, MostSteps / 3, progress);
   }
-  if (energy.LeastDeterminant() > 0.0)
-  {
-    steps += Descend(energy, 0.0, MostSteps, progress);
-  }
-  return steps;
+  const int steps = fixed.Smooth(level, {}, progress.Part(0.0, 0.5));
+  return steps + released.Smooth(level, {}, progress.Part(0.5, 1.0));
 }
 }
 
-SmoothingReport SmoothQuads(
-  QuadMesh& mesh, const BoundaryCurves& curves, bool even, const Progress& progress)
+SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
+  bool even, const Progress& progress)
 {
   SmoothingReport report;
-  const auto least = [](const QuadMesh& quads)
+  const bool large = mesh.quads.size() > MostAlone;
+  const std::vector<QuadLattice> lattices =
+    large ? LatticesOf(mesh, blocks) : std::vector<QuadLattice>();
+  const std::vector<double> weights(mesh.quads.size(), 1.0);
+  const Level level = { mesh, weights, lattices };
+  const std::vector<QuadPoint> start = mesh.points;
+  const double leastAtStart = LeastJacobian(mesh);
+  if (even)
   {
-    double worst = 1.0;
-    for (std::size_t q = 0; q < quads.quads.size(); ++q)
-    {
-      worst = std::min(worst, ScaledJacobian(quads, q));
-    }
-    return worst;
-  };
-  const QuadMesh start = mesh;
-  report.iterations =
-    Smooth(mesh, curves, false, even ? EvenSizePart : SizePart, progress.Part(0.0, 0.6));
-  if (even || (least(mesh) <= 0.0 && least(start) <= 0.0))
-  {
+    report.iterations = SmoothEven(level, curves, progress);
     report.released = true;
-    report.iterations +=
-      Smooth(mesh, curves, true, even ? EvenSizePart : SizePart, progress.Part(0.6, 1.0));
-    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  }
+  else
+  {
+    const Smoother fixed(curves, false, SizePart);
+    report.iterations = fixed.Smooth(level, {}, progress.Part(0.0, 0.6));
+    if (large)
     {
-      const double moved = (mesh.points[p].place - start.points[p].place).norm();
-      report.moved = std::max(report.moved, mesh.points[p].cone >= 0 ? moved : 0.0);
+      fixed.SmoothNearCones(mesh);
+    }
+    if (leastAtStart <= 0.0 && LeastJacobian(mesh) <= 0.0)
+    {
+      const Smoother released(curves, true, SizePart);
+      report.iterations += released.Smooth(level, {}, progress.Part(0.6, 1.0));
+      report.released = true;
     }
   }
-  if (least(start) > least(mesh) && (!even || least(mesh) <= 0.0))
+  const double least = LeastJacobian(mesh);
+  if (leastAtStart > least && (!even || least <= 0.0))
   {
-    mesh = start;
+    mesh.points = start;
     report.keptStart = true;
     report.released = false;
-    report.moved = 0.0;
+  }
+  for (std::size_t p = 0; report.released && p < mesh.points.size(); ++p)
+  {
+    const double moved = (mesh.points[p].place - start[p].place).norm();
+    report.moved = std::max(report.moved, mesh.points[p].cone >= 0 ? moved : 0.0);
   }
   return report;
 }

@@ -1,0 +1,248 @@
+#include "CoarseQuads.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+Eigen::Index First(int point)
+{
+  return 2 * static_cast<Eigen::Index>(point);
+}
+
+/// Number of a point, or cell, of a lattice with so many in a row.
+std::size_t At(int i, int j, int row)
+{
+  return Index(j) * Index(row) + Index(i);
+}
+
+/// Of every line the kept one before it, by its number among them, and how far it is to the next.
+struct LinePlace
+{
+  int before;
+  double fraction;
+};
+
+std::vector<LinePlace> PlacesBetween(const std::vector<int>& kept)
+{
+  std::vector<LinePlace> places;
+  for (std::size_t k = 1; k < kept.size(); ++k)
+  {
+    for (int line = kept[k - 1]; line < kept[k]; ++line)
+    {
+      places.push_back({ static_cast<int>(k) - 1,
+        static_cast<double>(line - kept[k - 1]) / (kept[k] - kept[k - 1]) });
+    }
+  }
+  places.push_back({ static_cast<int>(kept.size()) - 2, 1.0 });
+  return places;
+}
+}
+
+std::vector<int> KeptLines(int count)
+{
+  // With fewer quads across, a block would not know any more how its sides are curved.
+  constexpr int Few = 8;
+  std::vector<int> kept;
+  if (count < Few)
+  {
+    for (int line = 0; line <= count; ++line)
+    {
+      kept.push_back(line);
+    }
+    return kept;
+  }
+  // Steps of two from both ends; what is left in the middle is 1, 2 or 3.
+  for (int line = 0; 2 * line <= count; line += 2)
+  {
+    kept.push_back(line);
+  }
+  for (std::size_t k = kept.size(); k-- > 0;)
+  {
+    if (count - kept[k] > kept.back())
+    {
+      kept.push_back(count - kept[k]);
+    }
+  }
+  return kept;
+}
+
+std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& blocks)
+{
+  std::vector<QuadLattice> lattices;
+  lattices.reserve(blocks.blocks.size());
+  for (const QuadBlock& block : blocks.blocks)
+  {
+    const std::size_t cells = Index(block.width) * Index(block.height);
+    lattices.push_back({ block.width, block.height, block.points,
+      std::vector<std::array<double, 2>>(cells), std::vector<double>(cells, 1.0) });
+  }
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    QuadLattice& lattice = lattices[Index(blocks.block[q])];
+    const int i = blocks.i[q];
+    const int j = blocks.j[q];
+    const int corner = lattice.points[At(i, j, lattice.width + 1)];
+    const auto& points = mesh.quads[q];
+    const auto side =
+      static_cast<std::size_t>(std::find(points.begin(), points.end(), corner) - points.begin());
+    lattice.wanted[At(i, j, lattice.width)] = { mesh.wanted[q][side % 2],
+      mesh.wanted[q][(side + 1) % 2] };
+  }
+  return lattices;
+}
+
+CoarseQuads::CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice>& fineLattices)
+  : Fine(fineMesh)
+  , FineLattices(fineLattices)
+{
+  std::vector<int> number(fineMesh.points.size(), -1);
+  for (const QuadLattice& from : fineLattices)
+  {
+    const std::vector<int> columns = KeptLines(from.width);
+    const std::vector<int> rows = KeptLines(from.height);
+    QuadLattice to;
+    to.width = static_cast<int>(columns.size()) - 1;
+    to.height = static_cast<int>(rows.size()) - 1;
+    for (const int j : rows)
+    {
+      for (const int i : columns)
+      {
+        const int point = from.points[At(i, j, from.width + 1)];
+        int& mine = number[Index(point)];
+        if (mine < 0)
+        {
+          mine = static_cast<int>(this->mesh.points.size());
+          this->mesh.points.push_back(fineMesh.points[Index(point)]);
+        }
+        to.points.push_back(mine);
+      }
+    }
+    for (std::size_t j = 1; j < rows.size(); ++j)
+    {
+      for (std::size_t i = 1; i < columns.size(); ++i)
+      {
+        // The mean over the rows of the sums along them, and likewise of columns.
+        std::array<double, 2> wanted{};
+        double weight = 0.0;
+        for (int y = rows[j - 1]; y < rows[j]; ++y)
+        {
+          for (int x = columns[i - 1]; x < columns[i]; ++x)
+          {
+            const std::array<double, 2>& cell = from.wanted[At(x, y, from.width)];
+            weight += from.weights[At(x, y, from.width)];
+            wanted[0] += cell[0] / (rows[j] - rows[j - 1]);
+            wanted[1] += cell[1] / (columns[i] - columns[i - 1]);
+          }
+        }
+        to.wanted.push_back(wanted);
+        to.weights.push_back(weight);
+        const auto point = [&](std::size_t k, std::size_t l)
+        { return to.points[l * columns.size() + k]; };
+        this->mesh.quads.push_back(
+          { point(i - 1, j - 1), point(i, j - 1), point(i, j), point(i - 1, j) });
+        this->mesh.wanted.push_back(wanted);
+        this->weights.push_back(weight);
+      }
+    }
+    this->lattices.push_back(std::move(to));
+  }
+}
+
+template <typename Function>
+void CoarseQuads::ForEachLink(const Function& function) const
+{
+  std::vector<bool> done(this->Fine.points.size(), false);
+  for (std::size_t b = 0; b < this->FineLattices.size(); ++b)
+  {
+    const QuadLattice& to = this->FineLattices[b];
+    const QuadLattice& from = this->lattices[b];
+    const std::vector<LinePlace> columns = PlacesBetween(KeptLines(to.width));
+    const std::vector<LinePlace> rows = PlacesBetween(KeptLines(to.height));
+    for (int j = 0; j <= to.height; ++j)
+    {
+      for (int i = 0; i <= to.width; ++i)
+      {
+        const int point = to.points[At(i, j, to.width + 1)];
+        if (done[Index(point)])
+        {
+          continue;
+        }
+        done[Index(point)] = true;
+        const LinePlace& x = columns[Index(i)];
+        const LinePlace& y = rows[Index(j)];
+        const std::size_t corner = At(x.before, y.before, from.width + 1);
+        const std::size_t above = corner + Index(from.width + 1);
+        function(Link{ point,
+          { from.points[corner], from.points[corner + 1], from.points[above],
+            from.points[above + 1] },
+          { (1.0 - x.fraction) * (1.0 - y.fraction), x.fraction * (1.0 - y.fraction),
+            (1.0 - x.fraction) * y.fraction, x.fraction * y.fraction } });
+      }
+    }
+  }
+}
+
+Eigen::VectorXd CoarseQuads::Tangents(const BoundaryCurves& curves) const
+{
+  Eigen::VectorXd tangents =
+    Eigen::VectorXd::Zero(First(static_cast<int>(this->mesh.points.size())));
+  for (int p = 0; p < static_cast<int>(this->mesh.points.size()); ++p)
+  {
+    const CurvePlace& curve = this->mesh.points[Index(p)].curve;
+    if (curve.loop >= 0)
+    {
+      tangents.segment<2>(First(p)) = curves.Tangent(curve);
+    }
+  }
+  return tangents;
+}
+
+Eigen::VectorXd CoarseQuads::Prolong(
+  const BoundaryCurves& curves, const Eigen::VectorXd& moves) const
+{
+  const Eigen::VectorXd tangents = this->Tangents(curves);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(First(static_cast<int>(this->Fine.points.size())));
+  this->ForEachLink(
+    [&](const Link& link)
+    {
+      const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const Eigen::Index first = First(link.coarse[k]);
+        const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
+        const Point move = inside && onBoundary ? Point(moves[first] * tangents.segment<2>(first))
+                                                : Point(moves.segment<2>(first));
+        result.segment<2>(First(link.fine)) += link.parts[k] * move;
+      }
+    });
+  return result;
+}
+
+Eigen::VectorXd CoarseQuads::Restrict(
+  const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const
+{
+  const Eigen::VectorXd tangents = this->Tangents(curves);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(tangents.size());
+  this->ForEachLink(
+    [&](const Link& link)
+    {
+      const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
+      const Point force = gradient.segment<2>(First(link.fine));
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        const Eigen::Index first = First(link.coarse[k]);
+        const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
+        result.segment<2>(first) += link.parts[k] *
+          (inside && onBoundary ? Point(force.dot(tangents.segment<2>(first)), 0.0) : force);
+      }
+    });
+  return result;
+}
+}
