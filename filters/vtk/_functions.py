@@ -256,7 +256,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
 
     The arguments are those of `solve`, without holes. `cap_corners` gives sharp corners of quarter
     index 2 index 1. `repair_holonomy` moves singularities the least way to where no inner loop has a
-    holonomy defect; the map's field data say how far. From each of `seeds`, points as `singularities`,
+    holonomy defect; `report["repair"]` says how far. From each of `seeds`, points as `singularities`,
     four streamlines are drawn.
 
     >>> found = separatrices("builtin:l-shape")
@@ -268,7 +268,7 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     flat = pipeline.add(vtkCrossFieldMap())
     flat.SetInputData(data)
     flat.SetMeshSize(checked(size))
-    give(pipeline, flat, data, singularities, size, corners, {"CapCorners": cap_corners})
+    chosen = give(pipeline, flat, data, singularities, size, corners, {"CapCorners": cap_corners})
     flat.SetCapCorners(cap_corners)
     flat.SetRepairHolonomy(repair_holonomy)
     traced = pipeline.add(vtkSeparatrices())
@@ -276,4 +276,6 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     if seeds is not None:
         traced.SetSeedsData(as_configuration(seeds, "seeds"))
     pipeline.update(traced)
-    return separatrices_of(traced.GetOutput(0), traced.GetOutput(1), flat.GetOutput())
+    found = separatrices_of(traced.GetOutput(0), traced.GetOutput(1), flat.GetOutput())
+    report_choice(found.report, chosen, places(flat.GetOutput()))
+    return found

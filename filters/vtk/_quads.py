@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._configurations import checked, give, report_choice
 from ._input import Domain, Singularities, as_domain
-from ._results import Corners, chains, copied, places, report_of, write_grid
+from ._results import Corners, chains, copied, places, repair_of, report_of, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
@@ -99,9 +99,7 @@ def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
                      "optimal": found["integer_optimal"] != 0, "gap": found["integer_gap"]},
         "inverted": found["inverted"], "moved": found["moved"],
         "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth"), seconds))}
-    if "repair_distance" in found:
-        report["repair"] = {"distance": found["repair_distance"], "defect_before": found["defect_before"]}
-    return report
+    return {**report, **repair_of(found)}
 
 
 def _points_of_block(grid: Any) -> np.ndarray:

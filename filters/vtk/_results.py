@@ -334,6 +334,13 @@ def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
     return [points[ids[first:last]] for first, last in zip(starts[:-1], starts[1:])]
 
 
+def repair_of(report: dict[str, Any]) -> dict[str, Any]:
+    """What a repair of the holonomy did, as the program writes it; nothing where there was none."""
+    if "repair_distance" not in report:
+        return {}
+    return {"repair": {"distance": report["repair_distance"], "defect_before": report["defect_before"]}}
+
+
 def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
                     map: vtkUnstructuredGrid) -> Separatrices:
     """The arrays of lines, faces and their map."""
@@ -347,4 +354,5 @@ def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
         face_sizes=np.column_stack(
             [copied(sizes, name)[np.unique(copied(sizes, names.FaceId), return_index=True)[1]]
              for name in (names.USize, names.VSize)]),
-        report=report_of(lines), line_data=lines, face_data=faces, map=map)
+        report={**report_of(lines), **repair_of(report_of(map))},
+        line_data=lines, face_data=faces, map=map)

@@ -41,10 +41,18 @@ for position, radius in enumerate((0.6, 0.85)):
                   AmbientColor=[0.85, 0.92, 1])
     lines = Show(CrossGlyphs(registrationName="Crosses of " + name, Input=field, Spacing=0.06), view)
     SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+    outline = Show(domain, view)
+    SetProperties(outline, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0], LineWidth=3)
+    title = Show(Text(registrationName="Title of " + name,
+                      Text="%d: at distance %g" % (position, radius)), view)
+    SetProperties(title, Color=[0, 0, 0], FontSize=14, WindowLocation="Upper Center")
     ResetCamera(view)
 
 energies = SingularityEnergy(registrationName="Energies", Input=domain,
                              Configurations=configurations)
 table = CreateView("SpreadSheetView")
 layout.AssignView(2, table)
+SetProperties(table, HiddenColumnLabels=[
+    "Row ID", "Energy", "EnergyLowerBound", "EnergyUpperBound", "EnergyDegreeOnly", "EnergyDegreeOnlyLowerBound",
+    "EnergyDegreeOnlyUpperBound", "LogarithmCoefficient", "HolonomyDefect"])
 Show(energies, table)

@@ -1,8 +1,9 @@
 """State: let four scattered singularities move to where the field is smoothest.
 
-The green points are where they start and the red ones where they end; the curve is the renormalised
-energy over the iterations. The field is that of the moved singularities.
+The green points are where they start, the red ones where they end, and the grey lines are their ways when the state is
+loaded; the curve is the renormalised energy over the iterations. The field is that of the moved singularities.
 """
+from paraview import servermanager
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
@@ -27,6 +28,20 @@ SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0,
               AmbientColor=[0.85, 0.92, 1])
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+# Where the first steps, of which there are few, lead; the filter warns that they do not arrive.
+ways = [[] for _ in range(4)]
+for iterations in (0, 1, 2, 3, 4, 6, 8, 12, 200):
+    way = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
+    places = servermanager.Fetch(way)
+    for i in range(4):
+        ways[i] += places.GetPoint(i)
+    Delete(way)
+for number, way in enumerate(ways):
+    drawn = Show(PolyLineSource(registrationName="Way %d" % (number + 1), Points=way), view)
+    SetProperties(drawn, ColorArrayName=["POINTS", ""], AmbientColor=[0.4, 0.4, 0.4], DiffuseColor=[0.4, 0.4, 0.4],
+                  LineWidth=2, Position=[0, 0, 0.01])
+legend = Show(Text(registrationName="Legend", Text="green: start, red: where the energy is least"), view)
+SetProperties(legend, Color=[0, 0, 0], FontSize=14, WindowLocation="Upper Center")
 for points, colour in ((start, [0, 0.6, 0]), (moved, [0.8, 0, 0])):
     shown = Show(points, view)
     SetProperties(shown, PointSize=12, RenderPointsAsSpheres=1, ColorArrayName=["POINTS", ""],

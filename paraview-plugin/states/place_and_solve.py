@@ -1,8 +1,8 @@
 """State: place singularities with the mouse and see the field.
 
-Load the plugin, then this file with *File, Load State*. Select the singularity source: its handles
-can be dragged in the view (tick the box of *Places in the 3D View* if they are hidden), and *Apply*
-solves again. The text says whether the quarter indices fit the domain.
+Load the plugin, then this file with *File, Load State*. The handles of the singularity source can be dragged in the
+view, and *Apply* solves again (tick the box of *Places in the 3D View* if they are hidden). Spheres are red where the
+quarter index is positive, blue where it is negative. The text says whether they fit the domain.
 """
 from paraview.simple import *
 
@@ -11,22 +11,29 @@ singularities = SingularitySource(registrationName="Singularities", UseHandles=1
 drilled = DrillHoles(registrationName="Drilled mesh", Input=domain, Singularities=singularities,
                      MeshSize=0.05)
 field = PerforatedCrossField(registrationName="Cross field", Input=drilled)
-crosses = CrossGlyphs(registrationName="Crosses", Input=field)
+crosses = CrossGlyphs(registrationName="Crosses", Input=field, Spacing=0.07)
 check = PoincareHopfCheck(registrationName="Check", Input=domain, Singularities=singularities)
 
 view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
 surface = Show(field, view)
-ColorBy(surface, ("POINTS", "CrossNorm"))
-surface.SetScalarBarVisibility(view, True)
-SetProperties(GetScalarBar(GetColorTransferFunction("CrossNorm"), view),
-              Title="Norm of the cross field", ComponentTitle="", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
+SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0, AmbientColor=[0.85, 0.92, 1])
+outline = Show(domain, view)
+SetProperties(outline, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0], LineWidth=3)
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
 verdict = Show(OutputPort(check, 3), view)
 SetProperties(verdict, Color=[0, 0, 0], FontSize=14)
-points = Show(singularities, view)
-SetProperties(points, PointSize=8, AmbientColor=[0.8, 0, 0], DiffuseColor=[0.8, 0, 0])
+# Red: three quads meet there; blue: five.
+spheres = Glyph(registrationName="Spheres", Input=singularities, GlyphType="Sphere",
+                ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")
+shown = Show(spheres, view)
+ColorBy(shown, ("POINTS", "QuarterIndex"))
+colours = GetColorTransferFunction("QuarterIndex")
+SetProperties(colours, ColorSpace="RGB", RGBPoints=[-2, 0.1, 0.2, 0.85, -0.1, 0.1, 0.2, 0.85, 0.1, 0.85, 0.1, 0.1,
+                                                    2, 0.85, 0.1, 0.1])
+SetProperties(shown, Ambient=1, Diffuse=0)
 ResetCamera(view)
 SetActiveSource(singularities)
+Show3DWidgets(singularities)

@@ -20,7 +20,7 @@ surface = Show(field, view)
 ColorBy(surface, ("POINTS", "SizeMap"))
 surface.SetScalarBarVisibility(view, True)
 SetProperties(GetScalarBar(GetColorTransferFunction("SizeMap"), view),
-              Title="Size", ComponentTitle="", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
+              Title="Size, 1 on average", ComponentTitle="", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
 field.UpdatePipeline()
 least, largest = field.PointData["H"].GetRange()
 levels = [least + (largest - least) * (i + 0.5) / 16 for i in range(16)]
@@ -29,4 +29,16 @@ contours = Show(Contour(registrationName="Contours of H", Input=field, ContourBy
 SetProperties(contours, ColorArrayName=["POINTS", ""], AmbientColor=[0.5, 0, 0.5], DiffuseColor=[0.5, 0, 0.5])
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+outline = Show(domain, view)
+SetProperties(outline, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0], LineWidth=3)
+spheres = Glyph(registrationName="Spheres", Input=singularities, GlyphType="Sphere",
+                ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.05, GlyphMode="All Points")
+shown = Show(spheres, view)
+ColorBy(shown, ("POINTS", "QuarterIndex"))
+colours = GetColorTransferFunction("QuarterIndex")
+SetProperties(colours, ColorSpace="RGB", RGBPoints=[-2, 0.1, 0.2, 0.85, -0.1, 0.1, 0.2, 0.85, 0.1, 0.85, 0.1, 0.1,
+                                                    2, 0.85, 0.1, 0.1])
+SetProperties(shown, Ambient=1, Diffuse=0)
+title = Show(Text(registrationName="Title", Text="Sizes of quads, and contours of H"), view)
+SetProperties(title, Color=[0, 0, 0], FontSize=16, WindowLocation="Upper Center")
 ResetCamera(view)
