@@ -21,14 +21,41 @@ class Numbers(CorpusTest):
                 for x, y, quarter, radius in rows]
 
     def test_scales(self):
-        # The energies of the field have no unit: they are those of the unit square.
+        # Energies of fields have no unit. W grows by π Σ k² log(scale), and so does what the optimiser finds.
+        rows = [(0.25, 0.25, 2, 0.05), (0.75, 0.7, 1, 0.05), (0.3, 0.75, -2, 0.05), (0.7, 0.2, -1, 0.05)]
         commands = ("check", "drill", "hfield", "energy", *SOLVES)
-        expected = self.solves("square.vtp", self.square(), commands)
+        expected = self.solves("square.vtp", self.square(rows=rows), commands)
         for scale in (1e-50, 1e-12, 1e-8, 1e8, 1e12, 1e50):
-            reports = self.solves("square.vtp", self.square(scale), commands)
+            reports = self.solves("square.vtp", self.square(scale, rows=rows), commands)
             for method in SOLVES:
                 self.assertAlmostEqual(
                     reports[method]["energy"] / expected[method]["energy"], 1.0, delta=0.02)
+            shift = 10 * math.pi * math.log(scale)
+            row, = reports["energy"]["configurations"]
+            plain, = expected["energy"]["configurations"]
+            for found, given in ((reports["hfield"], expected["hfield"]), (row, plain)):
+                self.assertAlmostEqual(
+                    found["renormalized_energy"] - shift, given["renormalized_energy"], delta=0.1)
+            for key in ("energy", "energy_degree_only"):
+                self.assertAlmostEqual(row[key] / plain[key], 1.0, delta=0.005)
+            self.assertLess(row["energy_lower_bound"], plain["energy_upper_bound"])
+            self.assertLess(plain["energy_lower_bound"], row["energy_upper_bound"])
+            self.assertAlmostEqual(row["logarithm_coefficient"], 10 * math.pi, delta=1e-9)
+
+    def test_optima_at_all_scales(self):
+        # Four of a disk: the exact radius (3/11)^(1/8), W = -7.2962.
+        for scale in (1e-50, 1e-12, 1e12, 1e50):
+            domain_files.write_loop(self.folder / "disk.vtp", [
+                (scale * math.cos(math.pi * i / 40), scale * math.sin(math.pi * i / 40))
+                for i in range(80)])
+            rows = [(scale * x, scale * y, 1, 0.05 * scale)
+                    for x, y in ((0.1, 0.2), (-0.3, 0.5), (-0.5, -0.6), (0.3, 0.05))]
+            report = self.solves("disk.vtp", rows, ("optimize",))["optimize"]
+            self.assertAlmostEqual(
+                report["renormalized_energy_after"] - 4 * math.pi * math.log(scale), -7.2962, delta=0.03)
+            for point in report["singularities"]:
+                self.assertAlmostEqual(
+                    math.hypot(point["x"], point["y"]) / scale, (3 / 11) ** 0.125, delta=2e-3)
 
     def test_many_singularities_at_all_scales(self):
         # W grows by π Σ k² log(scale), H is the same.
