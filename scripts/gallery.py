@@ -8,7 +8,8 @@ Made by `scripts/figures.sh`, which runs `crossfield figures` and draws what it 
 red lines are holes, imprinted circles and triangles; red dots are positive singularities, blue dots
 negative ones; blue areas have |u| < 1, orange ones |u| > 1. `--only NAME` computes one figure.
 
-The numbers are those of coarse meshes, a few seconds for all of them.
+The numbers are those of coarse meshes, a few seconds for all of them. `Program.Figures` computes them again and
+compares.
 """
 ENTRY = """
 ## {figure}
@@ -27,9 +28,7 @@ def entry(row):
     found = "no singularities" if row["singularities"] == "none" else row["singularities"]
     if int(row["unwanted_singularities"]) and row["method"].find("ginzburg-landau") < 0:
         found += ", %s of them not asked for" % row["unwanted_singularities"]
-    work = ", %s iterations" % row["iterations"] if int(row["iterations"]) else ", no iteration"
-    if row["converged"] != "1":
-        work += ", NOT converged"
+    work = "" if row["converged"] == "1" else ", NOT converged"
     return ENTRY.format(found=found, work=work, **{**row, "energy": float(row["energy"])})
 
 

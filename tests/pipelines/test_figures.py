@@ -1,8 +1,14 @@
 """`crossfield figures`: every figure of the paper is computed and is what the table says."""
 
 import csv
+import pathlib
+import re
+import subprocess
+import sys
 
 from program import ProgramTest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 # What has to be found, holes and circles included.
 FOUND = {
@@ -32,10 +38,22 @@ class Figures(ProgramTest):
             self.assertEqual(row["converged"], "1", name)
             self.assertTrue((self.folder / "all" / (name + ".vtu")).stat().st_size > 10000, name)
             self.assertIn(row["paper_says"], output)
+        self.check_gallery()
         # docs/method.md §9, and at most 30 iterations as the paper says.
         self.assertAlmostEqual(float(rows["disk_holes"]["energy"]), 20.71, delta=0.1)
         for name in ("disk_holes", "disk_moved"):
             self.assertLessEqual(int(rows[name]["iterations"]), 30)
+
+    def check_gallery(self):
+        """The page is what scripts/gallery.py makes of the table, but for the last digits of energies."""
+        page = subprocess.run(
+            [sys.executable, ROOT / "scripts/gallery.py", self.folder / "all" / "summary.csv"],
+            stdout=subprocess.PIPE, text=True, check=True).stdout
+        number = re.compile(r"(?<=energy )[0-9.]+")
+        written = (ROOT / "docs/gallery.md").read_text(encoding="utf-8")
+        self.assertEqual(number.sub("", page), number.sub("", written))
+        for new, old in zip(number.findall(page), number.findall(written)):
+            self.assertAlmostEqual(float(new.rstrip(".")) / float(old.rstrip(".")), 1.0, delta=0.01)
 
     def test_some_of_them(self):
         self.succeed("figures", "--only", "disk_holes,angular_negative", "-o", "some/deeper")
