@@ -48,8 +48,11 @@ public:
         smallest = std::min(smallest, std::max(source.size, valueOf(source) - reach));
       }
     }
-    // Within a factor of two h is constant; below the rounding of coordinates it cannot be told.
-    if (kept.empty() || smallest >= 0.5 * size || halfWidth <= 1e-12 * centre.norm())
+    // Within a factor of two h is constant; below the rounding of coordinates it cannot be told. It is least in
+    // the middle where a source is there, and then larger all around.
+    const double largest = std::min(this->Maximum, size + reach);
+    if (kept.empty() || (smallest >= 0.5 * size && largest <= 2.0 * size) ||
+      halfWidth <= 1e-12 * centre.norm())
     {
       return 4.0 * halfWidth * halfWidth *
         (1.0 / (size * size) - 1.0 / (this->Maximum * this->Maximum));

@@ -130,6 +130,25 @@ TEST(MeshBudget, PredictsTheTrianglesOfAMesh)
   compare(Disk(0.05), { { { 0.3, 0.1 }, 1e-3 } }, 0.1, 0.02, 0.6);
 }
 
+TEST(MeshBudget, TheMiddleOfTheDomainIsAPlaceLikeAnyOther)
+{
+  // Around a place size + 0.25 r: ∫ 2πr dr (h⁻² − maximum⁻²) to where h is the maximum, and half of it.
+  constexpr double Size = 1e-6;
+  constexpr double Maximum = 0.05;
+  constexpr double Slope = 0.25;
+  const PlanarDomain disk = Disk(0.05);
+  const double reach = (Maximum - Size) / Slope;
+  const double exact = Pi / std::sqrt(3.0) *
+    (4.0 / (Slope * Slope) * (std::log(Maximum / Size) + Size / Maximum - 1.0) -
+      2.0 * reach * reach / (Maximum * Maximum));
+  const double bulk = PredictTriangles(disk, {}, Maximum, Slope);
+  for (const Point& place : { Point(0.0, 0.0), Point(0.3, 0.1), Point(0.5, -0.5) })
+  {
+    const double excess = PredictTriangles(disk, { { place, Size } }, Maximum, Slope) - bulk;
+    EXPECT_NEAR(excess / exact, 1.0, 0.1) << place.transpose();
+  }
+}
+
 TEST(MeshBudget, RefusesAMeshBeforeItIsMade)
 {
   const PlanarDomain disk = Disk(0.05);
