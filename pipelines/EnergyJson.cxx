@@ -90,6 +90,17 @@ std::string Write(vtkSingularityOptimizer* optimizer)
   {
     report["size_spread_before"] = value(names::SizeSpreadBefore);
     report["size_spread_after"] = value(names::SizeSpreadAfter);
+    report["front"] = Json::array();
+    vtkDataArray* counts = data->GetArray(names::FrontSingularities);
+    for (vtkIdType i = 0; i < counts->GetNumberOfTuples(); ++i)
+    {
+      const auto number = [data, i](const char* name)
+      { return data->GetArray(name)->GetTuple1(i); };
+      report["front"].push_back({ { "singularities", static_cast<long long>(counts->GetTuple1(i)) },
+        { "size_spread", number(names::FrontSizeSpread) },
+        { "renormalized_energy", number(names::FrontRenormalizedEnergy) },
+        { "holonomy_defect", number(names::FrontHolonomyDefect) } });
+    }
   }
   report["iterations"] = static_cast<long long>(value(names::Iterations));
   report["converged"] = value(names::Converged) != 0.0;

@@ -39,7 +39,26 @@ struct OptimizeOptions : MeshOptions
   double clearance = 0.0;
   bool keepAll = false;
   bool even = false;
+  int pairs = 0;
 };
+
+/** What evenness costs: a line for each point of the front. */
+void PrintFront(vtkPolyData* moved)
+{
+  vtkFieldData* data = moved->GetFieldData();
+  std::cout << "singularities, spread of sizes, renormalized energy, holonomy defect\n";
+  for (vtkIdType i = 0; i < data->GetArray(names::FrontSingularities)->GetNumberOfTuples(); ++i)
+  {
+    const char* separator = "";
+    for (const char* name : { names::FrontSingularities, names::FrontSizeSpread,
+           names::FrontRenormalizedEnergy, names::FrontHolonomyDefect })
+    {
+      std::cout << separator << data->GetArray(name)->GetTuple1(i);
+      separator = ", ";
+    }
+    std::cout << "\n";
+  }
+}
 
 int Optimize(const OptimizeOptions& options)
 {
@@ -67,6 +86,7 @@ int Optimize(const OptimizeOptions& options)
   optimizer->SetClearance(options.clearance);
   optimizer->SetKeepAll(options.keepAll);
   optimizer->SetEvenSizes(options.even);
+  optimizer->SetPairs(options.pairs);
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
 
   // 3. Optimise and write.
@@ -88,11 +108,12 @@ int Optimize(const OptimizeOptions& options)
                    moved->GetFieldData()->GetAbstractArray(names::Reason))
                    ->GetValue(0)
               << "\n";
-    if (options.even)
+    if (options.even || options.pairs > 0)
     {
       std::cout << "spread of sizes (standard deviation of their logarithm) from "
                 << FieldValue(moved, names::SizeSpreadBefore) << " to "
                 << FieldValue(moved, names::SizeSpreadAfter) << "\n";
+      PrintFront(moved);
     }
     auto* events =
       vtkStringArray::SafeDownCast(moved->GetFieldData()->GetAbstractArray(names::Events));
@@ -132,6 +153,10 @@ void AddOptimizeCommand(CLI::App& app, int& status)
     "no singularity moves into the boundary or out of it, none that meet are taken out");
   command->add_flag("--even", options->even,
     "then move on to where the sizes of quads that follow the field are most even");
+  command
+    ->add_option("--pairs", options->pairs,
+      "with --even, and then with up to so many pairs of quarter indices 1 and -1 more, while they bring something")
+    ->check(CLI::Range(0, 100));
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Optimize(*options); });
 }

@@ -114,6 +114,15 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
   {
     ColumnWriting::AddNumbers(data, names::SizeSpreadBefore, { result.sizeSpreads->before });
     ColumnWriting::AddNumbers(data, names::SizeSpreadAfter, { result.sizeSpreads->after });
+    using crossfield::FrontPoint;
+    AddColumn<vtkIntArray>(data, names::FrontSingularities, result.front,
+      [](const FrontPoint& point) { return point.singularities; });
+    AddColumn<vtkDoubleArray>(data, names::FrontSizeSpread, result.front,
+      [](const FrontPoint& point) { return point.sizeSpread; });
+    AddColumn<vtkDoubleArray>(data, names::FrontRenormalizedEnergy, result.front,
+      [](const FrontPoint& point) { return point.energy; });
+    AddColumn<vtkDoubleArray>(data, names::FrontHolonomyDefect, result.front,
+      [](const FrontPoint& point) { return point.holonomyDefect; });
   }
   ColumnWriting::AddIntegers(data, names::Iterations, { result.iterations });
   ColumnWriting::AddIntegers(data, names::Converged, { result.converged ? 1 : 0 });

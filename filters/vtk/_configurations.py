@@ -96,7 +96,7 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
 
 def optimize(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
              corners: Union[Corners, Singularities] = None, iterations: int = 200,
-             even: bool = False, clearance: Optional[float] = None,
+             even: bool = False, pairs: int = 0, clearance: Optional[float] = None,
              keep_all: bool = False) -> Configuration:
     """Moves singularities to where the renormalised energy of their field is least.
 
@@ -104,7 +104,10 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     None; with `keep_all` none of them moves into the boundary or out of it, or is taken out.
 
     With `even` it then moves on to where the sizes of quads that follow the field are most even:
-    report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size.
+    report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size. With `pairs`
+    up to so many pairs of indices 1 and -1 are added after that, while they bring something; the lists
+    report["front_singularities"], ["front_size_spread"], ["front_renormalized_energy"] and
+    ["front_holonomy_defect"] have an entry for the least energy, for even sizes, and for each pair.
 
     The arguments are those of `solve`; it starts from a proposal if no singularities are given. Where
     they do not come to rest there is a RuntimeWarning, and report["converged"] is False.
@@ -125,6 +128,7 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     optimizer.SetMeshSize(checked(size))
     optimizer.SetMaximumIterations(iterations)
     optimizer.SetEvenSizes(even)
+    optimizer.SetPairs(pairs)
     optimizer.SetClearance(checked(clearance))
     optimizer.SetKeepAll(keep_all)
     if corners is not None:

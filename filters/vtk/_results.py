@@ -19,7 +19,8 @@ from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 # Field data that is true or false, and that has one entry for each hole or inner loop.
 _FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
           names.UnitHoles)
-_LISTS = (names.Annihilation, names.DefectBefore, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
+_LISTS = (names.Annihilation, names.DefectBefore, names.FrontHolonomyDefect, names.FrontRenormalizedEnergy,
+          names.FrontSingularities, names.FrontSizeSpread, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
           names.HolonomyDefect, names.IrregularAsked, names.IrregularGot, names.IrregularValence,
           names.PointSingularities)
 

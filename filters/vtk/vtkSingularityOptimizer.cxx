@@ -54,6 +54,7 @@ int vtkSingularityOptimizer::RequestData(
       options.clearance = this->Clearance;
       options.keepAll = this->KeepAll;
       options.evenSizes = this->EvenSizes;
+      options.pairs = this->Pairs;
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
@@ -85,4 +86,5 @@ void vtkSingularityOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "KeepAll: " << this->KeepAll << "\n";
   os << indent << "EvenSizes: " << this->EvenSizes << "\n";
+  os << indent << "Pairs: " << this->Pairs << "\n";
 }

@@ -18,7 +18,9 @@
  * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
  * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
  * besides moving). With EvenSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
- * of log size, H, over the area, where W is least and of the result.
+ * of log size, H, over the area, where W is least and of the result; and the front, one value each where W is least,
+ * with even sizes, and with every pair that was added: `FrontSingularities` (int), `FrontSizeSpread`,
+ * `FrontRenormalizedEnergy`, `FrontHolonomyDefect` (largest, radians).
  * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
  * `RenormalizedEnergy`, `GradientNorm` (largest derivative of the Lagrangian, times the diagonal of the
  * domain), `HolonomyDefect` (the largest), `StepLength` (the longest way of a singularity).
@@ -112,6 +114,15 @@ public:
   vtkBooleanMacro(EvenSizes, bool);
   ///@}
 
+  ///@{
+  /**
+   * Then add up to so many pairs of quarter indices 1 and -1 where they make sizes most even, while a pair brings 15 %
+   * of the spread or halves a holonomy defect; more than 0 is with EvenSizes. Default: 0. Range: 0 to 100.
+   */
+  vtkSetClampMacro(Pairs, int, 0, 100);
+  vtkGetMacro(Pairs, int);
+  ///@}
+
 protected:
   vtkSingularityOptimizer();
   ~vtkSingularityOptimizer() override = default;
@@ -130,6 +141,7 @@ private:
   double Clearance = 0.0;
   bool KeepAll = false;
   bool EvenSizes = false;
+  int Pairs = 0;
 };
 
 #endif

@@ -111,6 +111,27 @@ TEST_F(SingularityOptimizer, MakesSizesEvenIfAsked)
   EXPECT_LT(this->Value("SizeSpreadAfter"), this->Value("SizeSpreadBefore"));
 }
 
+TEST_F(SingularityOptimizer, AddsPairsAndTellsTheFront)
+{
+  // A channel that becomes twice as wide.
+  this->Filter->SetInputData(TestInputs::Loops(
+    { { { 0.0, 0.0 }, { 6.0, 0.0 }, { 6.0, 2.0 }, { 4.0, 2.0 }, { 2.0, 1.0 }, { 0.0, 1.0 } } }));
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
+  this->Filter->SetPairs(1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 2);
+  vtkFieldData* data = this->Filter->GetOutput()->GetFieldData();
+  for (const char* name :
+    { "FrontSingularities", "FrontSizeSpread", "FrontRenormalizedEnergy", "FrontHolonomyDefect" })
+  {
+    ASSERT_EQ(FilterChecks::RequireArray(data, name)->GetNumberOfTuples(), 3) << name;
+  }
+  EXPECT_EQ(data->GetArray("FrontSingularities")->GetTuple1(2), 2.0);
+  EXPECT_LT(data->GetArray("FrontSizeSpread")->GetTuple1(2),
+    0.5 * data->GetArray("FrontSizeSpread")->GetTuple1(1));
+  EXPECT_EQ(data->GetArray("FrontSizeSpread")->GetTuple1(2), this->Value("SizeSpreadAfter"));
+}
+
 TEST_F(SingularityOptimizer, SaysWhatHappened)
 {
   this->Domain->SetDomainName("l-shape");

@@ -224,7 +224,7 @@ std::optional<ConfigurationChange> FindLoose(
       {
         change.tracked.singularities[row].quarterIndex = left;
         change.tracked.singularities.push_back(inside);
-        change.tracked.origins.push_back(-1);
+        change.tracked.origins.push_back(BoundaryOrigin);
       }
       return change;
     }

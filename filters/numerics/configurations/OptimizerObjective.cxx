@@ -13,7 +13,7 @@ namespace crossfield
 namespace
 {
 /// μ; see OptimizerGoal.
-constexpr double EvennessWeight = 1e3;
+constexpr double EvennessWeight = 1e4;
 
 Point PlaceOf(const Eigen::VectorXd& place, std::size_t i)
 {

@@ -24,8 +24,8 @@ struct OptimizerPlace
   Eigen::VectorXd ObjectiveGradient() const { return this->gradient + this->barrier.gradient; }
 };
 
-/// What is minimised besides the barrier: W, or W + μ J with μ = 1000. Then W is worth 1/1000 of J, and the
-/// barrier's κ 1e-4 of it (docs/method.md §5.7).
+/// What is minimised besides the barrier: W, or W + μ J with μ = 10,000. Then W is worth 1e-4 of J, and the
+/// barrier's κ 1e-5 of it (docs/method.md §5.7).
 enum class OptimizerGoal
 {
   Energy,

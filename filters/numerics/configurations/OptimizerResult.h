@@ -23,9 +23,21 @@ struct OptimizerOptions
   double clearance = 0.0;
   /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken out.
   bool keepAll = false;
-  /// After the least W, move on to where the sizes of quads are most even: the least W + 1000 J
+  /// After the least W, move on to where the sizes of quads are most even: the least W + 10,000 J
   /// (SizeEvenness.h), with the singularities that there are and as many iterations again.
   bool evenSizes = false;
+  /// Then add up to so many pairs of quarter indices 1 and −1, where they make sizes most even (docs/method.md §5.8),
+  /// while one brings 15 % of the spread or halves a holonomy defect. More than 0 is with evenSizes.
+  int pairs = 0;
+};
+
+/// What evenness costs: a point of the front of numbers of singularities against spreads of sizes.
+struct FrontPoint
+{
+  int singularities = 0;       ///< Those on the boundary included.
+  double sizeSpread = 0.0;     ///< Standard deviation of log size over the area.
+  double energy = 0.0;         ///< W.
+  double holonomyDefect = 0.0; ///< Largest, radians.
 };
 
 /// Standard deviations of log size over the area.
@@ -37,11 +49,13 @@ struct SizeSpreads
 
 struct OptimizerResult
 {
-  /// In the order given, without those that were taken out; then those that left the boundary.
+  /// In the order given, without those that were taken out; then those that left the boundary, and added pairs.
   Configuration configuration;
   double energyBefore = 0.0;              ///< W of the start,
   double energyAfter = 0.0;               ///< and of the result.
   std::optional<SizeSpreads> sizeSpreads; ///< Nothing if evenSizes is off.
+  /// With evenSizes: at the least W, with even sizes, and with each pair that was added.
+  std::vector<FrontPoint> front;
   int iterations = 0;
   bool converged = false;
   bool aborted = false;

@@ -2,13 +2,15 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
-#include "HoleRadii.h"
 #include "OptimizerCurvature.h"
+#include "OptimizerPairs.h"
+#include "OptimizerReport.h"
 #include "OptimizerStart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace crossfield
 {
@@ -18,11 +20,17 @@ namespace
 constexpr double NotableDefect = 0.01;
 /// Moves along the boundary; each is a few clearances long, and a nose has no room for more.
 constexpr int MostSlides = 10;
+
+double LargestDefect(const OptimizerPlace& place)
+{
+  return place.defects.size() == 0 ? 0.0 : place.defects.cwiseAbs().maxCoeff();
+}
 }
 
 OptimizerRun::OptimizerRun(
   const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result)
   : Domain(domain)
+  , MostIterations(options.maximumIterations)
   , KeepAll(options.keepAll)
   , Result(result)
 {
@@ -99,9 +107,76 @@ OptimizerEnd OptimizerRun::Even(const Progress& progress)
   this->KeepAll = true;
   this->Begin(this->Stage.At(this->Here.place), {});
   this->Result.sizeSpreads = SizeSpreads{ this->Here.sizeSpread, this->Here.sizeSpread };
+  this->AddToFront();
   this->Iteration.Restart();
-  this->Iteration.maximumIterations += this->Iteration.iterations;
-  return this->Move(progress);
+  this->Iteration.maximumIterations = this->Iteration.iterations + this->MostIterations;
+  const OptimizerEnd end = this->Move(progress);
+  this->AddToFront();
+  return end;
+}
+
+OptimizerEnd OptimizerRun::AddPairs(int most, OptimizerEnd end, const Progress& progress)
+{
+  // A pair has to bring so much; nobody sees less, or what is left of unevenness below the second.
+  constexpr double LeastGain = 0.15;
+  constexpr double EvenEnough = 0.04;
+  constexpr double LeastDefect = 0.2; // by which crosses miss by 0.05
+  for (int pair = 0; pair < most; ++pair)
+  {
+    const double defect = LargestDefect(this->Here);
+    if (end == OptimizerEnd::Aborted ||
+      (this->Here.sizeSpread < EvenEnough && defect < LeastDefect))
+    {
+      return end;
+    }
+    const OptimizerStage stage = this->Stage;
+    const OptimizerPlace here = this->Here;
+    const OptimizerIteration iteration = this->Iteration;
+    const Progress part =
+      progress.Part(static_cast<double>(pair) / most, static_cast<double>(pair + 1) / most);
+    std::optional<TrackedConfiguration> with;
+    try
+    {
+      with = FindBestPair(this->Domain, stage, here, this->Stages, part.Part(0.0, 0.5));
+    }
+    catch (const Aborted&)
+    {
+      return OptimizerEnd::Aborted;
+    }
+    if (!with)
+    {
+      return end;
+    }
+    this->Begin(*with, {});
+    this->Iteration.Restart();
+    this->Iteration.maximumIterations = this->Iteration.iterations + this->MostIterations;
+    const OptimizerEnd reached = this->Move(part.Part(0.5, 1.0));
+    const std::string gain =
+      "the spread of sizes from " + Short(here.sizeSpread) + " to " + Short(this->Here.sizeSpread);
+    const bool mends = defect > LeastDefect && LargestDefect(this->Here) < 0.5 * defect;
+    if (!mends && !(this->Here.sizeSpread < (1.0 - LeastGain) * here.sizeSpread))
+    {
+      this->Say("A further pair of singularities would change " + gain + ", and was left out.");
+      this->Stage = stage;
+      this->Here = here;
+      this->Iteration = iteration;
+      return end;
+    }
+    this->Say("A pair of singularities was added, which changed " + gain + ".");
+    this->AddToFront();
+    end = reached;
+  }
+  return end;
+}
+
+void OptimizerRun::AddToFront()
+{
+  FrontPoint point;
+  point.singularities = static_cast<int>(this->Stage.tracked.singularities.size());
+  point.sizeSpread = this->Here.sizeSpread;
+  point.energy = this->Here.fullEnergy;
+  point.holonomyDefect = LargestDefect(this->Here);
+  this->Result.front.push_back(point);
 }
 
 void OptimizerRun::Finish(OptimizerEnd end)
@@ -119,7 +194,8 @@ void OptimizerRun::Finish(OptimizerEnd end)
   result.history = this->Iteration.history;
   result.converged = end == OptimizerEnd::Rest;
   result.aborted = end == OptimizerEnd::Aborted;
-  this->GiveReason(end);
+  result.reason =
+    ReasonOf(end, this->Stages.objective.goal, this->Stage.objective->Count(), result.iterations);
   for (const std::size_t i : HeldSingularities(this->Stage, this->Here))
   {
     this->Say("The clearance holds " + last.Name(this->Stage.placed.rows[i]) + " at " +
@@ -137,7 +213,10 @@ void OptimizerRun::Finish(OptimizerEnd end)
     this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
       Short(result.energyAfter) + " instead of " + Short(result.energyBefore) + ".");
   }
-  this->ShrinkRadii();
+  for (const std::string& event : ShrinkRadii(this->Domain, result.configuration))
+  {
+    this->Say(event);
+  }
 }
 
 void OptimizerRun::Begin(const TrackedConfiguration& tracked, const Progress& progress)
@@ -285,51 +364,5 @@ bool OptimizerRun::Try(const ConfigurationChange& change)
   this->Here = here;
   this->Iteration = iteration;
   return false;
-}
-
-void OptimizerRun::GiveReason(OptimizerEnd end)
-{
-  OptimizerResult& result = this->Result;
-  if (end == OptimizerEnd::Rest && this->Stage.objective->Count() == 0)
-  {
-    result.reason = "No singularity lies inside that could move.";
-  }
-  else if (end == OptimizerEnd::Rest)
-  {
-    result.reason = this->Stages.objective.goal == OptimizerGoal::EvenSizes
-      ? "The singularities are where sizes are most even."
-      : "The singularities are at a stationary point of the renormalised energy.";
-  }
-  else if (end == OptimizerEnd::Aborted)
-  {
-    result.reason = "The iteration was aborted; this is the best configuration so far.";
-  }
-  else if (end == OptimizerEnd::Limit)
-  {
-    result.reason = "The iteration stopped after " + std::to_string(result.iterations) +
-      " steps before the singularities came to rest; allow more steps.";
-  }
-  else
-  {
-    result.reason = "No step lowers the renormalised energy any more, though its derivatives are "
-                    "not zero; choose a larger tolerance or a finer mesh.";
-  }
-}
-
-void OptimizerRun::ShrinkRadii()
-{
-  Configuration& all = this->Result.configuration;
-  const Configuration given = all;
-  for (std::size_t i = 0; i < all.size(); ++i)
-  {
-    const double room = RoomOf(this->Domain, given, i);
-    if (given[i].radius > 0.75 * room && room > BoundaryReach * this->Domain.Diagonal())
-    {
-      all[i].radius = ChosenRadius(this->Domain, given, i, given[i].radius);
-      this->Say("The radius of singularity " + std::to_string(i + 1) +
-        " of the result was shrunk from " + Short(given[i].radius) + " to " + Short(all[i].radius) +
-        " to fit.");
-    }
-  }
 }
 }

@@ -23,6 +23,9 @@ public:
   OptimizerEnd Move(const Progress& progress);
   /// From the least W on to the evenest sizes, with the singularities that there are.
   OptimizerEnd Even(const Progress& progress);
+  /// Then adds up to so many pairs of opposite signs, as long as they bring something, and moves all to the
+  /// evenest sizes with each (docs/method.md §5.8). Returns how the last move ended, or `end` before that.
+  OptimizerEnd AddPairs(int most, OptimizerEnd end, const Progress& progress);
   void Finish(OptimizerEnd end);
 
 private:
@@ -39,12 +42,10 @@ private:
   bool Change();
   /// Goes on from a change if the energy with cores is lower after a few steps.
   bool Try(const ConfigurationChange& change);
-  void GiveReason(OptimizerEnd end);
-  /// A given hole that leaves less than a quarter of the way to the boundary, or of half of that to
-  /// another one, has no room for a mesh in between.
-  void ShrinkRadii();
+  void AddToFront();
 
   const PlanarDomain& Domain;
+  int MostIterations;
   bool KeepAll;
   OptimizerResult& Result;
   StageOptions Stages;

@@ -15,8 +15,9 @@ namespace crossfield
 std::string TrackedConfiguration::Name(std::size_t row) const
 {
   const int origin = this->origins[row];
-  return origin < 0 ? "the singularity from the boundary"
-                    : "singularity " + std::to_string(origin + 1);
+  return origin == BoundaryOrigin ? "the singularity from the boundary"
+    : origin == AddedOrigin       ? "an added singularity"
+                                  : "singularity " + std::to_string(origin + 1);
 }
 
 void TrackedConfiguration::Erase(std::size_t row)

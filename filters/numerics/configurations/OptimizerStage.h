@@ -9,11 +9,15 @@
 
 namespace crossfield
 {
+/// Origins of singularities that are in no row of the start: from the boundary, and of a pair that was added.
+constexpr int BoundaryOrigin = -1;
+constexpr int AddedOrigin = -2;
+
 /// Singularities that remember which row of the start they were.
 struct TrackedConfiguration
 {
   Configuration singularities;
-  std::vector<int> origins; ///< Row of the start, counted from 0; −1: from the boundary.
+  std::vector<int> origins; ///< Row of the start, counted from 0, or one of the origins above.
   std::set<int> absorbed;   ///< Origins of those that became singularities of the boundary.
 
   /// "singularity 3", counted from 1 in the order of the start.

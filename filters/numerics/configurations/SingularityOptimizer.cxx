@@ -10,10 +10,13 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   OptimizerResult result;
   OptimizerRun run(domain, options, result);
   run.Start(start, progress);
-  OptimizerEnd end = run.Move(progress.Part(0.2, options.evenSizes ? 0.6 : 1.0));
-  if (options.evenSizes && end != OptimizerEnd::Aborted)
+  const bool even = options.evenSizes || options.pairs > 0;
+  const double share = options.pairs > 0 ? 0.4 : even ? 0.6 : 1.0;
+  OptimizerEnd end = run.Move(progress.Part(0.2, share));
+  if (even && end != OptimizerEnd::Aborted)
   {
-    end = run.Even(progress.Part(0.6, 1.0));
+    end = run.Even(progress.Part(share, options.pairs > 0 ? 0.6 : 1.0));
+    end = run.AddPairs(options.pairs, end, progress.Part(0.6, 1.0));
   }
   run.Finish(end);
   return result;

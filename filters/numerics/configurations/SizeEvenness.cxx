@@ -37,6 +37,23 @@ SizeEvenness::SizeEvenness(const PointPotential& potential)
   this->Masses /= area;
 }
 
+Eigen::VectorXd SizeEvenness::SizesOf(
+  const PointPotential& potential, const PointPotential::Solution& solution) const
+{
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  Eigen::VectorXd h = 0.25 * solution.regular.head(this->Masses.size());
+  for (Eigen::Index v = 0; v < h.size(); ++v)
+  {
+    const Point& x = mesh.points[static_cast<std::size_t>(v)];
+    for (const LogSource& log : solution.logs)
+    {
+      h[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
+    }
+  }
+  h.array() -= this->Masses.dot(h);
+  return h;
+}
+
 SizeEvenness::Value SizeEvenness::Evaluate(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {
@@ -46,16 +63,7 @@ SizeEvenness::Value SizeEvenness::Evaluate(
     static_cast<Eigen::Index>(solution.logs.size() - potential.GetBoundaryLogs().size());
 
   // 1. H, and J.
-  Eigen::VectorXd h = 0.25 * solution.regular.head(vertices);
-  for (Eigen::Index v = 0; v < vertices; ++v)
-  {
-    const Point& x = mesh.points[static_cast<std::size_t>(v)];
-    for (const LogSource& log : solution.logs)
-    {
-      h[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
-    }
-  }
-  h.array() -= this->Masses.dot(h);
+  const Eigen::VectorXd h = this->SizesOf(potential, solution);
   Value result;
   const Eigen::VectorXd weighted = this->Masses.cwiseProduct(h);
   result.energy = 0.5 * weighted.dot(h);

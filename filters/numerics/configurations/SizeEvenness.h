@@ -20,6 +20,11 @@ public:
 
   explicit SizeEvenness(const PointPotential& potential);
 
+  /// H at vertices, less its mean over the area.
+  Eigen::VectorXd SizesOf(
+    const PointPotential& potential, const PointPotential::Solution& solution) const;
+  const Eigen::VectorXd& GetMasses() const { return this->Masses; }
+
   /// Exact derivatives of the discrete J: one more back-substitution.
   Value Evaluate(const PointPotential& potential, const PointPotential::Solution& solution) const;
 

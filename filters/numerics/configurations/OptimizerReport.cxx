@@ -1,0 +1,50 @@
+#include "OptimizerReport.h"
+
+#include "BoundaryCorners.h"
+#include "HoleRadii.h"
+#include "OptimizerStart.h"
+
+namespace crossfield
+{
+std::string ReasonOf(
+  OptimizerEnd end, OptimizerGoal goal, std::size_t singularities, int iterations)
+{
+  switch (end)
+  {
+  case OptimizerEnd::Rest:
+    if (singularities == 0)
+    {
+      return "No singularity lies inside that could move.";
+    }
+    return goal == OptimizerGoal::EvenSizes
+      ? "The singularities are where sizes are most even."
+      : "The singularities are at a stationary point of the renormalised energy.";
+  case OptimizerEnd::Aborted:
+    return "The iteration was aborted; this is the best configuration so far.";
+  case OptimizerEnd::Limit:
+    return "The iteration stopped after " + std::to_string(iterations) +
+      " steps before the singularities came to rest; allow more steps.";
+  default:
+    return "No step lowers the renormalised energy any more, though its derivatives are "
+           "not zero; choose a larger tolerance or a finer mesh.";
+  }
+}
+
+std::vector<std::string> ShrinkRadii(const PlanarDomain& domain, Configuration& configuration)
+{
+  std::vector<std::string> events;
+  const Configuration given = configuration;
+  for (std::size_t i = 0; i < given.size(); ++i)
+  {
+    const double room = RoomOf(domain, given, i);
+    if (given[i].radius > 0.75 * room && room > BoundaryReach * domain.Diagonal())
+    {
+      configuration[i].radius = ChosenRadius(domain, given, i, given[i].radius);
+      events.push_back("The radius of singularity " + std::to_string(i + 1) +
+        " of the result was shrunk from " + Short(given[i].radius) + " to " +
+        Short(configuration[i].radius) + " to fit.");
+    }
+  }
+  return events;
+}
+}
