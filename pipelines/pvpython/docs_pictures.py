@@ -252,7 +252,7 @@ def quad_mesher():
 def cross_glyphs():
     field = solved(disk(), SingularitySource(), size=0.1)
     views = []
-    for title, options in (("Spacing 0", {}), ("Spacing 0.1", dict(Spacing=0.1)),
+    for title, options in (("Spacing 0", dict(Spacing=0)), ("Spacing 0.1", dict(Spacing=0.1)),
                            ("Scale By Norm", dict(Spacing=0.1, ScaleByNorm=1))):
         view = panel(field, title)
         draw_lines(CrossGlyphs(Input=field, **options), view, BLACK, 1)
