@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -80,14 +81,15 @@ Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
   return factor;
 }
 
-QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& here)
+/// The model with a matrix for B.
+QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerPlace& here)
 {
   QuadraticStep result;
   result.reachable = ReachableDefects(here.defectGradient);
   result.defects = result.reachable.transpose() * here.defects;
   const Eigen::MatrixXd rows = result.reachable.transpose() * here.defectGradient;
   const Eigen::VectorXd gradient = here.ObjectiveGradient();
-  const Eigen::LLT<Eigen::MatrixXd> factor = FactorShifted(hessian + here.barrier.hessian);
+  const Eigen::LLT<Eigen::MatrixXd> factor = FactorShifted(matrix);
   const Eigen::VectorXd free = factor.solve(gradient);
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(rows.rows());
   if (rows.rows() > 0)
@@ -99,6 +101,25 @@ QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& h
   result.step = -factor.solve(result.lagrangian);
   result.pull = result.reachable * multipliers;
   return result;
+}
+
+/// Along a valley, as by rotation of a disk, the curvature by differences is zero but for rounding, and the step
+/// without end. So B gets more on its diagonal until no step is longer than the diagonal of the domain, or
+/// it is the defects that ask for it.
+QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& here)
+{
+  constexpr double Longest = 1.0;
+  Eigen::MatrixXd matrix = hessian + here.barrier.hessian;
+  double shift = 1e-6 * LargestEntry(matrix.diagonal());
+  QuadraticStep model = SolveModelWith(matrix, here);
+  for (double before = std::numeric_limits<double>::infinity();
+       LargestEntry(model.step) > Longest && LargestEntry(model.step) < 0.9 * before; shift *= 4.0)
+  {
+    before = LargestEntry(model.step);
+    matrix.diagonal().array() += shift;
+    model = SolveModelWith(matrix, here);
+  }
+  return model;
 }
 
 /// Damped BFGS update (Powell 1978): stays positive definite where the Lagrangian is not convex.

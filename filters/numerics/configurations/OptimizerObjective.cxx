@@ -174,7 +174,7 @@ double OptimizerObjective::LongestPart(
       }
       return true;
     };
-    while (part > Least && !fits())
+    while (part * way.norm() > Least && !fits())
     {
       part *= 0.5;
     }

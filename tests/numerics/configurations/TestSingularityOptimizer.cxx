@@ -99,6 +99,20 @@ TEST(SingularityOptimizer, FourOnADiskEndOnTheSquareOfTheTheory)
   }
 }
 
+TEST(SingularityOptimizer, AValleyWithoutCurvatureHasNoStepOutOfTheDomain)
+{
+  // By differences the curvature of rotations is a rounding error here, and the step 80 diagonals long.
+  const PlanarDomain disk = { { RegularPolygon(314) } };
+  Configuration start;
+  for (const double angle : { 0.1, 1.5, 3.4, 4.9 })
+  {
+    start.push_back({ 0.4 * Point(std::cos(angle), std::sin(angle)), 1, 0.0 });
+  }
+  const OptimizerResult result = Optimize(disk, start, 0.02);
+  EXPECT_TRUE(result.converged) << result.reason;
+  EXPECT_NEAR(result.energyAfter, -7.2962, 0.003);
+}
+
 TEST(SingularityOptimizer, IsInvariantUnderSimilarities)
 {
   const PlanarDomain disk = Builtin("disk", 0.1);

@@ -1,0 +1,148 @@
+"""Writes docs/exact.md, what the program gives where the exact value is known:
+
+    python3 scripts/exact.py build/bin/crossfield > docs/exact.md
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PAGE = """# Exact values and what is computed
+
+Made by `scripts/exact.py build/bin/crossfield`. `Program.Exact` makes the table again and compares: the exact
+values, what is found, and that the errors fall with the mesh size. Sources: [the method](method.md), §5 and §7.
+
+| what | exact | found for h = 0.1, 0.05, 0.025, unless it says others |
+| --- | --- | --- |
+"""
+SIZES = (0.1, 0.05, 0.025)
+OPTIMUM = (3 / 11) ** 0.125
+
+
+def on(radius, angle, quarter, hole=0.05):
+    return (radius * math.cos(angle), radius * math.sin(angle), quarter, hole)
+
+
+def exact_energy(rows):
+    """W on the disk (docs/method.md §5.3), points of the circle included."""
+    total = 0.0
+    for i, (x, y, k, _) in enumerate(rows):
+        for j, (v, w, m, _) in enumerate(rows):
+            b, c = complex(x, y), complex(v, w)
+            if i != j:
+                total -= math.pi * k * m * math.log(abs(b - c))
+            if i != j or abs(b) < 1 - 1e-9:
+                total -= math.pi * k * m * math.log(abs(1 - b * c.conjugate()))
+    return total
+
+
+class Run:
+    """The program in a folder of its own."""
+
+    def __init__(self, program, folder):
+        self.program = pathlib.Path(program).resolve()
+        self.folder = pathlib.Path(folder)
+
+    def __call__(self, command, domain, rows, *more):
+        (self.folder / "rows.csv").write_text("x,y,quarter_index,radius\n" + "".join(
+            ",".join("%.17g" % value for value in row) + "\n" for row in rows), encoding="utf-8")
+        result = subprocess.run(
+            [self.program, command, domain, "-s", "rows.csv", "--json", "-", *map(str, more)],
+            cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
+        return json.loads(result.stdout)
+
+    def polygon(self, size, scale=1.0):
+        """A polygon of the unit circle with sides of about this length; their number."""
+        count = round(2 * math.pi / size)
+        (self.folder / "disk.csv").write_text("x,y\n" + "".join("%.17g,%.17g\n" % (
+            scale * math.cos(2 * math.pi * i / count), scale * math.sin(2 * math.pi * i / count))
+            for i in range(count)), encoding="utf-8")
+        return count
+
+    def energy(self, domain, rows, *more):
+        return self("energy", domain, rows, *more)["configurations"][0]
+
+    def on_circle(self, size, part, inside, quarters):
+        """W and its exact value for points on the polygon: at vertices (0), in the middle of sides (1/2)."""
+        count = self.polygon(size)
+        given, exact = list(inside), list(inside)
+        for angle, quarter in quarters:
+            first = 2 * math.pi / count * math.floor(angle * count / (2 * math.pi))
+            step = 2 * math.pi / count
+            ends = [complex(math.cos(t), math.sin(t)) for t in (first, first + step)]
+            place = (1 - part) * ends[0] + part * ends[1]
+            given.append((place.real, place.imag, quarter, 0.05))
+            exact.append(on(1, first + part * step, quarter))
+        found = self.energy("disk.csv", given, "--size", size)
+        return found, exact_energy(exact)
+
+
+def rows(run):
+    """What, the exact value, values found, as text, and the errors of these."""
+    square = [on(0.6, 0.3 + i * math.pi / 2, 1) for i in range(4)]
+    inside = [(0.1, 0.5, 1, 0.05), (-0.5, -0.1, 1, 0.05), (0.3, -0.5, 1, 0.05)]
+
+    def row(what, exact, found, digits=4, angle=False):
+        errors = [abs(math.remainder(value - exact, 2 * math.pi) if angle else value - exact)
+                  for value in found]
+        text = ", ".join("%.*f" % (digits, value) for value in found)
+        return what, "%.*f" % (digits, exact), text, errors
+
+    values = []
+    for size in SIZES:
+        run.polygon(size)
+        values.append(run.energy("disk.csv", square, "--size", size)["renormalized_energy"])
+    yield row("W, disk, four k = 1 at radius 0.6", exact_energy(square), values)
+    for part, place in ((0.0, "at a vertex"), (0.5, "on a side")):
+        # The place differs with the polygon: the exact value of the finest, and errors of each.
+        found = [run.on_circle(size, part, inside, [(0.3, 1)]) for size in SIZES]
+        exact = found[-1][1]
+        yield row("W, disk, one k = 1 on the circle, " + place, exact,
+                  [exact + value["renormalized_energy"] - own for value, own in found])
+        yield row("its coefficient of log(1/ρ), 5π", 5 * math.pi,
+                  [value["logarithm_coefficient"] for value, _ in found], 8)
+    mixed = [on(0.5, 1.0, 2), on(0.4, 3.3, -1)]
+    quarters = [(0.3, 1), (1.6, -1), (2.5, 1), (4.4, 2)]
+    found = [run.on_circle(size, 0.0, mixed, quarters) for size in SIZES]
+    yield row("W, disk, k = 2, −1 inside, 1, −1, 1, 2 on the circle", found[-1][1],
+              [found[-1][1] + value["renormalized_energy"] - own for value, own in found])
+    pair = [(0.75, 0.05, 1, 0.05), (-0.1, 0.65, -1, 0.05)]
+    exact = math.remainder(math.atan2(0.05, 0.75) - math.atan2(0.65, -0.1), 2 * math.pi)
+    yield row("holonomy defect of a ring, Σ k arg b", exact,
+              [run("hfield", "builtin:ring", pair, "--size", size)["holonomy_defect"][0]
+               for size in SIZES], 5, True)
+    values = []
+    for size in SIZES:
+        run.polygon(size)
+        moved = run("optimize", "disk.csv", [on(0.4, t, 1) for t in (0.1, 1.5, 3.4, 4.9)],
+                    "--size", size)
+        values.append(sum(math.hypot(one["x"], one["y"]) for one in moved["singularities"]) / 4)
+    yield row("radius of the four optima, (3/11)^(1/8)", OPTIMUM, values, 5)
+    values = []
+    for scale in (1e-50, 1e35, 1e50):
+        run.polygon(0.04, scale)
+        large = [(scale * x, scale * y, k, scale * r) for x, y, k, r in square]
+        found = run("hfield", "disk.csv", large, "--size", 0.04 * scale)["renormalized_energy"]
+        values.append(found - 4 * math.pi * math.log(scale))
+    yield row("W less 4π log(scale) for scales 1e−50, 1e35, 1e50, h = 0.04", exact_energy(square), values)
+    centre = [(0.0, 0.0, 4, 0.3)]
+    bounds = []
+    for size in (0.06, 0.03):
+        run.polygon(size)
+        bounds.append(run.energy("disk.csv", centre, "--size", size))
+    exact = 16 * math.pi * math.log(1 / 0.3)
+    name = "E of a hole ρ = 0.3 of k = 4 in the centre, 16π log(1/ρ), h = 0.06, 0.03"
+    yield row(name, exact, [value["energy"] for value in bounds])
+    yield row("and the gap between its bounds", 0.0,
+              [value["energy_upper_bound"] - value["energy_lower_bound"] for value in bounds])
+
+
+def table(program):
+    with tempfile.TemporaryDirectory() as folder:
+        return list(rows(Run(program, folder)))
+
+
+if __name__ == "__main__":
+    print(PAGE + "\n".join("| %s | %s | %s |" % entry[:3] for entry in table(sys.argv[1])))
