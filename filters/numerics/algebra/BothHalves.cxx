@@ -5,24 +5,34 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <thread>
 
 namespace crossfield
 {
 void ForBothHalves(bool parallel, const std::function<void(std::size_t)>& function)
 {
   std::array<std::exception_ptr, 2> failures;
-  const int threads = parallel ? std::min(2, omp_get_max_threads()) : 1;
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
-  for (int half = 0; half < 2; ++half)
+  const auto attempt = [&](std::size_t half)
   {
     try
     {
-      function(static_cast<std::size_t>(half));
+      function(half);
     }
     catch (...)
     {
-      failures[static_cast<std::size_t>(half)] = std::current_exception();
+      failures[half] = std::current_exception();
     }
+  };
+  if (parallel && std::min(omp_get_max_threads(), omp_get_thread_limit()) > 1)
+  {
+    std::thread second(attempt, 1);
+    attempt(0);
+    second.join();
+  }
+  else
+  {
+    attempt(0);
+    attempt(1);
   }
   for (const std::exception_ptr& failure : failures)
   {

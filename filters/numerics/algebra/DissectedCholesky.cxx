@@ -8,13 +8,31 @@
 #include <algorithm>
 #include <numeric>
 
+// The Fortran interface of BLAS; see DenseCholesky.
+extern "C" void dsyrk_(const char* half, const char* transposed, const int* size, const int* rank,
+  const double* alpha, const double* matrix, const int* leading, const double* beta, double* result,
+  const int* leadingOfResult, std::size_t halfLength, std::size_t transposedLength);
+
 namespace crossfield
 {
 namespace
 {
-/// Values of right-hand sides from which on a substitution takes two threads: it then takes about two milliseconds. Below, the
-/// threads wait for each other longer than they compute where other programs want the processors, too: an
-/// optimiser that solves ten thousand times on a coarse mesh took twenty times as long.
+/// L Lᵀ, its lower half, by BLAS.
+Eigen::MatrixXd TimesTranspose(const Eigen::MatrixXd& lower)
+{
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(lower.rows(), lower.rows());
+  if (lower.size() > 0)
+  {
+    const auto size = static_cast<int>(lower.rows());
+    const double one = 1.0;
+    const double zero = 0.0;
+    dsyrk_("L", "N", &size, &size, &one, lower.data(), &size, &zero, product.data(), &size, 1, 1);
+  }
+  return product;
+}
+
+/// Values of right-hand sides from which on a substitution takes two threads. Below, the threads wait for each other longer
+/// than they compute where other programs want the processors, too: an optimiser that solves ten thousand times on a coarse mesh.
 constexpr Eigen::Index FewestForTwoThreads = 20000;
 
 Eigen::Index Count(const std::vector<int>& list)
@@ -79,11 +97,11 @@ void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dis
 
 DissectedCholesky::DissectedCholesky(const Eigen::SparseMatrix<double>& matrix,
   const std::vector<Point>& places, const std::vector<int>& trailing,
-  const std::vector<int>& leftOut, const Progress& progress)
+  const std::vector<int>& leftOut, const Progress& progress, const std::vector<int>& partners)
   : Size(matrix.rows())
 {
   const SerialBlas serial;
-  Dissection dissection = Dissect(matrix, places, trailing, leftOut);
+  Dissection dissection = Dissect(matrix, places, trailing, leftOut, partners);
   RequireMemoryForFactor(matrix, dissection);
   progress.Report(0.1);
   this->Halves[0].unknowns = std::move(dissection.left);
@@ -206,10 +224,8 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   std::iota(order.begin(), order.end(), 0);
   half.factor = std::make_unique<SparseCholesky>(part, order);
   half.borderFactor = half.factor->TrailingFactor(borderSize);
-  Eigen::MatrixXd schur(borderSize, borderSize);
-  schur.noalias() =
-    half.borderFactor * half.borderFactor.transpose().triangularView<Eigen::Upper>();
-  return schur - before;
+  // Only the lower half, which is all that is read of it: the border keeps its order.
+  return TimesTranspose(half.borderFactor) - before;
 }
 
 DissectedCholesky::Eliminated DissectedCholesky::Eliminate(

@@ -1,8 +1,8 @@
 #include "NestedDissection.h"
 
-#include <Eigen/Geometry>
+#include "BothHalves.h"
 
-#include <omp.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -16,9 +16,11 @@ constexpr std::ptrdiff_t SmallestPart = 16;
 class Dissector
 {
 public:
-  Dissector(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places)
+  Dissector(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
+    const std::vector<int>& partners)
     : Matrix(matrix)
     , Places(places)
+    , Partners(partners)
     , PartOf(places.size(), 0)
   {
   }
@@ -60,20 +62,89 @@ public:
   }
 
   /// Puts the unknowns in [begin, end) into elimination order. Numbers its parts from `part` in
-  /// steps of two, so that two threads that order disjoint halves do not use the same.
-  void Order(int* begin, int* end, int& part)
+  /// steps of two, so that two threads that order disjoint halves do not use the same. `twoSheets`: some of them may
+  /// have their partners among them.
+  void Order(int* begin, int* end, int& part, bool twoSheets)
   {
-    if (end - begin <= SmallestPart)
+    if (twoSheets)
     {
-      return;
+      this->OrderComponents(begin, end, part);
     }
-    const Halves halves = this->Split(begin, end, part += 2);
-    this->Order(begin, halves.leftEnd, part);
-    this->Order(halves.leftEnd, halves.rightEnd, part);
+    else if (end - begin > SmallestPart)
+    {
+      this->OrderHalves(begin, end, part, false);
+    }
   }
 
 private:
   static constexpr int Excluded = -1;
+
+  void OrderHalves(int* begin, int* end, int& part, bool twoSheets)
+  {
+    const Halves halves = this->Split(begin, end, part += 2);
+    this->Order(begin, halves.leftEnd, part, twoSheets);
+    this->Order(halves.leftEnd, halves.rightEnd, part, twoSheets);
+  }
+
+  /// One connected component after the other.
+  void OrderComponents(int* begin, int* end, int& part)
+  {
+    const int mine = part += 2;
+    for (const int* unknown = begin; unknown != end; ++unknown)
+    {
+      this->PartOf[static_cast<std::size_t>(*unknown)] = mine;
+    }
+    std::vector<int> ordered;
+    ordered.reserve(static_cast<std::size_t>(end - begin));
+    struct Component
+    {
+      std::size_t size;
+      bool twoSheets;
+    };
+    std::vector<Component> components;
+    for (const int* first = begin; first != end; ++first)
+    {
+      if (this->PartOf[static_cast<std::size_t>(*first)] != mine)
+      {
+        continue;
+      }
+      const std::size_t start = ordered.size();
+      const int component = part += 2;
+      this->PartOf[static_cast<std::size_t>(*first)] = component;
+      ordered.push_back(*first);
+      for (std::size_t next = start; next < ordered.size(); ++next)
+      {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(this->Matrix, ordered[next]); entry;
+             ++entry)
+        {
+          const auto other = static_cast<std::size_t>(entry.row());
+          if (this->PartOf[other] == mine)
+          {
+            this->PartOf[other] = component;
+            ordered.push_back(static_cast<int>(other));
+          }
+        }
+      }
+      const bool twoSheets =
+        std::any_of(ordered.begin() + static_cast<std::ptrdiff_t>(start), ordered.end(),
+          [&](int unknown)
+          {
+            const int partner = this->Partners[static_cast<std::size_t>(unknown)];
+            return partner >= 0 && this->PartOf[static_cast<std::size_t>(partner)] == component;
+          });
+      components.push_back({ ordered.size() - start, twoSheets });
+    }
+    std::copy(ordered.begin(), ordered.end(), begin);
+    for (const Component& component : components)
+    {
+      int* const componentEnd = begin + component.size;
+      if (componentEnd - begin > SmallestPart)
+      {
+        this->OrderHalves(begin, componentEnd, part, component.twoSheets);
+      }
+      begin = componentEnd;
+    }
+  }
 
   const Point& Place(int unknown) const { return this->Places[static_cast<std::size_t>(unknown)]; }
 
@@ -123,15 +194,17 @@ private:
 
   const Eigen::SparseMatrix<double>& Matrix;
   const std::vector<Point>& Places;
+  const std::vector<int>& Partners;
   Point Density = Point::Ones();
   std::vector<int> PartOf; ///< Number of the last right half that an unknown was in.
 };
 }
 
 Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<Point>& places,
-  const std::vector<int>& trailing, const std::vector<int>& leftOut)
+  const std::vector<int>& trailing, const std::vector<int>& leftOut,
+  const std::vector<int>& partners)
 {
-  Dissector dissector(matrix, places);
+  Dissector dissector(matrix, places, partners);
   for (int unknown : trailing)
   {
     dissector.Exclude(unknown);
@@ -154,13 +227,14 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   dissector.MeasureDensity(begin, end);
   const Dissector::Halves halves = dissector.Split(begin, end, 1);
   // A thread reads the parts of its own half and of the separator only, which stay as they are.
-#pragma omp parallel for num_threads(std::min(2, omp_get_max_threads())) schedule(static, 1)
-  for (int half = 0; half < 2; ++half)
-  {
-    int part = half; // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
-    dissector.Order(
-      half == 0 ? begin : halves.leftEnd, half == 0 ? halves.leftEnd : halves.rightEnd, part);
-  }
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      int part = static_cast<int>(
+        half); // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
+      dissector.Order(half == 0 ? begin : halves.leftEnd,
+        half == 0 ? halves.leftEnd : halves.rightEnd, part, !partners.empty());
+    });
   Dissection dissection;
   dissection.left.assign(begin, halves.leftEnd);
   dissection.right.assign(halves.leftEnd, halves.rightEnd);

@@ -111,34 +111,40 @@ double SeamlessPoisson::Misfit(const Eigen::VectorXd& unknowns) const
 Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const Progress& progress)
 {
-  // 1. The matrix for u and v in turn, in terms of the free unknowns.
+  // 1. The matrix for u and v in turn, in terms of the free unknowns: nearly all are free themselves, so every entry is
+  // put where it belongs at once.
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  const Eigen::Index all = prolongation.rows();
+  const Eigen::Index freeCount = prolongation.cols();
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(freeCount);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * static_cast<std::size_t>(poisson.matrix.nonZeros()));
-  const Eigen::Index all = prolongation.rows();
-  Eigen::VectorXd sources = Eigen::VectorXd::Zero(all);
   for (Eigen::Index column = 0; column < poisson.matrix.cols(); ++column)
   {
-    const auto c = static_cast<int>(column);
-    for (int part = 0; part < 2; ++part)
+    for (Eigen::Index part = 0; part < 2; ++part)
     {
-      sources[2 * c + part] = poisson.sources(c, part);
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(poisson.matrix, column); entry; ++entry)
+      for (Rows::InnerIterator j(prolongation, 2 * column + part); j; ++j)
       {
-        entries.emplace_back(2 * static_cast<int>(entry.row()) + part, 2 * c + part, entry.value());
+        sources[j.col()] += j.value() * poisson.sources(column, part);
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(poisson.matrix, column); entry;
+             ++entry)
+        {
+          for (Rows::InnerIterator i(prolongation, 2 * entry.row() + part); i; ++i)
+          {
+            entries.emplace_back(static_cast<int>(i.col()), static_cast<int>(j.col()),
+              i.value() * entry.value() * j.value());
+          }
+        }
       }
     }
   }
-  Eigen::SparseMatrix<double> both(all, all);
-  both.setFromTriplets(entries.begin(), entries.end());
+  Eigen::SparseMatrix<double> matrix(freeCount, freeCount);
+  matrix.setFromTriplets(entries.begin(), entries.end());
   entries = {};
   const Eigen::SparseMatrix<double> columns = prolongation;
-  const Eigen::SparseMatrix<double> transposed = columns.transpose();
-  const Eigen::SparseMatrix<double> matrix =
-    transposed * Eigen::SparseMatrix<double>(both * columns);
 
   // 2. Unknowns that many others depend on come last. The two of one vertex that none depends on are
   // the origin, which is free.
-  const Eigen::Index freeCount = columns.cols();
   std::vector<Point> places(static_cast<std::size_t>(freeCount), Point::Zero());
   std::vector<int> trailing;
   std::vector<int> ground;
@@ -177,7 +183,19 @@ Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson
     throw Error("The mesh is too coarse for a flat map: no vertex is off the seams and the "
                 "boundary; use a finer mesh.");
   }
-  const DissectedCholesky factor(matrix, places, trailing, ground, progress);
-  return prolongation * factor.Substitute(factor.Eliminate(transposed * sources)).col(0);
+  // u and v of a vertex.
+  std::vector<int> partners(static_cast<std::size_t>(freeCount), -1);
+  for (std::size_t vertex = 0; vertex < map.original.size(); ++vertex)
+  {
+    const int u = columnOf[2 * vertex];
+    const int v = columnOf[2 * vertex + 1];
+    if (u >= 0 && v >= 0)
+    {
+      partners[Index(u)] = v;
+      partners[Index(v)] = u;
+    }
+  }
+  const DissectedCholesky factor(matrix, places, trailing, ground, progress, partners);
+  return prolongation * factor.Substitute(factor.Eliminate(sources)).col(0);
 }
 }

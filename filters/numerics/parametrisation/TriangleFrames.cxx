@@ -1,5 +1,6 @@
 #include "TriangleFrames.h"
 
+#include "BothHalves.h"
 #include "Error.h"
 #include "TriangleArea.h"
 
@@ -11,6 +12,12 @@ namespace crossfield
 {
 namespace
 {
+/// Triangles of either half, first and behind the last.
+std::pair<int, int> HalfOf(int count, std::size_t half)
+{
+  return half == 0 ? std::pair(0, count / 2) : std::pair(count / 2, count);
+}
+
 /// The phase 4θ along straight steps inside of triangles: its increase is that of the conjugate of R
 /// and the angles at which the logarithms' places see the step.
 class PhaseWalk
@@ -81,12 +88,18 @@ Eigen::VectorXd CentreValues(
   const PotentialSolver& solver = *potential.GetProblem().potential;
   const TriangleMesh& mesh = solver.GetTopology().mesh;
   Eigen::VectorXd values(static_cast<Eigen::Index>(mesh.triangles.size()));
-  for (int t = 0; t < static_cast<int>(values.size()); ++t)
-  {
-    const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
-    values[t] = (solution.regular[v[0]] + solution.regular[v[1]] + solution.regular[v[2]]) / 3.0 +
-      SumOfLogs(solution.logs, walk.Centre(t));
-  }
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      const auto [begin, end] = HalfOf(static_cast<int>(values.size()), half);
+      for (int t = begin; t < end; ++t)
+      {
+        const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
+        values[t] =
+          (solution.regular[v[0]] + solution.regular[v[1]] + solution.regular[v[2]]) / 3.0 +
+          SumOfLogs(solution.logs, walk.Centre(t));
+      }
+    });
   return values;
 }
 }
@@ -179,14 +192,19 @@ TriangleFrames FrameTriangles(
   };
   // The increase from the centre to the midpoint of each side.
   std::vector<std::array<double, 3>> toSide(static_cast<std::size_t>(count));
-  for (int t = 0; t < static_cast<int>(count); ++t)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
+  ForBothHalves(true,
+    [&](std::size_t half)
     {
-      toSide[static_cast<std::size_t>(t)][i] =
-        walk.ToEdge(t, topology.edges.ofTriangle[static_cast<std::size_t>(t)][i]);
-    }
-  }
+      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
+      for (int t = begin; t < end; ++t)
+      {
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          toSide[static_cast<std::size_t>(t)][i] =
+            walk.ToEdge(t, topology.edges.ofTriangle[static_cast<std::size_t>(t)][i]);
+        }
+      }
+    });
   const auto sideOf = [&topology](int triangle, int edge)
   {
     const auto& sides = topology.edges.ofTriangle[static_cast<std::size_t>(triangle)];

@@ -100,6 +100,49 @@ TEST(DissectedCholesky, EqualsDenseLinearAlgebra)
   }
 }
 
+TEST(DissectedCholesky, TwoSheetsEqualDenseLinearAlgebra)
+{
+  Random random(206);
+  for (int trial = 0; trial < 4; ++trial)
+  {
+    // Two copies of a Laplacian, joined by springs at some points; without any, each has its own ground.
+    const System sheet = RandomLaplacian(random, 0.15);
+    const auto count = static_cast<int>(sheet.matrix.rows());
+    System system;
+    system.places = sheet.places;
+    system.places.insert(system.places.end(), sheet.places.begin(), sheet.places.end());
+    std::vector<Eigen::Triplet<double>> entries;
+    std::vector<int> partners;
+    for (int i = 0; i < 2 * count; ++i)
+    {
+      partners.push_back((i + count) % (2 * count));
+      for (SparseMatrix::InnerIterator entry(sheet.matrix, i % count); entry; ++entry)
+      {
+        entries.emplace_back(static_cast<int>(entry.row()) + i / count * count, i, entry.value());
+      }
+    }
+    const auto spring = [&entries](int i, int j)
+    {
+      entries.insert(
+        entries.end(), { { i, i, 1.0 }, { j, j, 1.0 }, { i, j, -1.0 }, { j, i, -1.0 } });
+    };
+    for (int k = 0; k < trial; ++k)
+    {
+      const int point = random.Integer(0, count - 1);
+      spring(point, point + count);
+    }
+    entries.emplace_back(count, count, 1.0);
+    system.matrix.resize(2 * count, 2 * count);
+    system.matrix.setFromTriplets(entries.begin(), entries.end());
+    const DissectedCholesky factor(system.matrix, system.places, {}, { 0 }, {}, partners);
+    Eigen::MatrixXd load = RandomMatrix(random, 2 * count, 2);
+    const Eigen::MatrixXd solution = factor.Substitute(factor.Eliminate(load));
+    load.row(0).setZero();
+    const Eigen::MatrixXd expected = Grounded(system.matrix, 0).llt().solve(load);
+    EXPECT_LE((solution - expected).norm(), 1e-11 * expected.norm()) << trial;
+  }
+}
+
 TEST(DissectedCholesky, SmallSystemsAndPartsThatDoNotMeet)
 {
   Random random(202);

@@ -121,6 +121,64 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
   EXPECT_LT(separated, 0.4 * band);
 }
 
+/// Two sheets over the same points, unknown i below i + n, joined at some points.
+SparseMatrix TwoSheets(const SparseMatrix& sheet, const std::vector<int>& joined)
+{
+  const auto count = static_cast<int>(sheet.rows());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int column = 0; column < count; ++column)
+  {
+    for (SparseMatrix::InnerIterator entry(sheet, column); entry; ++entry)
+    {
+      const auto row = static_cast<int>(entry.row());
+      entries.emplace_back(row, column, entry.value());
+      entries.emplace_back(row + count, column + count, entry.value());
+    }
+  }
+  for (const int point : joined)
+  {
+    entries.emplace_back(point, point + count, -1.0);
+    entries.emplace_back(point + count, point, -1.0);
+  }
+  SparseMatrix matrix(2 * count, 2 * count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
+{
+  constexpr int Side = 60;
+  std::vector<Point> places;
+  const SparseMatrix grid = Grid(Side, places);
+  const int count = Side * Side;
+  places.insert(places.end(), places.begin(), places.begin() + count);
+  std::vector<int> partners;
+  for (int i = 0; i < 2 * count; ++i)
+  {
+    partners.push_back((i + count) % (2 * count));
+  }
+  // Apart, and joined in one corner.
+  for (const std::vector<int>& joined : { std::vector<int>(), std::vector<int>{ 0, 1, Side } })
+  {
+    const Dissection dissection = Dissect(TwoSheets(grid, joined), places, {}, {}, partners);
+    std::vector<int> order = dissection.left;
+    order.insert(order.end(), dissection.right.begin(), dissection.right.end());
+    order.insert(order.end(), dissection.border.begin(), dissection.border.end());
+    EXPECT_TRUE(IsPermutation(order, 2 * static_cast<std::size_t>(count)));
+    // Where a half falls apart, the sheet changes once in its order.
+    int changes = 0;
+    for (const std::vector<int>* half : { &dissection.left, &dissection.right })
+    {
+      for (std::size_t i = 1; i < half->size(); ++i)
+      {
+        changes += ((*half)[i] < count) != ((*half)[i - 1] < count) ? 1 : 0;
+      }
+    }
+    EXPECT_LE(changes, joined.empty() ? 2 : 200);
+    EXPECT_GE(changes, 2);
+  }
+}
+
 TEST(NestedDissection, NumbersTheSeparatorBehindBothHalves)
 {
   // A chain of 101 points splits at its middle: the last unknown separates the two halves.
