@@ -82,6 +82,13 @@ class Memory(ProgramTest):
         self.refuse("drill", "builtin:disk", "-s", "many.csv", "-o", "mesh.vtu")
 
 
+    def test_more_quads_than_memory(self):
+        sentence = self.refuse("quads", "builtin:disk", "-s", "four.csv", "--quads", "2000000000",
+                               "-o", "quads.vtu")
+        self.assertRegex(sentence, r"So many quads would need about \S+ GiB of memory, more than the \S+ GiB "
+                         r"available; use a larger size or fewer quads\.\n")
+
+
 class Threads(ProgramTest):
     RUNS = (("solve", "--size", "0.03"), ("solve", "--size", "0.05", "--method", "unit-norm"),
             ("hfield", "--size", "0.05"), ("drill", "--size", "0.05"),

@@ -252,6 +252,16 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
   EXPECT_EQ(FilterChecks::CaptureError(
               this->Filter, { "size at point 7", "not a positive number", "correct the array" }),
     vtkCrossFieldErrorCodes::BadInput);
+
+TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
+{
+  this->Filter->SetQuadSize(1e-6);
+  EXPECT_EQ(
+    FilterChecks::CaptureError(this->Filter,
+      { "So many quads would need about", "GiB available; use a larger size or fewer quads." }),
+    vtkCrossFieldErrorCodes::BadInput);
+  this->Filter->SetQuadSize(0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
 }
 
 TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
