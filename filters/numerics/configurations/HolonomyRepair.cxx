@@ -115,7 +115,8 @@ HolonomyRepair RepairHolonomy(const PlanarDomain& domain, const Configuration& c
   // on the conditions linearised here is nearer, as long as it is.
   constexpr int MostCorrections = 10;
   constexpr double Gain = 1e-8; // of the diagonal
-  for (int i = 0; i < MostCorrections && Largest(here.defects) > 0.0; ++i)
+  // Where nothing moved there is no way to shorten.
+  for (int i = 0; i < MostCorrections && result.steps > 0; ++i)
   {
     const Eigen::VectorXd moved = here.place - start;
     const Eigen::VectorXd nearest =

@@ -25,6 +25,22 @@ std::shared_ptr<const PotentialSolver> WithoutHoles(
 }
 
 constexpr auto Islands = PotentialSolver::Periods::Islands;
+
+/// Makes a solution single-valued; returns the sources at the periods that keep it so. `basis` and `inverse` as
+/// PointPotential has them.
+Eigen::VectorXd RemovePeriods(
+  const Eigen::MatrixXd& basis, const Eigen::MatrixXd& inverse, Eigen::VectorXd& solution)
+{
+  const Eigen::Index periods = basis.cols();
+  if (periods == 0)
+  {
+    return {};
+  }
+  const Eigen::VectorXd sources = -inverse.inverse() * solution.tail(periods);
+  solution += basis * sources;
+  solution.tail(periods).setZero();
+  return sources;
+}
 }
 
 PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
@@ -190,12 +206,7 @@ double PointPotential::StripTurn(
 Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const
 {
   Eigen::VectorXd regular = this->Problem.potential->Solve(sources, Islands);
-  const Eigen::Index periods = this->PeriodBasis.cols();
-  if (periods > 0)
-  {
-    regular -= this->PeriodBasis * (this->PeriodInverse.inverse() * regular.tail(periods));
-    regular.tail(periods).setZero();
-  }
+  RemovePeriods(this->PeriodBasis, this->PeriodInverse, regular);
   return regular;
 }
 
@@ -250,13 +261,12 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
 
   // 2. R without periods: the sources at the periods that keep them zero are what R carries.
   result.regular = this->Problem.potential->Solve(result.sources, Islands);
+  const Eigen::VectorXd carried =
+    RemovePeriods(this->PeriodBasis, this->PeriodInverse, result.regular);
   result.aligned = result.regular;
   result.offsets = result.periods = Eigen::VectorXd::Zero(periods);
   if (periods > 0)
   {
-    const Eigen::VectorXd carried = -this->PeriodInverse.inverse() * result.regular.tail(periods);
-    result.regular += this->PeriodBasis * carried;
-    result.regular.tail(periods).setZero();
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {

@@ -37,21 +37,34 @@ Range RangeOf(const std::vector<double>& values)
 
 double Eta(const QuadMesh& mesh, std::size_t quad)
 {
+  // Of a convex corner the sine of |π/2 − angle| is |cos angle|: one arc sine for the largest.
+  double largestCosine = 0.0;
   double worst = 0.0;
   for (std::size_t c = 0; c < 4; ++c)
   {
     const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
     const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
+    if (Cross(next, previous) > 0.0)
+    {
+      largestCosine = std::max(largestCosine,
+        std::abs(next.dot(previous)) / std::sqrt(next.squaredNorm() * previous.squaredNorm()));
+      continue;
+    }
     const double signedAngle = AngleBetween(next, previous);
     const double angle = signedAngle < 0.0 ? signedAngle + 2.0 * Pi : signedAngle;
     worst = std::max(worst, std::abs(0.5 * Pi - angle));
   }
-  return 1.0 - 2.0 / Pi * worst;
+  return 1.0 - 2.0 / Pi * std::max(worst, std::asin(std::min(1.0, largestCosine)));
 }
 
 double Area(const QuadMesh& mesh, std::size_t quad)
 {
   return 0.5 * Cross(At(mesh, quad, 2) - At(mesh, quad, 0), At(mesh, quad, 3) - At(mesh, quad, 1));
+}
+
+bool IsCorner(const QuadPoint& point)
+{
+  return point.curve.loop >= 0 && point.fixed;
 }
 
 /// The sine of the angles of equal quads around every point that is not regular, at best.
@@ -63,14 +76,18 @@ double AttainableBound(const QuadMesh& mesh)
   {
     for (std::size_t c = 0; c < 4; ++c)
     {
-      angles[Index(mesh.quads[q][c])] += std::abs(
-        AngleBetween(At(mesh, q, c + 1) - At(mesh, q, c), At(mesh, q, c + 3) - At(mesh, q, c)));
+      const int p = mesh.quads[q][c];
+      if (IsCorner(mesh.points[Index(p)]))
+      {
+        angles[Index(p)] += std::abs(
+          AngleBetween(At(mesh, q, c + 1) - At(mesh, q, c), At(mesh, q, c + 3) - At(mesh, q, c)));
+      }
     }
   }
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
     const QuadPoint& point = mesh.points[p];
-    const bool corner = point.curve.loop >= 0 && point.fixed;
+    const bool corner = IsCorner(point);
     if (corner || point.curve.loop < 0)
     {
       const double around = corner ? angles[p] : 2.0 * Pi;

@@ -1,11 +1,11 @@
 #include "QuadSymmetry.h"
 
 #include "BoundarySymmetry.h"
+#include "PointGrid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
+#include <optional>
 
 namespace crossfield
 {
@@ -18,83 +18,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// The points of a mesh in square cells.
-class PointGrid
-{
-public:
-  explicit PointGrid(const QuadMesh& mesh)
-    : Mesh(mesh)
-    , Reach(mesh.points.size(), std::numeric_limits<double>::infinity())
-  {
-    double longest = 0.0;
-    for (const std::array<int, 4>& quad : mesh.quads)
-    {
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        const int from = quad[c];
-        const int to = quad[(c + 1) % 4];
-        // Nearer than that there is no other point.
-        const double reach =
-          0.4 * (mesh.points[Index(from)].place - mesh.points[Index(to)].place).norm();
-        this->Reach[Index(from)] = std::min(this->Reach[Index(from)], reach);
-        this->Reach[Index(to)] = std::min(this->Reach[Index(to)], reach);
-      }
-    }
-    for (const double reach : this->Reach)
-    {
-      longest = std::max(longest, reach);
-    }
-    this->Cell = longest;
-    for (std::size_t p = 0; p < mesh.points.size(); ++p)
-    {
-      this->Cells.push_back({ this->CellOf(mesh.points[p].place), static_cast<int>(p) });
-    }
-    std::sort(this->Cells.begin(), this->Cells.end());
-  }
-
-  /// The point within the reach of point `p` from a place; −1: none.
-  int Find(const Point& place, int p) const
-  {
-    const std::array<long long, 2> cell = this->CellOf(place);
-    int best = -1;
-    double least = this->Reach[Index(p)];
-    for (long long i = cell[0] - 1; i <= cell[0] + 1; ++i)
-    {
-      const Entry first = { { i, cell[1] - 1 }, -1 };
-      for (auto at = std::lower_bound(this->Cells.begin(), this->Cells.end(), first);
-           at != this->Cells.end() && at->first[0] == i && at->first[1] <= cell[1] + 1; ++at)
-      {
-        const double distance = (this->Mesh.points[Index(at->second)].place - place).norm();
-        if (distance < least)
-        {
-          least = distance;
-          best = at->second;
-        }
-      }
-    }
-    return best;
-  }
-
-  /// Distance of a place from a point in shortest edges there.
-  double EdgesBetween(const Point& place, int p) const
-  {
-    return 0.4 * (this->Mesh.points[Index(p)].place - place).norm() / this->Reach[Index(p)];
-  }
-
-private:
-  using Entry = std::pair<std::array<long long, 2>, int>;
-
-  std::array<long long, 2> CellOf(const Point& place) const
-  {
-    return { std::llround(place.x() / this->Cell), std::llround(place.y() / this->Cell) };
-  }
-
-  const QuadMesh& Mesh;
-  std::vector<double> Reach;
-  double Cell = 1.0;
-  std::vector<Entry> Cells;
-};
-
 class Symmetriser
 {
 public:
@@ -103,43 +26,52 @@ public:
     , Curves(curves)
     , Tolerance(tolerance)
     , Released(released)
-    , Grid(mesh)
-    , Quads(this->SortedQuads(nullptr))
   {
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+    {
+      if (this->IsFixed(mesh.points[p]))
+      {
+        this->Fixed.push_back(p);
+      }
+    }
   }
 
   /// What a symmetry does to the points; empty where it is none of the mesh, or images are farther from points than
   /// `worst` edges, which becomes the largest distance.
-  Permutation Match(const Isometry& symmetry, double& worst) const
+  Permutation Match(const Isometry& symmetry, double& worst)
   {
+    if (!this->MatchesFixed(symmetry))
+    {
+      return {};
+    }
+    if (!this->Grid)
+    {
+      this->Grid.emplace(this->Mesh);
+    }
     double farthest = 0.0;
     Permutation images(this->Mesh.points.size(), -1);
     std::vector<bool> taken(images.size(), false);
-    // Fixed points first: they decide most cases at once.
-    for (const bool fixed : { true, false })
+    for (std::size_t p = 0; p < images.size(); ++p)
     {
-      for (std::size_t p = 0; p < images.size(); ++p)
+      const QuadPoint& point = this->Mesh.points[p];
+      const Point place = symmetry(point.place);
+      const int image = this->Grid->Find(place, static_cast<int>(p));
+      if (image < 0 || taken[Index(image)] ||
+        !this->Fits(point, this->Mesh.points[Index(image)], place))
       {
-        const QuadPoint& point = this->Mesh.points[p];
-        if (this->IsFixed(point) != fixed)
-        {
-          continue;
-        }
-        const Point place = symmetry(point.place);
-        const int image = this->Grid.Find(place, static_cast<int>(p));
-        if (image < 0 || taken[Index(image)] ||
-          !this->Fits(point, this->Mesh.points[Index(image)], place))
-        {
-          return {};
-        }
-        farthest = std::max(farthest, this->Grid.EdgesBetween(place, image));
-        if (farthest > worst)
-        {
-          return {};
-        }
-        taken[Index(image)] = true;
-        images[p] = image;
+        return {};
       }
+      farthest = std::max(farthest, this->Grid->EdgesBetween(place, image));
+      if (farthest > worst)
+      {
+        return {};
+      }
+      taken[Index(image)] = true;
+      images[p] = image;
+    }
+    if (this->Quads.empty())
+    {
+      this->Quads = this->SortedQuads(nullptr);
     }
     if (this->SortedQuads(&images) != this->Quads)
     {
@@ -182,6 +114,19 @@ private:
     return point.fixed && !(this->Released && point.curve.loop < 0);
   }
 
+  /// Fixed points decide most cases at once; there are few.
+  bool MatchesFixed(const Isometry& symmetry) const
+  {
+    return std::all_of(this->Fixed.begin(), this->Fixed.end(),
+      [&](std::size_t p)
+      {
+        const QuadPoint& point = this->Mesh.points[p];
+        const Point place = symmetry(point.place);
+        return std::any_of(this->Fixed.begin(), this->Fixed.end(),
+          [&](std::size_t q) { return this->Fits(point, this->Mesh.points[q], place); });
+      });
+  }
+
   bool Fits(const QuadPoint& point, const QuadPoint& image, const Point& place) const
   {
     return point.asked == image.asked && (point.curve.loop < 0) == (image.curve.loop < 0) &&
@@ -208,8 +153,9 @@ private:
   const BoundaryCurves& Curves;
   const double Tolerance;
   const bool Released;
-  const PointGrid Grid;
-  const std::vector<std::array<int, 4>> Quads;
+  std::vector<std::size_t> Fixed;
+  std::optional<PointGrid> Grid; ///< Once it is needed, as what follows: few symmetries get so far.
+  std::vector<std::array<int, 4>> Quads;
 };
 
 bool IsIdentity(const Permutation& images)
