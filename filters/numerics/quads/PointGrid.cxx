@@ -39,6 +39,7 @@ PointGrid::PointGrid(const QuadMesh& mesh)
     longest = std::max(longest, reach);
   }
   this->Cell = longest;
+  this->Cells.reserve(mesh.points.size());
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
     this->Cells.push_back({ this->CellOf(mesh.points[p].place), static_cast<int>(p) });

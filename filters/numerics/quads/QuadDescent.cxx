@@ -1,6 +1,8 @@
 #include "QuadDescent.h"
 
-#include <deque>
+#include "BothHalves.h"
+
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -9,66 +11,156 @@ namespace crossfield
 namespace
 {
 /// Corrections that the limited memory method remembers.
-constexpr std::size_t Memory = 8;
+constexpr std::size_t MostCorrections = 8;
 
-struct Correction
-{
-  Eigen::VectorXd step;
-  Eigen::VectorXd change;
-  double inverse = 0.0;
-};
-
-/// The direction by the two-loop recursion, with the inverse of the curvature as first guess.
-void Direct(const std::deque<Correction>& memory, const Eigen::VectorXd& curvature,
-  const Eigen::VectorXd& gradient, Eigen::VectorXd& direction)
-{
-  direction = -gradient;
-  std::vector<double> factors(memory.size());
-  for (std::size_t i = memory.size(); i-- > 0;)
-  {
-    factors[i] = memory[i].inverse * memory[i].step.dot(direction);
-    direction -= factors[i] * memory[i].change;
-  }
-  double scale = 1.0;
-  if (!memory.empty())
-  {
-    const Correction& last = memory.back();
-    scale = 1.0 / (last.inverse * last.change.dot(last.change.cwiseQuotient(curvature)));
-  }
-  direction.array() *= scale / curvature.array();
-  for (std::size_t i = 0; i < memory.size(); ++i)
-  {
-    direction +=
-      (factors[i] - memory[i].inverse * memory[i].change.dot(direction)) * memory[i].step;
-  }
-}
+/// Unknowns from which on two threads share vectors, as QuadEnergy does quads.
+constexpr Eigen::Index FewestForTwoThreads = 40000;
 }
 
-int Descend(QuadEnergy& energy, double epsilon, const DescentLimits& limits,
-  Eigen::VectorXd& unknowns, const Progress& progress)
+QuadDescent::QuadDescent(QuadEnergy& energy)
+  : Energy(energy)
+  , Size(energy.Curvature().size())
 {
-  const Eigen::VectorXd& curvature = energy.Curvature();
-  Eigen::VectorXd gradient;
-  double value = energy.Value(unknowns, epsilon, &gradient);
-  std::deque<Correction> memory;
-  // Kept between steps: large vectors are slow to allocate.
-  Eigen::VectorXd direction;
-  Eigen::VectorXd next;
-  Eigen::VectorXd nextGradient;
+}
+
+/// Of function(begin, count) over one part, or over both halves.
+template <typename Function>
+double QuadDescent::Sum(const Function& function) const
+{
+  if (this->Size < FewestForTwoThreads)
+  {
+    return function(Eigen::Index(0), this->Size);
+  }
+  const Eigen::Index half = this->Size / 2;
+  std::array<double, 2> sums{};
+  ForBothHalves(true,
+    [&](std::size_t part)
+    { sums[part] = part == 0 ? function(0, half) : function(half, this->Size - half); });
+  return sums[0] + sums[1];
+}
+
+double QuadDescent::Direct(const Eigen::VectorXd& curvature)
+{
+  // The two-loop recursion, with the inverse of the curvature as first guess. Every pass over the vectors ends with the product
+  // that the next one needs.
+  const std::size_t count = this->Memory.size();
+  std::vector<double> factors(count);
+  Eigen::VectorXd& direction = this->Direction;
+  direction.resize(this->Size);
+  double product = this->Sum(
+    [&](Eigen::Index begin, Eigen::Index size)
+    {
+      direction.segment(begin, size) = -this->Gradient.segment(begin, size);
+      return count == 0
+        ? 0.0
+        : this->Memory.back().step.segment(begin, size).dot(direction.segment(begin, size));
+    });
+  for (std::size_t i = count; i-- > 0;)
+  {
+    const Correction& correction = this->Memory[i];
+    factors[i] = correction.inverse * product;
+    product = this->Sum(
+      [&](Eigen::Index begin, Eigen::Index size)
+      {
+        auto part = direction.segment(begin, size);
+        part -= factors[i] * correction.change.segment(begin, size);
+        return i == 0 ? 0.0 : this->Memory[i - 1].step.segment(begin, size).dot(part);
+      });
+  }
+  const double scale = count == 0 ? 1.0 : this->Memory.back().scale;
+  product = this->Sum(
+    [&](Eigen::Index begin, Eigen::Index size)
+    {
+      auto part = direction.segment(begin, size);
+      part.array() *= scale / curvature.segment(begin, size).array();
+      return (count == 0 ? this->Gradient : this->Memory.front().change)
+        .segment(begin, size)
+        .dot(part);
+    });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Correction& correction = this->Memory[i];
+    const double factor = factors[i] - correction.inverse * product;
+    product = this->Sum(
+      [&](Eigen::Index begin, Eigen::Index size)
+      {
+        auto part = direction.segment(begin, size);
+        part += factor * correction.step.segment(begin, size);
+        return (i + 1 == count ? this->Gradient : this->Memory[i + 1].change)
+          .segment(begin, size)
+          .dot(part);
+      });
+  }
+  return product;
+}
+
+void QuadDescent::Remember(const Eigen::VectorXd& curvature, const Eigen::VectorXd& unknowns)
+{
+  if (this->Memory.size() == MostCorrections)
+  {
+    this->Spare.push_back(std::move(this->Memory.front()));
+    this->Memory.pop_front();
+  }
+  Correction correction;
+  if (!this->Spare.empty())
+  {
+    correction = std::move(this->Spare.back());
+    this->Spare.pop_back();
+  }
+  correction.step.resize(this->Size);
+  correction.change.resize(this->Size);
+  const double product = this->Sum(
+    [&](Eigen::Index begin, Eigen::Index size)
+    {
+      auto step = correction.step.segment(begin, size);
+      auto change = correction.change.segment(begin, size);
+      step = this->Next.segment(begin, size) - unknowns.segment(begin, size);
+      change = this->NextGradient.segment(begin, size) - this->Gradient.segment(begin, size);
+      return step.dot(change);
+    });
+  if (!(product > 0.0))
+  {
+    this->Spare.push_back(std::move(correction));
+    return;
+  }
+  correction.inverse = 1.0 / product;
+  correction.scale = product /
+    this->Sum(
+      [&](Eigen::Index begin, Eigen::Index size)
+      {
+        const auto change = correction.change.segment(begin, size);
+        return change.dot(change.cwiseQuotient(curvature.segment(begin, size)));
+      });
+  this->Memory.push_back(std::move(correction));
+}
+
+void QuadDescent::Forget()
+{
+  for (Correction& correction : this->Memory)
+  {
+    this->Spare.push_back(std::move(correction));
+  }
+  this->Memory.clear();
+}
+
+int QuadDescent::Descend(
+  double epsilon, const DescentLimits& limits, Eigen::VectorXd& unknowns, const Progress& progress)
+{
+  this->Forget();
+  const Eigen::VectorXd& curvature = this->Energy.Curvature();
+  double value = this->Energy.Value(unknowns, epsilon, &this->Gradient);
   int step = 0;
-  for (; step < limits.steps && unknowns.size() > 0; ++step)
+  for (; step<limits.steps&& this->Size> 0; ++step)
   {
     progress.Report(static_cast<double>(step) / limits.steps);
-    Direct(memory, curvature, gradient, direction);
-    double slope = direction.dot(gradient);
+    double slope = this->Direct(curvature);
     if (!(slope < 0.0))
     {
-      memory.clear();
-      direction = -gradient.cwiseQuotient(curvature);
-      slope = direction.dot(gradient);
+      this->Forget();
+      slope = this->Direct(curvature);
     }
     if (!(-slope > limits.partOfValue * value) ||
-      !(-slope > limits.partOfExcess * (value - energy.IdealValue())))
+      !(-slope > limits.partOfExcess * (value - this->Energy.IdealValue())))
     {
       break;
     }
@@ -78,8 +170,8 @@ int Descend(QuadEnergy& energy, double epsilon, const DescentLimits& limits,
     const auto decreases = [&] { return nextValue <= value + 1e-4 * length * slope; };
     for (int halving = 0; halving < 30; ++halving, length *= 0.5)
     {
-      next = unknowns + length * direction;
-      nextValue = energy.Value(next, epsilon, &nextGradient);
+      this->Next = unknowns + length * this->Direction;
+      nextValue = this->Energy.Value(this->Next, epsilon, &this->NextGradient);
       if (decreases())
       {
         break;
@@ -87,29 +179,16 @@ int Descend(QuadEnergy& energy, double epsilon, const DescentLimits& limits,
     }
     if (!decreases())
     {
-      if (memory.empty())
+      if (this->Memory.empty())
       {
         break;
       }
-      memory.clear();
+      this->Forget();
       continue;
     }
-    Correction correction;
-    if (memory.size() == Memory)
-    {
-      correction = std::move(memory.front());
-      memory.pop_front();
-    }
-    correction.step = next - unknowns;
-    correction.change = nextGradient - gradient;
-    const double product = correction.step.dot(correction.change);
-    if (product > 0.0)
-    {
-      correction.inverse = 1.0 / product;
-      memory.push_back(std::move(correction));
-    }
-    unknowns.swap(next);
-    gradient.swap(nextGradient);
+    this->Remember(curvature, unknowns);
+    unknowns.swap(this->Next);
+    this->Gradient.swap(this->NextGradient);
     value = nextValue;
   }
   return step;

@@ -218,7 +218,16 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   {
     return energy;
   }
-  *gradient = this->Forces[0] + this->Forces[1];
+  const Eigen::Index size = this->Places.size();
+  gradient->resize(size);
+  ForBothHalves(this->Mesh.quads.size() >= FewestForTwoThreads,
+    [&](std::size_t half)
+    {
+      const Eigen::Index begin = half == 0 ? 0 : size / 2;
+      const Eigen::Index count = half == 0 ? size / 2 : size - size / 2;
+      gradient->segment(begin, count) =
+        this->Forces[0].segment(begin, count) + this->Forces[1].segment(begin, count);
+    });
   for (const int p : this->OnBoundary)
   {
     const Point force = gradient->segment<2>(First(p));

@@ -45,6 +45,7 @@ public:
 
   QuadMesh Lay()
   {
+    this->Reserve();
     this->PlaceArcPoints();
     for (std::size_t f = 0; f < this->Lines.faces.size(); ++f)
     {
@@ -57,6 +58,20 @@ public:
   }
 
 private:
+  /// Room for all quads, and for as many points.
+  void Reserve()
+  {
+    std::size_t quads = 0;
+    for (const TFace& face : this->Lines.faces)
+    {
+      quads += Index(this->Points.SideCount(face, 0)) * Index(this->Points.SideCount(face, 1));
+    }
+    this->Mesh.points.reserve(quads + Index(this->Points.Count()));
+    this->Mesh.quads.reserve(quads);
+    this->Mesh.wanted.reserve(quads);
+    this->Mesh.face.reserve(quads);
+  }
+
   /// The place at a length within a half-edge; its rotation is the half-edge's direction.
   ChartPlace PlaceOn(int half, double within, int* position = nullptr) const
   {

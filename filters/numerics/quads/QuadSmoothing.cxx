@@ -52,20 +52,21 @@ public:
   int Smooth(const Level& level, const Eigen::VectorXd& tilt, const Progress& progress) const
   {
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
+    QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
     const bool large = level.mesh.quads.size() > MostAlone;
-    int steps = this->Untangle(energy, unknowns, progress);
+    int steps = this->Untangle(energy, descent, unknowns, progress);
     if (energy.LeastDeterminant(unknowns) > 0.0)
     {
       energy.Tilt(tilt, unknowns);
       if (large)
       {
-        steps += Descend(energy, 0.0, BesideCoarser, unknowns, progress.Part(0.0, 0.4));
+        steps += descent.Descend(0.0, BesideCoarser, unknowns, progress.Part(0.0, 0.4));
         energy.Store(unknowns, level.mesh);
         this->Correct(energy, level, unknowns, progress.Part(0.4, 0.6));
       }
-      steps += Descend(energy, 0.0, large ? BesideCoarser : Alone, unknowns,
-        progress.Part(large ? 0.6 : 0.0, 1.0));
+      steps += descent.Descend(
+        0.0, large ? BesideCoarser : Alone, unknowns, progress.Part(large ? 0.6 : 0.0, 1.0));
     }
     energy.Store(unknowns, level.mesh);
     return steps;
@@ -82,7 +83,7 @@ public:
     Eigen::VectorXd unknowns = energy.Unknowns();
     if (energy.LeastDeterminant(unknowns) > 0.0)
     {
-      Descend(energy, 0.0, Alone, unknowns);
+      QuadDescent(energy).Descend(0.0, Alone, unknowns);
       energy.Store(unknowns, part.mesh);
       part.PutBack(mesh);
     }
@@ -101,7 +102,8 @@ private:
   }
 
   /// ε follows the worst corner down, by half of it at a time (Garanzha et al. 2021).
-  int Untangle(QuadEnergy& energy, Eigen::VectorXd& unknowns, const Progress& progress) const
+  int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
+    const Progress& progress) const
   {
     constexpr int Rounds = 8;
     int steps = 0;
@@ -111,7 +113,7 @@ private:
       const double epsilon = std::sqrt(1e-4 + 0.25 * least * least);
       DescentLimits limits = Alone;
       limits.steps /= 3;
-      steps += Descend(energy, epsilon, limits, unknowns, progress);
+      steps += descent.Descend(epsilon, limits, unknowns, progress);
       least = energy.LeastDeterminant(unknowns);
     }
     return steps;
