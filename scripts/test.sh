@@ -24,6 +24,10 @@ if [[ "${1:-}" == --all ]]; then
   skipped[vtk91]+='|^Vtk\.ConfigurationProposalFilter\.KeepsTheRulesOfAFilter$'
   skipped[checked]+='|^Vtk\.Variants\.KeepTheRulesOfAFilter$|^Program\.Figures\.'
   skipped[checked]+='|^Vtk\.ConfigurationProposalFilter\.KeepsTheRulesOfAFilter$'
+  # Two to three minutes each with the sanitizers; shorter tests run the same code there.
+  skipped[checked]+='|^Numerics\.PlanarMesher\.RefusesGapsThatWouldTakeMillionsOfTriangles$'
+  skipped[checked]+='|^Numerics\.VariantsOfThePaper\.TheEightOfTheRingCanBeImposed$'
+  skipped[checked]+='|^Program\.Optimize\.parts_arrive_and_stay$'
 else
   # These need packages that only --all installs; on a machine that has them they would run here, too.
   skipped[paraview511]='^(Package|Valgrind)\.'
