@@ -1,5 +1,7 @@
 #include "QuadPart.h"
 
+#include "QuadQuality.h"
+
 #include <algorithm>
 
 namespace crossfield
@@ -11,13 +13,20 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// Rings of quads between every point and the nearest cone; `rings` where there are as many.
+/// Rings of quads between every point and the nearest cone or inverted quad; `rings` where there are as many.
 std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 {
   std::vector<int> ringOf(mesh.points.size(), rings);
   for (std::size_t p = 0; p < ringOf.size(); ++p)
   {
     ringOf[p] = mesh.points[p].asked != 0 ? 0 : rings;
+  }
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    for (std::size_t c = 0; c < 4 && !(ScaledJacobian(mesh, q) > 0.0); ++c)
+    {
+      ringOf[Index(mesh.quads[q][c])] = 0;
+    }
   }
   for (int ring = 1; ring < rings; ++ring)
   {

@@ -4,7 +4,8 @@
 
 namespace crossfield
 {
-/// The quads within some rings around the singular points of a mesh and irregular corners, as a mesh of their own.
+/// The quads within some rings around the singularities and irregular corners of a mesh, and around its inverted quads, as a mesh of
+/// their own.
 struct QuadPart
 {
   QuadMesh mesh;

@@ -72,7 +72,7 @@ public:
     return steps;
   }
 
-  /// Smooths some rings around every singularity to the end: there the places of quads change most from one to the
+  /// Smooths some rings around every singularity, and every inverted quad, to the end: there the places of quads change most from one to the
   /// next, and a coarser mesh says least.
   void SmoothNearCones(QuadMesh& mesh) const
   {
@@ -80,12 +80,26 @@ public:
     QuadPart part(mesh, this->Moves(mesh), Rings);
     QuadEnergy energy(part.mesh, this->Curves, part.moves, this->SizePart,
       std::vector<double>(part.mesh.quads.size(), 1.0));
+    QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
+    this->Untangle(energy, descent, unknowns, {});
     if (energy.LeastDeterminant(unknowns) > 0.0)
     {
-      QuadDescent(energy).Descend(0.0, Alone, unknowns);
+      descent.Descend(0.0, Alone, unknowns);
       energy.Store(unknowns, part.mesh);
       part.PutBack(mesh);
+    }
+  }
+
+  /// Moves the points of a mesh that do move. What turns over is untangled with what is around it.
+  void Move(const Level& level, const Eigen::VectorXd& way) const
+  {
+    QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
+    const Eigen::VectorXd moved = energy.Unknowns() + energy.Masked(way);
+    energy.Store(moved, level.mesh);
+    if (energy.LeastDeterminant(moved) <= 0.0)
+    {
+      this->SmoothNearCones(level.mesh);
     }
   }
 
@@ -182,11 +196,7 @@ int SmoothEven(const Level& level, const BoundaryCurves& curves, const Progress&
       SmoothEven({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
-      {
-        const QuadEnergy energy = released.EnergyOf(level.mesh, level.weights);
-        energy.Store(
-          energy.Unknowns() + energy.Masked(coarse.Prolong(curves, after - before)), level.mesh);
-      }
+      released.Move(level, coarse.Prolong(curves, after - before));
       const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
       if (LeastJacobian(level.mesh) > 0.0)
