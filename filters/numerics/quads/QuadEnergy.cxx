@@ -29,8 +29,8 @@ struct QuadFrame
 {
   std::array<Point, 2> a;
   std::array<Point, 2> b;
-  double inverseA;
-  double inverseB;
+  double inverseA = 0.0;
+  double inverseB = 0.0;
 
   double Determinant(std::size_t i, std::size_t j) const { return Cross(this->a[i], this->b[j]); }
 };
