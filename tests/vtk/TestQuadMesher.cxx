@@ -252,6 +252,7 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
   EXPECT_EQ(FilterChecks::CaptureError(
               this->Filter, { "size at point 7", "not a positive number", "correct the array" }),
     vtkCrossFieldErrorCodes::BadInput);
+}
 
 TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
 {
