@@ -104,11 +104,11 @@ QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerPlace
 }
 
 /// Along a valley, as by rotation of a disk, the curvature by differences is zero but for rounding, and the step
-/// without end. So B gets more on its diagonal until no step is longer than the diagonal of the domain, or
-/// it is the defects that ask for it.
+/// without end. So B gets more on its diagonal until no step is longer than a hundred diagonals of the
+/// domain, or it is the defects that ask for it: what is shorter is a direction, which the boundary cuts off.
 QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& here)
 {
-  constexpr double Longest = 1.0;
+  constexpr double Longest = 100.0;
   Eigen::MatrixXd matrix = hessian + here.barrier.hessian;
   double shift = 1e-6 * LargestEntry(matrix.diagonal());
   QuadraticStep model = SolveModelWith(matrix, here);
