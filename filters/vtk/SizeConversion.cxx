@@ -1,5 +1,6 @@
 #include "SizeConversion.h"
 
+#include "DomainConversion.h"
 #include "Error.h"
 #include "SizeExtension.h"
 
@@ -14,6 +15,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 #include <memory>
@@ -124,25 +126,6 @@ vtkSmartPointer<vtkPolyData> SegmentsOf(vtkDataSet* curves)
   segments->SetLines(lines);
   return segments;
 }
-
-vtkSmartPointer<vtkPolyData> TrianglesOf(const crossfield::TriangleMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const crossfield::Point& point : mesh.points)
-  {
-    points->InsertNextPoint(point.x(), point.y(), 0.0);
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const std::array<int, 3>& triangle : mesh.triangles)
-  {
-    triangles->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  return surface;
-}
 }
 
 namespace SizeConversion
@@ -176,11 +159,12 @@ Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::D
   Sizes result;
   result.mean = crossfield::EquivalentSize(mesh, sizes);
   sizes /= result.mean;
-  const auto sampler = std::make_shared<Sampler>(
-    TrianglesOf(mesh), std::vector<double>(sizes.data(), sizes.data() + sizes.size()));
-  result.relative = [sampler](const crossfield::Point& place) {
-    return sampler->At({ place.x(), place.y(), 0.0 });
-  };
+  vtkNew<vtkUnstructuredGrid> grid;
+  DomainConversion::WriteDrilledMesh(mesh, plane, grid);
+  const auto sampler =
+    std::make_shared<Sampler>(grid, std::vector<double>(sizes.data(), sizes.data() + sizes.size()));
+  result.relative = [sampler, plane](const crossfield::Point& place)
+  { return sampler->At(plane.ToSpace(place)); };
   return result;
 }
 }

@@ -230,8 +230,8 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      int part = static_cast<int>(
-        half); // numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half
+      // Numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half.
+      auto part = static_cast<int>(half);
       dissector.Order(half == 0 ? begin : halves.leftEnd,
         half == 0 ? halves.leftEnd : halves.rightEnd, part, !partners.empty());
     });

@@ -4,6 +4,7 @@
 #include "FieldSingularities.h"
 #include "PenaltySolve.h"
 #include "Stopwatch.h"
+#include "TriangleArea.h"
 
 #include <string>
 #include <utility>
@@ -62,9 +63,7 @@ double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& 
   const EdgeNumbering& edges = topology.edges;
   for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)
   {
-    const auto& [a, b, c] = topology.mesh.triangles[t];
-    const double here = Cross(topology.PointAt(b) - topology.PointAt(a),
-      topology.PointAt(c) - topology.PointAt(a)); // twice the area
+    const double here = TriangleArea(topology.mesh, topology.mesh.triangles[t]);
     for (const int edge : edges.ofTriangle[t])
     {
       const auto& [from, to] = edges.vertices[static_cast<std::size_t>(edge)];

@@ -97,7 +97,7 @@ IntegerCounts BoundArcs(
 
 int NodesFor(const ArcProblem& problem, ArcSearch search)
 {
-  // Times arcs: five seconds for the thorough one. Not seconds, so that numbers are the same on every machine.
+  // Times arcs: five to ten seconds for the thorough one. Not seconds, so that numbers are the same on every machine.
   constexpr int ArcsTimesNodes = 150000;
   constexpr int QuickPart = 20;
   // What very many arcs get nevertheless.

@@ -2,6 +2,7 @@
 
 #include "DissectedCholesky.h"
 #include "P1Laplacian.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +39,7 @@ double EquivalentSize(const TriangleMesh& mesh, const Eigen::VectorXd& sizes)
   double count = 0.0;
   for (const std::array<int, 3>& triangle : mesh.triangles)
   {
-    const auto point = [&](std::size_t i)
-    { return mesh.points[static_cast<std::size_t>(triangle[i])]; };
-    const double part = SignedArea({ point(0), point(1), point(2) }) / 3.0;
+    const double part = TriangleArea(mesh, triangle) / 3.0;
     for (const int vertex : triangle)
     {
       area += part;
