@@ -2,7 +2,27 @@
 
 Load the plugin before this is used; the proxies are those of paraview.simple.
 """
+import argparse
+import os
+
 import paraview.simple as pv
+
+
+def draw_each(description, view_of):
+    """The main program of a script that draws files: loads the plugin, and writes NAME.png of every view_of(path, width)."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
+    parser.add_argument("--width", type=int, default=600, help="of the pictures, in pixels")
+    parser.add_argument("folder")
+    parser.add_argument("names", nargs="+")
+    arguments = parser.parse_args()
+    pv.LoadPlugin(arguments.plugin, ns=vars(pv))
+    for name in arguments.names:
+        path = os.path.join(arguments.folder, name)
+        view = view_of(path, arguments.width)
+        pv.SaveScreenshot(path + ".png", view, CompressionLevel="9")
+        pv.Delete(view)
+        print("wrote", path + ".png")
 
 
 def draw_norm(field, view, least=None, largest=None, show_bar=True):
