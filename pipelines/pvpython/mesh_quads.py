@@ -2,7 +2,7 @@
 
 The pipeline is that of `crossfield quads part.vtp`, built from ParaView proxies:
 
-    domain -> singularities -> quads
+    domain (-> singularities) -> quads
 
 Usage:
 
@@ -49,19 +49,15 @@ def check(quads):
 arguments = parse_arguments()
 LoadPlugin(arguments.plugin, ns=globals())
 
-# 1. The domain, and singularities: those given, or chosen and moved to where the energy is least.
+# 1. The domain, and the quads: with the singularities that are given, or such as the mesher chooses.
 domain = OpenDataFile(arguments.domain)
+quads = QuadMesher(Input=domain, QuadCount=arguments.quads)
 if arguments.singularities:
-    singularities = SingularitySource(FileName=arguments.singularities)
-else:
-    singularities = ConfigurationProposal(Input=domain, Automatic=1)
-
-# 2. The quads.
-quads = QuadMesher(Input=domain, Singularities=singularities, QuadCount=arguments.quads)
+    quads.Singularities = SingularitySource(FileName=arguments.singularities)
 check(quads)
 
-# 3. The file: inline binary, because Debian's VTK cannot read appended data back.
+# 2. The file: inline binary, because Debian's VTK cannot read appended data back.
 SaveData(arguments.output, proxy=quads, DataMode="Binary", CompressorType="ZLib")
 
-# 4. The picture.
+# 3. The picture.
 SaveScreenshot(arguments.picture, draw_quads(quads, OutputPort(quads, 2), 1200), CompressionLevel="9")
