@@ -126,6 +126,12 @@ constexpr const char* ExtraLines = "ExtraLines";
 constexpr const char* HeadOn = "HeadOn";
 constexpr const char* Longest = "Longest";
 constexpr const char* Mismatch = "Mismatch";
+// Field data: vtkLayoutDesigner.
+constexpr const char* Verdict = "Verdict";
+constexpr const char* Summary = "Summary";
+constexpr const char* Stale = "Stale";
+constexpr const char* ShortestArc = "ShortestArc";
+constexpr const char* LeastAngle = "LeastAngle";
 // Points, cells and field data: vtkQuadMesher.
 constexpr const char* BlockId = "BlockId";
 constexpr const char* I = "I";

@@ -76,15 +76,13 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
 /// The clearance that is asked for, 0 if none is.
 double AskedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  // Of the side of a quad: the meshes of the gallery are best at 0.7 to 1.
-  constexpr double Part = 0.7;
   if (options.optimizer.clearance != 0.0)
   {
     return options.optimizer.clearance;
   }
-  return Part *
-    (options.quadSize == 0.0 && options.quadCount > 0 ? std::sqrt(domain.Area() / options.quadCount)
-                                                      : options.quadSize);
+  return ClearanceForQuads(options.quadSize == 0.0 && options.quadCount > 0
+      ? std::sqrt(domain.Area() / options.quadCount)
+      : options.quadSize);
 }
 
 /// Adds what happened in a run.
@@ -126,6 +124,12 @@ void MoveApart(const PlanarDomain& domain, const AutomaticOptions& options, doub
   result.singularities = result.optimum.configuration;
   Tell(result);
 }
+}
+
+double ClearanceForQuads(double quadSize)
+{
+  // The meshes of the gallery are best at 0.7 to 1.
+  return 0.7 * quadSize;
 }
 
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options)

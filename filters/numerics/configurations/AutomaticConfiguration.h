@@ -15,6 +15,9 @@ struct AutomaticOptions
   int quadCount = 0;
 };
 
+/// The clearance that is good for quads of a size: 0.7 of it (docs/method.md §5.6).
+double ClearanceForQuads(double quadSize);
+
 /// Sharp corners of quarter index 2 get 1 (PoincareHopf.h). Where there are any, every singularity stays what it
 /// is: one that goes into such a corner would undo it.
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options);

@@ -105,6 +105,11 @@ public:
     Stopwatch stopwatch;
     const bool even = this->Options.sizes.sizing != QuadSizing::Conformal;
     result.blocks = FindBlocks(result.mesh); // of the quads alone, wherever the points go
+    if (!this->Options.smooth)
+    {
+      result.quality = MeasureQuads(result.mesh, result.size);
+      return;
+    }
     result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, even, progress);
     result.smoothing.symmetries =
       MakeSymmetric(result.mesh, this->Curves, this->Domain, result.smoothing.released);

@@ -1,0 +1,75 @@
+#include "FactoredDomain.h"
+
+#include "BoundarySingularities.h"
+#include "DomainQueries.h"
+#include "DrillHoles.h"
+#include "MeshForPoints.h"
+#include "PointInsertion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+DrillOptions OfSize(double meshSize)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  return options;
+}
+}
+
+FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configuration,
+  double meshSize, const Progress& progress)
+  : Domain(std::move(domain))
+  , MeshSize(ResolveMeshSize(OfSize(meshSize), this->Domain))
+  , Potential(std::make_shared<const PotentialSolver>(
+      ShareTopology(DrillHoles(InsertBoundarySingularities(this->Domain, configuration), {},
+        OfSize(meshSize), progress.Part(0.0, 0.5))),
+      PotentialSolver::Boundary::Natural, progress.Part(0.5, 1.0)))
+{
+}
+
+bool FactoredDomain::Serves(const Configuration& configuration) const
+{
+  const double reach = BoundaryReach * this->Domain.Diagonal();
+  const std::vector<Loop> loops = this->Potential->GetTopology().AlignedLoops();
+  return std::all_of(configuration.begin(), configuration.end(),
+    [&](const Singularity& singularity)
+    {
+      return !singularity.position.allFinite() ||
+        !IsOnBoundary(this->Domain, singularity.position) ||
+        std::any_of(loops.begin(), loops.end(),
+          [&](const Loop& loop)
+          {
+            return std::any_of(loop.begin(), loop.end(),
+              [&](const Point& vertex) { return (vertex - singularity.position).norm() <= reach; });
+          });
+    });
+}
+
+TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
+{
+  const double room = 2.0 * this->MeshSize;
+  std::vector<Point> inside;
+  for (const Singularity& singularity : configuration)
+  {
+    if (singularity.position.allFinite() && IsOnBoundary(this->Domain, singularity.position))
+    {
+      continue;
+    }
+    const bool free = singularity.position.allFinite() &&
+      SignedDistance(singularity.position, this->Domain) >= room &&
+      std::all_of(inside.begin(), inside.end(),
+        [&](const Point& other) { return (other - singularity.position).norm() >= room; });
+    if (!free)
+    {
+      return MeshOnPoints(this->Domain, configuration, this->MeshSize);
+    }
+    inside.push_back(singularity.position);
+  }
+  return InsertPoints(this->Potential->GetTopology(), inside);
+}
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "PotentialSolver.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+/// A domain with what belongs to it whatever the singularities: its mesh and the factor of the Laplacian on it. Made
+/// once, never changed, and shared by all configurations that are tried on it (docs/method.md §15).
+class FactoredDomain
+{
+public:
+  /// Meshes and factors. `meshSize` as in DrillOptions. Singularities of the configuration that lie on the boundary become
+  /// vertices of it; those inside mean nothing.
+  FactoredDomain(PlanarDomain domain, const Configuration& configuration, double meshSize,
+    const Progress& progress = {});
+
+  const PlanarDomain& GetDomain() const { return this->Domain; }
+  /// The edge length that was asked for, resolved.
+  double GetMeshSize() const { return this->MeshSize; }
+  const std::shared_ptr<const PotentialSolver>& GetPotential() const { return this->Potential; }
+
+  /// Whether the singularities of a configuration that lie on the boundary are vertices of the mesh.
+  bool Serves(const Configuration& configuration) const;
+
+  /// The mesh with a vertex on every singularity inside, as SolveFlatMap needs it: changed only around them where they keep two edges'
+  /// lengths from the boundary and from each other (PointInsertion.h), else that of MeshOnPoints.
+  TriangleMesh MeshOn(const Configuration& configuration) const;
+
+private:
+  PlanarDomain Domain;
+  double MeshSize;
+  std::shared_ptr<const PotentialSolver> Potential;
+};
+}

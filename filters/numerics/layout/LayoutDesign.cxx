@@ -1,0 +1,55 @@
+#include "LayoutDesign.h"
+
+#include "ConfigurationPlacement.h"
+#include "DomainQueries.h"
+#include "Stopwatch.h"
+#include "TMeshFaces.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace crossfield
+{
+namespace
+{
+/// Count and W.
+void Rate(const FactoredDomain& domain, const FlatMapOptions& options, LayoutDesign& design)
+{
+  const MeshTopology& topology = domain.GetPotential()->GetTopology();
+  const PlacedConfiguration placed = PlaceConfiguration(topology, design.singularities,
+    options.capCorners ? CapCorners(CountMeshQuarters(topology, options.corners), options.corners)
+                       : options.corners);
+  const PointPotential potential(domain.GetPotential(),
+    AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
+  design.count = potential.GetProblem().alignment.count;
+  design.energy = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
+}
+}
+
+LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
+  const LayoutOptions& options, const Progress& progress)
+{
+  Stopwatch stopwatch;
+  RequireInside(domain.GetDomain(), singularities);
+  LayoutDesign design;
+  design.singularities = singularities;
+  Rate(domain, options.map, design);
+  progress.Report(0.1);
+  design.map = SolveFlatMap(ShareTopology(domain.MeshOn(singularities)), singularities, options.map,
+    progress.Part(0.1, 0.6));
+  design.lines = TraceLines(design.map, progress.Part(0.6, 0.7));
+  design.mesh = MakeTMesh(design.map, design.lines);
+  design.shortestArc = std::numeric_limits<double>::infinity();
+  for (const TArc& arc : design.mesh.arcs)
+  {
+    design.shortestArc = std::min(design.shortestArc, arc.length);
+  }
+  if (options.quads)
+  {
+    design.quads = MakeQuads(design.map, *options.quads, progress.Part(0.7, 1.0));
+  }
+  design.seconds = stopwatch.Lap();
+  progress.Report(1.0);
+  return design;
+}
+}

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "FactoredDomain.h"
+#include "QuadMesher.h"
+
+#include "FlatMapSolve.h"
+#include "PoincareHopf.h"
+#include "RenormalizedEnergy.h"
+
+#include <optional>
+
+namespace crossfield
+{
+struct LayoutOptions
+{
+  FlatMapOptions map;
+  /// Quads to lay, if any are wanted.
+  std::optional<QuadOptions> quads;
+};
+
+/// What a configuration makes of a domain, as a person who moves its singularities wants to see it: lines, faces, quality.
+struct LayoutDesign
+{
+  Configuration singularities;
+  FlatMap map;
+  TraceGraph lines;
+  TMesh mesh;
+  std::optional<QuadResult> quads;
+  PoincareHopfCount count;
+  RenormalizedEnergyValue energy;
+  double shortestArc = 0.0; ///< In the map, whose area is that of the domain.
+  double seconds = 0.0;
+};
+
+/// The layout of one configuration on a domain that is factored (docs/method.md §15.2). W costs one back-substitution on its
+/// factor; the map is solved for on a mesh with vertices at the singularities, which the domain's becomes by local changes.
+///
+/// Throws Error as SolveFlatMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.
+LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
+  const LayoutOptions& options = {}, const Progress& progress = {});
+}

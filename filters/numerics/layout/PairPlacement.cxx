@@ -1,0 +1,29 @@
+#include "PairPlacement.h"
+
+#include "DomainQueries.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+std::array<Point, 2> PlacesForPair(const FactoredDomain& domain, const Configuration& configuration)
+{
+  Point best = Point::Zero();
+  double farthest = -1.0;
+  for (const Point& vertex : domain.GetPotential()->GetTopology().mesh.points)
+  {
+    double room = SignedDistance(vertex, domain.GetDomain());
+    for (const Singularity& singularity : configuration)
+    {
+      room = std::min(room, (singularity.position - vertex).norm());
+    }
+    if (room > farthest)
+    {
+      best = vertex;
+      farthest = room;
+    }
+  }
+  const Point step(farthest / 3.0, 0.0);
+  return { best - step, best + step };
+}
+}

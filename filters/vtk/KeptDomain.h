@@ -1,0 +1,41 @@
+#ifndef KeptDomain_h
+#define KeptDomain_h
+
+#include "DomainConversion.h"
+#include "FactoredDomain.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <optional>
+
+/**
+ * What a filter keeps of the domain on its port between updates: read once for each change of the data, meshed and factored once
+ * for each mesh size.
+ */
+class KeptDomain
+{
+public:
+  /** The domain of a data set; throws crossfield::Error as DomainConversion::ReadDomain, and then keeps nothing. */
+  const DomainConversion::Domain& Read(vtkDataSet* data);
+
+  /** How often a domain was read: what depends on it is stale when this has changed. */
+  int GetVersion() const { return this->Version; }
+
+  /**
+   * The last domain that was read, with its mesh and factor. Singularities on the boundary have to be its vertices, so these ask for
+   * another mesh.
+   */
+  const crossfield::FactoredDomain& Factor(const crossfield::Configuration& configuration,
+    double meshSize, const crossfield::Progress& progress = {});
+
+private:
+  vtkDataSet* Data = nullptr; ///< Compared, never used.
+  vtkMTimeType Time = 0;
+  int Version = 0;
+  double MeshSize = 0.0;
+  std::optional<DomainConversion::Domain> Domain;
+  std::unique_ptr<const crossfield::FactoredDomain> Factored;
+};
+
+#endif

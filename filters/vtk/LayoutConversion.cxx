@@ -1,0 +1,62 @@
+#include "LayoutConversion.h"
+
+#include "ColumnWriting.h"
+#include "PoincareHopf.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+/** Degrees; nothing without quads. */
+std::optional<double> LeastAngle(const crossfield::LayoutDesign& design)
+{
+  return design.quads ? std::optional<double>(90.0 * design.quads->quality.eta.min) : std::nullopt;
+}
+
+std::string Summarise(const crossfield::LayoutDesign& design, double shortestArc)
+{
+  std::ostringstream text;
+  text << design.mesh.faces.size() << " faces";
+  if (design.quads)
+  {
+    text << ", " << design.quads->mesh.quads.size() << " quads in "
+         << design.quads->blocks.blocks.size() << " blocks, least angle " << std::fixed
+         << std::setprecision(0) << *LeastAngle(design) << " deg";
+  }
+  text << std::setprecision(2) << std::fixed << ", shortest arc " << shortestArc << " quads, W "
+       << design.energy.energy;
+  return text.str();
+}
+}
+
+namespace LayoutConversion
+{
+//------------------------------------------------------------------------------
+void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data)
+{
+  const bool shown = report.refusal.empty();
+  ColumnWriting::AddIntegers(data, names::Stale, { shown ? 0 : 1 });
+  ColumnWriting::AddText(data, names::Verdict,
+    shown ? crossfield::Verdict(design->count, design->energy.holonomyDefect) : report.refusal);
+  if (design == nullptr)
+  {
+    ColumnWriting::AddText(data, names::Summary, report.refusal);
+    return;
+  }
+  const double shortestArc = design->shortestArc / report.quadSize;
+  ColumnWriting::AddText(
+    data, names::Summary, shown ? Summarise(*design, shortestArc) : report.refusal);
+  ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
+  ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.faces.size()) });
+  ColumnWriting::AddNumbers(data, names::ShortestArc, { shortestArc });
+  if (const std::optional<double> angle = LeastAngle(*design))
+  {
+    ColumnWriting::AddNumbers(data, names::LeastAngle, { *angle });
+  }
+}
+}

@@ -1,0 +1,96 @@
+/**
+ * Seconds of one step of a person who drags a singularity: twelve singularities on the unit disk, of which one moves
+ * with every iteration; the domain is meshed and factored once.
+ *
+ *   build/bin/benchStages --benchmark_filter=Drag
+ */
+#include "HField.h"
+#include "LayoutDesign.h"
+#include "MakePlanarDomain.h"
+#include "Stopwatch.h"
+
+#include "BuiltinDomains.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace crossfield;
+
+/// Eight k = 1 at radius 0.7 and four k = −1 at radius 0.35; the first goes around a little circle.
+Configuration Twelve(std::int64_t step)
+{
+  Configuration configuration;
+  for (int i = 0; i < 12; ++i)
+  {
+    const bool outside = i < 8;
+    const double angle = outside ? Pi * (i + 0.1) / 4.0 : Pi * (i + 0.37) / 2.0;
+    configuration.push_back(
+      { (outside ? 0.7 : 0.35) * Point(std::cos(angle), std::sin(angle)), outside ? 1 : -1 });
+  }
+  const double turn = 0.1 * static_cast<double>(step);
+  configuration[0].position += 0.05 * Point(std::cos(turn), std::sin(turn));
+  return configuration;
+}
+
+/// The disk with about so many triangles.
+FactoredDomain Disk(std::int64_t triangles)
+{
+  BuiltinDomain disk;
+  disk.edgeLength = std::sqrt(4.0 * Pi / (std::sqrt(3.0) * static_cast<double>(triangles)));
+  return { MakePlanarDomain(MakeBuiltinDomain(disk)), {}, disk.edgeLength };
+}
+
+/// H and crosses on the mesh that is kept.
+void DragField(benchmark::State& state)
+{
+  const FactoredDomain domain = Disk(state.range(0));
+  std::int64_t step = 0;
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(SolveHField(domain.GetPotential(), Twelve(++step)));
+  }
+}
+
+/// W, mesh, map, lines and faces; 1: with the numbers and blocks of quads, not smoothed; 2: smoothed.
+void DragLayout(benchmark::State& state)
+{
+  const FactoredDomain domain = Disk(state.range(0));
+  LayoutOptions options;
+  if (state.range(1) > 0)
+  {
+    options.quads.emplace();
+    options.quads->smooth = state.range(1) > 1;
+  }
+  std::int64_t step = 0;
+  double inserted = 0.0;
+  for (auto _ : state)
+  {
+    Stopwatch stopwatch;
+    domain.MeshOn(Twelve(step + 1));
+    inserted += stopwatch.Lap();
+    const LayoutDesign design = DesignLayout(domain, Twelve(++step), options);
+    state.counters["faces"] = static_cast<double>(design.mesh.faces.size());
+    if (design.quads)
+    {
+      state.counters["integers"] = design.quads->counts.seconds;
+      state.counters["lay"] = design.quads->layoutSeconds;
+      state.counters["smooth"] = design.quads->smoothSeconds;
+    }
+  }
+  state.counters["insert"] = inserted / static_cast<double>(step);
+}
+
+BENCHMARK(DragField)
+  ->Arg(2000)
+  ->Arg(10000)
+  ->Arg(30000)
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+BENCHMARK(DragLayout)
+  ->ArgsProduct({ { 2000, 10000, 30000 }, { 0, 1, 2 } })
+  ->Unit(benchmark::kMillisecond)
+  ->UseRealTime();
+}

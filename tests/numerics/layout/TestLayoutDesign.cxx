@@ -1,0 +1,96 @@
+#include "LayoutDesign.h"
+
+#include "DomainQueries.h"
+#include "Error.h"
+#include "MeshForPoints.h"
+#include "SparseCholesky.h"
+#include "Support.h"
+#include "TMeshFaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+Configuration Four(double radius, double turn)
+{
+  Configuration configuration;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double angle = turn + 0.5 * Pi * i;
+    configuration.push_back({ radius * Point(std::cos(angle), std::sin(angle)), 1 });
+  }
+  return configuration;
+}
+
+TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
+{
+  const PlanarDomain disk = Builtin("disk", 0.05);
+  const FactoredDomain factored(disk, {}, 0.05);
+  Random random(8);
+  for (int i = 0; i < 40; ++i)
+  {
+    Configuration configuration = Four(random.Uniform(0.35, 0.75), random.Uniform(-Pi, Pi));
+    for (Singularity& singularity : configuration)
+    {
+      singularity.position += Point(random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1));
+    }
+    const LayoutDesign live = DesignLayout(factored, configuration);
+    const FlatMap map =
+      SolveFlatMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
+    const TMesh own = MakeTMesh(map, TraceLines(map));
+    EXPECT_EQ(live.mesh.faces.size(), own.faces.size()) << i;
+    EXPECT_NEAR(live.mesh.longest, own.longest, 0.02) << i;
+    EXPECT_LT(live.mesh.Mismatch(), 1e-12);
+  }
+}
+
+TEST(LayoutDesign, NeitherMeshesNorFactorsTheDomainAgain)
+{
+  const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
+  const MeshTopology& base = factored.GetPotential()->GetTopology();
+  for (int i = 0; i < 10; ++i)
+  {
+    const Configuration configuration = Four(0.5 + 0.02 * i, 0.3);
+    const TriangleMesh mesh = factored.MeshOn(configuration);
+    // Local changes only.
+    EXPECT_LE(mesh.points.size(), base.mesh.points.size() + 4);
+    const long before = SparseCholesky::CountOfAll();
+    const LayoutDesign design = DesignLayout(factored, configuration);
+    const long factored_ = SparseCholesky::CountOfAll() - before;
+    EXPECT_EQ(factored_, 4); // two halves of the map's, and of its potential
+  }
+}
+
+TEST(LayoutDesign, MeshesAnewWhereSingularitiesAreNear)
+{
+  const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
+  Configuration configuration = Four(0.5, 0.3);
+  configuration[1].position = configuration[0].position + Point(0.03, 0.01);
+  const MeshTopology& base = factored.GetPotential()->GetTopology();
+  EXPECT_GT(factored.MeshOn(configuration).points.size(), base.mesh.points.size() + 10);
+  EXPECT_NO_THROW(DesignLayout(factored, configuration));
+}
+
+TEST(LayoutDesign, RefusesWithASentence)
+{
+  const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
+  Configuration three = Four(0.5, 0.3);
+  three.pop_back();
+  try
+  {
+    DesignLayout(factored, three);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.GetKind(), Error::Kind::Inconsistent);
+  }
+  Configuration outside = Four(0.5, 0.3);
+  outside[2].position = Point(3.0, 0.0);
+  EXPECT_THROW(DesignLayout(factored, outside), Error);
+}
+}
+}
