@@ -68,7 +68,8 @@ struct DrilledMesh
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);
 
 /** The points and cells of a mesh as WriteDrilledMesh writes them. */
-DrilledMesh NumberCells(crossfield::TriangleMesh mesh, const crossfield::DomainPlane& plane);
+DrilledMesh NumberCells(
+  const crossfield::SharedTopology& topology, const crossfield::DomainPlane& plane);
 
 /** Triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
 void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,

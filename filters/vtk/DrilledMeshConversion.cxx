@@ -103,8 +103,10 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
 }
 
 //------------------------------------------------------------------------------
-DrilledMesh NumberCells(crossfield::TriangleMesh mesh, const crossfield::DomainPlane& plane)
+DrilledMesh NumberCells(
+  const crossfield::SharedTopology& topology, const crossfield::DomainPlane& plane)
 {
+  const crossfield::TriangleMesh& mesh = topology->mesh;
   const auto count = [](std::size_t size, vtkIdType first)
   {
     std::vector<vtkIdType> ids(size);
@@ -119,7 +121,7 @@ DrilledMesh NumberCells(crossfield::TriangleMesh mesh, const crossfield::DomainP
   result.triangleCells = count(mesh.triangles.size(), 0);
   result.lineCells = count(mesh.boundary.size(), lines);
   result.imprintedCells = count(mesh.imprinted.size(), imprinted);
-  result.topology = crossfield::ShareTopology(std::move(mesh));
+  result.topology = topology;
   return result;
 }
 

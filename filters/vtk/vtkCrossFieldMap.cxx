@@ -7,6 +7,7 @@
 #include "FilterRun.h"
 #include "FlatMapSolve.h"
 #include "HolonomyConversion.h"
+#include "KeptDomain.h"
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
@@ -24,9 +25,13 @@ vtkStandardNewMacro(vtkCrossFieldMap);
 
 //------------------------------------------------------------------------------
 vtkCrossFieldMap::vtkCrossFieldMap()
+  : Kept(std::make_unique<KeptDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }
+
+//------------------------------------------------------------------------------
+vtkCrossFieldMap::~vtkCrossFieldMap() = default;
 
 //------------------------------------------------------------------------------
 int vtkCrossFieldMap::FillInputPortInformation(int port, vtkInformation* info)
@@ -69,7 +74,7 @@ int vtkCrossFieldMap::RequestData(
       }
       else
       {
-        const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+        const DomainConversion::Domain& input = this->Kept->Read(domain);
         result.plane = input.plane;
         configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
         options.corners = CornerConversion::ReadCorners(corners, result.plane);
@@ -78,8 +83,11 @@ int vtkCrossFieldMap::RequestData(
           configuration = HolonomyConversion::Repair(input, configuration,
             { options.corners, this->CapCorners, this->MeshSize }, field, progress.Part(0.0, 0.2));
         }
-        topology = crossfield::ShareTopology(crossfield::MeshOnPoints(
-          input.domain, configuration, this->MeshSize, progress.Part(0.2, 0.3)));
+        topology = crossfield::ShareTopology(this->KeepMesh
+            ? this->Kept->Factor(configuration, this->MeshSize, progress.Part(0.2, 0.3))
+                .MeshOn(configuration)
+            : crossfield::MeshOnPoints(
+                input.domain, configuration, this->MeshSize, progress.Part(0.2, 0.3)));
       }
       this->StageSeconds[0] = stopwatch.Lap();
       result.map =
@@ -104,6 +112,7 @@ void vtkCrossFieldMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "KeepMesh: " << this->KeepMesh << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << "\n";

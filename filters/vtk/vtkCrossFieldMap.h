@@ -43,6 +43,10 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for what is kept
+
+class KeptDomain;
+
 class VTKCROSSFIELDFILTERS_EXPORT vtkCrossFieldMap : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -63,6 +67,16 @@ public:
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Meshes and factors a domain once, whatever its singularities, and keeps both until the domain, the mesh size or a singularity on
+   * the boundary changes: a moved singularity is then quick. The map factors once more, on the mesh with vertices at the singularities. A mesh is kept in any case. Default: off.
+   */
+  vtkSetMacro(KeepMesh, bool);
+  vtkGetMacro(KeepMesh, bool);
+  vtkBooleanMacro(KeepMesh, bool);
   ///@}
 
   ///@{
@@ -91,7 +105,7 @@ public:
 
 protected:
   vtkCrossFieldMap();
-  ~vtkCrossFieldMap() override = default;
+  ~vtkCrossFieldMap() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -101,6 +115,8 @@ private:
   void operator=(const vtkCrossFieldMap&) = delete;
 
   double MeshSize = 0.0;
+  bool KeepMesh = false;
+  std::unique_ptr<KeptDomain> Kept;
   bool CapCorners = false;
   bool RepairHolonomy = false;
   double StageSeconds[2] = { 0.0, 0.0 };

@@ -6,6 +6,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
+#include "KeptDomain.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
@@ -21,9 +22,13 @@ vtkStandardNewMacro(vtkHField);
 
 //------------------------------------------------------------------------------
 vtkHField::vtkHField()
+  : Kept(std::make_unique<KeptDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }
+
+//------------------------------------------------------------------------------
+vtkHField::~vtkHField() = default;
 
 //------------------------------------------------------------------------------
 int vtkHField::FillInputPortInformation(int port, vtkInformation* info)
@@ -46,22 +51,35 @@ int vtkHField::RequestData(
       vtkUnstructuredGrid* given = DomainConversion::AsDrilledMesh(domain);
       crossfield::Configuration configuration;
       DomainConversion::DrilledMesh cells;
+      std::shared_ptr<const crossfield::PotentialSolver> potential;
       if (given != nullptr)
       {
         cells = DomainConversion::ReadDrilledMesh(given);
         configuration = DomainConversion::ReadConfiguration(singularities, cells.plane);
       }
+      else if (this->KeepMesh)
+      {
+        const DomainConversion::Domain& input = this->Kept->Read(domain);
+        configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
+        potential =
+          this->Kept->Factor(configuration, this->MeshSize, progress.Part(0.0, 0.4)).GetPotential();
+        cells = DomainConversion::NumberCells(potential->ShareTopology(), input.plane);
+      }
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
         configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
-        cells = DomainConversion::NumberCells(crossfield::MeshForPoints(input.domain, configuration,
-                                                this->MeshSize, progress.Part(0.0, 0.4)),
+        cells = DomainConversion::NumberCells(
+          crossfield::ShareTopology(crossfield::MeshForPoints(
+            input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.4))),
           input.plane);
       }
       this->StageSeconds[0] = stopwatch.Lap();
-      const crossfield::HField field = crossfield::SolveHField(cells.topology, configuration,
-        CornerConversion::ReadCorners(corners, cells.plane), progress.Part(0.4, 1.0));
+      const std::vector<crossfield::CornerChoice> choices =
+        CornerConversion::ReadCorners(corners, cells.plane);
+      const crossfield::HField field = potential
+        ? crossfield::SolveHField(potential, configuration, choices, progress.Part(0.4, 1.0))
+        : crossfield::SolveHField(cells.topology, configuration, choices, progress.Part(0.4, 1.0));
       for (std::size_t k = 0; k < field.periods.size(); ++k)
       {
         const double defect = field.field.holonomyDefect[k];
@@ -95,6 +113,7 @@ void vtkHField::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "KeepMesh: " << this->KeepMesh << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
      << this->StageSeconds[2] << " " << this->StageSeconds[3] << "\n";
 }

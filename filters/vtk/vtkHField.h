@@ -56,6 +56,10 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for what is kept
+
+class KeptDomain;
+
 class VTKCROSSFIELDFILTERS_EXPORT vtkHField : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -78,6 +82,16 @@ public:
   vtkGetMacro(MeshSize, double);
   ///@}
 
+  ///@{
+  /**
+   * Meshes and factors a domain once, whatever its singularities, and keeps both until the domain, the mesh size or a singularity on
+   * the boundary changes: a moved singularity is then quick. The mesh is not refined at singularities. A mesh is kept in any case. Default: off.
+   */
+  vtkSetMacro(KeepMesh, bool);
+  vtkGetMacro(KeepMesh, bool);
+  vtkBooleanMacro(KeepMesh, bool);
+  ///@}
+
   /**
    * Seconds that the last run spent in meshing, assembling, factoring and solving. Not in the output,
    * so that the same input gives the same output.
@@ -86,7 +100,7 @@ public:
 
 protected:
   vtkHField();
-  ~vtkHField() override = default;
+  ~vtkHField() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -96,6 +110,8 @@ private:
   void operator=(const vtkHField&) = delete;
 
   double MeshSize = 0.0;
+  bool KeepMesh = false;
+  std::unique_ptr<KeptDomain> Kept;
   double StageSeconds[4] = { 0.0, 0.0, 0.0, 0.0 };
 };
 

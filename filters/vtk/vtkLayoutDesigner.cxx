@@ -284,8 +284,11 @@ void vtkLayoutDesigner::AddPair()
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::RemoveSingularity(int row)
 {
-  this->RowToRemove = row;
-  this->Ask(Command::Remove);
+  if (row >= 0)
+  {
+    this->RowToRemove = row;
+    this->Ask(Command::Remove);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -78,7 +78,7 @@ public:
   ///@{
   /**
    * Commands for the next update. Propose: the singularities that would be chosen. Optimise: those there are move to where W is
-   * least. AddPair: one of quarter index 1 and one of −1 where there is most room. RemoveSingularity: takes a row out. Undo: the rows
+   * least. AddPair: one of quarter index 1 and one of −1 where there is most room. RemoveSingularity: takes a row, counted from 0, out. Undo: the rows
    * before the last command that changed them.
    */
   void Propose();

@@ -33,7 +33,9 @@ PROXIES = {
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
-    "HField": ("filters", "Input Singularities Corners MeshSize"),
+    "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Propose Optimise AddPair Undo Quads "
+                       "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "RepairHolonomy"),
@@ -101,6 +103,33 @@ def test_h_field():
     drilled = fetch(HField(Input=DrillHoles(
         Input=PlanarDomainSource(), Singularities=SingularitySource())))
     check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
+
+
+def test_layout_designer():
+    designer = LayoutDesigner(Input=PlanarDomainSource())
+    lines = fetch(designer)
+    check_equal(value(lines, "Stale"), 0, "whether the layout is stale")
+    check_equal(value(lines, "Faces"), 9, "faces of the chosen singularities")
+    designer.UpdatePropertyInformation()
+    rows = list(designer.GetPropertyValue("Rows"))
+    check_equal(len(rows), 16, "values of the chosen rows")
+    # A hand takes them over and moves one.
+    rows[0:2] = [0.3, 0.5]
+    designer.Singularities = rows
+    moved = fetch(designer)
+    check(value(moved, "RenormalizedEnergy") > value(lines, "RenormalizedEnergy"), "W rises")
+    designer.InvokeCommand("Optimise")
+    designer.UpdatePipeline()
+    designer.UpdatePropertyInformation()
+    best = fetch(designer)
+    check(abs(value(best, "RenormalizedEnergy") - value(lines, "RenormalizedEnergy")) < 0.05, "W is the least again")
+    rows = list(designer.GetPropertyValue("Rows"))
+    rows[0] = 7.0
+    designer.Singularities = rows
+    stale = fetch(designer)
+    check_equal(value(stale, "Stale"), 1, "whether a layout with a singularity outside is stale")
+    check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the lines that stay")
+    check("outside" in stale.GetFieldData().GetAbstractArray("Summary").GetValue(0), "the sentence")
 
 
 def test_separatrices():
@@ -298,7 +327,7 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_default_chain, test_h_field, test_separatrices, test_energies, test_other_domains,
+for test in (test_proxies, test_default_chain, test_h_field, test_layout_designer, test_separatrices, test_energies, test_other_domains,
              test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
              test_changed_input, test_input_untouched):
     test()

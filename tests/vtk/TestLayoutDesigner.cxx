@@ -1,0 +1,238 @@
+#include "FilterChecks.h"
+#include "TestInputs.h"
+#include "vtkCrossFieldMap.h"
+#include "vtkHField.h"
+#include "vtkLayoutDesigner.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkSeparatrices.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+class LayoutDesigner : public testing::Test
+{
+public:
+  void SetUp() override
+  {
+    this->Domain->SetEdgeLength(0.1);
+    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
+    this->Filter->SetMeshSize(0.1);
+    this->Filter->SetQuadSize(0.1);
+  }
+
+  void SetFour(double radius = 0.6)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const double angle = 0.25 * 3.14159265358979 * (2 * i + 1);
+      this->Filter->SetSingularity(i, radius * std::cos(angle), radius * std::sin(angle), 1, 0.1);
+    }
+  }
+
+  double Value(const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  }
+
+  std::string Text(const char* name)
+  {
+    auto* text = vtkStringArray::SafeDownCast(
+      this->Filter->GetOutput()->GetFieldData()->GetAbstractArray(name));
+    return text == nullptr ? std::string() : std::string(text->GetValue(0));
+  }
+
+  vtkIdType CountOf(int port)
+  {
+    return vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(port))->GetNumberOfCells();
+  }
+
+  vtkNew<vtkPlanarDomainSource> Domain;
+  vtkNew<vtkLayoutDesigner> Filter;
+};
+}
+
+TEST_F(LayoutDesigner, KeepsTheRulesOfAFilter)
+{
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  FilterChecks::CheckInputUntouched(this->Filter);
+  FilterChecks::CheckProgressAndAbort(this->Filter);
+  FilterChecks::CheckRunTwice(
+    this->Filter, [this] { this->SetFour(0.6); }, [this] { this->SetFour(0.5); });
+  FilterChecks::CheckPrintSelf(this->Filter,
+    { "Singularities", "MeshSize", "CapCorners", "Quads", "QuadSize", "QuadCount",
+      "StageSeconds" });
+  FilterChecks::CheckEmptyInput(this->Filter);
+}
+
+TEST_F(LayoutDesigner, ShowsWhatTheOtherFiltersShow)
+{
+  this->SetFour();
+  this->Filter->SetQuadsToSmooth();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->CountOf(0), 12); // lines
+  EXPECT_EQ(this->CountOf(2), 4);  // singularities
+  EXPECT_EQ(this->Value("Faces"), 9);
+  EXPECT_EQ(this->Value("Stale"), 0);
+  // docs/method.md §9: W of four +1 at radius 0.6 is 2.05, that of this polygon less.
+  EXPECT_NEAR(this->Value("RenormalizedEnergy"), 2.05, 0.8);
+  // docs/method.md §14.10: so many quads at h = 0.1 of five around one at 0.6.
+  EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
+  EXPECT_GT(this->Value("LeastAngle"), 50);
+  EXPECT_NE(this->Text("Summary").find("9 faces"), std::string::npos) << this->Text("Summary");
+  this->Filter->SetQuadsToNone();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->CountOf(3), 0);
+}
+
+TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
+{
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const vtkIdType lines = this->CountOf(0);
+  this->Filter->SetSingularity(0, 3.0, 0.0, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->CountOf(0), lines);
+  EXPECT_EQ(this->Value("Stale"), 1);
+  EXPECT_NE(this->Text("Verdict").find("outside"), std::string::npos) << this->Text("Verdict");
+  EXPECT_EQ(this->Text("Summary"), this->Text("Verdict"));
+  EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
+  // Back again, all is well.
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Stale"), 0);
+  // A sum that cannot be.
+  this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Stale"), 1);
+  EXPECT_NE(this->Text("Verdict").find("total"), std::string::npos) << this->Text("Verdict");
+  // No number of quarters at all.
+  this->Filter->SetSingularity(0, 0.4, 0.4, 0.5, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Stale"), 1);
+}
+
+TEST_F(LayoutDesigner, SaysWhyThereNeverWasALayout)
+{
+  this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetErrorCode(), 0u);
+  EXPECT_EQ(this->CountOf(0), 0);
+  EXPECT_EQ(this->CountOf(2), 1);
+  EXPECT_EQ(this->Value("Stale"), 1);
+}
+
+TEST_F(LayoutDesigner, ObeysCommands)
+{
+  // Without rows they are chosen.
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 0);
+  ASSERT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
+  const double chosen = this->Value("RenormalizedEnergy");
+
+  this->SetFour(0.45);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const double before = this->Value("RenormalizedEnergy");
+  this->Filter->Optimise();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const double optimised = this->Value("RenormalizedEnergy");
+  EXPECT_LT(optimised, before - 0.1);
+  EXPECT_NEAR(optimised, chosen, 0.05);
+  // A command is obeyed once.
+  this->Filter->Modified();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), optimised);
+
+  this->Filter->AddPair();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 6);
+  EXPECT_EQ(this->Value("Stale"), 0) << this->Text("Verdict");
+  this->Filter->RemoveSingularity(4);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 5);
+  EXPECT_EQ(this->Filter->GetRows()->GetComponent(4, 2), -1) << "the wrong row went";
+  EXPECT_EQ(this->Value("Stale"), 1);
+  this->Filter->Undo();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  this->Filter->Undo();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), optimised);
+  this->Filter->Undo();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), before);
+  this->Filter->Undo(); // nothing is left
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), before);
+  this->Filter->Propose();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), chosen);
+}
+
+TEST_F(LayoutDesigner, StartsFromItsPortUntilThereAreRows)
+{
+  vtkNew<vtkSingularitySource> source;
+  this->Filter->SetSingularitiesConnection(source->GetOutputPort());
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_NEAR(this->Filter->GetRows()->GetComponent(0, 0), 0.6 * std::sqrt(0.5), 1e-15);
+  this->SetFour(0.5);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_NEAR(this->Filter->GetRows()->GetComponent(0, 0), 0.5 * std::sqrt(0.5), 1e-15);
+}
+
+TEST_F(LayoutDesigner, ForgetsWhatWasOfAnotherDomain)
+{
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
+  this->Domain->SetDomainName("l-shape");
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 0) << "an L needs none";
+  EXPECT_EQ(this->Value("Stale"), 0);
+}
+
+TEST_F(LayoutDesigner, MapAndHKeepTheMeshOfTheDomain)
+{
+  vtkNew<vtkSingularitySource> source;
+  vtkNew<vtkHField> field;
+  field->SetInputConnection(this->Domain->GetOutputPort());
+  field->SetSingularitiesConnection(source->GetOutputPort());
+  field->KeepMeshOn();
+  FilterChecks::UpdateWithoutError(field);
+  vtkNew<vtkPoints> first;
+  first->DeepCopy(field->GetOutput()->GetPoints());
+  source->SetSingularity(0, 0.3, 0.45, 1, 0.1);
+  FilterChecks::UpdateWithoutError(field);
+  ASSERT_EQ(field->GetOutput()->GetNumberOfPoints(), first->GetNumberOfPoints());
+  EXPECT_EQ(field->GetStageSeconds()[2], 0.0) << "it was factored again";
+  FilterChecks::CheckInputUntouched(field);
+  FilterChecks::CheckEmptyInput(field);
+
+  vtkNew<vtkCrossFieldMap> map;
+  map->SetInputConnection(this->Domain->GetOutputPort());
+  map->SetSingularitiesConnection(source->GetOutputPort());
+  map->KeepMeshOn();
+  vtkNew<vtkSeparatrices> lines;
+  lines->SetInputConnection(map->GetOutputPort());
+  FilterChecks::UpdateWithoutError(lines);
+  const double faces =
+    FilterChecks::RequireArray(lines->GetOutput()->GetFieldData(), "Faces")->GetComponent(0, 0);
+  map->KeepMeshOff();
+  FilterChecks::UpdateWithoutError(lines);
+  EXPECT_EQ(
+    FilterChecks::RequireArray(lines->GetOutput()->GetFieldData(), "Faces")->GetComponent(0, 0),
+    faces);
+}
