@@ -1,0 +1,48 @@
+"""State: the layout of eight singularities on a disk, to be moved.
+
+Faces have pale colours, lines that of the index of the singularity where they start, red for 1 and blue for -1; thin lines
+are draft quads. The text says what the layout is good for, or why there is none. Move rows of the designer's singularities, or use
+its buttons. A ready start for a domain of your own: change the input of the designer.
+"""
+from paraview.simple import *
+
+domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
+designer = LayoutDesigner(
+    registrationName="Designer", Input=domain, QuadCount=600,
+    Singularities=[0.7, 0.07, 1, 0.05, 0.29, 0.64, 1, 0.05, -0.41, 0.57, 1, 0.05, -0.7, -0.07, 1, 0.05,
+                   -0.29, -0.64, 1, 0.05, 0.41, -0.57, 1, 0.05, 0.2, 0.02, -1, 0.05, -0.2, -0.02, -1, 0.05])
+
+view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                        OrientationAxesVisibility=0, InteractionMode="2D")
+AssignViewToLayout(view)
+faces = Show(OutputPort(designer, 1), view)
+ColorBy(faces, ("CELLS", "FaceId"))
+faces.LookupTable = CreateLookupTable(
+    RGBPoints=[value for face in range(60) for value in (
+        face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
+                (0.91, 0.85, 0.96)][face * 7 % 5])])
+faces.SetScalarBarVisibility(view, False)
+SetProperties(faces, Ambient=1, Diffuse=0)
+edges = ExtractEdges(registrationName="Draft quads", Input=OutputPort(designer, 3))
+SetProperties(Show(edges, view), ColorArrayName=["POINTS", ""], AmbientColor=[0.6, 0.6, 0.6],
+              DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001], Ambient=1, Diffuse=0)
+colours = CreateLookupTable(RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
+lines = Show(designer, view)
+ColorBy(lines, ("CELLS", "QuarterIndex"))
+lines.LookupTable = colours
+lines.SetScalarBarVisibility(view, False)
+SetProperties(lines, LineWidth=3, Position=[0, 0, 0.002], Ambient=1, Diffuse=0)
+discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), GlyphType="Sphere",
+              ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")
+discs.GlyphType.ThetaResolution = 32
+shown = Show(discs, view)
+ColorBy(shown, ("POINTS", "QuarterIndex"))
+shown.LookupTable = colours
+shown.SetScalarBarVisibility(view, False)
+SetProperties(shown, Ambient=1, Diffuse=0)
+text = PythonAnnotation(
+    registrationName="Quality", Input=designer, ArrayAssociation="Field Data",
+    Expression="inputs[0].VTKObject.GetFieldData().GetAbstractArray('Summary').GetValue(0)")
+SetProperties(Show(text, view), Color=[0, 0, 0], FontSize=16, WindowLocation="Lower Center")
+ResetCamera(view)
+view.CameraParallelScale *= 0.82
