@@ -2,11 +2,13 @@
 
 #include "AutomaticConfiguration.h"
 #include "CornerConversion.h"
+#include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "KeptDomain.h"
 #include "LayoutConversion.h"
 #include "LayoutDesign.h"
+#include "LayoutSnap.h"
 #include "MapConversion.h"
 #include "PairPlacement.h"
 #include "QuadConversion.h"
@@ -21,7 +23,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkLayoutDesigner);
@@ -67,6 +71,7 @@ struct vtkLayoutDesigner::Question
   crossfield::LayoutOptions options{};
   double meshSize = 0.0;
   double quadSize = 0.0;
+  double snapTolerance = 0.0;
   Command command = Command::None;
   int rowToRemove = -1;
 };
@@ -78,6 +83,7 @@ struct vtkLayoutDesigner::Memory
   std::optional<crossfield::AutomaticConfiguration> chosen;
   std::optional<crossfield::LayoutDesign> design;
   std::vector<std::vector<Row>> before; ///< Of the commands, the last one last.
+  std::vector<std::string> events;      ///< Of the last command.
   vtkNew<vtkDoubleArray> rows;
 
   /** Forgets what was of another domain than the one that is read last. */
@@ -88,6 +94,7 @@ struct vtkLayoutDesigner::Memory
       this->chosen.reset();
       this->design.reset();
       this->before.clear();
+      this->events.clear();
       this->version = this->domain.GetVersion();
     }
   }
@@ -132,6 +139,10 @@ struct vtkLayoutDesigner::Memory
   void Obey(const Question& question, Configuration& now, std::vector<Row>& given,
     const crossfield::Progress& progress)
   {
+    if (question.command != Command::None)
+    {
+      this->events.clear();
+    }
     if (question.command == Command::Undo)
     {
       if (!this->before.empty())
@@ -164,8 +175,22 @@ private:
       optimizer.corners = question.options.map.corners;
       optimizer.clearance = crossfield::ClearanceForQuads(question.quadSize);
       optimizer.keepAll = true; // a row that vanished could not be dragged on
-      now = crossfield::OptimizeSingularities(question.input.domain, now, optimizer, progress)
-              .configuration;
+      const crossfield::OptimizerResult result =
+        crossfield::OptimizeSingularities(question.input.domain, now, optimizer, progress);
+      now = result.configuration;
+      this->events = result.events;
+      this->events.push_back(result.reason);
+    }
+    else if (question.command == Command::Snap)
+    {
+      const crossfield::FactoredDomain& factored = this->domain.Factor(now, question.meshSize);
+      const crossfield::LayoutSnap snap = crossfield::SnapLayout(
+        factored, now, question.options.map, question.snapTolerance, progress);
+      now = snap.singularities;
+      std::ostringstream text;
+      text << snap.joined << " near misses of lines were joined and " << snap.leftOut
+           << " left; no singularity moved by more than " << snap.largestMove << ".";
+      this->events.push_back(text.str());
     }
     else if (question.command == Command::AddPair)
     {
@@ -276,6 +301,12 @@ void vtkLayoutDesigner::Optimise()
 }
 
 //------------------------------------------------------------------------------
+void vtkLayoutDesigner::Snap()
+{
+  this->Ask(Command::Snap);
+}
+
+//------------------------------------------------------------------------------
 void vtkLayoutDesigner::AddPair()
 {
   this->Ask(Command::AddPair);
@@ -332,12 +363,16 @@ int vtkLayoutDesigner::RequestData(
         question.options.quads->count = this->QuadCount;
         question.options.quads->smooth = this->Quads == QuadsSmooth;
       }
+      question.snapTolerance =
+        this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * question.quadSize;
       question.command = std::exchange(this->Waiting, Command::None);
       question.rowToRemove = this->RowToRemove;
 
       LayoutConversion::Report report;
       report.quadSize = question.quadSize;
       Configuration now;
+      const double energyBefore =
+        kept.design ? kept.design->energy.energy : std::numeric_limits<double>::quiet_NaN();
       // A configuration that cannot be is a step of designing one: what was there before stays, and the sentence is the verdict.
       try
       {
@@ -347,6 +382,13 @@ int vtkLayoutDesigner::RequestData(
           crossfield::DesignLayout(kept.domain.Factor(now, this->MeshSize, progress.Part(0.4, 0.6)),
             now, question.options, progress.Part(0.6, 0.95));
         this->StageSeconds = kept.design->seconds;
+        if (question.command != Command::None && std::isfinite(energyBefore))
+        {
+          std::ostringstream text;
+          text << "The renormalised energy went from " << energyBefore << " to "
+               << kept.design->energy.energy << ".";
+          kept.events.push_back(text.str());
+        }
       }
       catch (const crossfield::Error& error)
       {
@@ -371,6 +413,8 @@ int vtkLayoutDesigner::RequestData(
           QuadConversion::WriteQuads(*design->quads, input.plane, quads);
         }
       }
+      EnergyConversion::WriteEvents(kept.events, lines);
+      EnergyConversion::WriteEvents(kept.events, points);
       LayoutConversion::AddReport(design, report, lines->GetFieldData());
       LayoutConversion::AddReport(design, report, points->GetFieldData());
     });
@@ -386,5 +430,6 @@ void vtkLayoutDesigner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";
+  os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds << "\n";
 }

@@ -7,7 +7,7 @@
  * back-substitution and one map on a mesh that is changed only around singularities.
  *
  * The singularities are the rows set here; without rows those of port 1; without either the ones that
- * vtkConfigurationProposal would choose with Automatic, once for a domain. Commands (Propose, Optimise, AddPair, RemoveSingularity, Undo)
+ * vtkConfigurationProposal would choose with Automatic, once for a domain. Commands (Propose, Optimise, Snap, AddPair, RemoveSingularity, Undo)
  * take effect in the next update: they replace the rows, which GetRows then returns.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles; it is meshed here.
@@ -27,6 +27,7 @@
  * - `Stale` (int): 1 where lines, faces and quads are those of an earlier configuration;
  * and, where there are lines,
  * - `RenormalizedEnergy`: W; `Faces` (int); `ShortestArc`: of the T-mesh, in sides of quads;
+ * - `Events` (text): after a command what it did, one sentence each;
  * - `LeastAngle`: 90° minus the largest deviation of a corner of a quad from it; with quads.
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles refuses; arrays that are
@@ -78,11 +79,12 @@ public:
   ///@{
   /**
    * Commands for the next update. Propose: the singularities that would be chosen. Optimise: those there are move to where W is
-   * least. AddPair: one of quarter index 1 and one of −1 where there is most room. RemoveSingularity: takes a row, counted from 0, out. Undo: the rows
+   * least. Snap: they move by at most SnapTolerance to where lines that nearly met do meet. AddPair: one of quarter index 1 and one of −1 where there is most room. RemoveSingularity: takes a row, counted from 0, out. Undo: the rows
    * before the last command that changed them.
    */
   void Propose();
   void Optimise();
+  void Snap();
   void AddPair();
   void RemoveSingularity(int row);
   void Undo();
@@ -133,6 +135,12 @@ public:
   vtkGetMacro(QuadCount, int);
   ///@}
 
+  ///@{
+  /** What Snap may move a singularity by, and how near lines must be; 0: half a side of a quad. Default: 0. Range: 0 or more. */
+  vtkSetClampMacro(SnapTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SnapTolerance, double);
+  ///@}
+
   /** Seconds of the last layout, without writing the outputs. Not in the output. */
   vtkGetMacro(StageSeconds, double);
 
@@ -155,6 +163,7 @@ private:
     None,
     Propose,
     Optimise,
+    Snap,
     AddPair,
     Remove,
     Undo
@@ -172,6 +181,7 @@ private:
   int Quads = QuadsDraft;
   double QuadSize = 0.0;
   int QuadCount = 1000;
+  double SnapTolerance = 0.0;
   double StageSeconds = 0.0;
   std::unique_ptr<Memory> Kept;
 };

@@ -183,6 +183,27 @@ TEST_F(LayoutDesigner, ObeysCommands)
   EXPECT_EQ(this->Value("RenormalizedEnergy"), chosen);
 }
 
+TEST_F(LayoutDesigner, SnapsAndSaysWhatItCost)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(0, 0.44, 0.41, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const double thin = this->Value("ShortestArc");
+  EXPECT_LT(thin, 0.5);
+  const double faces = this->Value("Faces");
+  this->Filter->Snap();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_GT(this->Value("ShortestArc"), 1.0);
+  EXPECT_LT(this->Value("Faces"), faces);
+  EXPECT_NE(this->Text("Events").find("near misses"), std::string::npos) << this->Text("Events");
+  this->Filter->SetSnapTolerance(1e-9);
+  this->Filter->Undo();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  this->Filter->Snap();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("ShortestArc"), thin);
+}
+
 TEST_F(LayoutDesigner, StartsFromItsPortUntilThereAreRows)
 {
   vtkNew<vtkSingularitySource> source;
