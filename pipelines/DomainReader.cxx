@@ -1,9 +1,9 @@
 #include "DomainReader.h"
 
 #include "IsolatedReading.h"
-#include "LoopText.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkPlanarDomainReader.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularitySource.h"
 
@@ -16,9 +16,7 @@
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
-#include "vtkPolyData.h"
 #include "vtkSTLReader.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -134,11 +132,18 @@ std::string ReadText(const std::string& file)
   return text.str();
 }
 
-vtkSmartPointer<vtkAlgorithm> SourceOf(vtkPolyData* loop)
+/** The loops of a table or an aerofoil, in a file or a text that is known already. */
+vtkSmartPointer<vtkAlgorithm> OpenLoops(const std::string& file, const std::string* text = nullptr)
 {
-  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
-  producer->SetOutput(loop);
-  return producer;
+  auto reader = vtkSmartPointer<vtkPlanarDomainReader>::New();
+  reader->SetFileName(file);
+  if (text != nullptr)
+  {
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(*text);
+  }
+  PipelineRun::Update(reader, "reading");
+  return reader;
 }
 
 bool BeginsWith(const std::string& text, const std::string& part)
@@ -160,9 +165,7 @@ vtkSmartPointer<vtkAlgorithm> OpenStream(const std::string& file)
   {
     return OpenWith<vtkGenericDataObjectReader>(file, &text);
   }
-  const std::string firstLine = text.substr(0, text.find('\n'));
-  return SourceOf(firstLine.find(',') != std::string::npos ? LoopText::ReadTable(text, file)
-                                                           : LoopText::ReadAerofoil(text, file));
+  return OpenLoops(file, &text);
 }
 
 /** "-" is standard input. */
@@ -183,7 +186,7 @@ namespace DomainReader
 {
 const char* const Help =
   "boundary loops or a triangle mesh: a .vtp .vtu .vtk .stl .obj .ply file, a .csv file with the "
-  "points x,y or x,y,z of one loop, an aerofoil .dat, - for standard input, or builtin:NAME (see "
+  "points x,y or x,y,z of loops, an aerofoil .dat, - for standard input, or builtin:NAME (see "
   "`crossfield domain --help`)";
 
 vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
@@ -233,13 +236,9 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
     RequireProperties(argument);
     return OpenWith<vtkPLYReader>(argument);
   }
-  if (ending == ".csv")
+  if (ending == ".csv" || ending == ".dat")
   {
-    return SourceOf(LoopText::ReadTable(ReadText(argument), argument));
-  }
-  if (ending == ".dat")
-  {
-    return SourceOf(LoopText::ReadAerofoil(ReadText(argument), argument));
+    return OpenLoops(argument);
   }
   if (ending == ".msh")
   {

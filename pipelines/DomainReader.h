@@ -18,7 +18,7 @@ extern const char* const Help;
 
 /**
  * A source or reader for the argument: .vtp .vtu .vtk .stl .obj .ply through VTK's
- * readers, .csv and .dat as one loop (LoopText.h), builtin:NAME with curves sampled at `edgeLength` (0:
+ * readers, .csv and .dat through vtkPlanarDomainReader, builtin:NAME with curves sampled at `edgeLength` (0:
  * the default). "-" is standard input; of it and of other pipes the first bytes say what they are. Throws PipelineRun::Error for a file that is missing,
  * cannot be read or holds no cells, and for an unknown ending.
  */

@@ -18,7 +18,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 
 from . import names
 from ._run import Error, Pipeline
-from .vtkCrossFieldFilters import vtkPlanarDomainSource, vtkSingularitySource
+from .vtkCrossFieldFilters import vtkPlanarDomainReader, vtkPlanarDomainSource, vtkSingularitySource
 
 Path = Union[str, "os.PathLike[str]"]
 #: One loop, several loops, a data set, a file, or "builtin:NAME".
@@ -29,11 +29,6 @@ Singularities = Union[ArrayLike, vtkDataSet, Path, None]
 _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
             ".vtk": vtkGenericDataObjectReader, ".stl": vtkSTLReader, ".obj": vtkOBJReader,
             ".ply": vtkPLYReader}
-
-
-#: Columns of a table of points, as people and ParaView call them; numpy leaves the colon out.
-_AXES = {name: axis for i, axis in enumerate("xyz")
-         for name in (axis, "points%d" % i, "points_%d" % i)}
 
 
 def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
@@ -92,43 +87,6 @@ def _loops(loops: Any) -> vtkPolyData:
     return result
 
 
-def _read_csv(path: str) -> vtkPolyData:
-    """The points x, y and maybe z of one loop."""
-    try:
-        table = np.genfromtxt(path, delimiter=",", names=True, dtype=float, ndmin=1)
-    except ValueError as error:
-        raise Error("The file '%s' is no table of numbers (%s); correct it."
-                    % (path, str(error).splitlines()[0])) from None
-    found = {_AXES[name.lower()]: name for name in table.dtype.names or ()
-             if name.lower() in _AXES}
-    if not {"x", "y"} <= set(found):
-        raise Error("The file '%s' has no columns x and y; its first line must be x,y." % path)
-    return _loops(np.column_stack([table[found[axis]] for axis in "xyz" if axis in found]))
-
-
-def _read_aerofoil(path: str) -> vtkPolyData:
-    """Selig's format: a line with a name, then x and y of a point of the profile in each line."""
-    points = []
-    with open(path, encoding="utf-8", errors="replace") as file:
-        for number, line in enumerate(file, 1):
-            words = line.split()
-            try:
-                row = [float(word) for word in words]
-            except ValueError:
-                row = []
-            if len(row) == 2:
-                points.append(row)
-            elif words and number > 1:
-                raise Error("Line %d of '%s' does not hold the two numbers x and y; correct it."
-                            % (number, path))
-    if len(points) < 3:
-        raise Error("The file '%s' holds fewer than three points; give those of a profile." % path)
-    if sum(points[0]) == len(points) - 1 and points[0][1] > 1:
-        raise Error("The file '%s' is in Lednicer's format, which lists both sides from the leading "
-                    "edge; save it in Selig's, from the trailing edge around the profile." % path)
-    return _loops(np.array(points))
-
-
 def _read_gmsh(path: str) -> vtkPolyData:
     """A Gmsh mesh through meshio: its triangles and quadrilaterals, or else its lines."""
     try:
@@ -161,7 +119,7 @@ def _read_gmsh(path: str) -> vtkPolyData:
 
 
 def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of one loop, an aerofoil
+    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an aerofoil
     .dat, or a .msh of Gmsh if meshio is installed.
 
     Raises Error if there is no such file, it cannot be read or holds no cells.
@@ -170,10 +128,10 @@ def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     if not os.path.isfile(path):
         raise Error("There is no file '%s'; check the name of the domain." % path)
     ending = os.path.splitext(path)[1].lower()
-    if ending == ".csv":
-        return _read_csv(path)
-    if ending == ".dat":
-        return _read_aerofoil(path)
+    if ending in (".csv", ".dat"):
+        reader = vtkPlanarDomainReader()
+        reader.SetFileName(path)
+        return Pipeline().update_one(reader).GetOutput()
     if ending == ".msh":
         data = _read_gmsh(path)
     elif ending in _READERS:

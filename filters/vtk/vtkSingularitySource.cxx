@@ -2,11 +2,11 @@
 
 #include "Error.h"
 #include "FilterRun.h"
+#include "PointTable.h"
 #include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
-#include "vtkDelimitedTextReader.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -24,8 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkSingularitySource);
@@ -42,45 +39,24 @@ struct RowTable
   std::vector<double> z;
 };
 
-vtkAbstractArray* FindColumn(vtkTable* table, const char* name)
-{
-  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-  {
-    std::string word;
-    const char* title = table->GetColumnName(i);
-    std::istringstream(title == nullptr ? "" : title) >> word; // without blanks around it
-    if (vtksys::SystemTools::LowerCase(word) == name)
-    {
-      return table->GetColumn(i);
-    }
-  }
-  return nullptr;
-}
-
 RowTable ReadRows(const std::string& fileName)
 {
   if (!vtksys::SystemTools::FileExists(fileName, true))
   {
     throw Error("There is no file '" + fileName + "' with singularities; check the name.");
   }
-  vtkNew<vtkDelimitedTextReader> reader;
-  // Read here: a pipe can be read once, from the beginning to the end.
-  std::ifstream stream(fileName, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(text.str() + "\n"); // no text at all would be no string to VTK
-  reader->SetHaveHeaders(true);
-  reader->SetFieldDelimiterCharacters(",");
-  reader->Update();
-
+  const auto text = PointTable::Read(PointTable::ReadFile(fileName));
   constexpr int Count = 5;
+  // The second names are those of ParaView's export.
   const char* names[Count] = { "x", "y", "quarter_index", "radius", "z" };
-  vtkAbstractArray* columns[Count];
-  for (int i = 0; i < Count; ++i)
+  vtkAbstractArray* columns[Count] = { PointTable::FindColumn(text, PointTable::NamesOfAxis(0)),
+    PointTable::FindColumn(text, PointTable::NamesOfAxis(1)),
+    PointTable::FindColumn(text, { "quarter_index", "quarterindex" }),
+    PointTable::FindColumn(text, { "radius" }),
+    PointTable::FindColumn(text, PointTable::NamesOfAxis(2)) };
+  for (int i = 0; i < 3; ++i)
   {
-    columns[i] = FindColumn(reader->GetOutput(), names[i]);
-    if (columns[i] == nullptr && i < 3)
+    if (columns[i] == nullptr)
     {
       throw Error("The file '" + fileName + "' has no column '" + names[i] +
         "'; its first line must be x,y,quarter_index or x,y,quarter_index,radius, and may have z.");
@@ -88,7 +64,7 @@ RowTable ReadRows(const std::string& fileName)
   }
   RowTable table;
   table.hasRadius = columns[3] != nullptr;
-  for (vtkIdType row = 0; row < reader->GetOutput()->GetNumberOfRows(); ++row)
+  for (vtkIdType row = 0; row < text->GetNumberOfRows(); ++row)
   {
     double numbers[Count];
     for (int i = 0; i < Count; ++i)

@@ -7,6 +7,7 @@ import math
 import os
 import re
 import sys
+import tempfile
 import xml.dom.minidom
 
 from paraview import servermanager
@@ -28,6 +29,7 @@ PROXIES = {
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
+    "PlanarDomainReader": ("sources", "FileName"),
     "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": (
@@ -69,10 +71,11 @@ def test_proxies():
         check_documentation(prototype.GetDocumentation(), name)
         # Python names come from labels, so a label must be the name with spaces.
         check_equal(prototype.GetXMLLabel().replace(" ", ""), name, "the label")
-        menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
-        check_equal(menu.GetAttribute("category"), "Cross Field", "the menu of %s" % name)
-        icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
-        xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises when it is no drawing
+        if name != "PlanarDomainReader":  # which File, Open makes
+            menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
+            check_equal(menu.GetAttribute("category"), "Cross Field", "the menu of %s" % name)
+            icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
+            xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises when it is no drawing
         found = dict(properties_of(prototype))
         check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
         for key, item in found.items():
@@ -178,6 +181,45 @@ def test_default_chain():
     check(0.8 * 2 * math.pi / 4 * 40**2 < first < 2.2 * math.pi / 4 * 40**2, "%d lines at first" % first)
     thinned = fetch(CrossGlyphs(Input=field, Spacing=0.1, ScaleByNorm=1))
     check(0 < thinned.GetNumberOfLines() <= 2 * 20 * 20, "the spacing does not thin out")
+
+
+def write(name, text):
+    with open(name, "w", encoding="utf-8") as file:
+        file.write(text)
+    return name
+
+
+def readers_of(name):
+    """The proxies among which File, Open lets one choose."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    found = factory.GetReaders(name, servermanager.ActiveConnection.Session)
+    return [found.GetString(i + 1) for i in range(0, found.GetLength(), 3)]
+
+
+def test_domain_files():
+    with tempfile.TemporaryDirectory(prefix="crossfield-") as folder:
+        square = "0%s0\n2%s0\n2%s1\n0%s1\n"
+        table = write(os.path.join(folder, "square.csv"), "x,y\n" + square % (4 * (",",)))
+        profile = write(os.path.join(folder, "square.dat"), "a name\n" + square % (4 * (" ",)))
+        other = write(os.path.join(folder, "other.csv"), "time,value\n0,1\n")
+        for name in (table, profile):
+            check("PlanarDomainReader" in readers_of(name), "%s is opened as a domain" % name)
+            check(len(readers_of(name)) > 1, "one is asked which reader opens %s" % name)
+            data = fetch(PlanarDomainReader(FileName=name))
+            check_equal((data.GetNumberOfCells(), data.GetNumberOfPoints()), (1, 4), "cells and points")
+        check("PlanarDomainReader" not in readers_of(other), "a table without x and y is no domain")
+        # A table that ParaView itself has written.
+        exported = os.path.join(folder, "exported.csv")
+        SaveData(exported, proxy=PlanarDomainReader(FileName=table))
+        data = fetch(PlanarDomainReader(FileName=exported))
+        check_equal(data.GetBounds(), (0, 2, 0, 1, 0, 0), "the bounds of what ParaView exports")
+        singularities = SingularitySource()
+        exported = os.path.join(folder, "singularities.csv")
+        SaveData(exported, proxy=singularities, Precision=17)
+        check(fingerprint(fetch(SingularitySource(FileName=exported))) == fingerprint(fetch(singularities)),
+              "the singularities that ParaView exports are read as they were")
+        refused = PlanarDomainReader(FileName=write(table, "x,y\n0,zero\n"))
+        check_equal(fetch(refused).GetNumberOfCells(), 0, "the number of cells of a bad table")
 
 
 def test_other_domains():
@@ -327,8 +369,8 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_default_chain, test_h_field, test_layout_designer, test_separatrices, test_energies, test_other_domains,
-             test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
+for test in (test_proxies, test_default_chain, test_h_field, test_layout_designer, test_separatrices, test_energies,
+             test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
              test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

@@ -180,6 +180,11 @@ TEST_F(SingularitySource, ReadsAFile)
   this->SetText("name,radius, quarter_index,y,x\r\na,0.1, 1,-0.25,0.5\r\nb,0.05, -2,2,1e-3\r\n");
   EXPECT_EQ(this->Rows(), expected);
 
+  // What ParaView writes with File, Save Data.
+  this->SetText("\"QuarterIndex\",\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n"
+                "1,0.1,0.5,-0.25,0\n-2,0.05,1e-3,2,0\n");
+  EXPECT_EQ(this->Rows(), expected);
+
   // The rows count again.
   this->Source->SetFileName(nullptr);
   EXPECT_EQ(this->Rows().size(), 4u);

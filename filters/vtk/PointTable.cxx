@@ -1,0 +1,60 @@
+#include "PointTable.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDelimitedTextReader.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace PointTable
+{
+std::string ReadFile(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+vtkSmartPointer<vtkTable> Read(const std::string& text)
+{
+  vtkNew<vtkDelimitedTextReader> reader;
+  // What VTK says of bytes that are no text is not printed: columns are missed, and that is said.
+  vtkNew<vtkCallbackCommand> silence;
+  reader->AddObserver(vtkCommand::ErrorEvent, silence);
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(text + "\n"); // no text at all would be no string to VTK
+  reader->SetHaveHeaders(true);
+  reader->SetFieldDelimiterCharacters(",");
+  reader->Update();
+  return reader->GetOutput();
+}
+
+std::vector<std::string> NamesOfAxis(int axis)
+{
+  const std::string number = std::to_string(axis);
+  return { std::string(1, static_cast<char>('x' + axis)), "points:" + number, "points_" + number };
+}
+
+vtkAbstractArray* FindColumn(vtkTable* table, const std::vector<std::string>& names)
+{
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    std::string word;
+    const char* title = table->GetColumnName(i);
+    std::istringstream(title == nullptr ? "" : title) >> word; // without blanks around it
+    if (std::find(names.begin(), names.end(), vtksys::SystemTools::LowerCase(word)) != names.end())
+    {
+      return table->GetColumn(i);
+    }
+  }
+  return nullptr;
+}
+}
