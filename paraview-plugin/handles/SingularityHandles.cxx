@@ -1,0 +1,275 @@
+#include "SingularityHandles.h"
+
+#include "vtkActor2D.h"
+#include "vtkCellArray.h"
+#include "vtkCoordinate.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper2D.h"
+#include "vtkProperty2D.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+// Pixels at a pixel ratio of 1. A disc is large enough to be hit and small enough to see what it moves.
+constexpr double DiscRadius = 8;
+constexpr double LabelSize = 15;
+
+using Colour = std::array<double, 4>;
+
+/** Red, blue and grey as in the pictures of the pages; told apart by the colour-blind, too. */
+std::array<double, 3> ColourOf(int quarterIndex)
+{
+  if (quarterIndex == 0)
+  {
+    return { 0.4, 0.4, 0.4 };
+  }
+  return quarterIndex > 0 ? std::array<double, 3>{ 0.85, 0.1, 0.1 }
+                          : std::array<double, 3>{ 0.1, 0.2, 0.85 };
+}
+
+/** A ring of the drawing: its colour begins at this radius and goes over into that of the next. */
+struct Ring
+{
+  double Radius;
+  Colour Shade;
+};
+
+/** A disc with a white rim, a thin dark one around it, and edges that fade within a pixel. */
+std::vector<Ring> RingsOf(int quarterIndex, bool isChosen)
+{
+  const auto [red, green, blue] = ColourOf(quarterIndex);
+  const Colour fill{ red, green, blue, 1 };
+  const Colour white{ 1, 1, 1, 1 };
+  const Colour dark{ 0, 0, 0, isChosen ? 1.0 : 0.55 };
+  const double white0 = DiscRadius - 1.5;
+  const double dark0 = DiscRadius + 0.5;
+  const double end = isChosen ? dark0 + 2.5 : dark0 + 0.5;
+  return { { 0, fill }, { white0 - 0.5, fill }, { white0 + 0.5, white }, { dark0 - 0.5, white },
+    { dark0 + 0.5, dark }, { end, dark }, { end + 1, { dark[0], dark[1], dark[2], 0 } } };
+}
+
+vtkSmartPointer<vtkPolyData> DiscOf(const std::vector<Ring>& rings, double pixelRatio)
+{
+  constexpr int sides = 48;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(4);
+  for (const Ring& ring : rings)
+  {
+    for (int i = 0; i < sides; ++i)
+    {
+      const double angle = 2 * vtkMath::Pi() * i / sides;
+      const double radius = ring.Radius * pixelRatio;
+      points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), 0);
+      const Colour& shade = ring.Shade;
+      colours->InsertNextTuple4(255 * shade[0], 255 * shade[1], 255 * shade[2], 255 * shade[3]);
+    }
+  }
+  for (vtkIdType r = 0; r + 1 < static_cast<vtkIdType>(rings.size()); ++r)
+  {
+    for (vtkIdType i = 0; i < sides; ++i)
+    {
+      const vtkIdType next = (i + 1) % sides;
+      const vtkIdType inner = r * sides;
+      const vtkIdType outer = inner + sides;
+      const std::array<vtkIdType, 4> quad{ inner + i, outer + i, outer + next, inner + next };
+      cells->InsertNextCell(4, quad.data());
+    }
+  }
+  auto disc = vtkSmartPointer<vtkPolyData>::New();
+  disc->SetPoints(points);
+  disc->SetPolys(cells);
+  disc->GetPointData()->SetScalars(colours);
+  return disc;
+}
+
+std::string TextOf(int quarterIndex)
+{
+  if (quarterIndex == 0)
+  {
+    return "0";
+  }
+  // The minus sign of typography, which is as wide as the plus.
+  return (quarterIndex > 0 ? "+" : "\u2212") + std::to_string(std::abs(quarterIndex));
+}
+}
+
+//------------------------------------------------------------------------------
+SingularityHandles::~SingularityHandles()
+{
+  this->SetRenderer(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkRenderer* SingularityHandles::GetRenderer() const
+{
+  return this->Renderer;
+}
+
+//------------------------------------------------------------------------------
+SingularityHandles::Handle SingularityHandles::MakeHandle() const
+{
+  Handle handle{ vtkSmartPointer<vtkActor2D>::New(), vtkSmartPointer<vtkTextActor>::New() };
+  vtkCoordinate* place = handle.Disc->GetPositionCoordinate();
+  place->SetCoordinateSystemToWorld();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  handle.Disc->SetMapper(mapper);
+
+  // The label goes with the disc, at the distance of a pixel to its upper right.
+  vtkCoordinate* corner = handle.Label->GetPositionCoordinate();
+  corner->SetCoordinateSystemToViewport();
+  corner->SetReferenceCoordinate(place);
+  const double beside = (DiscRadius + 4) * this->PixelRatio;
+  corner->SetValue(beside, 0.35 * beside);
+  vtkTextProperty* text = handle.Label->GetTextProperty();
+  text->SetFontFamilyToArial();
+  text->SetFontSize(static_cast<int>(LabelSize * this->PixelRatio));
+  text->BoldOn();
+  text->SetBackgroundColor(1, 1, 1);
+  text->SetBackgroundOpacity(0.8);
+  handle.Disc->PickableOff();
+  handle.Label->PickableOff();
+  return handle;
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::Add(const Handle& handle)
+{
+  if (this->Renderer)
+  {
+    this->Renderer->AddActor2D(handle.Label);
+    this->Renderer->AddActor2D(handle.Disc);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::Remove(const Handle& handle)
+{
+  if (this->Renderer)
+  {
+    this->Renderer->RemoveActor2D(handle.Disc);
+    this->Renderer->RemoveActor2D(handle.Label);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::SetRenderer(vtkRenderer* renderer, double pixelRatio)
+{
+  for (const Handle& handle : this->Handles)
+  {
+    this->Remove(handle);
+  }
+  this->Handles.clear();
+  this->Renderer = renderer;
+  this->PixelRatio = pixelRatio;
+  if (renderer)
+  {
+    const std::vector<SingularityRow> rows = this->Rows;
+    this->SetRows(rows, this->Chosen);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int chosen)
+{
+  this->Rows = rows;
+  this->Chosen = chosen;
+  if (!this->Renderer)
+  {
+    return; // SetRenderer will make the discs
+  }
+  while (this->Handles.size() > rows.size())
+  {
+    this->Remove(this->Handles.back());
+    this->Handles.pop_back();
+  }
+  while (this->Handles.size() < rows.size())
+  {
+    this->Handles.push_back(this->MakeHandle());
+    this->Add(this->Handles.back());
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const Handle& handle = this->Handles[i];
+    const int quarterIndex = QuarterIndexOf(rows[i]);
+    const auto [red, green, blue] = ColourOf(quarterIndex);
+    handle.Disc->GetPositionCoordinate()->SetValue(rows[i][0], rows[i][1], 0);
+    static_cast<vtkPolyDataMapper2D*>(handle.Disc->GetMapper())
+      ->SetInputData(
+        DiscOf(RingsOf(quarterIndex, static_cast<int>(i) == chosen), this->PixelRatio));
+    handle.Label->SetInput(TextOf(quarterIndex).c_str());
+    handle.Label->GetTextProperty()->SetColor(red, green, blue);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> SingularityHandles::PixelOf(const std::array<double, 2>& point) const
+{
+  this->Renderer->SetWorldPoint(point[0], point[1], 0, 1);
+  this->Renderer->WorldToDisplay();
+  const double* pixel = this->Renderer->GetDisplayPoint();
+  return { pixel[0], pixel[1] };
+}
+
+//------------------------------------------------------------------------------
+double SingularityHandles::GetDiscRadius() const
+{
+  return DiscRadius * this->PixelRatio;
+}
+
+//------------------------------------------------------------------------------
+int SingularityHandles::RowAt(int x, int y) const
+{
+  int nearest = -1;
+  // Three pixels more than what is drawn: hands are not steady.
+  double least = this->GetDiscRadius() + 3 * this->PixelRatio;
+  for (std::size_t i = 0; this->Renderer && i < this->Rows.size(); ++i)
+  {
+    const std::array<double, 2> pixel = this->PixelOf({ this->Rows[i][0], this->Rows[i][1] });
+    const double distance = std::hypot(pixel[0] - x, pixel[1] - y);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = static_cast<int>(i);
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+bool SingularityHandles::PlanePointAt(double x, double y, std::array<double, 2>& point) const
+{
+  if (!this->Renderer)
+  {
+    return false;
+  }
+  std::array<std::array<double, 3>, 2> ends{};
+  for (int end = 0; end < 2; ++end)
+  {
+    this->Renderer->SetDisplayPoint(x, y, end);
+    this->Renderer->DisplayToWorld();
+    const double* world = this->Renderer->GetWorldPoint();
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      ends[static_cast<std::size_t>(end)][i] = world[i] / world[3];
+    }
+  }
+  // The line of sight from the near to the far plane of the camera; z = 0 lies between them.
+  const double t = ends[0][2] / (ends[0][2] - ends[1][2]);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    point[i] = ends[0][i] + t * (ends[1][i] - ends[0][i]);
+  }
+  return std::isfinite(point[0]) && std::isfinite(point[1]);
+}

@@ -1,0 +1,67 @@
+/**
+ * @class   SingularityHandles
+ * @brief   discs of constant size on the screen that stand for singularities in a 3D view
+ *
+ * A singularity of positive quarter index is a red disc, of negative a blue one, of zero a grey one, with
+ * the quarter index beside it; the chosen one has a wide dark rim. They lie in the plane z = 0 and are
+ * drawn over everything else. No Qt here; ParaView's client owns the renderer.
+ */
+
+#ifndef SingularityHandles_h
+#define SingularityHandles_h
+
+#include "SingularityRows.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkActor2D;
+class vtkRenderer;
+class vtkTextActor;
+
+class SingularityHandles final
+{
+public:
+  SingularityHandles() = default;
+  ~SingularityHandles();
+  SingularityHandles(const SingularityHandles&) = delete;
+  SingularityHandles& operator=(const SingularityHandles&) = delete;
+
+  /** Where they are drawn; none (nullptr) hides them. `pixelRatio`: pixels of the screen per unit of it. */
+  void SetRenderer(vtkRenderer* renderer, double pixelRatio = 1);
+  vtkRenderer* GetRenderer() const;
+
+  /** One handle for each row. `chosen`: the row with the dark rim, or -1. The next render shows them. */
+  void SetRows(const std::vector<SingularityRow>& rows, int chosen);
+
+  /** The row whose disc is under a pixel, the nearest if there are several, or -1. */
+  int RowAt(int x, int y) const;
+
+  /** The point of the plane z = 0 under a pixel. False where the line of sight does not meet the plane. */
+  bool PlanePointAt(double x, double y, std::array<double, 2>& point) const;
+
+  /** The pixel of a point of the plane z = 0. */
+  std::array<double, 2> PixelOf(const std::array<double, 2>& point) const;
+
+  /** The pixels from the middle of a disc to its rim. */
+  double GetDiscRadius() const;
+
+private:
+  struct Handle
+  {
+    vtkSmartPointer<vtkActor2D> Disc;
+    vtkSmartPointer<vtkTextActor> Label;
+  };
+  Handle MakeHandle() const;
+  void Add(const Handle& handle);
+  void Remove(const Handle& handle);
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  double PixelRatio = 1;
+  std::vector<SingularityRow> Rows;
+  std::vector<Handle> Handles;
+  int Chosen = -1;
+};
+
+#endif

@@ -1,0 +1,48 @@
+#include "SingularityRows.h"
+
+#include <algorithm>
+#include <cmath>
+
+std::vector<SingularityRow> RowsOf(const std::vector<double>& numbers)
+{
+  std::vector<SingularityRow> rows(numbers.size() / 4);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    std::copy_n(numbers.data() + 4 * i, 4, rows[i].begin());
+  }
+  return rows;
+}
+
+std::vector<double> NumbersOf(const std::vector<SingularityRow>& rows)
+{
+  std::vector<double> numbers;
+  numbers.reserve(4 * rows.size());
+  for (const SingularityRow& row : rows)
+  {
+    numbers.insert(numbers.end(), row.begin(), row.end());
+  }
+  return numbers;
+}
+
+int QuarterIndexOf(const SingularityRow& row)
+{
+  return static_cast<int>(std::lround(row[2]));
+}
+
+std::array<double, 2> FreePlace(
+  const std::vector<SingularityRow>& rows, const std::array<double, 2>& wanted, double distance)
+{
+  const double goldenAngle = 2.399963229728653; // 180° (3 - √5)
+  std::array<double, 2> place = wanted;
+  const auto isTaken = [&](const SingularityRow& row)
+  { return std::hypot(row[0] - place[0], row[1] - place[1]) < distance; };
+  // A row covers π distance² of the plane, and n places lie in a disc of n π distance² / 4.
+  const std::size_t enough = 16 * (rows.size() + 1);
+  for (std::size_t n = 1; n <= enough && std::any_of(rows.begin(), rows.end(), isTaken); ++n)
+  {
+    const double radius = distance * std::sqrt(static_cast<double>(n)) / 2;
+    const double angle = goldenAngle * static_cast<double>(n);
+    place = { wanted[0] + radius * std::cos(angle), wanted[1] + radius * std::sin(angle) };
+  }
+  return place;
+}

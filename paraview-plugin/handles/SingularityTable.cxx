@@ -1,0 +1,164 @@
+#include "SingularityTable.h"
+
+#include <QDoubleValidator>
+#include <QHeaderView>
+#include <QIntValidator>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+
+namespace
+{
+constexpr int QuarterIndexColumn = 2;
+constexpr int RadiusColumn = 3;
+
+QString ShortText(double number, int column)
+{
+  if (column != QuarterIndexColumn)
+  {
+    // Beside 1 these are zeros; 3e-17 would be read as a number that means something.
+    return QString::number(number, 'g', 3);
+  }
+  const int quarterIndex = qRound(number);
+  const QString digits = QString::number(qAbs(quarterIndex));
+  return quarterIndex == 0 ? digits : (quarterIndex > 0 ? "+" : "\u2212") + digits;
+}
+
+/** Shows numbers shortly; the model keeps them as they are unless a person types another. */
+class NumberDelegate final : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(
+    QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const override
+  {
+    auto* editor = new QLineEdit(parent);
+    editor->setFrame(false);
+    if (index.column() == QuarterIndexColumn)
+    {
+      editor->setValidator(new QIntValidator(editor));
+    }
+    else
+    {
+      auto* validator = new QDoubleValidator(editor);
+      validator->setLocale(QLocale::c()); // 0.5 in every language, as everywhere in ParaView
+      if (index.column() == RadiusColumn)
+      {
+        validator->setBottom(0);
+      }
+      editor->setValidator(validator);
+    }
+    return editor;
+  }
+
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override
+  {
+    static_cast<QLineEdit*>(editor)->setText(
+      QString::number(index.data(Qt::EditRole).toDouble(), 'g', 6));
+  }
+
+  void setModelData(
+    QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override
+  {
+    const auto* line = static_cast<QLineEdit*>(editor);
+    bool isNumber = false;
+    const double number = QLocale::c().toDouble(line->text(), &isNumber);
+    if (line->isModified() && isNumber)
+    {
+      model->setData(index, number, Qt::EditRole);
+    }
+  }
+
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+  {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const double number = index.data(Qt::EditRole).toDouble();
+    option->text = ShortText(number, index.column());
+    option->displayAlignment = Qt::AlignRight | Qt::AlignVCenter;
+    if (index.column() == QuarterIndexColumn && qRound(number) != 0)
+    {
+      option->font.setBold(true);
+      // The colours of the handles.
+      option->palette.setColor(
+        QPalette::Text, number > 0 ? QColor(217, 26, 26) : QColor(26, 51, 217));
+    }
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+SingularityTable::SingularityTable(QWidget* parent)
+  : QTableWidget(0, 4, parent)
+{
+  this->setObjectName("SingularityTable");
+  this->setHorizontalHeaderLabels({ "x", "y", "k", "radius" });
+  this->horizontalHeaderItem(QuarterIndexColumn)
+    ->setToolTip("Quarter index, four times the index of the singularity: "
+                 "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5.");
+  this->horizontalHeaderItem(RadiusColumn)->setToolTip("Radius of the hole that is drilled there.");
+  this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
+  this->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->setSelectionMode(QAbstractItemView::SingleSelection);
+  this->setAlternatingRowColors(true);
+  this->setItemDelegate(new NumberDelegate(this));
+  QObject::connect(this, &QTableWidget::cellChanged, this,
+    [this](int row, int column) {
+      Q_EMIT this->NumberTyped(row, column, this->item(row, column)->data(Qt::EditRole).toDouble());
+    });
+  QObject::connect(this, &QTableWidget::itemSelectionChanged, this,
+    [this]
+    {
+      const QModelIndexList chosen = this->selectionModel()->selectedRows();
+      Q_EMIT this->RowChosen(chosen.empty() ? -1 : chosen.front().row());
+    });
+  this->AskForHeight(0);
+}
+
+//------------------------------------------------------------------------------
+void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int chosen)
+{
+  const QSignalBlocker quiet(this);
+  const int count = static_cast<int>(rows.size());
+  if (this->rowCount() != count)
+  {
+    this->setRowCount(count);
+    this->AskForHeight(count);
+  }
+  for (int row = 0; row < count; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      const double number = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+      QTableWidgetItem* item = this->item(row, column);
+      if (!item)
+      {
+        item = new QTableWidgetItem;
+        this->setItem(row, column, item);
+      }
+      item->setData(Qt::EditRole, number);
+      item->setToolTip(QString::number(number, 'g', 17));
+    }
+  }
+  if (chosen < 0)
+  {
+    this->clearSelection();
+  }
+  else if (!this->selectionModel()->isRowSelected(chosen, QModelIndex()))
+  {
+    this->selectRow(chosen);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SingularityTable::AskForHeight(int rows)
+{
+  // All rows of the usual configurations without scrolling, and room for one at least.
+  const int shown = std::clamp(rows, 2, 12);
+  const int height = this->horizontalHeader()->sizeHint().height() +
+    shown * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth();
+  this->setFixedHeight(height);
+}

@@ -1,0 +1,25 @@
+"""Runs a script in ParaView's client: run_client.py SCRIPT PLUGIN HANDS FOLDER -- COMMAND...
+
+COMMAND starts the client. SCRIPT finds the plugin, the library of Hands.cxx and the folder for pictures in
+the environment, ends the client by itself, and prints "all well" if all was well. Both count: a client
+that crashes when it is closed fails.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+script, plugin, hands, folder = (os.path.abspath(name) for name in sys.argv[1:5])
+command = sys.argv[sys.argv.index("--") + 1:]
+shutil.rmtree(folder, ignore_errors=True)
+os.makedirs(folder)
+with tempfile.TemporaryDirectory() as home:
+    # Settings of its own, and no dialog that welcomes.
+    environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home,
+                       DASHBOARD_TEST_FROM_CTEST="1", PLUGIN=plugin, HANDS=hands, FOLDER=folder)
+    done = subprocess.run([*command, "--dr", "--script=" + script], env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+print(done.stdout)
+if done.returncode != 0 or "all well" not in done.stdout.splitlines():
+    sys.exit("the client ended with %d" % done.returncode)
