@@ -22,7 +22,11 @@ namespace
 {
 // Pixels at a pixel ratio of 1. A disc is large enough to be hit and small enough to see what it moves.
 constexpr double DiscRadius = 8;
-constexpr double LabelSize = 15;
+constexpr double LabelSize = 16;
+
+/** To the right and up; the number itself last, upon the copies that make its rim. */
+constexpr std::array<std::array<double, 2>, 9> LabelCopies = { { { -1, -1 }, { 0, -1.5 }, { 1, -1 },
+  { -1.5, 0 }, { 1.5, 0 }, { -1, 1 }, { 0, 1.5 }, { 1, 1 }, { 0, 0 } } };
 
 using Colour = std::array<double, 4>;
 
@@ -120,26 +124,30 @@ vtkRenderer* SingularityHandles::GetRenderer() const
 //------------------------------------------------------------------------------
 SingularityHandles::Handle SingularityHandles::MakeHandle() const
 {
-  Handle handle{ vtkSmartPointer<vtkActor2D>::New(), vtkSmartPointer<vtkTextActor>::New() };
+  Handle handle;
+  handle.Disc = vtkSmartPointer<vtkActor2D>::New();
   vtkCoordinate* place = handle.Disc->GetPositionCoordinate();
   place->SetCoordinateSystemToWorld();
   vtkNew<vtkPolyDataMapper2D> mapper;
   handle.Disc->SetMapper(mapper);
-
-  // The label goes with the disc, at the distance of a pixel to its upper right.
-  vtkCoordinate* corner = handle.Label->GetPositionCoordinate();
-  corner->SetCoordinateSystemToViewport();
-  corner->SetReferenceCoordinate(place);
-  const double beside = (DiscRadius + 4) * this->PixelRatio;
-  corner->SetValue(beside, 0.35 * beside);
-  vtkTextProperty* text = handle.Label->GetTextProperty();
-  text->SetFontFamilyToArial();
-  text->SetFontSize(static_cast<int>(LabelSize * this->PixelRatio));
-  text->BoldOn();
-  text->SetBackgroundColor(1, 1, 1);
-  text->SetBackgroundOpacity(0.8);
   handle.Disc->PickableOff();
-  handle.Label->PickableOff();
+
+  for (const auto& [right, up] : LabelCopies)
+  {
+    auto label = vtkSmartPointer<vtkTextActor>::New();
+    // It goes with the disc, to its upper right.
+    vtkCoordinate* corner = label->GetPositionCoordinate();
+    corner->SetCoordinateSystemToViewport();
+    corner->SetReferenceCoordinate(place);
+    corner->SetValue((DiscRadius + 3 + right) * this->PixelRatio, (3 + up) * this->PixelRatio);
+    vtkTextProperty* text = label->GetTextProperty();
+    text->SetFontFamilyToArial();
+    text->SetFontSize(static_cast<int>(LabelSize * this->PixelRatio));
+    text->BoldOn();
+    text->SetColor(1, 1, 1);
+    label->PickableOff();
+    handle.Labels.push_back(label);
+  }
   return handle;
 }
 
@@ -148,7 +156,10 @@ void SingularityHandles::Add(const Handle& handle)
 {
   if (this->Renderer)
   {
-    this->Renderer->AddActor2D(handle.Label);
+    for (const auto& label : handle.Labels)
+    {
+      this->Renderer->AddActor2D(label);
+    }
     this->Renderer->AddActor2D(handle.Disc);
   }
 }
@@ -159,7 +170,10 @@ void SingularityHandles::Remove(const Handle& handle)
   if (this->Renderer)
   {
     this->Renderer->RemoveActor2D(handle.Disc);
-    this->Renderer->RemoveActor2D(handle.Label);
+    for (const auto& label : handle.Labels)
+    {
+      this->Renderer->RemoveActor2D(label);
+    }
   }
 }
 
@@ -208,8 +222,11 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
     static_cast<vtkPolyDataMapper2D*>(handle.Disc->GetMapper())
       ->SetInputData(
         DiscOf(RingsOf(quarterIndex, static_cast<int>(i) == chosen), this->PixelRatio));
-    handle.Label->SetInput(TextOf(quarterIndex).c_str());
-    handle.Label->GetTextProperty()->SetColor(red, green, blue);
+    for (const auto& label : handle.Labels)
+    {
+      label->SetInput(TextOf(quarterIndex).c_str());
+    }
+    handle.Labels.back()->GetTextProperty()->SetColor(red, green, blue);
   }
 }
 

@@ -51,7 +51,8 @@ private:
   struct Handle
   {
     vtkSmartPointer<vtkActor2D> Disc;
-    vtkSmartPointer<vtkTextActor> Label;
+    /** The last one is coloured; the others are white and a pixel beside it, which makes its rim. */
+    std::vector<vtkSmartPointer<vtkTextActor>> Labels;
   };
   Handle MakeHandle() const;
   void Add(const Handle& handle);

@@ -2,20 +2,18 @@
 // ctypes: mouse events of Qt in the active 3D view, clicks on buttons, cells of the table, and pictures.
 
 #include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
-#include "pqPropertiesPanel.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEventLoop>
-#include <QMainWindow>
 #include <QMouseEvent>
 #include <QTableWidget>
 #include <QTimer>
-
-#include <iostream>
 
 namespace
 {
@@ -41,7 +39,8 @@ void Mouse(QEvent::Type type, int x, int y, Qt::MouseButton button, Qt::MouseBut
 }
 
 /** What is visible of this name in the panel; a panel is kept for every proxy. */
-template <class Widget> Widget* Visible(const char* name)
+template <class Widget>
+Widget* Visible(const char* name)
 {
   for (Widget* widget : pqCoreUtilities::mainWidget()->findChildren<Widget*>(name))
   {
@@ -56,95 +55,108 @@ template <class Widget> Widget* Visible(const char* name)
 
 extern "C"
 {
-/** Lets the client handle what waits, for at least so long. */
-void hands_wait(int milliseconds)
-{
-  QEventLoop loop;
-  QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-  loop.exec();
-}
-
-void hands_press(int x, int y)
-{
-  Mouse(QEvent::MouseButtonPress, x, y, Qt::LeftButton, Qt::LeftButton);
-}
-
-void hands_move(int x, int y, bool isPressed)
-{
-  Mouse(QEvent::MouseMove, x, y, Qt::NoButton, isPressed ? Qt::LeftButton : Qt::NoButton);
-}
-
-void hands_release(int x, int y)
-{
-  Mouse(QEvent::MouseButtonRelease, x, y, Qt::LeftButton, Qt::NoButton);
-}
-
-/** The seconds from a move of the mouse until the client has handled all that follows from it. */
-double hands_time_of_move(int x, int y)
-{
-  QElapsedTimer timer;
-  timer.start();
-  hands_move(x, y, true);
-  QCoreApplication::sendPostedEvents();
-  // The widget draws when nothing else waits.
-  QCoreApplication::processEvents(QEventLoop::AllEvents);
-  return 1e-9 * static_cast<double>(timer.nsecsElapsed());
-}
-
-/** Whether there was such a button that can be clicked. */
-bool hands_click(const char* name)
-{
-  auto* button = Visible<QAbstractButton>(name);
-  if (!button || !button->isEnabled())
+  /** Lets the client handle what waits, for at least so long. */
+  void hands_wait(int milliseconds)
   {
-    return false;
+    QEventLoop loop;
+    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
+    loop.exec();
   }
-  button->click();
-  return true;
-}
 
-int hands_rows()
-{
-  auto* table = Visible<QTableWidget>("SingularityTable");
-  return table ? table->rowCount() : -1;
-}
+  void hands_press(int x, int y)
+  {
+    Mouse(QEvent::MouseButtonPress, x, y, Qt::LeftButton, Qt::LeftButton);
+  }
 
-int hands_chosen()
-{
-  return Visible<QTableWidget>("SingularityTable")->currentRow();
-}
+  void hands_move(int x, int y, bool isPressed)
+  {
+    Mouse(QEvent::MouseMove, x, y, Qt::NoButton, isPressed ? Qt::LeftButton : Qt::NoButton);
+  }
 
-void hands_choose(int row)
-{
-  Visible<QTableWidget>("SingularityTable")->selectRow(row);
-}
+  void hands_release(int x, int y)
+  {
+    Mouse(QEvent::MouseButtonRelease, x, y, Qt::LeftButton, Qt::NoButton);
+  }
 
-double hands_number(int row, int column)
-{
-  return Visible<QTableWidget>("SingularityTable")
-    ->item(row, column)
-    ->data(Qt::EditRole)
-    .toDouble();
-}
+  /** The seconds from a move of the mouse until the client has handled all that follows from it. */
+  double hands_time_of_move(int x, int y)
+  {
+    QElapsedTimer timer;
+    timer.start();
+    hands_move(x, y, true);
+    QCoreApplication::sendPostedEvents();
+    // The widget draws when nothing else waits.
+    QCoreApplication::processEvents(QEventLoop::AllEvents);
+    return 1e-9 * static_cast<double>(timer.nsecsElapsed());
+  }
 
-void hands_type(int row, int column, double number)
-{
-  Visible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
-}
+  /** Whether there was such a button that can be clicked. */
+  bool hands_click(const char* name)
+  {
+    auto* button = Visible<QAbstractButton>(name);
+    if (!button || !button->isEnabled())
+    {
+      return false;
+    }
+    button->click();
+    return true;
+  }
 
-/** A picture of the whole window, for people. */
-bool hands_picture(const char* file)
-{
-  return pqCoreUtilities::mainWidget()->grab().save(file);
-}
+  int hands_rows()
+  {
+    auto* table = Visible<QTableWidget>("SingularityTable");
+    return table ? table->rowCount() : -1;
+  }
 
-void hands_resize(int width, int height)
-{
-  pqCoreUtilities::mainWidget()->resize(width, height);
-}
+  int hands_chosen()
+  {
+    return Visible<QTableWidget>("SingularityTable")->currentRow();
+  }
 
-void hands_quit()
-{
-  QTimer::singleShot(0, qApp, &QApplication::quit);
-}
+  void hands_choose(int row)
+  {
+    Visible<QTableWidget>("SingularityTable")->selectRow(row);
+  }
+
+  double hands_number(int row, int column)
+  {
+    return Visible<QTableWidget>("SingularityTable")
+      ->item(row, column)
+      ->data(Qt::EditRole)
+      .toDouble();
+  }
+
+  void hands_type(int row, int column, double number)
+  {
+    Visible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
+  }
+
+  /** A picture of the whole window, for people. */
+  bool hands_picture(const char* file)
+  {
+    return pqCoreUtilities::mainWidget()->grab().save(file);
+  }
+
+  void hands_undo()
+  {
+    pqApplicationCore::instance()->getUndoStack()->undo();
+  }
+
+  void hands_redo()
+  {
+    pqApplicationCore::instance()->getUndoStack()->redo();
+  }
+
+  /** What Edit > Undo would say that it undoes; empty when there is nothing. */
+  const char* hands_undo_label()
+  {
+    static QByteArray label;
+    label = pqApplicationCore::instance()->getUndoStack()->undoLabel().toUtf8();
+    return label.constData();
+  }
+
+  void hands_quit()
+  {
+    QTimer::singleShot(0, qApp, &QApplication::quit);
+  }
 }

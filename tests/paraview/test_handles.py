@@ -1,50 +1,317 @@
-import ctypes, os, sys, traceback
+"""Handles of singularities in ParaView's client, used as by a person; started by run_client.py.
+
+The library of Hands.cxx sends the mouse events, clicks the buttons and types into the table. Pictures of
+the window are for people to look at.
+"""
+import ctypes
+import os
+import statistics
+import sys
+import traceback
+
+import numpy as np
+from paraview import servermanager, smtrace
 from paraview.simple import *
-hands = ctypes.PyDLL(os.environ["HANDS"])
-hands.hands_time_of_move.restype = ctypes.c_double
-hands.hands_number.restype = ctypes.c_double
-hands.hands_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
-FOLDER = os.environ["FOLDER"]
-def pic(name):
-    hands.hands_wait(300)
-    hands.hands_picture(os.path.join(FOLDER, name).encode())
-try:
-    hands.hands_wait(500)
-    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
-    view = GetActiveViewOrCreate("RenderView")
-    domain = PlanarDomainSource(registrationName="Domain")
-    Show(domain, view)
-    s = SingularitySource(registrationName="Singularities")
-    h = CrossFieldMap(Input=domain, Singularities=s)
-    lines = Separatrices(Input=h)
-    Show(lines, view)
-    view.ResetCamera()
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+MOVES = 60
+ROWS = [0.4242640687119285, 0.4242640687119285, 1, 0.1, -0.4242640687119285, 0.4242640687119285, 1, 0.1,
+        -0.4242640687119285, -0.4242640687119285, 1, 0.1, 0.4242640687119285, -0.4242640687119285, 1, 0.1]
+
+hands = None
+
+
+def load_hands():
+    global hands
+    hands = ctypes.PyDLL(os.environ["HANDS"])
+    hands.hands_time_of_move.restype = hands.hands_number.restype = ctypes.c_double
+    hands.hands_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
+    hands.hands_undo_label.restype = ctypes.c_char_p
+    hands.hands_click.restype = hands.hands_picture.restype = ctypes.c_bool
+
+
+def check(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def check_equal(found, wanted, what):
+    check(found == wanted, "%s: %r, not %r" % (what, found, wanted))
+
+
+def wait(milliseconds=100):
+    hands.hands_wait(milliseconds)
+
+
+def picture(name):
+    wait(300)
+    check(hands.hands_picture(os.path.join(os.environ["FOLDER"], name).encode()), "no picture")
+
+
+class Scene:
+    """The disk with its default singularities and their separatrices in the active view."""
+
+    def __init__(self):
+        self.view = GetActiveViewOrCreate("RenderView")
+        SetProperties(self.view, UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                      OrientationAxesVisibility=0)
+        self.domain = PlanarDomainSource(registrationName="Domain")
+        self.source = SingularitySource(registrationName="Singularities")
+        flat = CrossFieldMap(registrationName="Map", Input=self.domain, Singularities=self.source)
+        self.lines = Separatrices(registrationName="Separatrices", Input=flat)
+        for drawn, colour, width in ((self.domain, [0, 0, 0], 3), (self.lines, [0.1, 0.5, 0.3], 2)):
+            shown = Show(drawn, self.view)
+            SetProperties(shown, ColorArrayName=["POINTS", ""], AmbientColor=colour, DiffuseColor=colour, LineWidth=width)
+        self.view.ResetCamera()
+        Render()
+        self.choose()
+        self.runs = 0
+        self.lines.GetClientSideObject().AddObserver("EndEvent", self.count)
+
+    def count(self, *_):
+        self.runs += 1
+
+    def choose(self, proxy=None):
+        SetActiveSource(proxy or self.source)
+        wait()
+
+    def rows(self):
+        return list(self.source.Singularities)
+
+    def row(self, i):
+        return self.rows()[4 * i:4 * i + 4]
+
+    def pixel(self, x, y):
+        renderer = self.view.GetRenderer()
+        renderer.SetWorldPoint(x, y, 0, 1)
+        renderer.WorldToDisplay()
+        return np.array(renderer.GetDisplayPoint()[:2])
+
+    def drawn(self):
+        """The places of the separatrices, as they are in the pipeline without asking it to update."""
+        data = self.lines.GetClientSideObject().GetOutputDataObject(0)
+        return vtk_to_numpy(data.GetPoints().GetData()).copy()
+
+    def handles(self):
+        """The number of discs in the view."""
+        actors = self.view.GetClientSideObject().GetNonCompositedRenderer().GetActors2D()
+        coloured = 0
+        for i in range(actors.GetNumberOfItems()):
+            mapper = actors.GetItemAsObject(i).GetMapper()
+            drawing = mapper.GetInput() if mapper and mapper.IsA("vtkPolyDataMapper2D") else None
+            # Nothing else in the view is drawn with colours that fade.
+            coloured += bool(drawing and drawing.GetPointData().GetScalars()
+                             and drawing.GetPointData().GetScalars().GetNumberOfComponents() == 4)
+        return coloured
+
+    def drag(self, start, end, moves=3):
+        """From a place to another; yields after each move with the button down."""
+        start, end = np.rint(self.pixel(*start)), np.rint(self.pixel(*end))
+        hands.hands_press(*map(int, start))
+        wait()
+        for i in range(1, moves + 1):
+            place = np.rint(start + (end - start) * i / moves)
+            yield hands.hands_time_of_move(*map(int, place))
+        hands.hands_release(*map(int, end))
+        wait()
+
+
+def test_drag(scene):
+    check_equal(scene.rows(), ROWS, "the rows at first")
+    check_equal(hands.hands_rows(), 4, "the rows of the table")
+    picture("start.png")
+    times, seen = [], [scene.drawn()]
+    end = -0.05, 0.15 # more than a pixel for each move
+    for seconds in scene.drag(ROWS[:2], end, MOVES):
+        times.append(seconds)
+        check(not np.array_equal(scene.drawn(), seen[-1]), "the separatrices did not follow a move")
+        seen.append(scene.drawn())
+        check_equal(hands.hands_number(0, 0), scene.row(0)[0], "the table while dragging")
+        if len(times) == MOVES // 2:
+            picture("dragging.png")
+    check_equal(scene.runs, MOVES + 1, "runs of the pipeline, one for each move and for the end")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
+    check_equal(scene.rows()[2:4] + scene.rows()[4:], ROWS[2:4] + ROWS[4:], "the rest of the rows")
+    check_equal(hands.hands_chosen(), 0, "the row chosen by the drag")
+    picture("dragged.png")
+    print("frames of a drag: median %.0f ms, from %.0f to %.0f ms" % tuple(
+        1e3 * t for t in (statistics.median(times), min(times), max(times))))
+
+
+def test_undo(scene):
+    moved = scene.rows()
+    check_equal(hands.hands_undo_label(), b"Move Singularity", "what would be undone")
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), ROWS, "the rows after undo")
+    check_equal(hands.hands_number(0, 0), ROWS[0], "the table after undo")
+    hands.hands_redo()
+    wait()
+    check_equal(scene.rows(), moved, "the rows after redo")
+    hands.hands_undo()
+    wait()
+
+
+def test_other_item_chosen(scene):
+    check_equal(scene.handles(), 4, "handles")
+    scene.choose(scene.domain)
+    check_equal(scene.handles(), 0, "handles of an item that is not chosen")
+    camera = list(scene.view.CameraPosition)
+    for _ in scene.drag(ROWS[:2], (0.2, 0.5)):
+        pass
+    check_equal(scene.rows(), ROWS, "the rows after a drag without handles")
+    check(list(scene.view.CameraPosition) != camera, "the mouse did not turn the camera")
+    ResetCamera(scene.view)
+    scene.choose()
+    check_equal(scene.handles(), 4, "handles of the item chosen again")
+    # The camera looks from aside now; the handle stays in the plane and under the mouse.
+    for _ in scene.drag(ROWS[4:6], (-0.2, 0.3)):
+        pass
+    check(abs(scene.pixel(*scene.row(1)[:2]) - scene.pixel(-0.2, 0.3)).max() <= 1, "the place at last")
+    picture("aside.png")
+    hands.hands_undo()
+    SetProperties(scene.view, CameraPosition=[0, 0, 6], CameraFocalPoint=[0, 0, 0], CameraViewUp=[0, 1, 0])
+    ResetCamera(scene.view)
+    wait()
+
+
+def test_click_moves_nothing(scene):
+    runs = scene.runs
+    for _ in scene.drag(ROWS[8:10], ROWS[8:10], 0):
+        pass
+    check_equal((scene.rows(), scene.runs), (ROWS, runs), "rows and runs after a click")
+    check_equal(hands.hands_chosen(), 2, "the row chosen by a click")
+
+
+def test_moves_that_wait_are_one(scene):
     Render()
-    hands.hands_wait(500)
-    SetActiveSource(s)
-    hands.hands_wait(500)
-    print("rows", hands.hands_rows())
-    pic("start.png")
-    r = view.GetRenderer()
-    def pixel(x, y):
-        r.SetWorldPoint(x, y, 0, 1); r.WorldToDisplay()
-        p = r.GetDisplayPoint(); return round(p[0]), round(p[1])
-    a = pixel(0.424, 0.424); b = pixel(0.2, 0.5)
-    print(a, b)
-    hands.hands_move(*a, False); hands.hands_wait(50)
-    hands.hands_press(*a); hands.hands_wait(50)
-    times = []
-    for i in range(1, 61):
-        x = round(a[0] + (b[0]-a[0])*i/60); y = round(a[1] + (b[1]-a[1])*i/60)
-        times.append(hands.hands_time_of_move(x, y))
-        if i in (1, 30): print(list(s.Singularities)[:4], hands.hands_number(0, 0))
-    pic("dragging.png")
-    hands.hands_release(*b); hands.hands_wait(200)
-    print(list(s.Singularities)[:4])
-    print(sorted(times)[30], times[:5])
-    pic("dragged.png")
+    runs = scene.runs
+    x, y = map(int, np.rint(scene.pixel(*ROWS[:2])))
+    hands.hands_press(x, y)
+    for i in range(1, 11):
+        hands.hands_move(x + 2 * i, y, True)
+    wait()
+    check_equal(scene.runs, runs + 1, "runs of ten moves that arrived together")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - [x + 20, y]).max() <= 1, "the place of the last move")
+    hands.hands_release(x + 20, y)
+    wait()
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), ROWS, "the rows after undo")
+
+
+def test_not_live(scene):
+    check(hands.hands_click(b"Live"), "no box")
+    for _ in scene.drag(ROWS[:2], (0.3, 0.3)):
+        check_equal(scene.rows(), ROWS, "the rows while dragging with Live off")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(0.3, 0.3)).max() <= 1, "the place at last")
+    hands.hands_click(b"Live")
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), ROWS, "the rows after undo")
+
+
+def test_buttons(scene):
+    hands.hands_choose(0)
+    check(hands.hands_click(b"AddPair"), "no button")
+    rows = np.array(scene.rows()).reshape(-1, 4)
+    check_equal(list(rows[:, 2]), [1, 1, 1, 1, 1, -1], "the quarter indices with a pair")
+    apart = [abs(a - b).max() for i, a in enumerate(rows[:, :2]) for b in rows[:i, :2]]
+    check(min(apart) > 0.05, "a new singularity is upon another")
+    check_equal(scene.handles(), 6, "handles with a pair")
+    picture("pair.png")
+    check(hands.hands_click(b"Add"), "no button")
+    check_equal(scene.row(6)[2:], [1, 0.1], "what Add adds")
+    hands.hands_undo()
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), ROWS, "the rows after undo of both")
+    check_equal(scene.handles(), 4, "handles after undo of both")
+
+
+def test_remove(scene):
+    scene.source.Singularities = [-0.5, 0, 1, 0.1, 0, 0, -1, 0.1, 0.5, 0, 1, 0.1]
+    wait()
+    check_equal((hands.hands_rows(), scene.handles()), (3, 3), "what Python has set in table and view")
+    hands.hands_choose(1)
+    check(hands.hands_click(b"Remove"), "no button")
+    check_equal(scene.rows(), [-0.5, 0, 1, 0.1, 0.5, 0, 1, 0.1], "the rows without the middle one")
+    for _ in range(2):
+        check(hands.hands_click(b"Remove"), "no button")
+    check_equal((scene.rows(), scene.handles()), ([], 0), "rows and handles without any")
+    check(not hands.hands_click(b"Remove"), "nothing is left to remove")
+    hands.hands_click(b"Add")
+    check_equal(scene.row(0)[2:], [1, 0.1], "the first row")
+    check(np.hypot(*scene.row(0)[:2]) < 0.05, "the first row is not in the middle of the view")
+    scene.source.Singularities = ROWS
+    wait()
+
+
+def test_typed_numbers(scene):
+    hands.hands_type(1, 2, -1)
+    hands.hands_type(0, 0, 0.25)
+    wanted = list(ROWS)
+    wanted[6], wanted[0] = -1, 0.25
+    check_equal(scene.rows(), wanted, "the rows with numbers typed, the others with all digits")
+    hands.hands_undo()
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), ROWS, "the rows after undo")
+
+
+def test_trace(scene):
+    smtrace.start_trace()
+    try:
+        for _ in scene.drag(ROWS[:2], (0.2, 0.5)):
+            pass
+    finally:
+        trace = smtrace.stop_trace()
+    lines = [line for line in trace.splitlines() if "Singularities = [" in line]
+    check_equal(len(lines), 1, "the lines of the trace about a drag:\n" + trace)
+    check("%r" % scene.row(0)[0] in lines[0], "the trace has another place: " + lines[0])
+    hands.hands_undo()
+    wait()
+
+
+def test_other_view(scene):
+    layout = GetLayout()
+    table = CreateView("SpreadSheetView")
+    AssignViewToLayout(view=table, layout=layout, hint=0)
+    SetActiveView(table)
+    wait()
+    check_equal(scene.handles(), 0, "handles in a view that is not active")
+    check(hands.hands_click(b"Add"), "no button beside a table")
+    check_equal(len(scene.rows()), 20, "numbers after Add beside a table")
+    hands.hands_undo()
+    SetActiveView(scene.view)
+    Delete(table)
+    wait()
+    check_equal((scene.rows(), scene.handles()), (ROWS, 4), "rows and handles in the view again")
+
+
+def test_deleted(scene):
+    other = SingularitySource(registrationName="Other")
+    scene.choose(other)
+    check_equal(scene.handles(), 4, "handles of another source")
+    Delete(other)
+    wait()
+    check_equal(scene.handles(), 0, "handles of a source that is deleted")
+
+
+try:
+    load_hands()
+    wait(500)
+    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
+    scene = Scene()
+    for name, test in list(globals().items()):
+        if name.startswith("test_"):
+            print(name, flush=True)
+            test(scene)
     print("all well")
-except Exception:
+except BaseException:
     traceback.print_exc()
+    sys.stdout.flush()
+    if not hands:
+        os._exit(1)  # nothing can close the client
 sys.stdout.flush()
 hands.hands_quit()
