@@ -22,6 +22,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -84,7 +85,10 @@ void pqSingularityHandlesWidget::MakePanel()
     "Adds a singularity of quarter index +1 beside the chosen one, or in the middle of the view.");
   const QPushButton* addPair = addButton("Add pair", "AddPair",
     "Adds a singularity of quarter index +1 and one of \u22121, which leave the sum as it is.");
-  this->RemoveButton = addButton("Remove", "Remove", "Removes the chosen singularity.");
+  this->RemoveButton = addButton("Remove", "Remove", "Removes the chosen singularity (Delete).");
+  auto* deleteKey = new QShortcut(QKeySequence::Delete, this->Table);
+  deleteKey->setContext(Qt::WidgetShortcut);
+  QObject::connect(deleteKey, &QShortcut::activated, this, [this] { this->RemoveChosen(); });
   QObject::connect(add, &QPushButton::clicked, this, [this] { this->Add({ 1 }); });
   QObject::connect(addPair, &QPushButton::clicked, this, [this] { this->Add({ 1, -1 }); });
   QObject::connect(
@@ -212,10 +216,10 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
       const SingularityRow& chosen = rows[static_cast<std::size_t>(this->Chosen)];
       pixel = this->Handles.PixelOf({ chosen[0], chosen[1] });
     }
-    // Discs that are seen apart: four radii from middle to middle.
+    // Five radii from middle to middle: what goes on between them is seen.
     std::array<double, 2> beside{};
     if (this->Handles.PlanePointAt(pixel[0], pixel[1], middle) &&
-      this->Handles.PlanePointAt(pixel[0] + 4 * this->Handles.GetDiscRadius(), pixel[1], beside))
+      this->Handles.PlanePointAt(pixel[0] + 5 * this->Handles.GetDiscRadius(), pixel[1], beside))
     {
       distance = std::hypot(beside[0] - middle[0], beside[1] - middle[1]);
     }

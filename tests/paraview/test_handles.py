@@ -273,6 +273,17 @@ def test_trace(scene):
     wait()
 
 
+def test_rows_that_do_not_count(scene):
+    for name, value, usual in ("FileName", "/none.csv", ""), ("UseHandles", 1, 0):
+        setattr(scene.source, name, value)
+        wait()
+        check_equal(scene.handles(), 0, "handles with " + name)
+        check(not hands.hands_click(b"Add"), "a button can be clicked with " + name)
+        setattr(scene.source, name, usual)
+        wait()
+        check_equal(scene.handles(), 4, "handles without " + name)
+
+
 def test_other_view(scene):
     layout = GetLayout()
     table = CreateView("SpreadSheetView")
