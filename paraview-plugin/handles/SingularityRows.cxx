@@ -29,6 +29,22 @@ int QuarterIndexOf(const SingularityRow& row)
   return static_cast<int>(std::lround(row[2]));
 }
 
+bool HaveSamePlaces(
+  const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others)
+{
+  double largest = 0;
+  for (const SingularityRow& row : rows)
+  {
+    largest = std::max({ largest, std::abs(row[0]), std::abs(row[1]) });
+  }
+  const auto areSame = [&](const SingularityRow& row, const SingularityRow& other)
+  {
+    return QuarterIndexOf(row) == QuarterIndexOf(other) &&
+      std::hypot(row[0] - other[0], row[1] - other[1]) <= 1e-9 * largest;
+  };
+  return std::equal(rows.begin(), rows.end(), others.begin(), others.end(), areSame);
+}
+
 std::array<double, 2> FreePlace(
   const std::vector<SingularityRow>& rows, const std::array<double, 2>& wanted, double distance)
 {

@@ -22,6 +22,13 @@ std::vector<double> NumbersOf(const std::vector<SingularityRow>& rows);
 int QuarterIndexOf(const SingularityRow& row);
 
 /**
+ * Whether two lists have the same quarter indices at the same places, up to the rounding of a filter that
+ * has turned them into a plane and back: 1e-9 of the largest coordinate. Radii do not count.
+ */
+bool HaveSamePlaces(
+  const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others);
+
+/**
  * A place that is at least `distance` from every row: `wanted` itself, or the first such place on the
  * sunflower spiral around it, r = distance √n / 2 at the n-th multiple of the golden angle. Each turn of
  * it visits new places, so that one is found after a number of steps proportional to that of the rows.

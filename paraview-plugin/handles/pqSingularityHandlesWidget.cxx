@@ -33,6 +33,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : pqPropertyWidget(proxy, parent)
   , Singularities(group->GetProperty("Singularities"))
+  , OutputRows(group->GetProperty("Rows"))
 {
   this->setShowLabel(false);
   this->MakePanel();
@@ -53,6 +54,12 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   }
   this->Connections->Connect(
     this->Singularities, vtkCommand::ModifiedEvent, this, SLOT(ReadProperty()));
+  if (this->OutputRows)
+  {
+    // Later: properties are not to be changed while a pipeline is updated.
+    this->Connections->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(ReadOutput()),
+      nullptr, 0, Qt::QueuedConnection);
+  }
   this->ReadProperty();
 }
 
@@ -118,10 +125,48 @@ void pqSingularityHandlesWidget::ReadProperty()
   {
     return;
   }
-  this->Rows = RowsOf(vtkSMPropertyHelper(this->Singularities).GetDoubleArray());
+  std::vector<SingularityRow> rows = this->PropertyRows();
+  if (rows.empty() && this->OutputRows)
+  {
+    rows = this->Rows; // until the filter has found others
+  }
+  this->TakeRows(rows);
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::ReadOutput()
+{
+  if (this->IsDragging || this->IsWriting)
+  {
+    return;
+  }
+  this->proxy()->UpdatePropertyInformation(this->OutputRows);
+  const std::vector<SingularityRow> rows =
+    RowsOf(vtkSMPropertyHelper(this->OutputRows).GetDoubleArray());
+  const std::vector<SingularityRow> before = this->PropertyRows();
+  if (before.empty())
+  {
+    this->TakeRows(rows);
+  }
+  else if (!rows.empty() && !HaveSamePlaces(rows, before))
+  {
+    this->Commit(before, rows, "Move Singularities");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<SingularityRow> pqSingularityHandlesWidget::PropertyRows() const
+{
+  return RowsOf(vtkSMPropertyHelper(this->Singularities).GetDoubleArray());
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::TakeRows(const std::vector<SingularityRow>& rows)
+{
   // What was dragged may not be there any more.
   this->IsDragging = false;
-  this->Chosen = std::min(this->Chosen, static_cast<int>(this->Rows.size()) - 1);
+  this->Rows = rows;
+  this->Chosen = std::min(this->Chosen, static_cast<int>(rows.size()) - 1);
   this->ShowRows();
   if (this->Handles.GetRenderer())
   {

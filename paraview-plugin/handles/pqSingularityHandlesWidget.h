@@ -8,6 +8,10 @@
  * the active view rendered, so that the pipeline behind the proxy is seen to follow. Moves that arrive
  * while the pipeline works are one move afterwards. A drag is one step of undo and of the trace.
  *
+ * A filter that finds or moves rows itself has an information property of the function `Rows`, with the rows
+ * of its last update. They are shown where the property of rows is empty, and become its value where a command
+ * of the filter has changed them, so that undo, trace and states have them.
+ *
  * The handles are seen while the panel shows the proxy. Changes of the property by Python, undo or a state
  * are shown by handles and table.
  */
@@ -59,6 +63,7 @@ protected:
 
 private Q_SLOTS:
   void ReadProperty();
+  void ReadOutput();
 
 private:
   Q_DISABLE_COPY(pqSingularityHandlesWidget)
@@ -66,6 +71,8 @@ private:
   void MakePanel();
 
   // The rows.
+  std::vector<SingularityRow> PropertyRows() const;
+  void TakeRows(const std::vector<SingularityRow>& rows);
   void WriteProperty(const std::vector<SingularityRow>& rows);
   void Commit(const std::vector<SingularityRow>& before, const std::vector<SingularityRow>& after,
     const QString& what);
@@ -85,6 +92,7 @@ private:
   void Hover(int x, int y);
 
   vtkSMProperty* Singularities = nullptr;
+  vtkSMProperty* OutputRows = nullptr; ///< Maybe none.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
   bool IsWriting = false;

@@ -309,6 +309,39 @@ def test_deleted(scene):
     check_equal(scene.handles(), 0, "handles of a source that is deleted")
 
 
+def test_designer(scene):
+    designer = LayoutDesigner(registrationName="Designer", Input=scene.domain)
+    HideAll(scene.view)
+    shown = Show(designer, scene.view)
+    SetProperties(shown, LineWidth=3)
+    Show(scene.domain, scene.view)
+    Render()
+    scene.choose(designer)
+    scene.source = designer
+    check_equal(scene.rows(), [], "the rows of a designer that chooses")
+    chosen = np.reshape(designer.GetProperty("Rows"), (-1, 4))
+    check_equal((hands.hands_rows(), scene.handles()), (len(chosen), len(chosen)), "chosen rows in table and view")
+    # Dragged, they are the user's.
+    end = chosen[0, :2] + [0.05, 0.02]
+    times = list(scene.drag(chosen[0, :2], end, MOVES // 4))
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
+    check_equal(scene.rows()[4:], list(chosen[1:].ravel()), "the other rows")
+    print("frames of a drag of the designer: median %.0f ms" % (1e3 * statistics.median(times)))
+    picture("designer.png")
+    # A command moves the rows; they become the value of the property.
+    moved = scene.rows()
+    designer.InvokeCommand("Optimise")
+    Render()
+    wait(300)
+    found = np.reshape(designer.GetProperty("Rows"), (-1, 4))
+    check(abs(found - np.reshape(moved, (-1, 4))).max() > 0.01, "Optimise has moved nothing")
+    check_equal(scene.rows(), list(found.ravel()), "the property after a command")
+    check_equal(hands.hands_number(0, 0), found[0, 0], "the table after a command")
+    hands.hands_undo()
+    wait()
+    check_equal(scene.rows(), moved, "the rows after undo of a command")
+
+
 try:
     load_hands()
     wait(500)
