@@ -18,6 +18,21 @@ namespace DomainConversion
 using crossfield::Error;
 
 //------------------------------------------------------------------------------
+vtkDataArray* RequireQuarterIndices(vtkDataSet* input)
+{
+  // The array is asked for even when there are no points: a source that failed gives no points and
+  // no array, and must not pass for the empty configuration.
+  InputCheck::Require(input);
+  vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
+  if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
+  {
+    throw Error("The singularities have no point array 'QuarterIndex' with one component; add it "
+                "(4 times the index of each point).");
+  }
+  return quarters;
+}
+
+//------------------------------------------------------------------------------
 crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield::DomainPlane& plane)
 {
   crossfield::Configuration configuration;
@@ -25,16 +40,8 @@ crossfield::Configuration ReadConfiguration(vtkDataSet* input, const crossfield:
   {
     return configuration;
   }
-  // The array is asked for even when there are no points: a source that failed gives no points and
-  // no array, and must not pass for the empty configuration.
-  InputCheck::Require(input);
-  vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
+  vtkDataArray* quarters = RequireQuarterIndices(input);
   vtkDataArray* radii = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
-  if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)
-  {
-    throw Error("The singularities have no point array 'QuarterIndex' with one component; add it "
-                "(4 times the index of each point).");
-  }
   if (radii != nullptr && radii->GetNumberOfComponents() != 1)
   {
     throw Error("The point array 'Radius' of the singularities has " +

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+class vtkDataArray;
 class vtkDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -45,6 +46,9 @@ void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output)
  */
 crossfield::Configuration ReadConfiguration(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
+
+/** The array `QuarterIndex` of points, which must have it. */
+vtkDataArray* RequireQuarterIndices(vtkDataSet* input);
 
 /** Points with `QuarterIndex` and, if any of them has one, `Radius`. */
 void WriteConfiguration(const crossfield::Configuration& configuration,

@@ -1,12 +1,15 @@
 #include "vtkSingularitySource.h"
 
+#include "DomainConversion.h"
 #include "Error.h"
+#include "FilterPorts.h"
 #include "FilterRun.h"
 #include "PointTable.h"
 #include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -83,6 +86,23 @@ RowTable ReadRows(const std::string& fileName)
   return table;
 }
 
+/** The points of Start. */
+RowTable ReadStart(vtkDataSet* start)
+{
+  vtkDataArray* quarters = DomainConversion::RequireQuarterIndices(start);
+  vtkDataArray* radii = start->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
+  RowTable table;
+  table.hasRadius = radii != nullptr;
+  for (vtkIdType i = 0; i < start->GetNumberOfPoints(); ++i)
+  {
+    const double* place = start->GetPoint(i);
+    table.rows.push_back({ place[0], place[1], quarters->GetComponent(i, 0),
+      radii == nullptr ? 0.0 : radii->GetComponent(i, 0) });
+    table.z.push_back(place[2]);
+  }
+  return table;
+}
+
 /** The rows at the places of the handles. */
 void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& table)
 {
@@ -102,6 +122,15 @@ void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& 
   {
     table.z.push_back(handle[2]);
   }
+}
+
+/** Whether every radius stands for none. */
+bool LacksRadii(const RowTable& table)
+{
+  return !table.hasRadius ||
+    (!table.rows.empty() &&
+      std::all_of(
+        table.rows.begin(), table.rows.end(), [](const auto& row) { return row[3] == 0.0; }));
 }
 
 void WritePoints(const RowTable& table, vtkPolyData* output)
@@ -132,7 +161,7 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
   output->SetPoints(points);
   output->SetVerts(vertices);
   output->GetPointData()->AddArray(quarters);
-  if (table.hasRadius)
+  if (!LacksRadii(table))
   {
     output->GetPointData()->AddArray(radii);
   }
@@ -142,7 +171,7 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
 //------------------------------------------------------------------------------
 vtkSingularitySource::vtkSingularitySource()
 {
-  this->SetNumberOfInputPorts(0);
+  this->OutputRows->SetNumberOfComponents(4);
   const double diagonal = 0.6 * std::sqrt(0.5);
   for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
   {
@@ -166,6 +195,7 @@ void vtkSingularitySource::SetSingularity(
     this->Rows.resize(index + 1, { 0.0, 0.0, 1.0, 0.1 });
   }
   this->Rows[index] = { x, y, quarterIndex, radius };
+  this->RowsAreDefault = false;
   this->Modified();
 }
 
@@ -179,6 +209,7 @@ void vtkSingularitySource::AddSingularity(double x, double y, double quarterInde
 void vtkSingularitySource::SetNumberOfSingularities(int count)
 {
   this->Rows.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0, 1.0, 0.1 });
+  this->RowsAreDefault = false;
   this->Modified();
 }
 
@@ -222,19 +253,44 @@ int vtkSingularitySource::GetNumberOfHandles() const
 }
 
 //------------------------------------------------------------------------------
-int vtkSingularitySource::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+vtkDoubleArray* vtkSingularitySource::GetOutputRows()
 {
+  return this->OutputRows;
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::FillInputPortInformation(int, vtkInformation* info)
+{
+  return FilterPorts::TakeOptionalPoints(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->OutputRows->SetNumberOfTuples(0);
   return FilterRun::Run(this, this->ErrorCode,
     [&](const crossfield::Progress&)
     {
-      RowTable table =
-        this->FileName.empty() ? RowTable{ this->Rows, true, {} } : ReadRows(this->FileName);
+      vtkDataSet* start = vtkDataSet::GetData(inputVector[0]);
+      RowTable table{ this->Rows, true, {} };
+      if (!this->FileName.empty())
+      {
+        table = ReadRows(this->FileName);
+      }
+      else if (start != nullptr && (this->RowsAreDefault || this->Rows.empty()))
+      {
+        table = ReadStart(start);
+      }
       if (this->UseHandles)
       {
         MoveToHandles(this->Handles, table);
       }
       WritePoints(table, vtkPolyData::GetData(outputVector));
+      for (const auto& row : table.rows)
+      {
+        this->OutputRows->InsertNextTuple(row.data());
+      }
     });
 }
 

@@ -1,17 +1,19 @@
 /**
  * @class   vtkSingularitySource
- * @brief   a configuration of singularities as points, from rows or from a .csv file
+ * @brief   a configuration of singularities as points, from rows, a .csv file or other points
  *
  * A singularity is a point with a quarter index k: the representation e^{4iθ} of the cross field
  * turns k times around it and its index is k/4. k = +1 becomes a node of valence 3 of the quad
  * mesh, k = −1 one of valence 5.
  *
- * Output (vtkPolyData): one vertex per row, z = 0 unless a file has it, with the point arrays
- * - `QuarterIndex` (int, 1 component): k;
- * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file
- *   has no such column.
+ * Input port 0, Start, may be left out: points with the point array `QuarterIndex` and maybe `Radius`.
  *
- * The rows are those set here, unless FileName is set. A file is comma-separated with the header
+ * Output (vtkPolyData): one vertex per row, z = 0 unless a file or Start has it, with the point arrays
+ * - `QuarterIndex` (int, 1 component): k;
+ * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file or Start
+ *   has no such column, or when it is 0 in every row, which stands for radii that are not given.
+ *
+ * The rows are those of the file, if FileName is set; else those set here; as long as none were set, the points of Start. A file is comma-separated with the header
  * `x,y,quarter_index` and optionally `radius` and `z`, in any order. Domains in a plane z = const
  * make no use of z; for those in another plane the points have to lie in it.
  *
@@ -20,7 +22,7 @@
  * of quarter index 1 with the radius of the last row (0.1 without rows).
  *
  * Failure: a file that is missing, lacks a column or has an entry that is not a finite number; a
- * quarter index that is not an integer. The output is then empty.
+ * quarter index that is not an integer; a Start without `QuarterIndex`. The output is then empty.
  *
  * @sa vtkDrillHoles
  */
@@ -29,11 +31,15 @@
 #define vtkSingularitySource_h
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of Start
+#include "vtkNew.h"                     // for the output rows
 #include "vtkPolyDataAlgorithm.h"
 
 #include <array>  // for the rows
 #include <string> // for FileName
 #include <vector> // for the rows
+
+class vtkDoubleArray;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularitySource : public vtkPolyDataAlgorithm
 {
@@ -41,6 +47,11 @@ public:
   static vtkSingularitySource* New();
   vtkTypeMacro(vtkSingularitySource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Where to start from: connects or sets the optional input port 0. */
+  vtkCrossFieldPortMacro(Start, 0);
+  ///@}
 
   ///@{
   /**
@@ -56,7 +67,7 @@ public:
   /** Appends a row. */
   void AddSingularity(double x, double y, double quarterIndex, double radius);
 
-  /** Leaves no row. */
+  /** Leaves no row, so that those of Start count. */
   void RemoveAllSingularities();
 
   ///@{
@@ -84,9 +95,14 @@ public:
   int GetNumberOfHandles() const;
   ///@}
 
+  /** The rows of the last update, four components each, wherever they are from; radius 0: not given. */
+  vtkDoubleArray* GetOutputRows();
+
 protected:
   vtkSingularitySource();
   ~vtkSingularitySource() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -95,9 +111,11 @@ private:
   void operator=(const vtkSingularitySource&) = delete;
 
   std::vector<std::array<double, 4>> Rows;
+  bool RowsAreDefault = true;
   std::string FileName;
   bool UseHandles = false;
   std::vector<std::array<double, 3>> Handles;
+  vtkNew<vtkDoubleArray> OutputRows;
 };
 
 #endif

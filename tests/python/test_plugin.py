@@ -31,6 +31,7 @@ PROXIES = {
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
     "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
+    "SingularityHandles": ("filters", "Input Singularities OutputRows"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
@@ -333,6 +334,22 @@ def test_handles():
     check_equal(value(fetch(field), "Energy"), first, "the energy after dragging back")
 
 
+def test_handles_of_a_proposal():
+    proposal = ConfigurationProposal(Input=PlanarDomainSource())
+    handles = SingularityHandles(Input=proposal)
+    for _ in range(2):
+        wanted = fetch(proposal)
+        found = fetch(handles)
+        check_equal([found.GetPoint(i) for i in range(found.GetNumberOfPoints())],
+                    [wanted.GetPoint(i) for i in range(wanted.GetNumberOfPoints())], "the singularities to start from")
+        handles.UpdatePropertyInformation()
+        rows = list(handles.GetPropertyValue("OutputRows"))
+        check_equal(len(rows), 16, "values of the rows")
+        handles.Singularities = [0.125, 0.25] + rows[2:]
+        check_equal(fetch(handles).GetPoint(0), (0.125, 0.25, 0), "the handle that was dragged")
+        handles.Singularities = []  # and it starts again
+
+
 def test_verdict():
     singularities = SingularitySource()
     verdict = PoincareHopfCheck(Input=PlanarDomainSource(), Singularities=singularities)
@@ -370,7 +387,8 @@ def test_input_untouched():
 
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_default_chain, test_h_field, test_layout_designer, test_separatrices, test_energies,
-             test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology, test_handles, test_verdict,
+             test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology, test_handles,
+             test_handles_of_a_proposal, test_verdict,
              test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

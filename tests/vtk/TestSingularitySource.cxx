@@ -1,8 +1,10 @@
 #include "FilterChecks.h"
+#include "TestInputs.h"
 #include "vtkSingularitySource.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -168,6 +170,38 @@ TEST_F(SingularitySource, DefaultHandlesAreTheDefaultRows)
   const std::vector<Row> rows = this->Rows();
   this->Source->UseHandlesOn();
   EXPECT_EQ(this->Rows(), rows);
+}
+
+TEST_F(SingularitySource, StartsFromPointsUntilItHasRows)
+{
+  const std::vector<Row> start = { { 0.1, 0.2, -1.0, 0.05 }, { 0.3, 0.4, 2.0, 0.06 } };
+  this->Source->SetStartData(TestInputs::Singularities({ start[0], start[1] }));
+  EXPECT_EQ(this->Rows(), start);
+  FilterChecks::CheckInputUntouched(this->Source);
+  vtkDoubleArray* values = this->Source->GetOutputRows();
+  ASSERT_EQ(values->GetNumberOfTuples(), 2);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(values->GetComponent(1, static_cast<int>(i)), start[1][i]);
+  }
+  // Rows that are set count instead, until there are none.
+  this->Source->SetSingularity(0, 1.0, 2.0, 3.0, 0.4);
+  EXPECT_EQ(this->Rows()[0], Row({ 1.0, 2.0, 3.0, 0.4 }));
+  this->Source->RemoveAllSingularities();
+  EXPECT_EQ(this->Rows(), start);
+  // A start that failed has no array, and does not pass for no singularities.
+  this->Source->SetStartData(vtkNew<vtkPolyData>());
+  FilterChecks::CaptureError(this->Source, { "no point array 'QuarterIndex'" });
+  EXPECT_EQ(this->Source->GetOutputRows()->GetNumberOfTuples(), 0);
+}
+
+TEST_F(SingularitySource, RadiiOfZeroAreNotGiven)
+{
+  this->Source->RemoveAllSingularities();
+  this->Source->AddSingularity(0.0, 0.0, 1.0, 0.0);
+  EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.0, 0.0, 1.0, -1.0 } }));
+  this->Source->AddSingularity(0.5, 0.0, 1.0, 0.1); // one is given: the filters refuse the other
+  EXPECT_EQ(this->Rows()[0], Row({ 0.0, 0.0, 1.0, 0.0 }));
 }
 
 TEST_F(SingularitySource, ReadsAFile)
