@@ -9,6 +9,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 
 #include <cerrno>
 #include <exception>
@@ -95,12 +96,48 @@ unsigned long Try(Algorithm* self, Work work)
   }
 }
 
-/** RequestData of a source: runs work(progress), publishes the error code and returns 0 after an error. */
+/**
+ * Whether the filter is in ParaView, which goes on drawing what it had when RequestData returns 0, and
+ * says a second time, at length, that it did. There a failed filter has an empty output that counts.
+ */
+inline bool IsInParaView(vtkAlgorithm* self)
+{
+  return self->GetExecutive()->IsA("vtkPVCompositeDataPipeline") != 0;
+}
+
+/** Whether one of the filters above has failed, and has said why. */
+inline bool HasFailedAbove(vtkAlgorithm* self)
+{
+  for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < self->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithm* above = self->GetInputAlgorithm(port, i);
+      if (above != nullptr &&
+        (above->GetErrorCode() != vtkErrorCode::NoError || HasFailedAbove(above)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/**
+ * RequestData of a source: runs work(progress), publishes the error code and returns 0 after an error; in
+ * ParaView 1, where a filter below one that has failed does nothing and has an error code, too.
+ */
 template <class Algorithm, class Work>
 int Run(Algorithm* self, unsigned long& errorCode, Work work)
 {
+  const bool inParaView = IsInParaView(self);
+  if (inParaView && HasFailedAbove(self))
+  {
+    errorCode = vtkCrossFieldErrorCodes::BadInput;
+    return 1;
+  }
   errorCode = Try(self, work);
-  return errorCode == vtkErrorCode::NoError ? 1 : 0;
+  return errorCode == vtkErrorCode::NoError || inParaView ? 1 : 0;
 }
 
 /** The same for a filter; without cells in the input there is nothing to do, and the output is empty. */

@@ -258,6 +258,10 @@ int vtkPoincareHopfCheck::RequestData(
         throw;
       }
     });
+  if (this->ErrorCode != vtkErrorCode::NoError && verdict->GetNumberOfColumns() == 0)
+  {
+    WriteVerdict("No verdict", "A filter above has failed, and has said why.", verdict);
+  }
   // Not 0 after an error: then a view would not draw again, and go on showing the last verdict.
   return 1;
 }
