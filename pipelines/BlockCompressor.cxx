@@ -1,5 +1,7 @@
 #include "BlockCompressor.h"
 
+#include "ZlibBlock.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
@@ -12,6 +14,7 @@
 #include <cstring>
 #include <new>
 #include <thread>
+#include <utility>
 
 vtkStandardNewMacro(BlockCompressor);
 
@@ -58,13 +61,10 @@ void BlockCompressor::Compress(vtkDataSet* data, size_t blockSize)
   {
     try
     {
-      std::vector<unsigned char> buffer(this->GetMaximumCompressionSpace(blockSize));
       for (size_t i = next++; i < blocks.size(); i = next++)
       {
         Block& block = blocks[i]->second;
-        const size_t size = vtkZLibDataCompressor::CompressBuffer(
-          blocks[i]->first, block.size, buffer.data(), buffer.size());
-        block.compressed.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(size));
+        block.compressed = ZlibBlock::Compress(blocks[i]->first, block.size);
       }
     }
     catch (const std::bad_alloc&)
@@ -95,13 +95,16 @@ size_t BlockCompressor::CompressBuffer(unsigned char const* uncompressedData,
   size_t uncompressedSize, unsigned char* compressedData, size_t compressionSpace)
 {
   const auto found = this->Blocks.find(uncompressedData);
-  if (found == this->Blocks.end() || found->second.size != uncompressedSize ||
-    found->second.compressed.empty() || found->second.compressed.size() > compressionSpace)
+  const bool known = found != this->Blocks.end() && found->second.size == uncompressedSize &&
+    !found->second.compressed.empty();
+  const std::vector<unsigned char> compressed = known
+    ? std::move(found->second.compressed) // a block is asked for once
+    : ZlibBlock::Compress(uncompressedData, uncompressedSize);
+  if (compressed.size() > compressionSpace)
   {
     return this->vtkZLibDataCompressor::CompressBuffer(
       uncompressedData, uncompressedSize, compressedData, compressionSpace);
   }
-  const std::vector<unsigned char>& compressed = found->second.compressed;
   std::memcpy(compressedData, compressed.data(), compressed.size());
   return compressed.size();
 }

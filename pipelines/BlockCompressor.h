@@ -10,8 +10,8 @@ class vtkDataSet;
 
 /**
  * zlib for VTK's writers on all cores. A writer asks for one block after the other; this compressor
- * has compressed the blocks of a data set's arrays before, in parallel, and hands them out. What it
- * has not seen it compresses when asked. The file is the same to the last byte.
+ * has compressed the blocks of a data set's arrays before, in parallel and by ZlibBlock.h, and hands them out. What it
+ * has not seen it compresses when asked. The file is the same for any number of cores.
  */
 class BlockCompressor : public vtkZLibDataCompressor
 {

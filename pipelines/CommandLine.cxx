@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include "DomainReader.h"
+#include "vtkCrossFieldArraySets.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <map>
 
 void MeshOptions::AddTo(CLI::App& command)
 {
@@ -60,6 +62,19 @@ int DrillModeCode(const std::string& mode)
 {
   return static_cast<int>(
     std::find(DrillModes().begin(), DrillModes().end(), mode) - DrillModes().begin());
+}
+
+void AddArraysTo(CLI::App& command, int& arrays)
+{
+  const std::map<std::string, int> sets = { { "exact", vtkCrossFieldArraySets::Exact },
+    { "display", vtkCrossFieldArraySets::Display }, { "all", vtkCrossFieldArraySets::All } };
+  command
+    .add_option("--arrays", arrays,
+      "which arrays the file has: exact, the field itself, which is all that other subcommands need; "
+      "display, also crosses, their norm and the size map, to look at; or all, also what follows from "
+      "these; default: all")
+    ->transform(CLI::CheckedTransformer(sets).description("{exact,display,all}"))
+    ->type_name("TEXT");
 }
 
 double FieldValue(vtkDataObject* data, const char* name)

@@ -64,6 +64,9 @@ void AddModeTo(CLI::App& command, std::string& mode);
 /** The code of a mode. */
 int DrillModeCode(const std::string& mode);
 
+/** Adds the option --arrays; `arrays` is one of vtkCrossFieldArraySets. */
+void AddArraysTo(CLI::App& command, int& arrays);
+
 /** The first, or only, value of an array of field data, which must be there. */
 double FieldValue(vtkDataObject* data, const char* name);
 

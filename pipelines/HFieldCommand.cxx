@@ -35,6 +35,7 @@ struct HFieldOptions : MeshOptions
   std::string json;
   std::string savedSingularities;
   bool strict = false;
+  int arrays = vtkCrossFieldArraySets::All;
 };
 
 void PrintSummary(vtkUnstructuredGrid* field)
@@ -70,6 +71,7 @@ int SolveH(const HFieldOptions& options)
   vtkNew<vtkHField> solver;
   solver->SetInputConnection(domain->GetOutputPort());
   solver->SetMeshSize(options.size);
+  solver->SetArrays(options.arrays);
   SingularityInput singularities(options.singularities, domain, options.size, options.corners);
   PipelineRun::Update(domain, "reading");
   const bool ofItsHoles =
@@ -137,6 +139,7 @@ void AddHFieldCommand(CLI::App& app, int& status)
                   "x,y,quarter_index[,radius], or .vtp, or - for standard input; left out: chosen "
                   "for the domain, and on a drilled mesh its holes");
   AddCornersTo(*command, options->corners);
+  AddArraysTo(*command, options->arrays);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->add_flag(

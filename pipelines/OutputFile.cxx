@@ -101,7 +101,6 @@ void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outp
     writer = vtkSmartPointer<vtkXMLUnstructuredGridWriter>::New();
   }
   vtkNew<BlockCompressor> compressor;
-  compressor->SetCompressionLevel(1); // twice as fast as the default, and a few per cent larger
   compressor->Compress(vtkDataSet::SafeDownCast(data), writer->GetBlockSize());
   writer->SetInputDataObject(data);
   writer->SetDataModeToBinary();

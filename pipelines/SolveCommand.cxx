@@ -51,6 +51,7 @@ struct SolveOptions : MeshOptions
   std::string json;
   std::string savedSingularities;
   bool strict = false;
+  int arrays = vtkCrossFieldArraySets::All;
 };
 
 /** Names of the starts, in the order of the codes of vtkPerforatedCrossField. */
@@ -208,6 +209,7 @@ int Solve(const SolveOptions& options)
     singularities.ConnectCorners(constrained.Get());
   }
   solver->SetInputConnection(drill->GetOutputPort());
+  solver->SetArrays(options.arrays);
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
   seconds["assemble"] = solver->GetStageSeconds()[0];
@@ -296,6 +298,7 @@ void AddSolveCommand(CLI::App& app, int& status)
   command->add_flag("--global-constraint", options->globalConstraint,
     "prescribe the sum of the degrees only, not that of every hole");
   AddCornersTo(*command, options->corners);
+  AddArraysTo(*command, options->arrays);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->add_flag("--strict", options->strict,

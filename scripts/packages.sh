@@ -26,7 +26,7 @@ packages=(
   # Numerics: meshes, matrices, integers, network flows, sparse Cholesky factorisation.
   libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev
   # Program and tests; Xvfb is the screen on which pictures are drawn.
-  libbenchmark-dev libcli11-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
+  libbenchmark-dev libcli11-dev libdeflate-dev libgtest-dev nlohmann-json3-dev python3-numpy xauth xvfb
   # ParaView, its VTK and its Python.
   paraview paraview-dev python3-dev python3-paraview
   # find_package(ParaView) asks for these; paraview-dev does not depend on them.

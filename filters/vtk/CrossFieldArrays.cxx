@@ -5,16 +5,19 @@
 #include "Error.h"
 #include "SingularityRecord.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkCrossFieldArraySets.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -23,14 +26,15 @@ using ColumnWriting::AddIntegers;
 using ColumnWriting::AddNumbers;
 using crossfield::Complex;
 
-vtkSmartPointer<vtkDoubleArray> NewArray(
+template <class Array>
+vtkSmartPointer<Array> NewArray(
   vtkFieldData* data, const char* name, int components, vtkIdType tuples)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
-  array->Fill(0.0); // what points that no cell uses keep
+  std::fill_n(array->GetPointer(0), tuples * components, 0); // what points that no cell uses keep
   data->AddArray(array);
   return array;
 }
@@ -39,30 +43,58 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
 class ShownField
 {
 public:
-  ShownField(const crossfield::DomainPlane& plane, vtkFieldData* data, vtkIdType tuples)
+  ShownField(const crossfield::DomainPlane& plane, vtkFieldData* data, vtkIdType tuples, int arrays)
     : Plane(plane)
-    , Representation(NewArray(data, vtkCrossFieldArrayNames::Representation, 3, tuples))
-    , Cross(NewArray(data, vtkCrossFieldArrayNames::Cross, 3, tuples))
-    , Cross2(NewArray(data, vtkCrossFieldArrayNames::Cross2, 3, tuples))
-    , CrossNorm(NewArray(data, vtkCrossFieldArrayNames::CrossNorm, 1, tuples))
   {
+    namespace names = vtkCrossFieldArrayNames;
+    for (const char* name :
+      { names::Representation, names::Cross, names::Cross2, names::CrossNorm })
+    {
+      data->RemoveArray(name); // of a field that the mesh carried before
+    }
+    const auto add = [data, tuples](const char* name, int components)
+    { return NewArray<vtkFloatArray>(data, name, components, tuples)->GetPointer(0); };
+    if (arrays >= vtkCrossFieldArraySets::All)
+    {
+      this->Representation = add(names::Representation, 3);
+      this->Cross2 = add(names::Cross2, 3);
+    }
+    if (arrays >= vtkCrossFieldArraySets::Display)
+    {
+      this->Cross = add(names::Cross, 3);
+      this->CrossNorm = add(names::CrossNorm, 1);
+    }
   }
 
   void Set(vtkIdType tuple, const Complex& u)
   {
+    if (this->Cross == nullptr)
+    {
+      return;
+    }
     const crossfield::Point branch = crossfield::CrossBranch(u);
-    this->Representation->SetTuple3(tuple, u.real(), u.imag(), 0.0);
-    this->Cross->SetTuple(tuple, this->Plane.DirectionToSpace(branch).data());
-    this->Cross2->SetTuple(tuple, this->Plane.DirectionToSpace({ -branch.y(), branch.x() }).data());
-    this->CrossNorm->SetTuple1(tuple, std::abs(u));
+    this->SetDirection(this->Cross, tuple, branch);
+    this->CrossNorm[tuple] = static_cast<float>(std::abs(u));
+    if (this->Cross2 != nullptr)
+    {
+      this->SetDirection(this->Cross2, tuple, { -branch.y(), branch.x() });
+      this->Representation[3 * tuple] = static_cast<float>(u.real());
+      this->Representation[3 * tuple + 1] = static_cast<float>(u.imag());
+    }
   }
 
 private:
+  void SetDirection(float* array, vtkIdType tuple, const crossfield::Point& direction)
+  {
+    Eigen::Map<Eigen::Vector3f>(array + 3 * tuple) =
+      this->Plane.DirectionToSpace(direction).cast<float>();
+  }
+
   const crossfield::DomainPlane& Plane;
-  vtkSmartPointer<vtkDoubleArray> Representation;
-  vtkSmartPointer<vtkDoubleArray> Cross;
-  vtkSmartPointer<vtkDoubleArray> Cross2;
-  vtkSmartPointer<vtkDoubleArray> CrossNorm;
+  float* Representation = nullptr;
+  float* Cross = nullptr;
+  float* Cross2 = nullptr;
+  float* CrossNorm = nullptr;
 };
 }
 
@@ -70,22 +102,26 @@ namespace CrossFieldArrays
 {
 //------------------------------------------------------------------------------
 void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
-  vtkUnstructuredGrid* output)
+  int arrays, vtkUnstructuredGrid* output)
 {
   const crossfield::CrossSamples samples =
     crossfield::SampleField(field.topology->mesh, field.topology->edges, field.u);
 
-  ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints());
+  ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints(), arrays);
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
     points.Set(cells.pointIds[i], samples.atVertices[static_cast<Eigen::Index>(i)]);
   }
 
-  auto exact = NewArray(
-    output->GetCellData(), vtkCrossFieldArrayNames::CrossFieldCR, 6, output->GetNumberOfCells());
-  ShownField shown(cells.plane, output->GetCellData(), output->GetNumberOfCells());
-  const auto setExact = [&](vtkIdType cell, Complex a, Complex b, Complex c)
-  { exact->SetTuple6(cell, a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag()); };
+  double* exact = NewArray<vtkDoubleArray>(
+    output->GetCellData(), vtkCrossFieldArrayNames::CrossFieldCR, 6, output->GetNumberOfCells())
+                    ->GetPointer(0);
+  ShownField shown(cells.plane, output->GetCellData(), output->GetNumberOfCells(), arrays);
+  const auto setExact = [exact](vtkIdType cell, Complex a, Complex b, Complex c)
+  {
+    const double values[] = { a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag() };
+    std::copy_n(values, 6, exact + 6 * cell);
+  };
   for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
   {
     const auto& edges = field.topology->edges.ofTriangle[t];
@@ -147,7 +183,8 @@ void AddReport(const crossfield::SolvedField& field, vtkUnstructuredGrid* output
     [](const crossfield::HoleReading& hole) { return hole.degree; });
   ColumnWriting::AddColumn<vtkIntArray>(data, names::HoleDegreeReliable, field.holes,
     [](const crossfield::HoleReading& hole) { return hole.Reliable() ? 1 : 0; });
-  auto norms = NewArray(data, names::HoleNormRange, 2, static_cast<vtkIdType>(field.holes.size()));
+  auto norms = NewArray<vtkDoubleArray>(
+    data, names::HoleNormRange, 2, static_cast<vtkIdType>(field.holes.size()));
   for (std::size_t i = 0; i < field.holes.size(); ++i)
   {
     norms->SetTuple2(
@@ -186,17 +223,23 @@ void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 
 //------------------------------------------------------------------------------
 void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
-  const crossfield::Configuration& configuration, vtkUnstructuredGrid* output)
+  const crossfield::Configuration& configuration, int arrays, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
   const vtkIdType count = output->GetNumberOfPoints();
-  auto h = NewArray(output->GetPointData(), names::H, 1, count);
-  auto sizes = NewArray(output->GetPointData(), names::SizeMap, 1, count);
+  output->GetPointData()->RemoveArray(names::SizeMap); // of a field that the mesh carried before
+  auto h = NewArray<vtkDoubleArray>(output->GetPointData(), names::H, 1, count);
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
-    const double value = field.h[static_cast<Eigen::Index>(i)];
-    h->SetValue(cells.pointIds[i], value);
-    sizes->SetValue(cells.pointIds[i], std::exp(value));
+    h->SetValue(cells.pointIds[i], field.h[static_cast<Eigen::Index>(i)]);
+  }
+  if (arrays >= vtkCrossFieldArraySets::Display)
+  {
+    auto sizes = NewArray<vtkFloatArray>(output->GetPointData(), names::SizeMap, 1, count);
+    for (const vtkIdType point : cells.pointIds)
+    {
+      sizes->SetValue(point, static_cast<float>(std::exp(h->GetValue(point))));
+    }
   }
   output->GetPointData()->SetActiveScalars(names::SizeMap);
   if (field.periods.empty())

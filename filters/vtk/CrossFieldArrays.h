@@ -14,9 +14,13 @@ class vtkUnstructuredGrid;
  */
 namespace CrossFieldArrays
 {
-/** Cell and point arrays `CrossFieldCR`, `Representation`, `Cross`, `Cross2`, `CrossNorm`. */
+/**
+ * The cell array `CrossFieldCR`, and of the cell and point arrays `Representation`, `Cross`, `Cross2`,
+ * `CrossNorm` those of one of vtkCrossFieldArraySets, in single precision. Those of another field that the
+ * mesh carried before are removed.
+ */
 void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
-  vtkUnstructuredGrid* output);
+  int arrays, vtkUnstructuredGrid* output);
 
 /**
  * The field that `CrossFieldCR` has on the mesh that the cells were read into. Throws crossfield::Error
@@ -32,11 +36,11 @@ void AddReport(const crossfield::SolvedField& field, vtkUnstructuredGrid* output
 void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
 
 /**
- * Point arrays `H`, `SizeMap`, and the field data `RenormalizedEnergy` and `PointSingularities`, the
+ * Point arrays `H` and, unless only exact ones are wanted, `SizeMap` in single precision; and the field data `RenormalizedEnergy` and `PointSingularities`, the
  * configuration where it is one of points; see vtkHField.
  */
 void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
-  const crossfield::Configuration& configuration, vtkUnstructuredGrid* output);
+  const crossfield::Configuration& configuration, int arrays, vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when

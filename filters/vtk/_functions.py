@@ -22,6 +22,8 @@ _STARTS = {"constrained": {"best": vtkPerforatedCrossField.StartBest,
                                "constant": vtkGinzburgLandauCrossField.StartConstant,
                                "zero": vtkGinzburgLandauCrossField.StartZero}}
 
+_ARRAYS = {"exact": 0, "display": 1, "all": 2}  # as vtkCrossFieldArraySets numbers them
+
 
 def _choice(value: str, choices: Any, what: str) -> Any:
     if value not in choices:
@@ -63,7 +65,7 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
 def solve(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           method: str = "unit-norm", start: Optional[str] = None, unit_holes: bool = False,
           corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
-          minimum_hole_edges: int = 32, gradation: float = 0.25) -> CrossField:
+          minimum_hole_edges: int = 32, gradation: float = 0.25, arrays: str = "all") -> CrossField:
     """The smoothest cross field that is aligned with the boundary and has these singularities.
 
     domain         a loop, an array (n, 2) of points; a list of loops; any vtkDataSet with boundary
@@ -84,6 +86,8 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     epsilon        "ginzburg-landau": radius of the cores, a length; default: the mean edge length by area
     minimum_hole_edges, gradation
                    of the mesh, see `drill`
+    arrays         what `grid` has, and a file that it is written to: "all"; "display", without Representation and
+                   Cross2; "exact", only what `u` is made of
 
     Raises Error with one sentence if the input is bad or no such field exists. An iteration that
     does not converge is a RuntimeWarning, and report["converged"] is False.
@@ -105,6 +109,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     crossfield.Error: The quarter indices of the singularities add up to 1 ...
     """
     starts = _choice(method, _STARTS, "method")
+    kept = _choice(arrays, _ARRAYS, "choice of arrays")
     pipeline = Pipeline()
     data = as_domain(domain, size)
     chosen = None
@@ -132,6 +137,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
             solver.SetCornersData(corner_points(corners))
     if start is not None:
         solver.SetStart(_choice(start, starts, "start of the method " + method))
+    solver.SetArrays(kept)
     found = _drilled(pipeline, data, rows, size, minimum_hole_edges, gradation)
     solver.SetInputConnection(found.GetOutputPort())
     field = field_of(pipeline.update(solver).GetOutput())
@@ -140,7 +146,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
 
 
 def hfield(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
-           corners: Union[Corners, Singularities] = None) -> HField:
+           corners: Union[Corners, Singularities] = None, arrays: str = "all") -> HField:
     """The scalar H, its size map and its cross field of norm one, with singularities as points.
 
     The arguments are those of `solve`; singularities may lie on the boundary. `domain` can also be the
@@ -153,6 +159,7 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
     pipeline = Pipeline()
     data = as_domain(domain, size)
     solver = pipeline.add(vtkHField())
+    solver.SetArrays(_choice(arrays, _ARRAYS, "choice of arrays"))
     solver.SetInputData(data)
     solver.SetMeshSize(checked(size))
     chosen = None

@@ -108,7 +108,8 @@ class CrossField(Mesh):
     point_angle    (n,) float, the same at each point
     norm           (t,) float, |u| at the centre of each triangle
     point_norm     (n,) float, the same at each point
-    cross          (t, 3) float, the branch at that angle as a unit vector of space
+    cross          (t, 3) float, the branch at that angle as a unit vector of space, in single precision;
+                   None if the field was computed with arrays="exact"
     point_cross    (n, 3) float, the same at each point
     hole_degrees   (h,) int, quarter turns that the field really makes around each hole
     report         the numbers of the solver, under the names of `crossfield solve --json`
@@ -124,8 +125,8 @@ class CrossField(Mesh):
     point_angle: np.ndarray
     norm: np.ndarray
     point_norm: np.ndarray
-    cross: np.ndarray
-    point_cross: np.ndarray
+    cross: Optional[np.ndarray]
+    point_cross: Optional[np.ndarray]
     hole_degrees: np.ndarray
     report: dict[str, Any]
 
@@ -142,7 +143,7 @@ class HField(CrossField):
     """A cross field of norm one with singularities as points, the scalar H and its size map.
 
     h              (n,) float, at each point
-    size_map       (n,) float, e^H, larger where the lines of the field spread
+    size_map       (n,) float, e^H, up to a factor the local size of quads, larger where the lines spread
     """
 
     h: np.ndarray
@@ -208,26 +209,40 @@ def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
     return Mesh(**_mesh_arrays(grid))
 
 
+def _at_points(mesh: dict[str, Any], u: np.ndarray) -> np.ndarray:
+    """u at every point: the mean of what its triangles have there, weighted by area; 0 without triangles."""
+    rows, count = mesh["triangles"], len(mesh["points"])
+    corner = mesh["points"][rows]
+    area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
+    # The linear function with these midpoint values, at the corner opposite to side i + 1.
+    values = area[:, None] * (u.sum(axis=1)[:, None] - 2 * np.roll(u, -1, axis=1))
+
+    def sums(weights: np.ndarray) -> np.ndarray:
+        return np.bincount(rows.ravel(), weights.ravel(), count)
+
+    return (sums(values.real) + 1j * sums(values.imag)) / np.maximum(
+        sums(np.repeat(area, 3)), np.finfo(float).tiny)
+
+
 def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     mesh = _mesh_arrays(grid)
     triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
 
-    def on_triangles(name: str) -> np.ndarray:
-        return vtk_to_numpy(grid.GetCellData().GetArray(name))[triangles]
+    def shown(attributes: Any, wanted: Any) -> Optional[np.ndarray]:
+        if not attributes.HasArray(names.Cross):
+            return None
+        return vtk_to_numpy(attributes.GetArray(names.Cross))[wanted].astype(float)
 
-    def angles(shown: np.ndarray) -> np.ndarray:
-        return np.arctan2(shown[:, 1], shown[:, 0]) / 4
-
-    exact = on_triangles(names.CrossFieldCR)
+    exact = vtk_to_numpy(grid.GetCellData().GetArray(names.CrossFieldCR))[triangles]
+    u = exact[:, 0::2] + 1j * exact[:, 1::2]
+    centre, at_points = u.mean(axis=1), _at_points(mesh, u)
     report = report_of(grid)
     report["triangles"] = len(mesh["triangles"])
     return {
-        **mesh, "u": exact[:, 0::2] + 1j * exact[:, 1::2],
-        "angle": angles(on_triangles(names.Representation)),
-        "point_angle": angles(copied(grid.GetPointData(), names.Representation)),
-        "norm": on_triangles(names.CrossNorm),
-        "point_norm": copied(grid.GetPointData(), names.CrossNorm),
-        "cross": on_triangles(names.Cross), "point_cross": copied(grid.GetPointData(), names.Cross),
+        **mesh, "u": u,
+        "angle": np.angle(centre) / 4, "point_angle": np.angle(at_points) / 4,
+        "norm": np.abs(centre), "point_norm": np.abs(at_points),
+        "cross": shown(grid.GetCellData(), triangles), "point_cross": shown(grid.GetPointData(), slice(None)),
         "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree), "report": report}
 
 
@@ -239,7 +254,7 @@ def field_of(grid: vtkUnstructuredGrid) -> CrossField:
 def h_field_of(grid: vtkUnstructuredGrid) -> HField:
     """The arrays of a field with H."""
     return HField(**_field_arrays(grid), h=copied(grid.GetPointData(), names.H),
-                  size_map=copied(grid.GetPointData(), names.SizeMap))
+                  size_map=np.exp(copied(grid.GetPointData(), names.H)))
 
 
 @dataclass(frozen=True)

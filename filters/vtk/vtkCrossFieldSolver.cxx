@@ -31,7 +31,7 @@ void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,
       << advice);
   }
   output->ShallowCopy(input);
-  CrossFieldArrays::AddField(cells, field, output);
+  CrossFieldArrays::AddField(cells, field, this->Arrays, output);
   CrossFieldArrays::AddReport(field, output);
   this->StageSeconds[0] = field.seconds.assemble;
   this->StageSeconds[1] = field.seconds.factor;
@@ -44,6 +44,7 @@ void vtkCrossFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Arrays: " << this->Arrays << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
      << this->StageSeconds[2] << "\n";
 }

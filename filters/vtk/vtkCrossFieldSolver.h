@@ -11,6 +11,7 @@
 #ifndef vtkCrossFieldSolver_h
 #define vtkCrossFieldSolver_h
 
+#include "vtkCrossFieldArraySets.h"     // for the values of Arrays
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -46,6 +47,18 @@ public:
    */
   vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
   vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which arrays are written, one of vtkCrossFieldArraySets: Exact, what the other filters need; Display,
+   * also what one looks at; All. Default: All.
+   */
+  vtkSetClampMacro(Arrays, int, vtkCrossFieldArraySets::Exact, vtkCrossFieldArraySets::All);
+  vtkGetMacro(Arrays, int);
+  void SetArraysToExact() { this->SetArrays(vtkCrossFieldArraySets::Exact); }
+  void SetArraysToDisplay() { this->SetArrays(vtkCrossFieldArraySets::Display); }
+  void SetArraysToAll() { this->SetArrays(vtkCrossFieldArraySets::All); }
   ///@}
 
   /**
@@ -84,6 +97,7 @@ private:
 
   int MaximumIterations;
   double Tolerance = 1e-10;
+  int Arrays = vtkCrossFieldArraySets::All;
   double StageSeconds[3] = { 0.0, 0.0, 0.0 };
 };
 

@@ -1,5 +1,6 @@
 #include "vtkCrossGlyphs.h"
 
+#include "CrossSamples.h"
 #include "DomainConversion.h"
 #include "Error.h"
 #include "FilterRun.h"
@@ -19,6 +20,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTriangle.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -41,12 +44,69 @@ vtkDataArray* RequireArray(vtkDataSet* input, const char* name, int components)
   return array;
 }
 
+/** The cross of a triangle: its arrays, or what follows from others. */
+class CrossReading
+{
+public:
+  explicit CrossReading(vtkDataSet* input)
+  {
+    namespace names = vtkCrossFieldArrayNames;
+    const auto has = [input](const char* name)
+    { return input->GetCellData()->GetArray(name) != nullptr; };
+    const bool derives = has(names::CrossFieldCR) && !(has(names::Cross) && has(names::CrossNorm));
+    if (derives)
+    {
+      this->Exact = RequireArray(input, names::CrossFieldCR, 6);
+      this->Plane = DomainConversion::FindPlane(input);
+      return;
+    }
+    this->Cross = RequireArray(input, names::Cross, 3);
+    this->Cross2 = has(names::Cross2) ? RequireArray(input, names::Cross2, 3) : nullptr;
+    this->Norms = RequireArray(input, names::CrossNorm, 1);
+  }
+
+  /** The two branches and |u| of a cell with a unit normal. */
+  double Read(vtkIdType cell, const Eigen::Vector3d& normal, Eigen::Vector3d (&branches)[2]) const
+  {
+    double norm = 0.0;
+    if (this->Exact != nullptr)
+    {
+      std::array<double, 6> sides = {};
+      this->Exact->GetTuple(cell, sides.data());
+      const crossfield::Complex u(
+        (sides[0] + sides[2] + sides[4]) / 3.0, (sides[1] + sides[3] + sides[5]) / 3.0);
+      branches[0] = this->Plane.DirectionToSpace(crossfield::CrossBranch(u));
+      norm = std::abs(u);
+    }
+    else
+    {
+      this->Cross->GetTuple(cell, branches[0].data());
+      norm = this->Norms->GetTuple1(cell);
+    }
+    if (this->Cross2 != nullptr)
+    {
+      this->Cross2->GetTuple(cell, branches[1].data());
+      return norm;
+    }
+    branches[1] = normal.cross(branches[0]);
+    return norm;
+  }
+
+private:
+  vtkDataArray* Exact = nullptr;
+  vtkDataArray* Cross = nullptr;
+  vtkDataArray* Cross2 = nullptr;
+  vtkDataArray* Norms = nullptr;
+  crossfield::DomainPlane Plane;
+};
+
 /** Where a cross is drawn, and how large it may be. */
 struct Place
 {
   vtkIdType cell;
   std::array<double, 3> centre;
   double room;
+  Eigen::Vector3d normal;
 };
 
 std::vector<Place> TrianglePlaces(vtkDataSet* input)
@@ -65,9 +125,13 @@ std::vector<Place> TrianglePlaces(vtkDataSet* input)
     {
       input->GetPoint(ids->GetId(i), corners[i]);
     }
-    Place place{ cell, {}, 0.0 };
+    Place place{ cell, {}, 0.0, {} };
     vtkTriangle::TriangleCenter(corners[0], corners[1], corners[2], place.centre.data());
     place.room = std::sqrt(vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]));
+    const Eigen::Vector3d origin(corners[0]);
+    place.normal = (Eigen::Vector3d(corners[1]) - origin)
+                     .cross(Eigen::Vector3d(corners[2]) - origin)
+                     .normalized();
     places.push_back(place);
   }
   return places;
@@ -139,10 +203,7 @@ int vtkCrossGlyphs::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(input);
-      namespace names = vtkCrossFieldArrayNames;
-      vtkDataArray* branches[2] = { RequireArray(input, names::Cross, 3),
-        RequireArray(input, names::Cross2, 3) };
-      vtkDataArray* norms = RequireArray(input, names::CrossNorm, 1);
+      const CrossReading crosses(input);
       std::vector<Place> places = TrianglePlaces(input);
       progress.Report(0.5);
       if (this->Spacing > 0.0)
@@ -153,20 +214,19 @@ int vtkCrossGlyphs::RequestData(
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> lines;
       vtkNew<vtkDoubleArray> lineNorms;
-      lineNorms->SetName(names::CrossNorm);
+      lineNorms->SetName(vtkCrossFieldArrayNames::CrossNorm);
       for (const Place& place : places)
       {
-        const double norm = norms->GetTuple1(place.cell);
+        Eigen::Vector3d branches[2];
+        const double norm = crosses.Read(place.cell, place.normal, branches);
         const double half = 0.5 * this->Scale * place.room * (this->ScaleByNorm ? norm : 1.0);
-        for (vtkDataArray* branch : branches)
+        const Eigen::Vector3d centre(place.centre.data());
+        for (const Eigen::Vector3d& along : branches)
         {
-          const double* along = branch->GetTuple3(place.cell);
-          const auto& c = place.centre;
-          const vtkIdType from = points->InsertNextPoint(
-            c[0] - half * along[0], c[1] - half * along[1], c[2] - half * along[2]);
-          const vtkIdType to = points->InsertNextPoint(
-            c[0] + half * along[0], c[1] + half * along[1], c[2] + half * along[2]);
-          lines->InsertNextCell({ from, to });
+          const Eigen::Vector3d from = centre - half * along;
+          const Eigen::Vector3d to = centre + half * along;
+          lines->InsertNextCell(
+            { points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data()) });
           lineNorms->InsertNextValue(norm);
         }
       }

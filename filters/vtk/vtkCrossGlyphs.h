@@ -3,7 +3,8 @@
  * @brief   draw a cross field as crosses of two lines
  *
  * Port 0 (any vtkDataSet with the cell arrays `Cross`, `Cross2` and `CrossNorm` of the cross field
- * filters): the field.
+ * filters): the field. Where they are missing, `Cross` and `CrossNorm` follow from the cell array
+ * `CrossFieldCR`, and `Cross2` is at a right angle to `Cross` in the triangle.
  *
  * Output (vtkPolyData): for every cross two VTK_LINE cells through its place, along ±`Cross` and
  * ±`Cross2`, with the cell array `CrossNorm` (double, 1) of the cell it was taken from. By default
@@ -15,8 +16,8 @@
  * The length of a line is Scale times the spacing, or Scale times the square root of the cell's
  * area without a spacing; with ScaleByNorm also times `CrossNorm`.
  *
- * An empty input gives an empty output. Failure: an array is missing; with a spacing, points that
- * are not in one plane.
+ * An empty input gives an empty output. Failure: an array is missing and does not follow from others; with
+ * a spacing, or without `Cross`, points that are not in one plane.
  *
  * @sa vtkPerforatedCrossField
  */

@@ -99,9 +99,9 @@ int vtkHField::RequestData(
       {
         DomainConversion::WriteDrilledMesh(cells.topology->mesh, cells.plane, output);
       }
-      CrossFieldArrays::AddField(cells, field.field, output);
+      CrossFieldArrays::AddField(cells, field.field, this->Arrays, output);
       CrossFieldArrays::AddReport(field.field, output);
-      CrossFieldArrays::AddH(cells, field, configuration, output);
+      CrossFieldArrays::AddH(cells, field, configuration, this->Arrays, output);
       this->StageSeconds[1] = field.field.seconds.assemble;
       this->StageSeconds[2] = field.field.seconds.factor;
       this->StageSeconds[3] = field.field.seconds.solve;
@@ -114,6 +114,7 @@ void vtkHField::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "KeepMesh: " << this->KeepMesh << "\n";
+  os << indent << "Arrays: " << this->Arrays << "\n";
   os << indent << "StageSeconds: " << this->StageSeconds[0] << " " << this->StageSeconds[1] << " "
      << this->StageSeconds[2] << " " << this->StageSeconds[3] << "\n";
 }

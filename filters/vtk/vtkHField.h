@@ -24,11 +24,13 @@
  * Output: the mesh, with the arrays of vtkDrillHoles if it was made here, and
  * - `H` (points, double, 1), with area mean 0; at a point that is a singularity, where H is infinite,
  *   the mean over a disk of half the shortest edge there;
- * - `SizeMap` (points, double, 1): e^H, larger where the lines of the field spread; up to a factor
+ * - `SizeMap` (points, float, 1): e^H, larger where the lines of the field spread; up to a factor
  *   the local edge length of quads;
  * - the arrays of vtkPerforatedCrossField: `CrossFieldCR` (cells, 6), `Representation`, `Cross`,
  *   `Cross2` (cells and points, 3), `CrossNorm` (cells and points, 1; |u| = 1 at the midpoints of
  *   edges).
+ * `H` and `CrossFieldCR` are exact; the others follow from them, are in single precision, and can be left
+ * out: see Arrays.
  *
  * Field data: as vtkPerforatedCrossField, with `Iterations` 0. `Energy`: on a mesh with holes ½ ∫ |∇φ|²
  * of the phase φ = 4θ. Without, that is infinite, and Energy is its expansion for holes of the given
@@ -52,6 +54,7 @@
 #ifndef vtkHField_h
 #define vtkHField_h
 
+#include "vtkCrossFieldArraySets.h"     // for the values of Arrays
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
@@ -92,6 +95,18 @@ public:
   vtkBooleanMacro(KeepMesh, bool);
   ///@}
 
+  ///@{
+  /**
+   * Which arrays are written, one of vtkCrossFieldArraySets: Exact, what the other filters need; Display,
+   * also what one looks at; All. Default: All.
+   */
+  vtkSetClampMacro(Arrays, int, vtkCrossFieldArraySets::Exact, vtkCrossFieldArraySets::All);
+  vtkGetMacro(Arrays, int);
+  void SetArraysToExact() { this->SetArrays(vtkCrossFieldArraySets::Exact); }
+  void SetArraysToDisplay() { this->SetArrays(vtkCrossFieldArraySets::Display); }
+  void SetArraysToAll() { this->SetArrays(vtkCrossFieldArraySets::All); }
+  ///@}
+
   /**
    * Seconds that the last run spent in meshing, assembling, factoring and solving. Not in the output,
    * so that the same input gives the same output.
@@ -112,6 +127,7 @@ private:
   double MeshSize = 0.0;
   bool KeepMesh = false;
   std::unique_ptr<KeptDomain> Kept;
+  int Arrays = vtkCrossFieldArraySets::All;
   double StageSeconds[4] = { 0.0, 0.0, 0.0, 0.0 };
 };
 

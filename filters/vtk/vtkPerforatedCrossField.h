@@ -27,12 +27,13 @@
  * Output: the mesh, and
  * - `CrossFieldCR` (cells, double, 6): triangle (p0, p1, p2): Re, Im of u at the midpoints of p0p1,
  *   p1p2, p2p0, the exact discrete field; lines: u of that edge, three times;
- * - `Representation` (cells and points, double, 3): (Re u, Im u, 0) at the centre; at a point the
+ * - `Representation` (cells and points, float, 3): (Re u, Im u, 0) at the centre; at a point the
  *   mean of the field's one-sided values, weighted by area; u refers to the coordinates of the
  *   mesh's plane (see vtkDrillHoles), whichever that is;
- * - `Cross`, `Cross2` (cells and points, double, 3): a unit branch (cos θ, sin θ, 0) of the cross
+ * - `Cross`, `Cross2` (cells and points, float, 3): a unit branch (cos θ, sin θ, 0) of the cross
  *   with θ = arg(u) / 4, and the branch at +90°, as directions of space in the mesh's plane;
- * - `CrossNorm` (cells and points, double, 1): |u|; not 1, the minimisation is over the plane.
+ * - `CrossNorm` (cells and points, float, 1): |u|; not 1, the minimisation is over the plane.
+ * All but the first follow from it, are in single precision, and can be left out: see Arrays.
  *
  * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,
  * `Residual` (of the optimality conditions, relative; UnitNorm: largest deviation of the integrated

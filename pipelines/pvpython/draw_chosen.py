@@ -14,6 +14,8 @@ from drawing import draw_each, draw_singularities, look_from_above, white_view
 def view_of(path, width):
     field = pv.OpenDataFile(path + ".vtu")
     field.UpdatePipeline()
+    if "SizeMap" not in field.PointData.keys():
+        raise SystemExit("The file '%s.vtu' has no array SizeMap; give one written by `crossfield hfield`." % path)
     bounds = field.GetDataInformation().GetBounds()
     across, high = bounds[1] - bounds[0], bounds[3] - bounds[2]
     view = white_view(width, max(60, round(width * high / across)))

@@ -40,7 +40,7 @@ for number, name in enumerate(arguments.files):
     field = XMLUnstructuredGridReader(FileName=[name])
     field.UpdatePipeline()
     if "CrossNorm" not in field.PointData.keys():
-        sys.exit("The file '%s' has no cross field; give a file written by `crossfield solve`." % name)
+        sys.exit("The file '%s' has no array CrossNorm; give one written by `crossfield solve --arrays all`." % name)
     bounds = bounds or field.GetDataInformation().GetBounds()
     width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
     row, column = divmod(number, columns)

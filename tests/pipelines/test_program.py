@@ -122,6 +122,22 @@ class Report(ProgramTest):
         self.assertNotIn("<AppendedData", text)
         self.assertIn("vtkZLibDataCompressor", text)
 
+    def test_arrays_are_those_chosen(self):
+        derived = {"Cross", "Cross2", "CrossNorm", "Representation", "SizeMap"}
+        for command in ("solve", "hfield"):
+            sizes = []
+            for arrays, kept in (("exact", set()), ("display", {"Cross", "CrossNorm"}), ("all", derived)):
+                kept = kept | {"SizeMap"} if arrays == "display" else kept
+                kept = kept - {"SizeMap"} if command == "solve" else kept
+                self.succeed(command, "builtin:disk", "-s", "four.csv", "-o", "field.vtu", "--arrays", arrays)
+                text = (self.folder / "field.vtu").read_text()
+                self.assertEqual(derived & set(NAME.findall(text)), kept)
+                self.assertIn("CrossFieldCR", NAME.findall(text))
+                sizes.append(len(text))
+                self.succeed("check", "field.vtu")
+            self.assertEqual(sizes, sorted(sizes))
+        self.assertIn("--arrays", self.refuse("solve", "builtin:disk", "--arrays", "some"))
+
     def test_a_report_file_holds_what_standard_output_would(self):
         self.assertEqual(self.succeed("solve", "builtin:disk", "-s", "four.csv", "--json",
                                       "report.json"), "")

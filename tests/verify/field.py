@@ -1,7 +1,7 @@
 """The field in a file, and that all its arrays show the same one."""
 import numpy as np
 
-from report import ROUNDING, Unverifiable
+from report import ROUNDING, Unverifiable, rounding_of
 
 
 class Field:
@@ -54,30 +54,44 @@ def check_arrays(data, mesh, field, report):
 
 NAMES = ("Representation", "Cross", "Cross2", "CrossNorm")
 
+#: What a file may have of them, by the choice of whoever wrote it.
+SETS = ({*NAMES}, {"Cross", "CrossNorm"}, set())
+
 
 def _check_shown(where, u, shown, frame, exactness, report):
     axes, normal = frame.axes, frame.normal
-    if len(shown) != len(NAMES):
-        report.true("%s have all four arrays of a field" % where, False, "they have %s" % sorted(shown))
+    if set(shown) not in SETS:
+        report.true("%s have the arrays of a choice" % where, False, "they have %s" % sorted(shown))
         return
-    stated = shown["Representation"]
-    stated_u = stated[:, 0] + 1j * stated[:, 1]
-    worst = np.abs(stated_u - u).max(initial=0.0) + np.abs(stated[:, 2]).max(initial=0.0)
-    report.bound("Representation of %s" % where, worst, exactness, "rounding of a mean")
+    if not shown:
+        return
+    rounding = max(map(rounding_of, shown.values()))
+    shown = {name: array.astype(float) for name, array in shown.items()}
+    largest = max(1.0, np.abs(u).max(initial=0.0))
+    stated_u = u
+    if "Representation" in shown:
+        stated = shown["Representation"]
+        stated_u = stated[:, 0] + 1j * stated[:, 1]
+        worst = np.abs(stated_u - u).max(initial=0.0) + np.abs(stated[:, 2]).max(initial=0.0)
+        report.bound("Representation of %s" % where, worst, exactness + (rounding - ROUNDING) * largest,
+                     "rounding of a mean")
     worst = np.abs(shown["CrossNorm"] - np.abs(stated_u)).max(initial=0.0)
-    report.bound("CrossNorm of %s" % where, worst, 4 * ROUNDING * max(1.0, np.abs(u).max(initial=0.0)),
-                 "rounding of a root")
-    seen = stated_u != 0
-    first, second = ((shown[name] @ axes.T)[:, 0] + 1j * (shown[name] @ axes.T)[:, 1]
-                     for name in ("Cross", "Cross2"))
+    report.bound("CrossNorm of %s" % where, worst,
+                 4 * rounding * largest + (stated_u is u) * exactness, "rounding of a root")
+    # Where u is that of the midpoints, its phase is known only as well as u is.
+    seen = np.abs(stated_u) > (stated_u is u) * exactness / 2.0 ** -20
+    size = np.where(seen, np.abs(stated_u), 1.0)
+    first = (shown["Cross"] @ axes.T)[:, 0] + 1j * (shown["Cross"] @ axes.T)[:, 1]
     # The axes of a tilted plane are those of its points up to the rounding of these.
-    angles = 2.0 ** -43
-    off = np.abs(first ** 4 - stated_u / np.where(seen, np.abs(stated_u), 1.0))[seen].max(initial=0.0)
+    angles = max(2.0 ** -43, 8 * rounding)
+    off = np.abs(first ** 4 - stated_u / size)[seen].max(initial=0.0)
     report.bound("Cross of %s: its fourth power is u" % where, off, angles, "rounding of angles and axes")
-    off = max(np.abs(values).max(initial=0.0) for values in (
-        second - 1j * first, np.abs(first) - 1.0, shown["Cross"] @ normal, shown["Cross2"] @ normal))
-    report.bound("Cross2 of %s: a unit branch at +90 degrees in the plane" % where, off, angles,
-                 "rounding of angles and axes")
+    if "Cross2" in shown:
+        second = (shown["Cross2"] @ axes.T)[:, 0] + 1j * (shown["Cross2"] @ axes.T)[:, 1]
+        off = max(np.abs(values).max(initial=0.0) for values in (
+            second - 1j * first, np.abs(first) - 1.0, shown["Cross"] @ normal, shown["Cross2"] @ normal))
+        report.bound("Cross2 of %s: a unit branch at +90 degrees in the plane" % where, off, angles,
+                     "rounding of angles and axes")
     off = np.abs(np.angle(first))[seen].max(initial=0.0) - 0.25 * np.pi
     report.bound("Cross of %s: the branch nearest to the first axis" % where, off, angles,
                  "rounding of angles and axes")

@@ -10,7 +10,7 @@ b_j nor the s_c: they are fitted, and no fit could make thousands of triangles c
 """
 import numpy as np
 
-from report import ROUNDING
+from report import ROUNDING, rounding_of
 from topology import HOLE, INNER, OUTER, cross
 
 
@@ -26,10 +26,13 @@ def sizes(mesh):
 
 
 def check_arrays(data, mesh, on_holes, report):
-    h, size = data.at_points["H"], data.at_points["SizeMap"]
+    h = data.at_points["H"]
     report.true("H is finite", np.all(np.isfinite(h)))
-    report.bound("SizeMap is e^H", np.abs(size / np.exp(h) - 1.0).max(),
-                 4 * ROUNDING * max(1.0, np.abs(h).max()), "rounding of an exponential")
+    if "SizeMap" in data.at_points:  # else left out by choice
+        size = data.at_points["SizeMap"]
+        report.bound("SizeMap is e^H", np.abs(size.astype(float) / np.exp(h) - 1.0).max(),
+                     rounding_of(size) + 4 * ROUNDING * max(1.0, np.abs(h).max()),
+                     "rounding of an exponential")
     mean = (mesh.area * h[mesh.triangles].mean(axis=1)).sum() / mesh.area.sum()
     if on_holes:
         report.bound("area mean of H", abs(mean), len(mesh.area) * ROUNDING * np.abs(h).max(),

@@ -1,6 +1,12 @@
 """What was checked in one file: found deviations beside the tolerance and where that comes from."""
+import numpy as np
 
 ROUNDING = 2.0 ** -52
+
+
+def rounding_of(array):
+    """Of arrays that follow from others, which files have in single precision and old ones in double."""
+    return 2.0 ** -23 if array.dtype == np.float32 else ROUNDING
 
 
 class Unverifiable(Exception):

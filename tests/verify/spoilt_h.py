@@ -12,18 +12,18 @@ ALIGNED = "alignment of outer and inner loops"
 
 @of("h", "SizeMap is e^H", CONJUGATE, H_HARMONIC)
 def h_moved_at_a_vertex(file):
-    file.point("H")[file.inner_vertex()] += 1e-7
+    file.point("H")[file.inner_vertex()] += 4e-7
 
 
 @of("h", "SizeMap is e^H")
 def size_changed(file):
-    file.point("SizeMap")[7] *= 1.0 + 1e-9
+    file.point("SizeMap")[7] *= 1.0 + 1e-6
 
 
 @of("h", "area mean of H")
 def h_shifted(file):
     file.point("H")[:] += 1.0
-    file.point("SizeMap")[:] *= np.e
+    file.point("SizeMap")[:] = np.exp(file.point("H"))
 
 
 @of("h", CONJUGATE, H_HARMONIC, WHOLE)
@@ -54,7 +54,7 @@ def singularity_added_to_h(file):
 
 @of("h_on_holes", "H is constant on every hole", CONJUGATE, "SizeMap is e^H", "area mean of H")
 def hole_of_h_not_constant(file):
-    file.point("H")[file.mesh.lines[file.mesh.of_kind(3)[0].lines[0], 0]] += 1e-7
+    file.point("H")[file.mesh.lines[file.mesh.of_kind(3)[0].lines[0], 0]] += 1e-5
 
 
 @of("h_of_ring", JUMPS)

@@ -152,7 +152,8 @@ TEST_P(Planes, MeshAndField)
         Distance(place, turned->GetPoint(j)) < Distance(place, turned->GetPoint(found)) ? j : found;
     }
     ASSERT_LT(Distance(place, turned->GetPoint(found)), 1e-12);
-    EXPECT_LT(std::abs(complex(flat, i) - complex(turned, found)), 1e-10)
+    // Representation and crosses are in single precision.
+    EXPECT_LT(std::abs(complex(flat, i) - complex(turned, found)), 1e-6)
       << "u in the plane's frame";
 
     Vector crosses[2];
@@ -160,12 +161,12 @@ TEST_P(Planes, MeshAndField)
     turned->GetPointData()->GetArray("Cross2")->GetTuple(found, crosses[1].data());
     Vector product;
     vtkMath::Cross(crosses[0].data(), crosses[1].data(), product.data());
-    EXPECT_LT(Distance(normal, product.data()), 1e-12) << "orthogonal unit vectors in the plane";
+    EXPECT_LT(Distance(normal, product.data()), 1e-6) << "orthogonal unit vectors in the plane";
     // Where arg(u) is near π rounding chooses the branch; cos 4θ does not depend on it.
     double expected[3];
     flat->GetPointData()->GetArray("Cross")->GetTuple(i, expected);
     const double cosine = vtkMath::Dot(Apply(GetParam(), expected).data(), crosses[0].data());
-    EXPECT_NEAR(8 * std::pow(cosine, 4) - 8 * std::pow(cosine, 2) + 1, 1.0, 1e-9);
+    EXPECT_NEAR(8 * std::pow(cosine, 4) - 8 * std::pow(cosine, 2) + 1, 1.0, 1e-5);
   }
 }
 
