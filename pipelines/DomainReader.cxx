@@ -293,6 +293,12 @@ std::array<double, 6> Bounds(vtkDataSet* domain)
 
 bool HasHeight(vtkDataSet* domain)
 {
+  double all[6];
+  domain->GetBounds(all);
+  if (!(all[4] < all[5]))
+  {
+    return false; // of all points, and so of those that cells use
+  }
   const std::array<double, 6> bounds = Bounds(domain);
   return bounds[4] < bounds[5];
 }

@@ -18,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -158,11 +159,11 @@ crossfield::CrossField ReadField(
   crossfield::ComplexVector u = crossfield::ComplexVector::Zero(edges.Count());
   for (std::size_t t = 0; t < cells.triangleCells.size(); ++t)
   {
-    for (int i = 0; i < 3; ++i)
+    std::array<double, 6> values = {};
+    exact->GetTuple(cells.triangleCells[t], values.data());
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      u[edges.ofTriangle[t][static_cast<std::size_t>(i)]] =
-        Complex(exact->GetComponent(cells.triangleCells[t], 2 * i),
-          exact->GetComponent(cells.triangleCells[t], 2 * i + 1));
+      u[edges.ofTriangle[t][i]] = Complex(values[2 * i], values[2 * i + 1]);
     }
   }
   return { cells.topology, std::move(u) };

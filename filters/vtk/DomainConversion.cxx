@@ -1,6 +1,7 @@
 #include "DomainConversion.h"
 
 #include "BoundaryLoops.h"
+#include "CellLoop.h"
 #include "DomainExtent.h"
 #include "Error.h"
 #include "InputCheck.h"
@@ -46,35 +47,41 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkCellArray> surfaces;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  const auto add = [](vtkCellArray* cells, const auto& points)
   {
-    const int type = input->GetCellType(cell);
-    input->GetCellPoints(cell, ids);
-    switch (type)
+    cells->InsertNextCell(static_cast<int>(points.Size()));
+    for (const auto point : points)
     {
-    case VTK_EMPTY_CELL:
-    case VTK_VERTEX:
-    case VTK_POLY_VERTEX:
-      break;
-    case VTK_LINE:
-    case VTK_POLY_LINE:
-      lines->InsertNextCell(ids);
-      break;
-    case VTK_TRIANGLE:
-    case VTK_QUAD:
-    case VTK_POLYGON:
-      surfaces->InsertNextCell(ids);
-      break;
-    case VTK_PIXEL: // its points go row by row, not around
-      surfaces->InsertNextCell({ ids->GetId(0), ids->GetId(1), ids->GetId(3), ids->GetId(2) });
-      break;
-    default:
-      throw Error("The domain has cells of type " +
-        std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
-        "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
+      cells->InsertCellPoint(static_cast<vtkIdType>(point));
     }
-  }
+  };
+  CellLoop::OfData(input,
+    [&](vtkIdType, int type, const auto& points)
+    {
+      switch (type)
+      {
+      case VTK_EMPTY_CELL:
+      case VTK_VERTEX:
+      case VTK_POLY_VERTEX:
+        break;
+      case VTK_LINE:
+      case VTK_POLY_LINE:
+        add(lines, points);
+        break;
+      case VTK_TRIANGLE:
+      case VTK_QUAD:
+      case VTK_POLYGON:
+        add(surfaces, points);
+        break;
+      case VTK_PIXEL: // its points go row by row, not around
+        surfaces->InsertNextCell({ points[0], points[1], points[3], points[2] });
+        break;
+      default:
+        throw Error("The domain has cells of type " +
+          std::string(vtkCellTypes::GetClassNameFromTypeId(type)) +
+          "; give boundary lines or a mesh of triangles, quadrilaterals or polygons.");
+      }
+    });
   auto result = vtkSmartPointer<vtkPolyData>::New();
   const bool isSurface = surfaces->GetNumberOfCells() > 0;
   vtkCellArray* cells = isSurface ? surfaces : lines;
@@ -93,15 +100,15 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
     RequireFinite(place, point);
     kept->InsertNextPoint(place);
   }
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    cells->GetCellAtId(cell, ids);
-    for (vtkIdType& point : *ids)
+  cells->Visit(
+    [&used](auto& state)
     {
-      point = used.NumberOf(point);
-    }
-    cells->ReplaceCellAtId(cell, ids);
-  }
+      auto* connectivity = state.GetConnectivity();
+      for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
+      {
+        connectivity->SetValue(i, used.NumberOf(connectivity->GetValue(i)));
+      }
+    });
   result->SetPoints(kept);
   return result;
 }

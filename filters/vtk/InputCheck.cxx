@@ -1,12 +1,11 @@
 #include "InputCheck.h"
 
+#include "CellLoop.h"
 #include "Error.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -56,14 +55,15 @@ vtkIdType PointsOf(int type)
   }
 }
 
-void RequirePoints(vtkIdType cell, vtkIdList* ids, vtkIdType count)
+template <class Points>
+void RequirePoints(vtkIdType cell, const Points& points, vtkIdType count)
 {
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  for (const auto point : points)
   {
-    if (ids->GetId(i) < 0 || ids->GetId(i) >= count)
+    if (point < 0 || point >= count)
     {
-      throw Error("Cell " + std::to_string(cell) + " uses point " + std::to_string(ids->GetId(i)) +
-        " of " + std::to_string(count) + "; the data is damaged, make it again.");
+      throw Error("Cell " + std::to_string(cell) + " uses point " + std::to_string(point) + " of " +
+        std::to_string(count) + "; the data is damaged, make it again.");
     }
   }
 }
@@ -73,38 +73,40 @@ void RequireCells(vtkPolyData* input)
 {
   const std::array<std::pair<vtkCellArray*, vtkIdType>, 4> lists = { { { input->GetVerts(), 1 },
     { input->GetLines(), 1 }, { input->GetPolys(), 3 }, { input->GetStrips(), 3 } } };
-  vtkNew<vtkIdList> ids;
-  vtkIdType cell = 0;
-  for (const auto& [list, least] : lists)
+  vtkIdType first = 0;
+  for (const auto& entry : lists)
   {
-    for (vtkIdType i = 0; i < list->GetNumberOfCells(); ++i, ++cell)
-    {
-      list->GetCellAtId(i, ids);
-      if (ids->GetNumberOfIds() < least)
+    const vtkIdType least = entry.second;
+    CellLoop::OfList(entry.first,
+      [&](vtkIdType i, const auto& points)
       {
-        throw Error("Cell " + std::to_string(cell) + " has " +
-          std::to_string(ids->GetNumberOfIds()) + " points instead of " + std::to_string(least) +
-          " or more; the data is damaged, make it again.");
-      }
-      RequirePoints(cell, ids, input->GetNumberOfPoints());
-    }
+        if (points.Size() < least)
+        {
+          throw Error("Cell " + std::to_string(first + i) + " has " +
+            std::to_string(points.Size()) + " points instead of " + std::to_string(least) +
+            " or more; the data is damaged, make it again.");
+        }
+        RequirePoints(first + i, points, input->GetNumberOfPoints());
+      });
+    first += entry.first->GetNumberOfCells();
   }
 }
 
 void RequireCells(vtkDataSet* input)
 {
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    input->GetCellPoints(cell, ids);
-    const vtkIdType expected = PointsOf(input->GetCellType(cell));
-    if (expected > 0 && ids->GetNumberOfIds() != expected)
+  const vtkIdType count = input->GetNumberOfPoints();
+  CellLoop::OfData(input,
+    [count](vtkIdType cell, int type, const auto& points)
     {
-      throw Error("Cell " + std::to_string(cell) + " has " + std::to_string(ids->GetNumberOfIds()) +
-        " points instead of " + std::to_string(expected) + "; the data is damaged, make it again.");
-    }
-    RequirePoints(cell, ids, input->GetNumberOfPoints());
-  }
+      const vtkIdType expected = PointsOf(type);
+      if (expected > 0 && points.Size() != expected)
+      {
+        throw Error("Cell " + std::to_string(cell) + " has " + std::to_string(points.Size()) +
+          " points instead of " + std::to_string(expected) +
+          "; the data is damaged, make it again.");
+      }
+      RequirePoints(cell, points, count);
+    });
 }
 
 void RequireArrays(vtkDataSetAttributes* attributes, vtkIdType count, const std::string& what)

@@ -1,28 +1,25 @@
 #include "UsedPoints.h"
 
-#include "vtkCellTypes.h"
+#include "CellLoop.h"
+
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 
 //------------------------------------------------------------------------------
 UsedPoints::UsedPoints(vtkDataSet* input)
   : Numbers(static_cast<std::size_t>(input->GetNumberOfPoints()), -1)
 {
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    const int type = input->GetCellType(cell);
-    if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+  CellLoop::OfData(input,
+    [this](vtkIdType, int type, const auto& points)
     {
-      continue;
-    }
-    input->GetCellPoints(cell, points);
-    for (const vtkIdType point : *points)
-    {
-      this->Numbers[static_cast<std::size_t>(point)] = 0;
-    }
-  }
+      if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX)
+      {
+        return;
+      }
+      for (const auto point : points)
+      {
+        this->Numbers[static_cast<std::size_t>(point)] = 0;
+      }
+    });
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {
     if (this->Numbers[static_cast<std::size_t>(point)] == 0)
