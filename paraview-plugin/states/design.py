@@ -17,7 +17,8 @@ view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
 AssignViewToLayout(view)
 faces = Show(OutputPort(designer, 1), view)
 ColorBy(faces, ("CELLS", "FaceId"))
-faces.LookupTable = CreateLookupTable(
+SetProperties(
+    GetColorTransferFunction("FaceId"), AutomaticRescaleRangeMode="Never",
     RGBPoints=[value for face in range(60) for value in (
         face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
                 (0.91, 0.85, 0.96)][face * 7 % 5])])
@@ -26,10 +27,8 @@ SetProperties(faces, Ambient=1, Diffuse=0)
 edges = ExtractEdges(registrationName="Draft quads", Input=OutputPort(designer, 3))
 SetProperties(Show(edges, view), ColorArrayName=["POINTS", ""], AmbientColor=[0.6, 0.6, 0.6],
               DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001], Ambient=1, Diffuse=0)
-colours = CreateLookupTable(RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
 lines = Show(designer, view)
 ColorBy(lines, ("CELLS", "QuarterIndex"))
-lines.LookupTable = colours
 lines.SetScalarBarVisibility(view, False)
 SetProperties(lines, LineWidth=3, Position=[0, 0, 0.002], Ambient=1, Diffuse=0)
 discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), GlyphType="Sphere",
@@ -37,7 +36,8 @@ discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), G
 discs.GlyphType.ThetaResolution = 32
 shown = Show(discs, view)
 ColorBy(shown, ("POINTS", "QuarterIndex"))
-shown.LookupTable = colours
+SetProperties(GetColorTransferFunction("QuarterIndex"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
+              RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
 shown.SetScalarBarVisibility(view, False)
 SetProperties(shown, Ambient=1, Diffuse=0)
 text = PythonAnnotation(

@@ -19,7 +19,8 @@ faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "Blo
                   LowerThreshold=0, UpperThreshold=1e9)
 shown = Show(faces, view)
 ColorBy(shown, ("CELLS", "BlockId"))
-shown.LookupTable = CreateLookupTable(
+SetProperties(
+    GetColorTransferFunction("BlockId"), AutomaticRescaleRangeMode="Never",
     RGBPoints=[value for block in range(200) for value in (
         block, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
                  (0.91, 0.85, 0.96)][block * 7 % 5])])

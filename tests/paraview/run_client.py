@@ -1,7 +1,7 @@
 """Runs a script in ParaView's client: run_client.py SCRIPT PLUGIN HANDS FOLDER -- COMMAND...
 
-COMMAND starts the client. SCRIPT finds the plugin, the library of Hands.cxx and the folder for pictures in
-the environment, ends the client by itself, and prints "all well" if all was well. Both count: a client
+COMMAND starts the client. SCRIPT finds the plugin, the library of Hands.cxx, the folder for pictures and the plugin's states
+in the environment, ends the client by itself, and prints "all well" if all was well. Both count: a client
 that crashes when it is closed fails.
 """
 import os
@@ -17,7 +17,8 @@ os.makedirs(folder)
 with tempfile.TemporaryDirectory() as home:
     # Settings of its own, and no dialog that welcomes.
     environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home,
-                       DASHBOARD_TEST_FROM_CTEST="1", PLUGIN=plugin, HANDS=hands, FOLDER=folder)
+                       DASHBOARD_TEST_FROM_CTEST="1", PLUGIN=plugin, HANDS=hands, FOLDER=folder,
+                       STATES=os.path.join(os.path.dirname(script), "..", "..", "paraview-plugin", "states"))
     done = subprocess.run([*command, "--dr", "--script=" + script], env=environment, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 print(done.stdout)

@@ -304,6 +304,9 @@ def test_deleted(scene):
     other = SingularitySource(registrationName="Other")
     scene.choose(other)
     check_equal(scene.handles(), 4, "handles of another source")
+    times = list(scene.drag(ROWS[:2], (-0.05, 0.15), MOVES))
+    check(other.Singularities[0] < 0.1, "the handle of another source is not dragged")
+    print("frames of a drag with nothing behind it: median %.0f ms" % (1e3 * statistics.median(times)))
     Delete(other)
     wait()
     check_equal(scene.handles(), 0, "handles of a source that is deleted")
@@ -314,7 +317,6 @@ def test_designer(scene):
     HideAll(scene.view)
     shown = Show(designer, scene.view)
     SetProperties(shown, LineWidth=3)
-    Show(scene.domain, scene.view)
     Render()
     scene.choose(designer)
     scene.source = designer
@@ -327,7 +329,6 @@ def test_designer(scene):
     check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
     check_equal(scene.rows()[4:], list(chosen[1:].ravel()), "the other rows")
     print("frames of a drag of the designer: median %.0f ms" % (1e3 * statistics.median(times)))
-    picture("designer.png")
     # A command moves the rows; they become the value of the property.
     moved = scene.rows()
     designer.InvokeCommand("Optimise")
@@ -340,6 +341,26 @@ def test_designer(scene):
     hands.hands_undo()
     wait()
     check_equal(scene.rows(), moved, "the rows after undo of a command")
+
+
+def test_state_of_the_designer(scene):
+    SetActiveView(None)
+    CreateLayout("Design")
+    names = dict(globals())
+    with open(os.path.join(os.environ["STATES"], "design.py"), encoding="utf-8") as state:
+        exec(state.read(), names)
+    scene.view, scene.source = names["view"], names["designer"]
+    SetActiveView(scene.view)
+    Render()
+    scene.choose(OutputPort(scene.source, 0))
+    check_equal(scene.handles(), 8, "handles of the state")
+    start = scene.row(6)[:2]
+    times = []
+    for seconds in scene.drag(start, (start[0] - 0.1, start[1] + 0.4), MOVES):
+        times.append(seconds)
+        if len(times) == MOVES // 2:
+            picture("design.png")
+    print("frames of a drag in the designer's state: median %.0f ms" % (1e3 * statistics.median(times)))
 
 
 try:
