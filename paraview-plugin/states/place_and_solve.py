@@ -1,13 +1,13 @@
 """State: place singularities with the mouse and see the field.
 
-Load the plugin, then this file with *File, Load State*. The handles of the singularity source can be dragged in the
-view, and *Apply* solves again (tick the box of *Places in the 3D View* if they are hidden). Spheres are red where the
-quarter index is positive, blue where it is negative. The text says whether they fit the domain.
+Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles in the view: the field
+follows. Without *Live* in its panel it follows when a handle is let go. Spheres are red where the quarter index is
+positive, blue where it is negative. The text says whether they fit the domain.
 """
 from paraview.simple import *
 
 domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
-singularities = SingularitySource(registrationName="Singularities", UseHandles=1)
+singularities = SingularitySource(registrationName="Singularities")
 drilled = DrillHoles(registrationName="Drilled mesh", Input=domain, Singularities=singularities,
                      MeshSize=0.05)
 field = PerforatedCrossField(registrationName="Cross field", Input=drilled)
@@ -36,4 +36,3 @@ SetProperties(colours, ColorSpace="RGB", RGBPoints=[-2, 0.1, 0.2, 0.85, -0.1, 0.
 SetProperties(shown, Ambient=1, Diffuse=0)
 ResetCamera(view)
 SetActiveSource(singularities)
-Show3DWidgets(singularities)

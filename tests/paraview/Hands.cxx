@@ -90,16 +90,20 @@ extern "C"
     return 1e-9 * static_cast<double>(timer.nsecsElapsed());
   }
 
-  /** Whether there was such a button that can be clicked. */
-  bool hands_click(const char* name)
+  /** Whether there was a button of this text that can be clicked. */
+  bool hands_click(const char* text)
   {
-    auto* button = Visible<QAbstractButton>(name);
-    if (!button || !button->isEnabled())
+    for (QAbstractButton* button : pqCoreUtilities::mainWidget()->findChildren<QAbstractButton*>())
     {
-      return false;
+      // Desktops add keys to press, marked by &.
+      if (button->text().remove("&") == text && button->isVisible())
+      {
+        const bool isEnabled = button->isEnabled();
+        button->click();
+        return isEnabled;
+      }
     }
-    button->click();
-    return true;
+    return false;
   }
 
   int hands_rows()
