@@ -235,6 +235,29 @@ def separatrices():
     figure(path_of("separatrices"), *views)
 
 
+def layout_designer():
+    views = []
+    places = [row[:3] for row in on_circle(6, 0.7, first=6)] + [(0.2, 0.02, -1), (-0.2, -0.02, -1)]
+    start = [value for place in places for value in (*place, 0.1)]
+    for title, snaps in (("as the hand has them", False), ("after Snap", True)):
+        designer = LayoutDesigner(Input=disk(), QuadCount=600, Singularities=start)
+        if snaps:
+            designer.InvokeCommand("Snap")
+        designer.UpdatePipeline()
+        view = panel(disk(), title)
+        shown = Show(OutputPort(designer, 1), view)
+        ColorBy(shown, ("CELLS", "FaceId"))
+        shown.LookupTable = CreateLookupTable(RGBPoints=[
+            value for face in range(60) for value in (face, *PALE[face * 7 % len(PALE)])])
+        SetProperties(shown, Ambient=1, Diffuse=0)
+        draw_lines(ExtractEdges(Input=OutputPort(designer, 3)), view, GREY, 1)
+        draw_lines(designer, view, BLACK, 2)
+        draw_lines(disk(), view, BLACK, 2)
+        draw_singularities(OutputPort(designer, 2), view, 0.03)
+        views.append(view)
+    figure(path_of("layout_designer"), *views)
+
+
 def quad_mesher():
     views = []
     for title, options in (("conformal", {}), ("uniform", dict(Sizing="Uniform"))):
@@ -317,7 +340,8 @@ def sizes():
 PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
             poincare_hopf_check, configuration_proposal, perforated_cross_field,
             ginzburg_landau_cross_field, singularity_energy, singularity_optimizer,
-            cross_field_singularities, separatrices, quad_mesher, cross_glyphs, valence, holonomy, unwanted, sizes]
+            cross_field_singularities, separatrices, layout_designer, quad_mesher, cross_glyphs, valence, holonomy,
+            unwanted, sizes]
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
