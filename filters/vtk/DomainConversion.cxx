@@ -30,15 +30,6 @@ namespace
 using crossfield::Error;
 using crossfield::Point;
 
-void RequireFinite(const double* place, vtkIdType point)
-{
-  if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
-  {
-    throw Error("Point " + std::to_string(point) +
-      " of the domain has coordinates that are not finite numbers; correct or remove it.");
-  }
-}
-
 /**
  * The surface cells of a data set, or else its lines, with the points that they use; other cells than
  * vertices are refused, and so are places that are not finite.
@@ -97,7 +88,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
   {
     double place[3];
     input->GetPoint(point, place);
-    RequireFinite(place, point);
+    InputCheck::RequireFinite(place, point);
     kept->InsertNextPoint(place);
   }
   cells->Visit(

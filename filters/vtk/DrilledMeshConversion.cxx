@@ -108,6 +108,7 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
   {
     Eigen::Vector3d place;
     input->GetPoint(point, place.data());
+    InputCheck::RequireFinite(place.data(), point);
     mesh.points.push_back(result.plane.ToPlane(place));
   }
   const auto cellCount = static_cast<std::size_t>(input->GetNumberOfCells());

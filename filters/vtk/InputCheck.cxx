@@ -12,6 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -144,5 +145,15 @@ void Require(vtkDataSet* input)
   }
   RequireArrays(input->GetPointData(), input->GetNumberOfPoints(), "points");
   RequireArrays(input->GetCellData(), input->GetNumberOfCells(), "cells");
+}
+
+//------------------------------------------------------------------------------
+void RequireFinite(const double* place, vtkIdType point)
+{
+  if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2]))
+  {
+    throw Error("Point " + std::to_string(point) +
+      " of the domain has coordinates that are not finite numbers; correct or remove it.");
+  }
 }
 }

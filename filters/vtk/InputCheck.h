@@ -1,6 +1,8 @@
 #ifndef InputCheck_h
 #define InputCheck_h
 
+#include "vtkType.h"
+
 class vtkDataSet;
 
 /**
@@ -14,6 +16,9 @@ namespace InputCheck
  * among those of the data set, and every array of cells and points has a tuple for each.
  */
 void Require(vtkDataSet* input);
+
+/** Throws crossfield::Error unless the three coordinates of a point are finite. */
+void RequireFinite(const double* place, vtkIdType point);
 }
 
 #endif

@@ -21,7 +21,7 @@
  * 1 component) and optionally `Radius` (1 component, a length; without it every hole has the
  * mesh size as radius, or less to fit).
  *
- * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise, then a VTK_LINE cell for
+ * Output (vtkUnstructuredGrid): VTK_TRIANGLE cells, counter-clockwise and along Hilbert's curve, then a VTK_LINE cell for
  * every boundary edge, directed so that the domain is on its left. Cell arrays (int, 1 component):
  * - `BoundaryKind`: 0 triangle, 1 outer loop, 2 inner loop, 3 hole, 4 imprinted circle or triangle;
  * - `BoundaryId`: −1 on triangles; loop number on kinds 1 (always 0) and 2 (1, 2, …); on kinds 3 and

@@ -168,7 +168,7 @@ TEST_F(PerforatedCrossFieldRefusals, PointsThatAreNotFinite)
 {
   const auto mesh = TestInputs::DrilledDisk();
   mesh->GetPoints()->SetPoint(0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
-  this->ExpectError(mesh, {});
+  this->ExpectError(mesh, { "Point 0", "not finite" });
 }
 
 TEST_F(PerforatedCrossFieldRefusals, TriangleWithoutArea)
