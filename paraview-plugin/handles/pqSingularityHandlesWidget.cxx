@@ -6,18 +6,15 @@
 #include "pqView.h"
 #include "vtkCallbackCommand.h"
 #include "vtkEventQtSlotConnect.h"
-#include "vtkPVRenderView.h"
-#include "vtkRenderWindow.h"
+#include "vtkPVXMLElement.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPropertyGroup.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMTrace.h"
-#include "vtkSMViewProxy.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -36,7 +33,8 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   , OutputRows(group->GetProperty("Rows"))
 {
   this->setShowLabel(false);
-  this->MakePanel();
+  vtkPVXMLElement* hints = group->GetHints();
+  this->MakePanel(!(hints && hints->FindNestedElementByName("WithoutRadius")));
 
   this->Mouse->SetCallback(&pqSingularityHandlesWidget::OnMouse);
   this->Mouse->SetClientData(this);
@@ -56,9 +54,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
     this->Singularities, vtkCommand::ModifiedEvent, this, SLOT(ReadProperty()));
   if (this->OutputRows)
   {
-    // Later: properties are not to be changed while a pipeline is updated.
-    this->Connections->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(ReadOutput()),
-      nullptr, 0, Qt::QueuedConnection);
+    this->Connections->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(ReadOutputLater()));
   }
   this->ReadProperty();
 }
@@ -71,11 +67,12 @@ pqSingularityHandlesWidget::~pqSingularityHandlesWidget()
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::MakePanel()
+void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
 {
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   this->Table = new SingularityTable(this);
+  this->Table->setColumnHidden(3, !hasRadius);
   whole->addWidget(this->Table);
 
   auto* buttons = new QHBoxLayout;
@@ -121,6 +118,7 @@ void pqSingularityHandlesWidget::MakePanel()
 //------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::ReadProperty()
 {
+  ++this->Changes;
   if (this->IsWriting)
   {
     return;
@@ -131,6 +129,21 @@ void pqSingularityHandlesWidget::ReadProperty()
     rows = this->Rows; // until the filter has found others
   }
   this->TakeRows(rows);
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::ReadOutputLater()
+{
+  // Properties are not to be changed while a pipeline is updated; and if the property has changed until
+  // then, by undo for example, what came out is not what comes of it.
+  QTimer::singleShot(0, this,
+    [this, changes = this->Changes]
+    {
+      if (changes == this->Changes)
+      {
+        this->ReadOutput();
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

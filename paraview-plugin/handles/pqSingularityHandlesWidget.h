@@ -12,6 +12,8 @@
  * of its last update. They are shown where the property of rows is empty, and become its value where a command
  * of the filter has changed them, so that undo, trace and states have them.
  *
+ * The hint <WithoutRadius/> of the group hides the column of radii where they mean nothing.
+ *
  * The handles are seen while the panel shows the proxy. Changes of the property by Python, undo or a state
  * are shown by handles and table.
  */
@@ -63,15 +65,16 @@ protected:
 
 private Q_SLOTS:
   void ReadProperty();
-  void ReadOutput();
+  void ReadOutputLater();
 
 private:
   Q_DISABLE_COPY(pqSingularityHandlesWidget)
 
-  void MakePanel();
+  void MakePanel(bool hasRadius);
 
   // The rows.
   std::vector<SingularityRow> PropertyRows() const;
+  void ReadOutput();
   void TakeRows(const std::vector<SingularityRow>& rows);
   void WriteProperty(const std::vector<SingularityRow>& rows);
   void Commit(const std::vector<SingularityRow>& before, const std::vector<SingularityRow>& after,
@@ -96,6 +99,7 @@ private:
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
   bool IsWriting = false;
+  int Changes = 0; ///< How often the property has changed.
 
   SingularityHandles Handles;
   vtkNew<vtkCallbackCommand> Mouse;
