@@ -18,7 +18,6 @@ QString ShortText(double number, int column)
 {
   if (column != QuarterIndexColumn)
   {
-    // Beside 1 these are zeros; 3e-17 would be read as a number that means something.
     return QString::number(number, 'g', 3);
   }
   const int quarterIndex = qRound(number);
@@ -100,6 +99,9 @@ SingularityTable::SingularityTable(QWidget* parent)
                  "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5.");
   this->horizontalHeaderItem(RadiusColumn)->setToolTip("Radius of the hole that is drilled there.");
   this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  // k is what tells handles from each other: first, and narrow, so that narrow panels show it.
+  this->horizontalHeader()->setSectionResizeMode(QuarterIndexColumn, QHeaderView::ResizeToContents);
+  this->horizontalHeader()->moveSection(QuarterIndexColumn, 0);
   this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
   this->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->setSelectionMode(QAbstractItemView::SingleSelection);

@@ -1,6 +1,6 @@
 /**
  * @class   SingularityTable
- * @brief   the table of singularities in the panel: x, y, k, radius
+ * @brief   the table of singularities in the panel: k, x, y, radius
  *
  * Numbers are shown with three digits, and the quarter index with its sign and colour; what is not
  * edited keeps all its digits. One row can be chosen.
