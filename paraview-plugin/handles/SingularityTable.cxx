@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QIntValidator>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 
@@ -98,9 +99,12 @@ SingularityTable::SingularityTable(QWidget* parent)
     ->setToolTip("Quarter index, four times the index of the singularity: "
                  "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5.");
   this->horizontalHeaderItem(RadiusColumn)->setToolTip("Radius of the hole that is drilled there.");
-  this->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  // k is what tells handles from each other: first, and narrow, so that narrow panels show it.
-  this->horizontalHeader()->setSectionResizeMode(QuarterIndexColumn, QHeaderView::ResizeToContents);
+  // ParaView's panel may be wider than what is seen of it: as narrow as the numbers are, and k, which tells
+  // handles from each other, first.
+  this->horizontalHeader()->setDefaultSectionSize(
+    this->fontMetrics().horizontalAdvance("-0.12345") + 8);
+  this->horizontalHeader()->resizeSection(
+    QuarterIndexColumn, this->fontMetrics().horizontalAdvance("+10") + 12);
   this->horizontalHeader()->moveSection(QuarterIndexColumn, 0);
   this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
   this->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -117,7 +121,14 @@ SingularityTable::SingularityTable(QWidget* parent)
       const QModelIndexList chosen = this->selectionModel()->selectedRows();
       Q_EMIT this->RowChosen(chosen.empty() ? -1 : chosen.front().row());
     });
-  this->AskForHeight(0);
+  this->AskForSize(0);
+}
+
+//------------------------------------------------------------------------------
+void SingularityTable::HideRadius()
+{
+  this->setColumnHidden(RadiusColumn, true);
+  this->AskForSize(this->rowCount());
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +139,7 @@ void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int cho
   if (this->rowCount() != count)
   {
     this->setRowCount(count);
-    this->AskForHeight(count);
+    this->AskForSize(count);
   }
   for (int row = 0; row < count; ++row)
   {
@@ -156,11 +167,16 @@ void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int cho
 }
 
 //------------------------------------------------------------------------------
-void SingularityTable::AskForHeight(int rows)
+void SingularityTable::AskForSize(int rows)
 {
   // All rows of the usual configurations without scrolling, and room for one at least.
   const int shown = std::clamp(rows, 2, 12);
   const int height = this->horizontalHeader()->sizeHint().height() +
-    shown * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth();
-  this->setFixedHeight(height);
+    shown * this->verticalHeader()->defaultSectionSize();
+  int width = this->verticalHeader()->sizeHint().width() + this->horizontalHeader()->length();
+  if (rows > shown)
+  {
+    width += this->verticalScrollBar()->sizeHint().width();
+  }
+  this->setFixedSize(width + 2 * this->frameWidth(), height + 2 * this->frameWidth());
 }

@@ -25,6 +25,9 @@ public:
   /** Shows these rows; the row `chosen` is highlighted, none with -1. Emits nothing. */
   void ShowRows(const std::vector<SingularityRow>& rows, int chosen);
 
+  /** Without the column of radii. */
+  void HideRadius();
+
 Q_SIGNALS:
   /** A person has typed a number. */
   void NumberTyped(int row, int column, double number);
@@ -32,7 +35,7 @@ Q_SIGNALS:
   void RowChosen(int row);
 
 private:
-  void AskForHeight(int rows);
+  void AskForSize(int rows);
 };
 
 #endif

@@ -72,7 +72,10 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(0, 0, 0, 0);
   this->Table = new SingularityTable(this);
-  this->Table->setColumnHidden(3, !hasRadius);
+  if (!hasRadius)
+  {
+    this->Table->HideRadius();
+  }
   whole->addWidget(this->Table);
 
   auto* buttons = new QHBoxLayout;
@@ -90,6 +93,7 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   const QPushButton* addPair = addButton("Add pair", "AddPair",
     "Adds a singularity of quarter index +1 and one of \u22121, which leave the sum as it is.");
   this->RemoveButton = addButton("Remove", "Remove", "Removes the chosen singularity (Delete).");
+  buttons->addStretch();
   auto* deleteKey = new QShortcut(QKeySequence::Delete, this->Table);
   deleteKey->setContext(Qt::WidgetShortcut);
   QObject::connect(deleteKey, &QShortcut::activated, this, [this] { this->RemoveChosen(); });
@@ -101,13 +105,15 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   auto* bottom = new QHBoxLayout;
   whole->addLayout(bottom);
   this->SumLabel = new QLabel(this);
-  bottom->addWidget(this->SumLabel, 1);
+  bottom->addWidget(this->SumLabel);
   this->LiveBox = new QCheckBox("Live", this);
   this->LiveBox->setObjectName("Live");
   this->LiveBox->setChecked(true);
   this->LiveBox->setToolTip("What follows in the pipeline is updated while a handle is dragged; "
                             "off: when it is let go.");
+  bottom->addSpacing(20);
   bottom->addWidget(this->LiveBox);
+  bottom->addStretch();
 
   QObject::connect(this->Table, &SingularityTable::NumberTyped, this,
     [this](int row, int column, double number) { this->SetNumber(row, column, number); });
