@@ -1,7 +1,7 @@
 """State: two configurations on one domain, their fields side by side and their energies in a table.
 
 The table has one row per configuration, the best first: singularities at distance 0.85 from the
-centre of the disk cost less than at 0.6.
+centre of the disk cost less than at 0.6. The titles say how many unwanted singularities the fields have.
 """
 import math
 
@@ -43,9 +43,12 @@ for position, radius in enumerate((0.6, 0.85)):
     SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
     outline = Show(domain, view)
     SetProperties(outline, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0], LineWidth=3)
-    title = Show(Text(registrationName="Title of " + name,
-                      Text="%d: at distance %g" % (position, radius)), view)
-    SetProperties(title, Color=[0, 0, 0], FontSize=14, WindowLocation="Upper Center")
+    title = Show(PythonAnnotation(
+        registrationName="Title of " + name, Input=field, ArrayAssociation="Field Data",
+        Expression="'%d: at distance %g, %%d unwanted' %% "
+                   "input.FieldData['UnwantedSingularities'][0] if 'UnwantedSingularities' in "
+                   "input.FieldData.keys() else '%d: no field'" % (position, radius, position)), view)
+    SetProperties(title, Color=[0, 0, 0], FontSize=12, WindowLocation="Upper Center")
     ResetCamera(view)
 
 energies = SingularityEnergy(registrationName="Energies", Input=domain,

@@ -2,7 +2,8 @@
 
 Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles in the view: the field
 follows. Without *Live* in its panel it follows when a handle is let go. Spheres are red where the quarter index is
-positive, blue where it is negative. The text says whether they fit the domain.
+positive, blue where it is negative. The text above says whether they fit the domain, that below whether the field has other
+singularities than these.
 """
 from paraview.simple import *
 
@@ -24,7 +25,15 @@ SetProperties(outline, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], Di
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
 verdict = Show(OutputPort(check, 3), view)
-SetProperties(verdict, Color=[0, 0, 0], FontSize=14)
+SetProperties(verdict, Color=[0, 0, 0], FontSize=12)
+# A field with other singularities than these is not the one that was asked for.
+unwanted = PythonAnnotation(
+    registrationName="Unwanted singularities", Input=field, ArrayAssociation="Field Data",
+    Expression="'No field: see Output Messages' if 'UnwantedSingularities' not in input.FieldData.keys() else "
+               "'No unwanted singularities' if input.FieldData['UnwantedSingularities'][0] == 0 else "
+               "'%d UNWANTED SINGULARITIES' % input.FieldData['UnwantedSingularities'][0]")
+line = Show(unwanted, view)
+SetProperties(line, Color=[0, 0, 0], FontSize=14, WindowLocation="Lower Center")
 # Red: three quads meet there; blue: five.
 spheres = Glyph(registrationName="Spheres", Input=singularities, GlyphType="Sphere",
                 ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")
