@@ -275,6 +275,45 @@ void Solve(benchmark::State& state, PerforatedMethod method)
   }
 }
 
+/// So many holes of 32 edges on the unit disk, radius 0.01, signs in turn, in a spiral of equal areas; the last ones
+/// have what the sum of four lacks.
+Configuration Spiral(std::int64_t count)
+{
+  Configuration configuration;
+  std::int64_t missing = 4;
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    const double angle = static_cast<double>(i) * Pi * (3.0 - std::sqrt(5.0));
+    const double radius =
+      0.9 * std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(count));
+    const int index = missing == count - i || i % 2 == 0 ? 1 : -1;
+    missing -= index;
+    configuration.push_back({ radius * Point(std::cos(angle), std::sin(angle)), index, 0.01 });
+  }
+  return configuration;
+}
+
+/// The constrained method by the number of holes, on about 100,000 triangles: the global minimum (`newton`), and all
+/// that the default start takes. The time of the row is factor + solve.
+void ManyHoles(benchmark::State& state, PerforatedStart start)
+{
+  const TriangleMesh mesh = MakeMesh(100000, Spiral(state.range(0)));
+  PerforatedOptions options;
+  options.start = start;
+  for (auto _ : state)
+  {
+    const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
+    state.SetIterationTime(field.seconds.factor + field.seconds.solve);
+    state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
+    state.counters["factor"] = field.seconds.factor;
+    state.counters["solve"] = field.seconds.solve;
+    state.counters["newton"] = field.seconds.newton;
+    state.counters["iterations"] = field.iterations;
+    state.counters["energy"] = field.energy;
+    state.counters["converged"] = field.converged ? 1 : 0;
+  }
+}
+
 /// The program as a user runs it: from nothing to the .vtu on disk.
 void WholeRun(benchmark::State& state)
 {
@@ -344,5 +383,25 @@ BENCHMARK(MapToQuads)
   ->UseRealTime();
 BENCHMARK(Quads)->Apply(Sizes)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(FurtherConfiguration)->Apply(Sizes)->UseRealTime();
+BENCHMARK_CAPTURE(ManyHoles, Harmonic, PerforatedStart::Harmonic)
+  ->Arg(4)
+  ->Arg(16)
+  ->Arg(36)
+  ->Arg(64)
+  ->Arg(100)
+  ->Unit(benchmark::kMillisecond)
+  ->Iterations(1)
+  ->MeasureProcessCPUTime()
+  ->UseManualTime();
+BENCHMARK_CAPTURE(ManyHoles, Best, PerforatedStart::Best)
+  ->Arg(4)
+  ->Arg(16)
+  ->Arg(36)
+  ->Arg(64)
+  ->Arg(100)
+  ->Unit(benchmark::kMillisecond)
+  ->Iterations(1)
+  ->MeasureProcessCPUTime()
+  ->UseManualTime();
 BENCHMARK(WholeRun)->Apply(SizesToFourMillion)->UseRealTime();
 }

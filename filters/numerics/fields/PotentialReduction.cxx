@@ -1,5 +1,6 @@
 #include "PotentialReduction.h"
 
+#include "CholeskyInverse.h"
 #include "ConjugateField.h"
 
 #include <algorithm>
@@ -81,11 +82,10 @@ PotentialReduction::PotentialReduction(
   {
     return; // neither holes nor inner loops: nothing is left to choose
   }
-  const Eigen::MatrixXd root =
-    potential.TrailingFactor(periods).triangularView<Eigen::Lower>().solve(
-      Eigen::MatrixXd(this->Differences));
-  this->Reduced.matrix = Eigen::MatrixXd::Zero(count, count);
-  this->Reduced.matrix.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+  // Differences of T⁻¹, which LAPACK makes from the factor of T in less time than a product of matrices takes.
+  const Eigen::MatrixXd response =
+    CholeskyInverse(potential.TrailingFactor(periods)) * this->Differences;
+  this->Reduced.matrix = this->Differences.transpose() * response;
   this->Reduced.matrix.triangularView<Eigen::StrictlyUpper>() = this->Reduced.matrix.transpose();
   if (!this->ConstantsCount)
   {

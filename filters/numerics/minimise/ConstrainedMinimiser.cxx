@@ -3,6 +3,7 @@
 #include "Error.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,7 @@ struct LocalPoint
       this->normals.col(i) = constraint.Gradient(this->x);
       this->violations[i] = constraint.Value(this->x) - constraint.target;
     }
+    this->SparseNormals = this->normals.sparseView();
   }
 
   /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
@@ -86,18 +88,31 @@ struct LocalPoint
     return RelativeRounding *
       (std::abs(this->value) + std::abs(this->gradient.dot(Parts(this->x))));
   }
+  /// Nᵀ times the columns of a matrix: a constraint has to do with few unknowns.
+  Eigen::MatrixXd AlongNormals(const Eigen::MatrixXd& columns) const
+  {
+    return this->SparseNormals.transpose() * columns;
+  }
+  /// Nᵀ N.
+  Eigen::MatrixXd ProductsOfNormals() const
+  {
+    return Eigen::MatrixXd(
+      Eigen::SparseMatrix<double>(this->SparseNormals.transpose() * this->SparseNormals));
+  }
   /// λ that makes ∇f + Σ λ_i A_i x smallest.
   Eigen::VectorXd LeastSquaresMultipliers() const
   {
-    return -SolveSmall(
-      this->normals.transpose() * this->normals, this->normals.transpose() * this->gradient);
+    return -SolveSmall(this->ProductsOfNormals(), this->AlongNormals(this->gradient));
   }
   /// The shortest step that the linearised constraints ask for.
   ComplexVector Restoration() const
   {
     return FromParts(
-      -this->normals * SolveSmall(this->normals.transpose() * this->normals, this->violations));
+      -this->SparseNormals * SolveSmall(this->ProductsOfNormals(), this->violations));
   }
+
+private:
+  Eigen::SparseMatrix<double> SparseNormals;
 };
 
 class Minimiser
@@ -215,8 +230,8 @@ private:
     const Eigen::MatrixXd fromNormals =
       here.normals.cols() == 0 ? here.normals : this->Functional.Solve(here.normals);
     const Eigen::VectorXd fromGradient = this->Functional.Solve(here.gradient);
-    const Eigen::VectorXd plain = SolveSmall(here.normals.transpose() * fromNormals,
-      here.violations - here.normals.transpose() * fromGradient);
+    const Eigen::VectorXd plain =
+      SolveSmall(here.AlongNormals(fromNormals), here.violations - here.AlongNormals(fromGradient));
     const Eigen::VectorXd direction = -fromGradient - fromNormals * plain;
     // The weight on the normals shifts the multipliers by weight × Nᵀ δx = −weight × c.
     const Eigen::VectorXd target = plain - this->Scale * here.violations;

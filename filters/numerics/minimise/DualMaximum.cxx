@@ -21,9 +21,7 @@ struct Derivatives
 
 Derivatives OfDual(const DualPoint& point)
 {
-  const Eigen::MatrixXcd lower =
-    point.factor.GetLower().triangularView<Eigen::Lower>().solve(point.normals);
-  return { point.gradient, (lower.adjoint() * lower).real() };
+  return { point.gradient, point.factor.Forms(point.normals).real() };
 }
 
 /// How far Newton's model of q alone would rise. Where q is close to a maximum inside, that is what it is
@@ -39,28 +37,46 @@ double RiseOfModel(const DualPoint& point)
 /// Of log det H: ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
 Derivatives OfLogDeterminant(const DualProblem& problem, const DualPoint& point)
 {
-  const Eigen::Index size = point.x.size();
-  const Eigen::MatrixXcd inverse = point.factor.Inverse();
-  // The A_i share no unknowns, so the columns of hole i in H⁻¹ Σ A_i are those of H⁻¹ A_i.
-  Eigen::SparseMatrix<Complex> sum(size, size);
-  for (const Eigen::SparseMatrix<Complex>& constraint : problem.constraints)
+  BlockCholesky<Complex>::Traces traces = point.factor.TracesOf(problem.constraints);
+  return { std::move(traces.first), std::move(traces.second) };
+}
+
+/// A candidate for x(λ), A_i x, and what is missing to b = H x.
+struct Stationary
+{
+  ComplexVector x;
+  ComplexVector normals;
+  ComplexVector missing;
+
+  Stationary(const DualProblem& problem, const Eigen::VectorXd& multipliers, ComplexVector at)
+    : x(std::move(at))
+    , normals(this->x.size())
+    , missing(problem.load - problem.Elastic(this->x))
   {
-    sum += constraint;
-  }
-  const Eigen::MatrixXcd product = inverse * sum;
-  const Eigen::Index holes = problem.targets.size();
-  Derivatives result{ Eigen::VectorXd::Zero(holes), Eigen::MatrixXd::Zero(holes, holes) };
-  for (Eigen::Index k = 0; k < size; ++k)
-  {
-    const Eigen::Index hole = problem.holeOf[static_cast<std::size_t>(k)];
-    result.gradient[hole] += product(k, k).real();
-    for (Eigen::Index l = 0; l < size; ++l)
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < problem.constraints.size(); ++i)
     {
-      result.curvature(problem.holeOf[static_cast<std::size_t>(l)], hole) +=
-        (product(l, k) * product(k, l)).real();
+      const Eigen::Index size = problem.constraints[i].rows();
+      this->normals.segment(row, size) = problem.constraints[i] * this->x.segment(row, size);
+      this->missing.segment(row, size) -=
+        multipliers[static_cast<Eigen::Index>(i)] * this->normals.segment(row, size);
+      row += size;
     }
   }
-  return result;
+};
+
+/// The factor of H(λ) less a multiple of the unit matrix.
+BlockCholesky<Complex> FactorDual(
+  const DualProblem& problem, const Eigen::VectorXd& multipliers, double less)
+{
+  std::vector<Eigen::MatrixXcd> blocks;
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    blocks.emplace_back(problem.matrix.blocks[i] +
+      multipliers[static_cast<Eigen::Index>(i)] * problem.constraints[i]);
+    blocks.back().diagonal().array() -= less;
+  }
+  return { blocks, problem.matrix.coupled, problem.matrix.coupling.cast<Complex>() };
 }
 
 /// Whether a Newton step raises q + μ log det H by the usual share of what its slope promises. Close to
@@ -78,34 +94,49 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
 {
   DualPoint point;
   point.multipliers = std::move(multipliers);
-  Eigen::MatrixXcd hessian = problem.matrix;
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
-  {
-    hessian += point.multipliers[static_cast<Eigen::Index>(i)] * problem.constraints[i];
-  }
-  point.factor = DenseCholesky<Complex>(hessian);
+  point.factor = FactorDual(problem, point.multipliers, 0.0);
   point.positiveDefinite = point.factor.IsPositiveDefinite();
   if (!point.positiveDefinite)
   {
     return point;
   }
-  point.x = point.factor.Solve(problem.load);
-  point.normals.resize(point.x.size(), point.multipliers.size());
+  Stationary here(problem, point.multipliers, point.factor.Solve(problem.load));
+  // The factor lacks what was left out: again from what is missing, as long as that helps.
+  for (bool helps = problem.refinedWith != nullptr; helps;)
+  {
+    Stationary next(problem, point.multipliers, here.x + point.factor.Solve(here.missing));
+    helps = next.missing.norm() < 0.5 * here.missing.norm();
+    if (helps)
+    {
+      here = std::move(next);
+    }
+  }
+  point.x = std::move(here.x);
+  point.normals = std::move(here.normals);
+  const ComplexVector elastic = problem.load - here.missing;
+  point.gradient = -problem.targets;
+  Eigen::Index row = 0;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
-    point.normals.col(static_cast<Eigen::Index>(i)) = problem.constraints[i] * point.x;
+    const Eigen::Index size = problem.constraints[i].rows();
+    point.gradient[static_cast<Eigen::Index>(i)] +=
+      0.5 * point.x.segment(row, size).dot(point.normals.segment(row, size)).real();
+    row += size;
   }
-  point.gradient = 0.5 * (point.normals.adjoint() * point.x).real() - problem.targets;
   point.value = -0.5 * problem.load.dot(point.x).real() - point.multipliers.dot(problem.targets);
-  point.logDeterminant = 2.0 * point.factor.GetLower().diagonal().real().array().log().sum();
+  point.logDeterminant = point.factor.LogDeterminant();
   // C is a sum of terms of size one over the edges.
   const double violation = point.gradient.cwiseAbs().cwiseQuotient(problem.sizes).maxCoeff();
-  const ComplexVector elastic = hessian.selfadjointView<Eigen::Lower>() * point.x;
   const double scale = elastic.norm() + problem.load.norm();
-  point.residual = std::max(violation, scale > 0.0 ? (elastic - problem.load).norm() / scale : 0.0);
+  point.residual = std::max(violation, scale > 0.0 ? here.missing.norm() / scale : 0.0);
   return point;
 }
 
+bool IsCertain(const DualProblem& problem, const DualPoint& point)
+{
+  return point.positiveDefinite &&
+    FactorDual(problem, point.multipliers, problem.leftOut).IsPositiveDefinite();
+}
 DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
   const MinimiserOptions& options, const Progress& progress, int& iterations)
 {
@@ -137,8 +168,7 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& o
   constexpr double First = 0.1;
   constexpr double Late = 1e-6;
   constexpr double Last = 1e-11;
-  const double unit =
-    problem.matrix.diagonal().real().sum() / static_cast<double>(problem.matrix.rows());
+  const double unit = problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows());
   double relative = 1.0;
   bool stalled = !point.positiveDefinite;
   while (!stalled && !point.onBorder && relative > Last && point.residual > options.tolerance &&

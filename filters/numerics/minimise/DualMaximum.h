@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DenseCholesky.h"
+#include "BlockCholesky.h"
 #include "DualProblem.h"
 #include "Minimisation.h"
 #include "Progress.h"
@@ -17,17 +17,21 @@ struct DualPoint
 {
   Eigen::VectorXd multipliers;
   bool positiveDefinite = false; ///< Without this only the multipliers are set.
-  ComplexVector x;
-  Eigen::MatrixXcd normals; ///< Column i is A_i x.
+  ComplexVector x;               ///< In the bases of the problem.
+  ComplexVector normals;         ///< Part i is A_i x.
   double value = 0.0;
   double logDeterminant = 0.0;                               ///< Of H.
   Eigen::VectorXd gradient;                                  ///< C_i(x) − t_i.
   double residual = std::numeric_limits<double>::infinity(); ///< Of all optimality conditions.
-  DenseCholesky<Complex> factor;                             ///< Of H.
+  BlockCholesky<Complex> factor;                             ///< Of H.
   bool onBorder = false; ///< MaximiseFromZero has found that q has its maximum on the border.
 };
 
 DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers);
+
+/// Whether H(λ) is positive definite with all couplings: its smallest eigenvalue without some of them is above
+/// their norm.
+bool IsCertain(const DualProblem& problem, const DualPoint& point);
 
 /// Whole Newton steps on q from a point so close to the maximum that they converge quadratically.
 /// Ends at the first step that leads out of the region where H is positive definite, or that does not

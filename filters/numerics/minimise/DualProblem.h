@@ -1,29 +1,41 @@
 #pragma once
 
+#include "BlockMatrix.h"
 #include "ReducedProblem.h"
-
-#include <Eigen/SparseCore>
 
 #include <vector>
 
 namespace crossfield
 {
-/// The reduced problem in some orthonormal basis of the values x on the holes, of which every member
-/// belongs to one hole.
+/// The reduced problem in an orthonormal basis of the values x on every hole, in which most members are coupled to
+/// their own hole only (docs/method.md §3.4).
 struct DualProblem
 {
-  Eigen::MatrixXcd matrix;                               ///< S in this basis, lower half.
-  ComplexVector load;                                    ///< b in this basis.
-  std::vector<Eigen::SparseMatrix<Complex>> constraints; ///< A_i in this basis.
-  std::vector<Eigen::Index> holeOf; ///< Of every member of the basis, the index of its constraint.
+  BlockMatrix matrix;                        ///< S in these bases, a block per hole.
+  ComplexVector load;                        ///< b in these bases, hole by hole.
+  std::vector<Eigen::MatrixXcd> constraints; ///< Of every hole, A_i in its basis.
+  std::vector<Eigen::MatrixXd>
+    bases; ///< Of every hole: the members are columns, values in the order of
+  std::vector<std::vector<int>> unknowns; ///< these unknowns of the reduced problem.
   Eigen::VectorXd targets;
   Eigen::VectorXd sizes; ///< Number of edges of every hole.
+  /// Bound on the norm of what was left out between holes.
+  double leftOut = 0.0;
+  /// What x(λ) is refined with until nothing is left out of it; without it x(λ) is that of the matrix above.
+  const ReducedProblem* refinedWith = nullptr;
+
+  /// S x, with all couplings if there is refinedWith.
+  ComplexVector Elastic(const ComplexVector& x) const;
+
+  /// From the unknowns of the reduced problem, and to them.
+  ComplexVector InBases(const ComplexVector& x) const;
+  ComplexVector InValues(const ComplexVector& x) const;
 };
 
-/// In the values themselves.
-DualProblem InValues(const ReducedProblem& problem);
+/// S x.
+ComplexVector TimesMatrix(const ReducedProblem& problem, const ComplexVector& x);
 
-/// In the discrete Fourier modes |q| ≤ |d| + extra of every hole, x_j = Σ_q a_q e^{2πi q j/m} / √m over
-/// its m edges: A_i is diagonal there, with entries 2 sin(2πq/m).
-DualProblem InModes(const ReducedProblem& problem, int extra);
+/// Leaves out as many couplings between a hole and the others as stay below a part of the mean of the diagonal of S,
+/// by the Frobenius norm of every hole; those that are largest are kept.
+DualProblem InBlocks(const ReducedProblem& problem, double tolerance);
 }

@@ -1,37 +1,24 @@
 #include "LocalSolve.h"
 
+#include "BlockHessian.h"
 #include "DenseCholesky.h"
 
+#include <array>
+#include <deque>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Adds a complex entry to the real matrix that acts on the parts.
-void AddEntry(Eigen::MatrixXd& real, Eigen::Index row, Eigen::Index column, const Complex& value)
-{
-  real(2 * row, 2 * column) += value.real();
-  real(2 * row, 2 * column + 1) -= value.imag();
-  real(2 * row + 1, 2 * column) += value.imag();
-  real(2 * row + 1, 2 * column + 1) += value.real();
-}
-
 /// ½ xᴴ S x − Re(bᴴ x).
 class QuadraticFunctional : public ConstrainedFunctional
 {
 public:
   explicit QuadraticFunctional(const QuadraticProblem& problem)
     : Problem(problem)
-    , RealMatrix(Eigen::MatrixXd::Zero(2 * problem.matrix.rows(), 2 * problem.matrix.rows()))
+    , RealMatrix(OnParts(problem.matrix))
   {
-    for (Eigen::Index column = 0; column < problem.matrix.cols(); ++column)
-    {
-      for (Eigen::Index row = 0; row < problem.matrix.rows(); ++row)
-      {
-        AddEntry(this->RealMatrix, row, column, problem.matrix(row, column));
-      }
-    }
   }
 
   double Value(const ComplexVector& x) const override
@@ -75,6 +62,82 @@ private:
   Eigen::MatrixXd RealMatrix;
   DenseCholesky<double> LastFactor;
 };
+
+/// ½ xᴴ S x − Re(bᴴ x), with steps by the strongest couplings between holes. Whether its second derivatives are
+/// positive definite is decided with all of them.
+class BlockFunctional final : public ConstrainedFunctional
+{
+public:
+  explicit BlockFunctional(const ReducedProblem& problem)
+    : Problem(problem)
+  {
+  }
+
+  double Value(const ComplexVector& x) const override
+  {
+    return 0.5 * x.dot(this->Product(x)).real() - this->Problem.load.dot(x).real();
+  }
+  Eigen::VectorXd Gradient(const ComplexVector& x) const override
+  {
+    const ComplexVector gradient = this->Product(x) - this->Problem.load;
+    return Eigen::Map<const Eigen::VectorXd>(
+      reinterpret_cast<const double*>(gradient.data()), 2 * gradient.size());
+  }
+  double GradientScale(const ComplexVector& x) const override
+  {
+    return this->Product(x).norm() + this->Problem.load.norm();
+  }
+  double Stiffness() const override
+  {
+    return this->Problem.matrix.trace() / static_cast<double>(this->Problem.matrix.rows());
+  }
+  bool Factor(const ComplexVector&, const Additions& additions) override
+  {
+    for (std::size_t level = 0; level < LeftOut.size(); ++level)
+    {
+      if (level == this->Levels.size())
+      {
+        this->Levels.emplace_back(this->Problem, LeftOut[level]);
+      }
+      this->Used = &this->Levels[level];
+      // What is left out may change every eigenvalue by its norm: with less of it where that decides.
+      const double margin = (1.0 + additions.shift) * this->Used->LeftOut();
+      this->LastFactor = this->Used->Factor(additions, -margin);
+      if (this->LastFactor.IsPositiveDefinite() ||
+        !this->Used->Factor(additions, margin).IsPositiveDefinite())
+      {
+        break;
+      }
+    }
+    return this->LastFactor.IsPositiveDefinite();
+  }
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const override
+  {
+    return this->Used->Solve(this->LastFactor, rightHandSides);
+  }
+
+private:
+  /// As parts of the mean of the diagonal of S; the last is rounding.
+  static constexpr std::array<double, 4> LeftOut = { 1e-4, 1e-6, 1e-9, 1e-13 };
+
+  /// S x; value, gradient and scale are asked for at one point.
+  const ComplexVector& Product(const ComplexVector& x) const
+  {
+    if (this->LastPoint.size() != x.size() || this->LastPoint != x)
+    {
+      this->LastPoint = x;
+      this->LastProduct = TimesMatrix(this->Problem, x);
+    }
+    return this->LastProduct;
+  }
+
+  const ReducedProblem& Problem;
+  std::deque<BlockHessian> Levels; ///< Each made when it is first needed.
+  const BlockHessian* Used = nullptr;
+  BlockCholesky<double> LastFactor;
+  mutable ComplexVector LastPoint;
+  mutable ComplexVector LastProduct;
+};
 }
 
 MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
@@ -87,11 +150,12 @@ MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVec
 MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
-  QuadraticProblem quadratic{ problem.matrix.cast<Complex>(), problem.load, {} };
+  std::vector<QuadraticConstraint> constraints;
   for (const DegreeConstraint& constraint : problem.constraints)
   {
-    quadratic.constraints.push_back(SumOfDegrees({ constraint }));
+    constraints.push_back(SumOfDegrees({ constraint }));
   }
-  return SolveQuadratic(quadratic, start, options, progress);
+  BlockFunctional functional(problem);
+  return MinimiseConstrained(functional, constraints, start, options, progress);
 }
 }

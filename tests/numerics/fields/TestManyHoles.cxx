@@ -1,0 +1,116 @@
+#include "DirectPerforatedSolve.h"
+#include "DrillHoles.h"
+#include "DualProblem.h"
+#include "DualSolve.h"
+#include "LocalSolve.h"
+#include "PotentialReduction.h"
+#include "Support.h"
+#include "UnitNormField.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// Twelve holes of 32 edges in a disk, eight of k = +1 around four of k = −1, some near to each other.
+TriangleMesh TwelveHoles()
+{
+  DrillOptions options;
+  options.meshSize = 0.1;
+  return DrillHoles(Builtin("disk", 0.1),
+    Join(OnCircle(8, 0.75, 0.1, 1, 0.05), OnCircle(4, 0.3, 0.4, -1, 0.07)), options);
+}
+
+/// S as the blocks have it, in the values on the holes.
+Eigen::MatrixXd Whole(const DualProblem& dual)
+{
+  const Eigen::Index size = dual.matrix.Rows();
+  Eigen::MatrixXd whole(size, size);
+  for (Eigen::Index column = 0; column < size; ++column)
+  {
+    const ComplexVector unit = ComplexVector::Unit(size, column);
+    whole.col(column) = dual.InValues(dual.matrix * dual.InBases(unit)).real();
+  }
+  return whole;
+}
+
+TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
+{
+  const PotentialProblem problem = ProblemOn(TwelveHoles());
+  const PotentialReduction reduction(problem);
+  const ReducedProblem& reduced = reduction.GetReducedProblem();
+  const double unit = reduced.matrix.diagonal().mean();
+  Eigen::Index before = 0;
+  for (const double tolerance : { 1.0, 1e-2, 1e-4, 1e-8, 1e-13 })
+  {
+    SCOPED_TRACE(tolerance);
+    const DualProblem dual = InBlocks(reduced, tolerance);
+    const Eigen::MatrixXd difference = Whole(dual) - reduced.matrix;
+    const double norm = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+      0.5 * (difference + difference.transpose()), Eigen::EigenvaluesOnly)
+                          .eigenvalues()
+                          .lpNorm<Eigen::Infinity>();
+    EXPECT_LE(norm, dual.leftOut + 1e-13 * unit * static_cast<double>(reduced.matrix.rows()));
+    EXPECT_LE(dual.leftOut, tolerance * unit * std::sqrt(2.0 * 12.0));
+    // More couplings the more is asked for, but far from all values: they fall off like the powers of a distance.
+    EXPECT_GE(dual.matrix.coupling.rows(), before);
+    before = dual.matrix.coupling.rows();
+    EXPECT_EQ(dual.InValues(dual.InBases(reduced.load)).size(), reduced.load.size());
+    EXPECT_LE((dual.InValues(dual.InBases(reduced.load)) - reduced.load).norm(),
+      1e-13 * reduced.load.norm());
+  }
+  EXPECT_EQ(InBlocks(reduced, 1e3).matrix.coupling.rows(), 0);
+  EXPECT_LE(InBlocks(reduced, 1e-4).matrix.coupling.rows(), 12 * 8);
+}
+
+TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)
+{
+  const PotentialProblem problem = ProblemOn(TwelveHoles());
+  const PotentialReduction reduction(problem);
+  const ReducedProblem& reduced = reduction.GetReducedProblem();
+  const MinimiserResult solution = SolveReduced(reduced);
+  ASSERT_TRUE(solution.converged) << solution.residual;
+  // The proof of docs/method.md §3.4 with every coupling: H is positive definite, and its x satisfies all constraints.
+  Eigen::MatrixXcd hessian = reduced.matrix.cast<Complex>();
+  for (std::size_t i = 0; i < reduced.constraints.size(); ++i)
+  {
+    hessian += solution.multipliers[static_cast<Eigen::Index>(i)] *
+      Eigen::MatrixXcd(reduced.constraints[i].Hessian(hessian.rows()));
+  }
+  const Eigen::LLT<Eigen::MatrixXcd> factor(hessian);
+  ASSERT_EQ(factor.info(), Eigen::Success);
+  const ComplexVector x = factor.solve(reduced.load);
+  for (const DegreeConstraint& constraint : reduced.constraints)
+  {
+    EXPECT_NEAR(constraint.Value(x), constraint.target, 1e-8);
+  }
+  const auto objective = [&](const ComplexVector& at)
+  { return 0.5 * at.dot(reduced.matrix * at).real() - reduced.load.dot(at).real(); };
+  EXPECT_NEAR(objective(solution.x), objective(x), 1e-9 * std::abs(objective(x)));
+  EXPECT_LE((solution.x - x).norm(), 1e-7 * x.norm());
+}
+
+TEST(ManyHoles, LocalMinimumIsThatOfTheDenseProblem)
+{
+  const PotentialProblem problem = ProblemOn(TwelveHoles());
+  const PotentialReduction reduction(problem);
+  const ReducedProblem& reduced = reduction.GetReducedProblem();
+  const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(problem).u);
+  const MinimiserResult blocks = SolveReducedFrom(reduced, start);
+  QuadraticProblem quadratic{ reduced.matrix.cast<Complex>(), reduced.load, {} };
+  for (const DegreeConstraint& constraint : reduced.constraints)
+  {
+    quadratic.constraints.push_back(SumOfDegrees({ constraint }));
+  }
+  const MinimiserResult dense = SolveQuadratic(quadratic, start);
+  ASSERT_TRUE(blocks.converged) << blocks.residual;
+  ASSERT_TRUE(dense.converged) << dense.residual;
+  EXPECT_NEAR(blocks.values.back(), dense.values.back(), 1e-9 * std::abs(dense.values.back()));
+  EXPECT_LE((blocks.x - dense.x).norm(), 1e-6 * dense.x.norm());
+}
+}
+}
