@@ -253,6 +253,9 @@ int vtkSingularitySource::GetNumberOfHandles() const
 }
 
 //------------------------------------------------------------------------------
+vtkSingularitySource::~vtkSingularitySource() = default;
+
+//------------------------------------------------------------------------------
 vtkDoubleArray* vtkSingularitySource::GetOutputRows()
 {
   return this->OutputRows;

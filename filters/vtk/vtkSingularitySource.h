@@ -100,7 +100,7 @@ public:
 
 protected:
   vtkSingularitySource();
-  ~vtkSingularitySource() override = default;
+  ~vtkSingularitySource() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 

@@ -1,7 +1,8 @@
 /**
  * Seconds of every stage on the unit disk with eight holes, at 10,000, 100,000 and 1,000,000, ours also
- * at 4,000,000 triangles, and beside them in the same run a bare CHOLMOD factorisation (supernodal, AMD: analyse,
- * factor, two solves) of the scalar Crouzeix-Raviart matrix of the same mesh.
+ * at 4,000,000 and whole runs at 10,000,000 triangles, and beside them in the same run a bare CHOLMOD factorisation
+ * (supernodal, AMD: analyse, factor, two solves) of the scalar Crouzeix-Raviart matrix of the same mesh. `of_bare` is the
+ * ratio to it, `growth` the exponent from the size before.
  *
  *   build/bin/benchStages
  */
@@ -28,7 +29,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -81,17 +84,50 @@ const TriangleMesh& MeshOf(std::int64_t triangles, bool holes = true)
   return found->second;
 }
 
+/// The seconds of a row by the size that it was asked for.
+using Row = std::map<std::int64_t, double>;
+
+/// Those of the bare factorisation in this run, with holes or without.
+Row& BareSeconds(bool holes)
+{
+  static Row seconds[2];
+  return seconds[holes ? 1 : 0];
+}
+
+/// Counters that set the seconds of a row beside those of its next smaller size and of the bare factorisation.
+void Compare(benchmark::State& state, const std::string& row, double seconds, bool holes = true)
+{
+  static std::map<std::string, Row> rows;
+  Row& sizes = rows[row];
+  const std::int64_t size = state.range(0);
+  const auto next = sizes.lower_bound(size);
+  if (next != sizes.begin())
+  {
+    const auto& [smaller, before] = *std::prev(next);
+    state.counters["growth"] = std::log(seconds / before) /
+      std::log(static_cast<double>(size) / static_cast<double>(smaller));
+  }
+  sizes[size] = seconds;
+  const auto bare = BareSeconds(holes).find(size);
+  if (bare != BareSeconds(holes).end())
+  {
+    state.counters["of_bare"] = seconds / bare->second;
+  }
+}
+
 void Mesh(benchmark::State& state)
 {
   for (auto _ : state)
   {
+    Stopwatch stopwatch;
     const TriangleMesh mesh = MakeMesh(state.range(0), EightHoles());
+    Compare(state, "mesh", stopwatch.Lap());
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
   }
 }
 
-/// The matrix of the free unknowns, as an implementation of the paper would factor it.
-void FactorBare(benchmark::State& state, const TriangleMesh& mesh)
+/// The matrix of the free unknowns, as an implementation of the paper would factor it. Returns the seconds.
+double FactorBare(benchmark::State& state, const TriangleMesh& mesh)
 {
   const EdgeNumbering edges = NumberEdges(mesh);
   std::vector<int> number(static_cast<std::size_t>(edges.Count()), 0);
@@ -123,8 +159,10 @@ void FactorBare(benchmark::State& state, const TriangleMesh& mesh)
   }
   SparseMatrix matrix(count, count);
   matrix.setFromTriplets(entries.begin(), entries.end());
+  double seconds = 0.0;
   for (auto _ : state)
   {
+    Stopwatch stopwatch;
     cholmod_common common;
     cholmod_start(&common);
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -150,12 +188,14 @@ void FactorBare(benchmark::State& state, const TriangleMesh& mesh)
     cholmod_free_dense(&right, &common);
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
+    seconds = stopwatch.Lap();
   }
+  return seconds;
 }
 
 void BareCholmod(benchmark::State& state)
 {
-  FactorBare(state, MeshOf(state.range(0)));
+  BareSeconds(true)[state.range(0)] = FactorBare(state, MeshOf(state.range(0)));
 }
 
 /// The disk with a vertex at each of the eight points.
@@ -197,7 +237,7 @@ void Quads(benchmark::State& state)
 /// The same on the mesh without holes, to compare HField and FurtherConfiguration with.
 void BareCholmodWithoutHoles(benchmark::State& state)
 {
-  FactorBare(state, MeshOf(state.range(0), false));
+  BareSeconds(false)[state.range(0)] = FactorBare(state, MeshOf(state.range(0), false));
 }
 
 /// H, its cross field and W of eight points. The time of the row is factor + solve.
@@ -209,6 +249,7 @@ void SolveH(benchmark::State& state)
     const HField result = SolveHField(ShareTopology(mesh), EightHoles());
     const StageSeconds& seconds = result.field.seconds;
     state.SetIterationTime(seconds.factor + seconds.solve);
+    Compare(state, "h", seconds.factor + seconds.solve, false);
     state.counters["assemble"] = seconds.assemble;
     state.counters["factor"] = seconds.factor;
     state.counters["solve"] = seconds.solve;
@@ -266,6 +307,8 @@ void Solve(benchmark::State& state, PerforatedMethod method)
   {
     const SolvedField field = SolvePerforated(ShareTopology(mesh), options);
     state.SetIterationTime(field.seconds.factor + field.seconds.solve);
+    Compare(state, method == PerforatedMethod::UnitNorm ? "unit norm" : "constrained",
+      field.seconds.factor + field.seconds.solve);
     state.counters["assemble"] = field.seconds.assemble;
     state.counters["factor"] = field.seconds.factor;
     state.counters["solve"] = field.seconds.solve;
@@ -314,8 +357,18 @@ void ManyHoles(benchmark::State& state, PerforatedStart start)
   }
 }
 
-/// The program as a user runs it: from nothing to the .vtu on disk.
-void WholeRun(benchmark::State& state)
+/// Seconds of the processor that the programs which have ended took.
+double ChildrenSeconds()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time)
+  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// The program as a user runs it: from nothing to the .vtu on disk, with a choice of arrays.
+void WholeRun(benchmark::State& state, const char* arrays)
 {
   const std::string folder = "/tmp/crossfield-bench-" + std::to_string(getpid());
   const std::string csv = folder + ".csv";
@@ -331,14 +384,20 @@ void WholeRun(benchmark::State& state)
   }
   stream.close();
   const std::string command = std::string(CROSSFIELD_PROGRAM) + " solve builtin:disk -s " + csv +
-    " --size " + std::to_string(MeshSizeFor(state.range(0))) + " -o " + vtu + " --json " + json;
+    " --size " + std::to_string(MeshSizeFor(state.range(0))) + " -o " + vtu + " --json " + json +
+    " --arrays " + arrays;
   for (auto _ : state)
   {
+    const double before = ChildrenSeconds();
+    Stopwatch stopwatch;
     if (std::system(command.c_str()) != 0)
     {
       state.SkipWithError("the program failed");
       break;
     }
+    Compare(state, arrays, stopwatch.Lap());
+    state.counters["processor"] = ChildrenSeconds() - before;
+    state.counters["file_MB"] = 1e-6 * static_cast<double>(std::filesystem::file_size(vtu));
     std::ifstream report(json);
     state.counters["write"] = nlohmann::json::parse(report)["seconds"]["write"].get<double>();
   }
@@ -403,5 +462,11 @@ BENCHMARK_CAPTURE(ManyHoles, Best, PerforatedStart::Best)
   ->Iterations(1)
   ->MeasureProcessCPUTime()
   ->UseManualTime();
-BENCHMARK(WholeRun)->Apply(SizesToFourMillion)->UseRealTime();
+// Ten million triangles take 7 GiB.
+BENCHMARK_CAPTURE(WholeRun, All, "all")->Apply(Sizes)->UseRealTime();
+BENCHMARK_CAPTURE(WholeRun, Display, "display")
+  ->Apply(SizesToFourMillion)
+  ->Arg(10000000)
+  ->UseRealTime();
+BENCHMARK_CAPTURE(WholeRun, Exact, "exact")->Apply(Sizes)->UseRealTime();
 }
