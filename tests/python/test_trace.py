@@ -82,7 +82,7 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as folder:
     print(script)
     first = contents()
     kinds = {kind for kind, _, _, _ in first.values()}
-    check_equal(len(kinds), 18, "the number of proxies in the session")
+    check_equal(len(kinds), 19, "the number of proxies in the session")
     simple.ResetSession()
     simple.LoadPlugin(sys.argv[1], ns=vars(simple))
     check_equal(len(simple.GetSources()), 0, "the number of sources in an empty session")
