@@ -20,7 +20,7 @@ faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "Blo
 shown = Show(faces, view)
 ColorBy(shown, ("CELLS", "BlockId"))
 SetProperties(
-    GetColorTransferFunction("BlockId"), AutomaticRescaleRangeMode="Never",
+    GetColorTransferFunction("BlockId"), AutomaticRescaleRangeMode="Never", Discretize=0,
     RGBPoints=[value for block in range(200) for value in (
         block, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
                  (0.91, 0.85, 0.96)][block * 7 % 5])])

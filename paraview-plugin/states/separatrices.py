@@ -22,7 +22,7 @@ AssignViewToLayout(view)
 faces = Show(OutputPort(lines, 1), view)
 ColorBy(faces, ("CELLS", "FaceId"))
 SetProperties(
-    GetColorTransferFunction("FaceId"), AutomaticRescaleRangeMode="Never",
+    GetColorTransferFunction("FaceId"), AutomaticRescaleRangeMode="Never", Discretize=0,
     RGBPoints=[value for face in range(24) for value in (
         face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
                 (0.91, 0.85, 0.96)][face * 7 % 5])])
