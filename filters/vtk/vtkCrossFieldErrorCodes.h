@@ -1,6 +1,7 @@
 /**
  * What GetErrorCode() of every filter of this module gives; 0, vtkErrorCode::NoError, when nothing
- * went wrong. Each comes with one sentence as an ErrorEvent, and an empty output.
+ * went wrong. Each comes with one sentence as an ErrorEvent, and an empty output; only in ParaView a
+ * filter below one that has failed has BadInput without a sentence of its own.
  */
 
 #ifndef vtkCrossFieldErrorCodes_h
