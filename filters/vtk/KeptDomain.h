@@ -19,6 +19,9 @@ public:
   /** The domain of a data set; throws crossfield::Error as DomainConversion::ReadDomain, and then keeps nothing. */
   const DomainConversion::Domain& Read(vtkDataSet* data);
 
+  /** The domain that was read last. */
+  const crossfield::PlanarDomain& Get() const { return this->Domain.value().domain; }
+
   /** How often a domain was read: what depends on it is stale when this has changed. */
   int GetVersion() const { return this->Version; }
 

@@ -4,6 +4,9 @@
 #include "PoincareHopf.h"
 #include "vtkCrossFieldArrayNames.h"
 
+#include "vtkCellData.h"
+#include "vtkPolyData.h"
+
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -36,6 +39,19 @@ std::string Summarise(const crossfield::LayoutDesign& design, double shortestArc
 
 namespace LayoutConversion
 {
+//------------------------------------------------------------------------------
+void AddShade(bool stale, vtkPolyData* lines)
+{
+  vtkDataArray* quarters = lines->GetCellData()->GetArray(names::QuarterIndex);
+  std::vector<int> shades;
+  for (vtkIdType i = 0; quarters != nullptr && i < quarters->GetNumberOfTuples(); ++i)
+  {
+    const double quarterIndex = stale ? 0.0 : quarters->GetComponent(i, 0);
+    shades.push_back((quarterIndex > 0.0 ? 1 : 0) - (quarterIndex < 0.0 ? 1 : 0));
+  }
+  ColumnWriting::AddIntegers(lines->GetCellData(), names::Shade, shades);
+}
+
 //------------------------------------------------------------------------------
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data)
 {

@@ -7,6 +7,7 @@
 #include <string>
 
 class vtkFieldData;
+class vtkPolyData;
 
 /** Conversion of layout designs to VTK data; see vtkLayoutDesigner. */
 namespace LayoutConversion
@@ -17,6 +18,9 @@ struct Report
   std::string refusal;   ///< Empty: it is shown.
   double quadSize = 0.0; ///< What the shortest arc is counted in.
 };
+
+/** The cell array `Shade` of lines: the sign of the quarter index where a line starts; 0, grey, where the layout is stale. */
+void AddShade(bool stale, vtkPolyData* lines);
 
 /** The field data of vtkLayoutDesigner; `design` is null where there never was one. */
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data);

@@ -126,10 +126,11 @@ constexpr const char* ExtraLines = "ExtraLines";
 constexpr const char* HeadOn = "HeadOn";
 constexpr const char* Longest = "Longest";
 constexpr const char* Mismatch = "Mismatch";
-// Field data: vtkLayoutDesigner.
+// Field data, and Shade of lines: vtkLayoutDesigner.
 constexpr const char* Verdict = "Verdict";
 constexpr const char* Summary = "Summary";
 constexpr const char* Stale = "Stale";
+constexpr const char* Shade = "Shade";
 constexpr const char* ShortestArc = "ShortestArc";
 constexpr const char* LeastAngle = "LeastAngle";
 // Points, cells and field data: vtkQuadMesher.

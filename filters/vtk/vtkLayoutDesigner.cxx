@@ -1,18 +1,13 @@
 #include "vtkLayoutDesigner.h"
 
-#include "AutomaticConfiguration.h"
 #include "CornerConversion.h"
+#include "DesignSession.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "KeptDomain.h"
 #include "LayoutConversion.h"
-#include "LayoutDesign.h"
-#include "LayoutSnap.h"
 #include "MapConversion.h"
-#include "PairPlacement.h"
 #include "QuadConversion.h"
-#include "QuarterIndexRange.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -24,195 +19,19 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkLayoutDesigner);
 
-namespace
-{
-using crossfield::Configuration;
-
-/** The designer's rows as a configuration, and back. */
-template <class Rows>
-Configuration FromRows(const Rows& rows)
-{
-  Configuration configuration;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    const auto& [x, y, quarterIndex, radius] = rows[i];
-    configuration.push_back({ { x, y },
-      crossfield::RequireQuarterIndex(
-        quarterIndex, "The quarter index of singularity " + std::to_string(i + 1)),
-      radius });
-  }
-  return configuration;
-}
-
-template <class Rows>
-Rows ToRows(const Configuration& configuration)
-{
-  Rows rows;
-  for (const crossfield::Singularity& singularity : configuration)
-  {
-    rows.push_back({ singularity.position.x(), singularity.position.y(),
-      static_cast<double>(singularity.quarterIndex), singularity.radius });
-  }
-  return rows;
-}
-}
-
-/** What is asked of one update. */
-struct vtkLayoutDesigner::Question
-{
-  const DomainConversion::Domain& input;
-  std::optional<Configuration> start{}; ///< Port 1.
-  crossfield::LayoutOptions options{};
-  double meshSize = 0.0;
-  double quadSize = 0.0;
-  double snapTolerance = 0.0;
-  Command command = Command::None;
-  int rowToRemove = -1;
-};
-
-struct vtkLayoutDesigner::Memory
-{
-  KeptDomain domain;
-  int version = 0; ///< Of the domain that the rest is of.
-  std::optional<crossfield::AutomaticConfiguration> chosen;
-  std::optional<crossfield::LayoutDesign> design;
-  std::vector<std::vector<Row>> before; ///< Of the commands, the last one last.
-  std::vector<std::string> events;      ///< Of the last command.
-  vtkNew<vtkDoubleArray> rows;
-
-  /** Forgets what was of another domain than the one that is read last. */
-  void KeepUp()
-  {
-    if (this->version != this->domain.GetVersion())
-    {
-      this->chosen.reset();
-      this->design.reset();
-      this->before.clear();
-      this->events.clear();
-      this->version = this->domain.GetVersion();
-    }
-  }
-
-  /** The singularities that would be chosen for the domain. */
-  const Configuration& Choose(const Question& question, const crossfield::Progress& progress)
-  {
-    if (!this->chosen)
-    {
-      crossfield::AutomaticOptions automatic;
-      automatic.proposal.corners = question.options.map.corners;
-      if (question.options.map.capCorners)
-      {
-        crossfield::CapCorners(question.input.domain, automatic);
-      }
-      automatic.optimizer.meshSize = question.meshSize;
-      automatic.quadSize = question.quadSize;
-      this->chosen = crossfield::ChooseConfiguration(question.input.domain, automatic, progress);
-    }
-    return this->chosen->singularities;
-  }
-
-  /** The singularities before the command. */
-  Configuration Start(
-    Question& question, const std::vector<Row>& given, const crossfield::Progress& progress)
-  {
-    Configuration now = !given.empty() ? FromRows(given)
-      : question.start                 ? *question.start
-                                       : this->Choose(question, progress);
-    if (question.command == Command::Propose)
-    {
-      this->Choose(question, progress);
-    }
-    if (this->chosen)
-    {
-      question.options.map.corners = this->chosen->corners;
-    }
-    return now;
-  }
-
-  /** Obeys the command: changes the singularities, and the rows to these. */
-  void Obey(const Question& question, Configuration& now, std::vector<Row>& given,
-    const crossfield::Progress& progress)
-  {
-    if (question.command != Command::None)
-    {
-      this->events.clear();
-    }
-    if (question.command == Command::Undo)
-    {
-      if (!this->before.empty())
-      {
-        given = this->before.back();
-        this->before.pop_back();
-        now = FromRows(given);
-      }
-    }
-    else if (question.command != Command::None)
-    {
-      const auto start = ToRows<std::vector<Row>>(now);
-      this->Apply(question, now, progress);
-      this->before.push_back(start);
-      given = ToRows<std::vector<Row>>(now);
-    }
-  }
-
-private:
-  void Apply(const Question& question, Configuration& now, const crossfield::Progress& progress)
-  {
-    if (question.command == Command::Propose)
-    {
-      now = this->chosen->singularities;
-    }
-    else if (question.command == Command::Optimise)
-    {
-      crossfield::OptimizerOptions optimizer;
-      optimizer.meshSize = question.meshSize;
-      optimizer.corners = question.options.map.corners;
-      optimizer.clearance = crossfield::ClearanceForQuads(question.quadSize);
-      optimizer.keepAll = true; // a row that vanished could not be dragged on
-      const crossfield::OptimizerResult result =
-        crossfield::OptimizeSingularities(question.input.domain, now, optimizer, progress);
-      now = result.configuration;
-      this->events = result.events;
-      this->events.push_back(result.reason);
-    }
-    else if (question.command == Command::Snap)
-    {
-      const crossfield::FactoredDomain& factored = this->domain.Factor(now, question.meshSize);
-      const crossfield::LayoutSnap snap = crossfield::SnapLayout(
-        factored, now, question.options.map, question.snapTolerance, progress);
-      now = snap.singularities;
-      std::ostringstream text;
-      text << snap.joined << " near misses of lines were joined and " << snap.leftOut
-           << " left; no singularity moved by more than " << snap.largestMove << ".";
-      this->events.push_back(text.str());
-    }
-    else if (question.command == Command::AddPair)
-    {
-      const auto places =
-        crossfield::PlacesForPair(this->domain.Factor(now, question.meshSize), now);
-      now.push_back({ places[0], 1 });
-      now.push_back({ places[1], -1 });
-    }
-    else if (question.rowToRemove >= 0 && question.rowToRemove < static_cast<int>(now.size()))
-    {
-      now.erase(now.begin() + question.rowToRemove);
-    }
-  }
-};
-
 //------------------------------------------------------------------------------
 vtkLayoutDesigner::vtkLayoutDesigner()
-  : Kept(std::make_unique<Memory>())
+  : Waiting(DesignCommand::None)
+  , Session(std::make_unique<DesignSession>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(4);
-  this->Kept->rows->SetNumberOfComponents(4);
+  this->OutputRows->SetNumberOfComponents(4);
 }
 
 //------------------------------------------------------------------------------
@@ -239,14 +58,14 @@ void vtkLayoutDesigner::SetSingularity(
     return;
   }
   const auto index = static_cast<std::size_t>(row);
-  const Row wanted = { x, y, quarterIndex, radius };
+  const DesignSession::Row wanted = { x, y, quarterIndex, radius };
   if (index < this->Rows.size() && this->Rows[index] == wanted)
   {
     return;
   }
   if (index >= this->Rows.size())
   {
-    this->Rows.resize(index + 1, Row{ 0.0, 0.0, 1.0, 0.0 });
+    this->Rows.resize(index + 1, { 0.0, 0.0, 1.0, 0.0 });
   }
   this->Rows[index] = wanted;
   this->Modified();
@@ -278,11 +97,11 @@ int vtkLayoutDesigner::GetNumberOfSingularities() const
 //------------------------------------------------------------------------------
 vtkDoubleArray* vtkLayoutDesigner::GetRows()
 {
-  return this->Kept->rows;
+  return this->OutputRows;
 }
 
 //------------------------------------------------------------------------------
-void vtkLayoutDesigner::Ask(Command command)
+void vtkLayoutDesigner::Ask(DesignCommand command)
 {
   this->Waiting = command;
   this->Modified();
@@ -291,25 +110,25 @@ void vtkLayoutDesigner::Ask(Command command)
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Propose()
 {
-  this->Ask(Command::Propose);
+  this->Ask(DesignCommand::Propose);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Optimise()
 {
-  this->Ask(Command::Optimise);
+  this->Ask(DesignCommand::Optimise);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Snap()
 {
-  this->Ask(Command::Snap);
+  this->Ask(DesignCommand::Snap);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::AddPair()
 {
-  this->Ask(Command::AddPair);
+  this->Ask(DesignCommand::AddPair);
 }
 
 //------------------------------------------------------------------------------
@@ -318,14 +137,14 @@ void vtkLayoutDesigner::RemoveSingularity(int row)
   if (row >= 0)
   {
     this->RowToRemove = row;
-    this->Ask(Command::Remove);
+    this->Ask(DesignCommand::Remove);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Undo()
 {
-  this->Ask(Command::Undo);
+  this->Ask(DesignCommand::Undo);
 }
 
 //------------------------------------------------------------------------------
@@ -342,10 +161,9 @@ int vtkLayoutDesigner::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      Memory& kept = *this->Kept;
-      const DomainConversion::Domain& input = kept.domain.Read(domain);
-      kept.KeepUp();
-      Question question{ input };
+      DesignSession& session = *this->Session;
+      const DomainConversion::Domain& input = session.Read(domain);
+      DesignQuestion question;
       question.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
       question.options.map.capCorners = this->CapCorners;
       if (start != nullptr)
@@ -365,29 +183,29 @@ int vtkLayoutDesigner::RequestData(
       }
       question.snapTolerance =
         this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * question.quadSize;
-      question.command = std::exchange(this->Waiting, Command::None);
+      question.command = std::exchange(this->Waiting, DesignCommand::None);
       question.rowToRemove = this->RowToRemove;
 
       LayoutConversion::Report report;
       report.quadSize = question.quadSize;
-      Configuration now;
+      crossfield::Configuration now;
       const double energyBefore =
-        kept.design ? kept.design->energy.energy : std::numeric_limits<double>::quiet_NaN();
+        session.design ? session.design->energy.energy : std::numeric_limits<double>::quiet_NaN();
       // A configuration that cannot be is a step of designing one: what was there before stays, and the sentence is the verdict.
       try
       {
-        now = kept.Start(question, this->Rows, progress.Part(0.0, 0.2));
-        kept.Obey(question, now, this->Rows, progress.Part(0.2, 0.4));
-        kept.design =
-          crossfield::DesignLayout(kept.domain.Factor(now, this->MeshSize, progress.Part(0.4, 0.6)),
-            now, question.options, progress.Part(0.6, 0.95));
-        this->StageSeconds = kept.design->seconds;
-        if (question.command != Command::None && std::isfinite(energyBefore))
+        now = session.Start(question, this->Rows, progress.Part(0.0, 0.2));
+        session.Obey(question, now, this->Rows, progress.Part(0.2, 0.4));
+        session.design = crossfield::DesignLayout(
+          session.GetDomain().Factor(now, this->MeshSize, progress.Part(0.4, 0.6)), now,
+          question.options, progress.Part(0.6, 0.95));
+        this->StageSeconds = session.design->seconds;
+        if (question.command != DesignCommand::None && std::isfinite(energyBefore))
         {
           std::ostringstream text;
           text << "The renormalised energy went from " << energyBefore << " to "
-               << kept.design->energy.energy << ".";
-          kept.events.push_back(text.str());
+               << session.design->energy.energy << ".";
+          session.events.push_back(text.str());
         }
       }
       catch (const crossfield::Error& error)
@@ -395,17 +213,18 @@ int vtkLayoutDesigner::RequestData(
         report.refusal = error.what();
       }
 
-      kept.rows->SetNumberOfTuples(0);
-      for (const Row& row : ToRows<std::vector<Row>>(now))
+      this->OutputRows->SetNumberOfTuples(0);
+      for (const DesignSession::Row& row : DesignSession::ToRows(now))
       {
-        kept.rows->InsertNextTuple(row.data());
+        this->OutputRows->InsertNextTuple(row.data());
       }
       DomainConversion::WriteConfiguration(now, input.plane, points);
-      const crossfield::LayoutDesign* design = kept.design ? &*kept.design : nullptr;
+      const crossfield::LayoutDesign* design = session.design ? &*session.design : nullptr;
       if (design != nullptr)
       {
         const MapConversion::Map map{ design->map, input.plane };
         MapConversion::WriteTraces(map, design->lines, {}, 0.0, lines);
+        LayoutConversion::AddShade(!report.refusal.empty(), lines);
         MapConversion::WriteFaces(map, design->mesh, faces);
         MapConversion::AddCounts(design->mesh, faces->GetFieldData());
         if (design->quads)
@@ -413,8 +232,11 @@ int vtkLayoutDesigner::RequestData(
           QuadConversion::WriteQuads(*design->quads, input.plane, quads);
         }
       }
-      EnergyConversion::WriteEvents(kept.events, lines);
-      EnergyConversion::WriteEvents(kept.events, points);
+      if (!session.events.empty()) // ParaView shows no field data at all where an array is empty
+      {
+        EnergyConversion::WriteEvents(session.events, lines);
+        EnergyConversion::WriteEvents(session.events, points);
+      }
       LayoutConversion::AddReport(design, report, lines->GetFieldData());
       LayoutConversion::AddReport(design, report, points->GetFieldData());
     });

@@ -14,7 +14,8 @@
  * Port 1, optional, singularities to start from (points) with `QuarterIndex`.
  * Port 2, optional, corners (points) with `QuarterIndex`.
  *
- * Output 0 (vtkPolyData): the lines, as output 0 of vtkSeparatrices.
+ * Output 0 (vtkPolyData): the lines, as output 0 of vtkSeparatrices, and the cell array `Shade` (int): the sign of the quarter index
+ * where a line starts, 0 where the layout is stale, for colours.
  * Output 1 (vtkPolyData): the faces, as output 1 of vtkSeparatrices.
  * Output 2 (vtkPolyData): the singularities as points, with `QuarterIndex`, where they are now.
  * Output 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
@@ -41,12 +42,15 @@
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
+#include "vtkNew.h"                     // for the rows of the output
 #include "vtkPolyDataAlgorithm.h"
 
 #include <array>  // for the rows
 #include <memory> // for what is kept
 #include <vector> // for the rows
 
+enum class DesignCommand;
+class DesignSession;
 class vtkDoubleArray;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkLayoutDesigner : public vtkPolyDataAlgorithm
@@ -156,25 +160,10 @@ private:
   vtkLayoutDesigner(const vtkLayoutDesigner&) = delete;
   void operator=(const vtkLayoutDesigner&) = delete;
 
-  using Row = std::array<double, 4>;
-  /** A command that waits for the next update. */
-  enum class Command
-  {
-    None,
-    Propose,
-    Optimise,
-    Snap,
-    AddPair,
-    Remove,
-    Undo
-  };
-  struct Question;
-  /** What is kept between updates. */
-  struct Memory;
-  void Ask(Command command);
+  void Ask(DesignCommand command);
 
-  std::vector<Row> Rows;
-  Command Waiting = Command::None;
+  std::vector<std::array<double, 4>> Rows;
+  DesignCommand Waiting; ///< For the next update.
   int RowToRemove = -1;
   double MeshSize = 0.0;
   bool CapCorners = true;
@@ -183,7 +172,8 @@ private:
   int QuadCount = 1000;
   double SnapTolerance = 0.0;
   double StageSeconds = 0.0;
-  std::unique_ptr<Memory> Kept;
+  vtkNew<vtkDoubleArray> OutputRows;
+  std::unique_ptr<DesignSession> Session; ///< What is kept between updates.
 };
 
 #endif

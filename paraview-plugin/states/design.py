@@ -1,6 +1,7 @@
 """State: the layout of eight singularities on a disk, to be moved.
 
-Faces have pale colours, lines that of the index of the singularity where they start, red for 1 and blue for -1; thin lines
+Faces have pale colours, lines that of the index of the singularity where they start, red for 1 and blue for -1, and grey where they
+are those of an earlier place; thin lines
 are draft quads. The text says what the layout is good for, or why there is none. Move rows of the designer's singularities, or use
 its buttons. A ready start for a domain of your own: change the input of the designer.
 """
@@ -28,7 +29,7 @@ edges = ExtractEdges(registrationName="Draft quads", Input=OutputPort(designer, 
 SetProperties(Show(edges, view), ColorArrayName=["POINTS", ""], AmbientColor=[0.6, 0.6, 0.6],
               DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001], Ambient=1, Diffuse=0)
 lines = Show(designer, view)
-ColorBy(lines, ("CELLS", "QuarterIndex"))
+ColorBy(lines, ("CELLS", "Shade"))
 lines.SetScalarBarVisibility(view, False)
 SetProperties(lines, LineWidth=3, Position=[0, 0, 0.002], Ambient=1, Diffuse=0)
 discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), GlyphType="Sphere",
@@ -36,6 +37,8 @@ discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), G
 discs.GlyphType.ThetaResolution = 32
 shown = Show(discs, view)
 ColorBy(shown, ("POINTS", "QuarterIndex"))
+SetProperties(GetColorTransferFunction("Shade"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
+              RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.75, 0.75, 0.75, 1, 0.85, 0.1, 0.1])
 SetProperties(GetColorTransferFunction("QuarterIndex"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
               RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
 shown.SetScalarBarVisibility(view, False)

@@ -1,5 +1,4 @@
-"""What the program writes on all cores is what VTK alone would write: to the last byte where VTK does the
-writing, and the same elements and values in files of grids, which the program writes itself.
+"""What the program writes, compressed on all cores by libdeflate, is what VTK alone would write: the same elements and values.
 
     python3 test_writer.py PROGRAM
 """
@@ -9,7 +8,6 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-from vtkmodules.vtkIOCore import vtkZLibDataCompressor
 from vtkmodules.vtkIOXML import (vtkXMLPolyDataReader, vtkXMLPolyDataWriter,
                                  vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
 
@@ -22,26 +20,6 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import verified  # noqa: E402
 
 
-def contents(name):
-    with open(os.path.join(directory, name), "rb") as file:
-        return file.read()
-
-
-def check_file(name, reader, writer):
-    reader.SetFileName(os.path.join(directory, name))
-    reader.Update()
-    check_equal(reader.GetErrorCode(), 0, "the error code of the reader")
-    compressor = vtkZLibDataCompressor()
-    compressor.SetCompressionLevel(1)
-    writer.SetCompressor(compressor)
-    writer.SetDataModeToBinary()
-    writer.SetInputDataObject(reader.GetOutput())
-    writer.SetFileName(os.path.join(directory, "rewritten"))
-    writer.Write()
-    check(len(contents(name)) > 1000, "the file is not empty")
-    check_equal(contents(name), contents("rewritten"), "the bytes of " + name)
-
-
 def elements(name):
     """Tags and attributes without ranges, which readers do not need, and without what describes them."""
     root = ElementTree.parse(os.path.join(directory, name)).getroot()
@@ -50,9 +28,8 @@ def elements(name):
             for item in root.iter() if item.tag not in ("InformationKey", "Value")]
 
 
-def check_grid(name):
+def check_file(name, reader, writer, fewest):
     """Read by VTK, written by VTK and read without VTK it is the same as read without VTK at once."""
-    reader, writer = vtkXMLUnstructuredGridReader(), vtkXMLUnstructuredGridWriter()
     reader.SetFileName(os.path.join(directory, name))
     reader.Update()
     check_equal(reader.GetErrorCode(), 0, "the error code of the reader")
@@ -63,14 +40,18 @@ def check_grid(name):
     check_equal(elements(name), elements("rewritten"), "what the file has")
     found = verified.read(os.path.join(directory, name))
     expected = verified.read(os.path.join(directory, "rewritten"))
-    check(len(found) > 25, "there are arrays")
+    check(len(found) >= fewest, "there are arrays")
     for key, values in expected.items():
         check_equal(found[key].dtype, values.dtype, "the type of %s of %s" % key)
         check(found[key].shape == values.shape and (found[key] == values).all(), "%s of %s" % key)
+
+
+def check_meshio(name):
     try:
         import meshio
     except ImportError:
         return
+    found = verified.read(os.path.join(directory, name))
     mesh = meshio.read(os.path.join(directory, name))
     check((mesh.points == found["Points", "Points"].reshape(-1, 3)).all(), "points as meshio reads them")
     exact = [mesh.cell_data["CrossFieldCR"][i] for i, block in enumerate(mesh.cells) if block.type == "triangle"]
@@ -85,12 +66,13 @@ def run(*arguments):
 
 with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
     run("domain", "disk", "-o", "disk.vtp")
-    check_file("disk.vtp", vtkXMLPolyDataReader(), vtkXMLPolyDataWriter())
+    check_file("disk.vtp", vtkXMLPolyDataReader(), vtkXMLPolyDataWriter(), 1)
     with open(os.path.join(directory, "four.csv"), "w", encoding="utf-8") as csv:
         csv.write("x,y,quarter_index\n0.6,0,1\n0,0.6,1\n-0.6,0,1\n0,-0.6,1\n")
-    # Arrays of one block, of several blocks with a shorter last one, and of two runs that are encoded.
+    # Arrays of one block, and of several blocks with a shorter last one.
     run("solve", "disk.vtp", "-s", "four.csv", "--size", "0.02", "-o", "field.vtu")
-    check_grid("field.vtu")
+    check_file("field.vtu", vtkXMLUnstructuredGridReader(), vtkXMLUnstructuredGridWriter(), 25)
+    check_meshio("field.vtu")
     run("hfield", "disk.vtp", "-s", "four.csv", "--size", "0.5", "--arrays", "exact", "-o", "h.vtu")
-    check_grid("h.vtu")
+    check_file("h.vtu", vtkXMLUnstructuredGridReader(), vtkXMLUnstructuredGridWriter(), 20)
     kept.keep_folder(directory)

@@ -7,6 +7,7 @@
 #include "vtkSeparatrices.h"
 #include "vtkSingularitySource.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -19,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace
@@ -54,6 +56,18 @@ public:
     auto* text = vtkStringArray::SafeDownCast(
       this->Filter->GetOutput()->GetFieldData()->GetAbstractArray(name));
     return text == nullptr ? std::string() : std::string(text->GetValue(0));
+  }
+
+  std::set<double> Shades()
+  {
+    vtkDataArray* shades =
+      FilterChecks::RequireArray(this->Filter->GetOutput()->GetCellData(), "Shade");
+    std::set<double> values;
+    for (vtkIdType i = 0; i < shades->GetNumberOfTuples(); ++i)
+    {
+      values.insert(shades->GetComponent(i, 0));
+    }
+    return values;
   }
 
   vtkIdType CountOf(int port)
@@ -109,12 +123,14 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->CountOf(0), lines);
   EXPECT_EQ(this->Value("Stale"), 1);
+  EXPECT_EQ(this->Shades(), std::set<double>({ 0.0 })) << "a stale layout is grey";
   EXPECT_NE(this->Text("Verdict").find("outside"), std::string::npos) << this->Text("Verdict");
   EXPECT_EQ(this->Text("Summary"), this->Text("Verdict"));
   EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
   // Back again, all is well.
   this->SetFour();
   FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Shades(), std::set<double>({ 1.0 }));
   EXPECT_EQ(this->Value("Stale"), 0);
   // A sum that cannot be.
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
