@@ -165,9 +165,9 @@ Trial Try(const FactoredDomain& domain, const Configuration& start, const FlatMa
     const auto& misses = problem.GetMisses();
     const auto worst = std::max_element(misses.begin(), misses.end(),
       [](const NearMiss& a, const NearMiss& b) { return a.across < b.across; });
-    if (worst == misses.end() || worst->across <= Arrived * problem.GetExtent())
+    trial.arrived = worst == misses.end() || worst->across <= Arrived * problem.GetExtent();
+    if (trial.arrived || problem.Count() == 0)
     {
-      trial.arrived = true;
       return trial;
     }
     // A vertex may move by a good part of an edge; rounding of maps is far below such differences.
@@ -222,12 +222,14 @@ LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singula
     [](const NearMiss& a, const NearMiss& b) { return a.across > b.across; });
   // All of them if that is possible, else without the widest ones.
   std::set<Pair> excluded;
+  const auto count = static_cast<double>(misses.size());
   for (const NearMiss& widest : misses)
   {
+    const Progress part = progress.Part(result.leftOut / count, (result.leftOut + 1) / count);
     Trial trial;
     try
     {
-      trial = Try(domain, singularities, options, tolerance, excluded, progress);
+      trial = Try(domain, singularities, options, tolerance, excluded, part);
     }
     catch (const Error&)
     {

@@ -76,6 +76,24 @@ TEST(LayoutSnap, KeepsWhatItMayNotMove)
   EXPECT_GT(after.mesh.headOn, before.mesh.headOn);
 }
 
+TEST(LayoutSnap, LeavesWhatCannotMove)
+{
+  // An L has no singularity that could.
+  const FactoredDomain domain(Builtin("l-shape", 0.1), {}, 0.1);
+  double last = 0.0;
+  const LayoutSnap snap = SnapLayout(domain, {}, {}, 10.0,
+    Progress(
+      [&last](double fraction)
+      {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+      }));
+  EXPECT_EQ(snap.joined, 0);
+  EXPECT_TRUE(snap.singularities.empty());
+  EXPECT_EQ(last, 1.0);
+}
+
 TEST(LayoutSnap, LaysOffsetsExactly)
 {
   // The offset of a near miss is the length on the line that is hit.
