@@ -6,7 +6,6 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "SingularityRecord.h"
-#include "TriangleOrder.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
@@ -52,8 +51,8 @@ int vtkDrillHoles::RequestData(
       options.meshSize = this->MeshSize;
       options.minimumHoleEdges = this->MinimumHoleEdges;
       options.gradation = this->Gradation;
-      const crossfield::TriangleMesh mesh = crossfield::OrderTriangles(
-        crossfield::DrillHoles(input.domain, configuration, options, progress));
+      const crossfield::TriangleMesh mesh =
+        crossfield::DrillHoles(input.domain, configuration, options, progress);
       DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
       crossfield::Configuration onBoundary;
       std::copy_if(configuration.begin(), configuration.end(), std::back_inserter(onBoundary),

@@ -10,7 +10,6 @@
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
-#include "TriangleOrder.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -71,8 +70,8 @@ int vtkHField::RequestData(
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
         configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
         cells = DomainConversion::NumberCells(
-          crossfield::ShareTopology(crossfield::OrderTriangles(crossfield::MeshForPoints(
-            input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.4)))),
+          crossfield::ShareTopology(crossfield::MeshForPoints(
+            input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.4))),
           input.plane);
       }
       this->StageSeconds[0] = stopwatch.Lap();

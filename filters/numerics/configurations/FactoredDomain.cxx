@@ -4,7 +4,6 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "MeshForPoints.h"
-#include "PointInsertion.h"
 
 #include <algorithm>
 #include <utility>
@@ -19,6 +18,29 @@ DrillOptions OfSize(double meshSize)
   options.meshSize = meshSize;
   return options;
 }
+
+KeptTriangulation Keep(const MeshTopology& topology)
+{
+  std::vector<bool> onBoundary(topology.mesh.points.size(), false);
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    onBoundary[static_cast<std::size_t>(edge.vertices[0])] = true;
+  }
+  std::vector<Point> inside;
+  for (std::size_t v = 0; v < onBoundary.size(); ++v)
+  {
+    if (!onBoundary[v])
+    {
+      inside.push_back(topology.mesh.points[v]);
+    }
+  }
+  std::vector<BoundaryEdge> marks;
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    marks.push_back({ { 0, 0 }, loop.kind, loop.id, loop.quarterIndex });
+  }
+  return { { topology.AlignedLoops() }, marks, inside };
+}
 }
 
 FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configuration,
@@ -29,6 +51,7 @@ FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configu
       ShareTopology(DrillHoles(InsertBoundarySingularities(this->Domain, configuration), {},
         OfSize(meshSize), progress.Part(0.0, 0.5))),
       PotentialSolver::Boundary::Natural, progress.Part(0.5, 1.0)))
+  , Triangulation(Keep(this->Potential->GetTopology()))
 {
 }
 
@@ -70,6 +93,7 @@ TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
     }
     inside.push_back(singularity.position);
   }
-  return InsertPoints(this->Potential->GetTopology(), inside);
+  // Nearer vertices would leave edges much shorter than those around.
+  return this->Triangulation.With(inside, this->MeshSize / 3.0);
 }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PlanarDomain.h"
+#include "PlanarMesher.h"
 #include "PotentialSolver.h"
 #include "Singularity.h"
 
@@ -24,13 +25,15 @@ public:
   /// Whether the singularities of a configuration that lie on the boundary are vertices of the mesh.
   bool Serves(const Configuration& configuration) const;
 
-  /// The mesh with a vertex on every singularity inside, as SolveFlatMap needs it: changed only around them where they keep two edges'
-  /// lengths from the boundary and from each other (PointInsertion.h), else that of MeshOnPoints.
+  /// The mesh with a vertex on every singularity inside, as SolveFlatMap needs it: the Delaunay triangulation of its vertices with these
+  /// instead of those next to them, where they keep two edges' lengths from the boundary and from each other; else that of
+  /// MeshOnPoints.
   TriangleMesh MeshOn(const Configuration& configuration) const;
 
 private:
   PlanarDomain Domain;
   double MeshSize;
   std::shared_ptr<const PotentialSolver> Potential;
+  KeptTriangulation Triangulation;
 };
 }

@@ -11,9 +11,13 @@
 #include "Segment.h"
 
 #include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -284,17 +288,37 @@ bool RunsAlong(const Loop& loop, const Point& from, const Point& to)
   return (Cross(from - middle, to - middle) > 0.0) == (SignedArea(loop) > 0.0);
 }
 
-TriangleMesh ReadOut(Triangulation& triangulation, const PlanarDomain& domain,
-  const std::vector<BoundaryEdge>& loopMarks)
+/// The faces of the domain along Hilbert's curve through their centroids: neighbours are near to each other in memory, and in
+/// files, where zlib then finds the value of an edge in both of its triangles.
+std::vector<Triangulation::Face_handle> FacesInOrder(const Triangulation& triangulation)
 {
-  TriangleMesh mesh;
+  using Place = std::pair<CgalPoint, Triangulation::Face_handle>;
+  std::vector<Place> places;
   for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
        ++face)
   {
-    if (!face->is_in_domain())
+    if (face->is_in_domain())
     {
-      continue;
+      places.emplace_back(CGAL::centroid(triangulation.triangle(face)), face);
     }
+  }
+  CGAL::hilbert_sort(places.begin(), places.end(),
+    CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>());
+  std::vector<Triangulation::Face_handle> faces;
+  faces.reserve(places.size());
+  for (const Place& place : places)
+  {
+    faces.push_back(place.second);
+  }
+  return faces;
+}
+
+TriangleMesh ReadOut(const Triangulation& triangulation, const PlanarDomain& domain,
+  const std::vector<BoundaryEdge>& loopMarks)
+{
+  TriangleMesh mesh;
+  for (const Triangulation::Face_handle& face : FacesInOrder(triangulation))
+  {
     std::array<int, 3> triangle{};
     for (int i = 0; i < 3; ++i)
     {
@@ -407,5 +431,61 @@ catch (const CGAL::Failure_exception&) // its text is of several lines about CGA
   throw Error(
     "The triangulation of the domain broke down; simplify the boundary where it is finest "
     "or nearly touches itself.");
+}
+
+//------------------------------------------------------------------------------
+struct KeptTriangulation::Kept
+{
+  Triangulation triangulation;
+  PlanarDomain domain;
+  std::vector<BoundaryEdge> loopMarks;
+};
+
+KeptTriangulation::KeptTriangulation(
+  PlanarDomain domain, std::vector<BoundaryEdge> loopMarks, const std::vector<Point>& points)
+{
+  Triangulation triangulation = TriangulateLoops(domain.loops);
+  std::vector<CgalPoint> inside;
+  inside.reserve(points.size());
+  std::transform(points.begin(), points.end(), std::back_inserter(inside), ToCgal);
+  triangulation.insert(inside.begin(), inside.end());
+  this->What = std::make_unique<const Kept>(
+    Kept{ std::move(triangulation), std::move(domain), std::move(loopMarks) });
+}
+
+KeptTriangulation::~KeptTriangulation() = default;
+
+TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double clear) const
+{
+  Triangulation triangulation = this->What->triangulation;
+  std::vector<Triangulation::Vertex_handle> put;
+  for (const Point& point : points)
+  {
+    put.push_back(triangulation.insert(ToCgal(point)));
+  }
+  for (const Triangulation::Vertex_handle& vertex : put)
+  {
+    const Point place = FromCgal(vertex->point());
+    // The nearest of all vertices is a neighbour.
+    for (bool found = true; found;)
+    {
+      found = false;
+      auto neighbour = triangulation.incident_vertices(vertex);
+      const auto end = neighbour;
+      do
+      {
+        found = neighbour->info().loop == None && // neither infinite nor on the boundary
+          !triangulation.is_infinite(neighbour) &&
+          (FromCgal(neighbour->point()) - place).norm() < clear &&
+          std::find(put.begin(), put.end(), neighbour) == put.end();
+      } while (!found && ++neighbour != end);
+      if (found)
+      {
+        triangulation.remove(neighbour);
+      }
+    }
+  }
+  ComputeDepths(triangulation, FindImprinted(this->What->loopMarks));
+  return ReadOut(triangulation, this->What->domain, this->What->loopMarks);
 }
 }

@@ -244,6 +244,31 @@ TEST(PlanarMesher, ReportsProgressUpwardsAndStopsWhenAsked)
   EXPECT_THROW(TriangulateDomain(domain, PlainMarks(domain), size, stop), Aborted);
 }
 
+TEST(PlanarMesher, OrdersTrianglesAlongACurve)
+{
+  const double h = 0.02;
+  const PlanarDomain domain = Builtin("ring");
+  const TriangleMesh mesh = Triangulate(domain, SizeOver(domain, h, {}));
+  const auto centroid = [&mesh](std::size_t t) -> Point
+  {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
+  };
+  double way = 0.0;
+  int unused = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    way += t > 0 ? (centroid(t) - centroid(t - 1)).norm() : 0.0;
+    for (int vertex : mesh.triangles[t])
+    {
+      EXPECT_LE(vertex, unused) << "points are numbered as triangles use them first";
+      unused = std::max(unused, vertex + 1);
+    }
+  }
+  // In random order it is the mean distance of two points, near to 1.
+  EXPECT_LT(way / static_cast<double>(mesh.triangles.size()), 1.5 * h);
+}
+
 TEST(PlanarMesher, RefusesGapsThatWouldTakeMillionsOfTriangles)
 {
   const auto withGap = [](double gap)
