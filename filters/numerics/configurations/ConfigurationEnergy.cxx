@@ -4,9 +4,9 @@
 #include "ConfigurationPlacement.h"
 #include "EnergyMesh.h"
 #include "Error.h"
+#include "FactoredDomain.h"
 
 #include <algorithm>
-#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -27,11 +27,8 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
     all.insert(all.end(), configuration.begin(), configuration.end());
   }
   const PlanarDomain refined = InsertBoundarySingularities(domain, all);
-  DrillOptions drill;
-  drill.meshSize = options.meshSize;
-  const auto potential = std::make_shared<const PotentialSolver>(
-    ShareTopology(DrillHoles(refined, {}, drill, progress.Part(0.0, 0.1))));
-  const MeshTopology& topology = potential->GetTopology();
+  const FactoredDomain factored(refined, {}, options.meshSize, progress.Part(0.0, 0.1));
+  const MeshTopology& topology = factored.GetPotential()->GetTopology();
   const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)
@@ -48,8 +45,8 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       const PlacedConfiguration placed =
         PlaceConfiguration(topology, configurations[i], options.corners);
       energy.interior = placed.interior;
-      const PointPotential points(
-        potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
+      const PointPotential points(factored.GetPotential(),
+        AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       energy.coreRadius = coreRadius;
       energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);

@@ -1,6 +1,5 @@
 #include "LayoutDesign.h"
 
-#include "ConfigurationPlacement.h"
 #include "DomainQueries.h"
 #include "Stopwatch.h"
 #include "TMeshFaces.h"
@@ -16,9 +15,7 @@ namespace
 void Rate(const FactoredDomain& domain, const FlatMapOptions& options, LayoutDesign& design)
 {
   const MeshTopology& topology = domain.GetPotential()->GetTopology();
-  const PlacedConfiguration placed = PlaceConfiguration(topology, design.singularities,
-    options.capCorners ? CapCorners(CountMeshQuarters(topology, options.corners), options.corners)
-                       : options.corners);
+  const PlacedConfiguration placed = PlaceForMap(topology, design.singularities, options);
   const PointPotential potential(domain.GetPotential(),
     AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
   design.count = potential.GetProblem().alignment.count;

@@ -13,12 +13,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// First `inner`, then `outer`.
-SeamTransition Compose(const SeamTransition& outer, const SeamTransition& inner)
-{
-  return { (outer.rotation + inner.rotation) % 4, outer(inner.translation) };
-}
-
 /// Where a vertex of the mesh is in the chart of one of its triangles.
 const Point& PlaceIn(const FlatMap& map, int triangle, int vertex)
 {
@@ -63,17 +57,17 @@ bool Lay(const TracedLine& line, const TracedLine& other, NearMiss& miss)
 
 double NearMiss::Offset(const FlatMap& map) const
 {
-  SeamTransition toFirst; // from the chart of the present triangle
-  for (const Step& step : this->steps)
-  {
-    toFirst = Compose(toFirst, map.Across(step.triangle, step.side).Inverse());
-  }
   const Point start =
     PlaceIn(map, this->firstTriangle, map.cones[static_cast<std::size_t>(this->from)].vertex);
-  const Point end =
+  Point end =
     PlaceIn(map, this->lastTriangle, map.cones[static_cast<std::size_t>(this->to)].vertex);
+  for (auto step = this->steps.rbegin(); step != this->steps.rend(); ++step)
+  {
+    end = map.Across(step->triangle, step->side)
+            .Inverse()(end); // into the chart of the step's triangle
+  }
   // Charts may have turned by quarters: along is where the way goes.
-  Point way = toFirst(end) - start;
+  Point way = end - start;
   for (int turn = 0; turn < 3 && !(way.x() > std::abs(way.y())); ++turn)
   {
     way = TurnByQuarters(way, 1);

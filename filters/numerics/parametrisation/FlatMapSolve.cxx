@@ -1,6 +1,5 @@
 #include "FlatMapSolve.h"
 
-#include "ConfigurationPlacement.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "InjectivityCheck.h"
@@ -220,6 +219,14 @@ void SetPoints(const Eigen::VectorXd& solution, double misfit, FlatMap& map)
 }
 }
 
+PlacedConfiguration PlaceForMap(
+  const MeshTopology& topology, const Configuration& configuration, const FlatMapOptions& options)
+{
+  return PlaceConfiguration(topology, configuration,
+    options.capCorners ? CapCorners(CountMeshQuarters(topology, options.corners), options.corners)
+                       : options.corners);
+}
+
 FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& configuration,
   const FlatMapOptions& options, const Progress& progress)
 {
@@ -230,9 +237,7 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
       throw Error("A singularity has a coordinate that is not a finite number; correct it.");
     }
   }
-  const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration,
-    options.capCorners ? CapCorners(CountMeshQuarters(*topology, options.corners), options.corners)
-                       : options.corners);
+  const PlacedConfiguration placed = PlaceForMap(*topology, configuration, options);
   Alignment alignment =
     AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
   FlatMap map;

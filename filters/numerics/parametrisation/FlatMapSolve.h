@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
+#include "ConfigurationPlacement.h"
 #include "FlatMap.h"
 #include "Progress.h"
 #include "Singularity.h"
@@ -13,6 +14,10 @@ struct FlatMapOptions
   /// CapCorners of PoincareHopf.h; what is missing must be among the singularities.
   bool capCorners = false;
 };
+
+/// PlaceConfiguration with the corners that the options ask for.
+PlacedConfiguration PlaceForMap(
+  const MeshTopology& topology, const Configuration& configuration, const FlatMapOptions& options);
 
 /// Solves for the map on a mesh with a vertex at every singularity (MeshOnPoints): one factorisation
 /// for H, one for w.
