@@ -232,13 +232,12 @@ int vtkLayoutDesigner::RequestData(
           QuadConversion::WriteQuads(*design->quads, input.plane, quads);
         }
       }
-      if (!session.events.empty()) // ParaView shows no field data at all where an array is empty
+      for (vtkPolyData* output : { lines, points })
       {
-        EnergyConversion::WriteEvents(session.events, lines);
-        EnergyConversion::WriteEvents(session.events, points);
+        LayoutConversion::AddReport(design, report, output->GetFieldData());
+        // Last: where the first array is empty, ParaView shows none.
+        EnergyConversion::WriteEvents(session.events, output);
       }
-      LayoutConversion::AddReport(design, report, lines->GetFieldData());
-      LayoutConversion::AddReport(design, report, points->GetFieldData());
     });
 }
 
