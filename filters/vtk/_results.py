@@ -105,27 +105,27 @@ class CrossField(Mesh):
     u              (t, 3) complex, at the midpoints of p0p1, p1p2, p2p0 of each triangle: the exact
                    discrete field
     angle          (t,) float, of a branch at the centre of each triangle, in (-π/4, π/4], radians
-    point_angle    (n,) float, the same at each point
     norm           (t,) float, |u| at the centre of each triangle
-    point_norm     (n,) float, the same at each point
-    cross          (t, 3) float, the branch at that angle as a unit vector of space, in single precision;
-                   None if the field was computed with arrays="exact"
-    point_cross    (n, 3) float, the same at each point
+    cross          (t, 3) float, the branch at that angle as a unit vector of space
+    point_angle    (n,) float, the angle at each point
+    point_norm     (n,) float, |u| at each point
+    point_cross    (n, 3) float, the branch at each point
     hole_degrees   (h,) int, quarter turns that the field really makes around each hole
     report         the numbers of the solver, under the names of `crossfield solve --json`
     grid           all of it as a vtkUnstructuredGrid
 
     u and the angles are in the frame of the plane: of (x, y) if z is constant, of (y, z) if x is, of
     (x, z) if y is, and in other planes of the nearest of these three, turned into the plane by the
-    shortest rotation.
+    shortest rotation. Crosses and what is at points are arrays of `grid`, in its single precision, and None where
+    the choice of `arrays` leaves them out: crosses and norms with "exact", the angles at points also with "display".
     """
 
     u: np.ndarray
     angle: np.ndarray
-    point_angle: np.ndarray
     norm: np.ndarray
-    point_norm: np.ndarray
     cross: Optional[np.ndarray]
+    point_angle: Optional[np.ndarray]
+    point_norm: Optional[np.ndarray]
     point_cross: Optional[np.ndarray]
     hole_degrees: np.ndarray
     report: dict[str, Any]
@@ -209,40 +209,28 @@ def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
     return Mesh(**_mesh_arrays(grid))
 
 
-def _at_points(mesh: dict[str, Any], u: np.ndarray) -> np.ndarray:
-    """u at every point: the mean of what its triangles have there, weighted by area; 0 without triangles."""
-    rows, count = mesh["triangles"], len(mesh["points"])
-    corner = mesh["points"][rows]
-    area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
-    # The linear function with these midpoint values, at the corner opposite to side i + 1.
-    values = area[:, None] * (u.sum(axis=1)[:, None] - 2 * np.roll(u, -1, axis=1))
-
-    def sums(weights: np.ndarray) -> np.ndarray:
-        return np.bincount(rows.ravel(), weights.ravel(), count)
-
-    return (sums(values.real) + 1j * sums(values.imag)) / np.maximum(
-        sums(np.repeat(area, 3)), np.finfo(float).tiny)
-
-
 def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     mesh = _mesh_arrays(grid)
     triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
 
-    def shown(attributes: Any, wanted: Any) -> Optional[np.ndarray]:
-        if not attributes.HasArray(names.Cross):
+    def shown(attributes: Any, name: str, wanted: Any = slice(None)) -> Optional[np.ndarray]:
+        if not attributes.HasArray(name):
             return None
-        return vtk_to_numpy(attributes.GetArray(names.Cross))[wanted].astype(float)
+        return vtk_to_numpy(attributes.GetArray(name))[wanted].astype(float)
 
     exact = vtk_to_numpy(grid.GetCellData().GetArray(names.CrossFieldCR))[triangles]
     u = exact[:, 0::2] + 1j * exact[:, 1::2]
-    centre, at_points = u.mean(axis=1), _at_points(mesh, u)
+    centre = u.mean(axis=1)
+    at_points = shown(grid.GetPointData(), names.Representation)
     report = report_of(grid)
     report["triangles"] = len(mesh["triangles"])
     return {
         **mesh, "u": u,
-        "angle": np.angle(centre) / 4, "point_angle": np.angle(at_points) / 4,
-        "norm": np.abs(centre), "point_norm": np.abs(at_points),
-        "cross": shown(grid.GetCellData(), triangles), "point_cross": shown(grid.GetPointData(), slice(None)),
+        "angle": np.angle(centre) / 4, "norm": np.abs(centre),
+        "point_angle": None if at_points is None else np.arctan2(at_points[:, 1], at_points[:, 0]) / 4,
+        "point_norm": shown(grid.GetPointData(), names.CrossNorm),
+        "cross": shown(grid.GetCellData(), names.Cross, triangles),
+        "point_cross": shown(grid.GetPointData(), names.Cross),
         "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree), "report": report}
 
 
