@@ -44,7 +44,7 @@ vtkDataArray* RequireArray(vtkDataSet* input, const char* name, int components)
   return array;
 }
 
-/** The cross of a triangle: its arrays, or what follows from others. */
+/** The cross of a triangle: its arrays, which filters for any data may have warped with the mesh, or what follows from the exact field. */
 class CrossReading
 {
 public:
