@@ -10,12 +10,11 @@ struct ArcCounts
 {
   std::vector<int> counts;
   int zeroArcs = 0;
-  double cost = 0.0;  ///< Σ w |n − ℓ|.
-  double bound = 0.0; ///< Of the cost: proved by branch and bound with rows that keep points apart.
-  double gap = 0.0;   ///< (cost − bound) / (1 + bound).
+  double cost = 0.0;    ///< Σ w |n − ℓ|.
+  double bound = 0.0;   ///< Of the cost: proved by branch and cut with rows that keep points apart.
+  double gap = 0.0;     ///< (cost − bound) / (1 + bound).
   bool optimal = false; ///< The gap is proved to be zero.
-  int flows = 0;
-  int nodes = 0; ///< Of branch and bound.
+  int nodes = 0;        ///< Of branch and bound.
   double seconds = 0.0;
 };
 
@@ -26,10 +25,9 @@ enum class ArcSearch
   Thorough
 };
 
-/// Solves the flow, finds points that must not be one, bounds one arc of each way between them, the
-/// one with which the flow's cost rises least, and starts again (docs/method.md §14.3). Then bounds that are
-/// needed no more are dropped. Ends always: with n ≥ 1 everywhere nothing is joined. Then the optimum is looked
-/// for by branch and cut, with rows instead of bounds, as far as a number of nodes goes.
+/// The flow, where that joins nothing. Else numbers n ≥ 1, which never do, are improved in windows (ArcWindows.h), and then
+/// the optimum is looked for by branch and cut with rows that keep points apart, as far as a number of nodes goes
+/// (docs/method.md §14.3).
 ArcCounts CountArcs(
   const TMesh& mesh, const ArcProblem& problem, ArcSearch search, const Progress& progress = {});
 }

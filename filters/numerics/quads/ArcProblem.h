@@ -30,6 +30,12 @@ struct ArcProblem
   bool Allows(const std::vector<int>& counts) const;
 };
 
+/// Costs are sums of products: this is far below what an edge more or less makes.
+constexpr double CostRounding(double cost)
+{
+  return 1e-9 * (1.0 + cost);
+}
+
 /// The problem for wanted counts ℓ_a. w_a is half the widths of the two faces beside the arc, counted in wanted edges
 /// as well, so that the misfit is a number of quads.
 ArcProblem MakeArcProblem(const TMesh& mesh, std::vector<double> wanted);

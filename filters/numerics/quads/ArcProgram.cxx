@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
@@ -52,13 +53,15 @@ struct BranchAndCut
 
 struct ArcProgram::Program
 {
-  explicit Program(const ArcProblem& wanted)
+  Program(const ArcProblem& wanted, const std::vector<int>& free, std::vector<int> counts)
     : Problem(wanted)
     , Data(glp_create_prob())
+    , Counts(std::move(counts))
+    , FirstColumn(wanted.Count(), Fixed)
   {
     glp_term_out(GLP_OFF); // of this thread: GLPK says some things whatever msg_lev is
     glp_set_obj_dir(this->Data.get(), GLP_MIN);
-    this->AddColumns();
+    this->AddColumns(free);
     std::vector<std::vector<std::pair<int, int>>> equations(Index(wanted.rows));
     for (std::size_t a = 0; a < wanted.Count(); ++a)
     {
@@ -69,7 +72,8 @@ struct ArcProgram::Program
     }
     for (const auto& equation : equations)
     {
-      if (!equation.empty())
+      if (std::any_of(equation.begin(), equation.end(),
+            [this](const auto& term) { return this->IsFree(Index(term.first)); }))
       {
         this->AddRow(equation, GLP_FX, 0);
       }
@@ -83,9 +87,14 @@ struct ArcProgram::Program
     double right = least;
     for (const auto& [arc, factor] : terms)
     {
-      const int first = ColumnOf(Index(arc));
-      columns.insert(columns.end(), { first, first + 1, first + 2 });
       const auto value = static_cast<double>(factor);
+      if (!this->IsFree(Index(arc)))
+      {
+        right -= value * this->Counts[Index(arc)];
+        continue;
+      }
+      const int first = this->FirstColumn[Index(arc)];
+      columns.insert(columns.end(), { first, first + 1, first + 2 });
       values.insert(values.end(), { -value, value, value });
       right -= value * this->Floors[Index(arc)];
     }
@@ -144,22 +153,34 @@ struct ArcProgram::Program
   }
 
 private:
-  static int ColumnOf(std::size_t arc) { return 3 * static_cast<int>(arc) + 1; }
+  static constexpr int Fixed = 0; // columns begin with 1
 
-  void AddColumns()
+  bool IsFree(std::size_t arc) const { return this->FirstColumn[arc] != Fixed; }
+
+  void AddColumns(const std::vector<int>& free)
   {
-    glp_add_cols(this->Data.get(), 3 * static_cast<int>(this->Problem.Count()));
+    for (std::size_t i = 0; i < free.size(); ++i)
+    {
+      this->FirstColumn[Index(free[i])] = 3 * static_cast<int>(i) + 1;
+    }
+    glp_add_cols(this->Data.get(), 3 * static_cast<int>(free.size()));
     double constant = 0.0;
     for (std::size_t a = 0; a < this->Problem.Count(); ++a)
     {
+      this->Floors.push_back(static_cast<int>(std::floor(this->Problem.wanted[a])));
+      if (!this->IsFree(a))
+      {
+        constant += this->Problem.Cost(a, this->Counts[a]);
+        continue;
+      }
+      const int first = this->FirstColumn[a];
       const double weight = this->Problem.weight[a];
-      const double below = std::floor(this->Problem.wanted[a]);
+      const double below = this->Floors[a];
       const double fraction = this->Problem.wanted[a] - below;
       constant += weight * fraction;
-      this->Floors.push_back(static_cast<int>(below));
-      this->AddColumn(ColumnOf(a), weight, this->Floors.back() > 0 ? GLP_DB : GLP_FX, below);
-      this->AddColumn(ColumnOf(a) + 1, weight * (1.0 - 2.0 * fraction), GLP_DB, 1.0);
-      this->AddColumn(ColumnOf(a) + 2, weight, GLP_LO, 0.0);
+      this->AddColumn(first, weight, this->Floors[a] > 0 ? GLP_DB : GLP_FX, below);
+      this->AddColumn(first + 1, weight * (1.0 - 2.0 * fraction), GLP_DB, 1.0);
+      this->AddColumn(first + 2, weight, GLP_LO, 0.0);
     }
     glp_set_obj_coef(this->Data.get(), 0, constant);
   }
@@ -173,31 +194,60 @@ private:
 
   std::vector<double> ValuesOf(const std::vector<int>& counts) const
   {
-    std::vector<double> values = { 0.0 };
+    std::vector<double> values(Index(glp_get_num_cols(this->Data.get())) + 1, 0.0);
     for (std::size_t a = 0; a < counts.size(); ++a)
     {
-      const int more = counts[a] - this->Floors[a];
-      values.insert(values.end(),
-        { static_cast<double>(std::max(0, -more)), static_cast<double>(std::clamp(more, 0, 1)),
-          static_cast<double>(std::max(0, more - 1)) });
+      if (this->IsFree(a))
+      {
+        const std::size_t first = Index(this->FirstColumn[a]);
+        const int more = counts[a] - this->Floors[a];
+        values[first] = std::max(0, -more);
+        values[first + 1] = std::clamp(more, 0, 1);
+        values[first + 2] = std::max(0, more - 1);
+      }
     }
     return values;
   }
 
   int CountOf(std::size_t arc) const
   {
+    if (!this->IsFree(arc))
+    {
+      return this->Counts[arc];
+    }
     const auto value = [&](int i)
-    { return static_cast<int>(std::lround(glp_mip_col_val(this->Data.get(), ColumnOf(arc) + i))); };
+    {
+      return static_cast<int>(
+        std::lround(glp_mip_col_val(this->Data.get(), this->FirstColumn[arc] + i)));
+    };
     return this->Floors[arc] - value(0) + value(1) + value(2);
   }
 
   const ArcProblem& Problem;
   std::unique_ptr<glp_prob, Delete> Data;
+  const std::vector<int> Counts; ///< Of arcs that are not free.
+  std::vector<int> FirstColumn;  ///< Per arc.
   std::vector<int> Floors;
 };
 
+namespace
+{
+std::vector<int> AllArcs(const ArcProblem& problem)
+{
+  std::vector<int> arcs(problem.Count());
+  std::iota(arcs.begin(), arcs.end(), 0);
+  return arcs;
+}
+}
+
 ArcProgram::ArcProgram(const ArcProblem& problem)
-  : Data(std::make_unique<Program>(problem))
+  : ArcProgram(problem, AllArcs(problem), {})
+{
+}
+
+ArcProgram::ArcProgram(
+  const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts)
+  : Data(std::make_unique<Program>(problem, free, counts))
 {
 }
 

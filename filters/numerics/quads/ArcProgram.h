@@ -24,6 +24,9 @@ class ArcProgram
 {
 public:
   explicit ArcProgram(const ArcProblem& problem);
+  /// Only some arcs are free. The others keep the counts that are given, which solve the equations.
+  ArcProgram(
+    const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts);
   ~ArcProgram();
   ArcProgram(const ArcProgram&) = delete;
   ArcProgram& operator=(const ArcProgram&) = delete;

@@ -13,9 +13,6 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
-/// A loop of a mesh has three edges at least, as a boundary of less is no polygon.
-constexpr int LeastLoop = 3;
-
 class Separator
 {
 public:
@@ -179,6 +176,16 @@ private:
   std::vector<bool> OnBoundary;
   std::vector<std::vector<std::size_t>> LinksAt;
 };
+
+ArcRow AnyOf(const Violation& violation)
+{
+  ArcRow row;
+  for (const int arc : violation.arcs)
+  {
+    row.terms.emplace_back(arc, 1);
+  }
+  return row;
+}
 }
 
 ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
@@ -188,13 +195,17 @@ ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<in
   {
     return SeparateEnds(mesh, counts, wanted, violation.way);
   }
-  ArcRow row;
+  ArcRow row = AnyOf(violation);
   row.least = LeastLoop;
-  for (const int arc : violation.arcs)
-  {
-    row.terms.emplace_back(arc, 1);
-  }
   return row;
+}
+
+ArcRow RowAllowing(const std::vector<int>& best, const Violation& violation, const TMesh& mesh,
+  const std::vector<int>& counts, const std::vector<double>& wanted)
+{
+  ArcRow row = RowOf(violation, mesh, counts, wanted);
+  const bool serves = !row.terms.empty() && row.Holds(best) && !row.Holds(counts);
+  return serves ? row : AnyOf(violation);
 }
 
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts)

@@ -1,6 +1,8 @@
 #include "ArcCounts.h"
 
 #include "ArcFlow.h"
+#include "ArcProgram.h"
+#include "ArcWindows.h"
 #include "FlatMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace crossfield::test
 {
@@ -151,5 +154,67 @@ TEST(ArcCounts, KeepApartWhatIsApartInTheMap)
     }
   }
   EXPECT_GT(rows, 20);
+}
+
+/// Numbers of window after window stay a solution that joins nothing, never cost more, and come near to what is proved for all.
+TEST(ArcWindows, LeadToTheOptimum)
+{
+  Random random(1234);
+  double whole = 0.0;
+  double windows = 0.0;
+  std::size_t kept = 0;
+  for (int sample = 0; sample < 4; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh lines = LinesOf(DiskOfEdges(0.1), RandomPairs(random, 8), 0.06);
+    const ArcProblem problem = MakeArcProblem(lines, 0.12);
+    ArcProblem ones = problem;
+    ones.lower.assign(problem.Count(), 1);
+    IntegerCounts found = SolveArcFlow(ones);
+    std::vector<ArcRow> rows;
+    double cost = found.cost;
+    for (const std::size_t largest : { 0, 60, 100 })
+    {
+      ImproveInWindows(lines, problem, largest, found, rows);
+      EXPECT_TRUE(problem.Allows(found.counts));
+      EXPECT_TRUE(FindViolations(lines, found.counts).empty());
+      EXPECT_NEAR(found.cost, problem.Cost(found.counts), CostRounding(cost));
+      EXPECT_LE(found.cost, cost);
+      EXPECT_EQ(found.cost<cost, largest> 0);
+      cost = found.cost;
+    }
+    kept += rows.size();
+    const ArcCounts best = CountArcs(lines, problem, ArcSearch::Thorough);
+    EXPECT_TRUE(best.optimal);
+    whole += best.cost;
+    windows += cost;
+  }
+  EXPECT_GT(kept, 0u);
+  EXPECT_GE(windows, whole);
+  EXPECT_LT(windows, 2.0 * whole); // the first numbers cost up to ten times as much
+}
+
+/// With some arcs free the others stay, the equations hold, and nothing better is left among the free ones.
+TEST(ArcProgram, LeavesWhatIsNotFree)
+{
+  const TMesh lines = LinesOf(LShape(), { { { 0.5, 0.5 }, 1 }, { { 1.4, 0.4 }, -1 } }, 0.1);
+  const ArcProblem problem = MakeArcProblem(lines, 0.31);
+  ArcProblem more = problem;
+  more.lower.assign(problem.Count(), 2);
+  const std::vector<int> start = SolveArcFlow(more).counts;
+  std::vector<int> all(problem.Count());
+  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> some(
+    all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
+  const ProgramCounts inHalf = ArcProgram(problem, some, start).Solve(start, 1000, 0.0);
+  ASSERT_FALSE(inHalf.counts.empty());
+  EXPECT_TRUE(problem.Allows(inHalf.counts));
+  EXPECT_TRUE(std::equal(inHalf.counts.begin() + static_cast<std::ptrdiff_t>(some.size()),
+    inHalf.counts.end(), start.begin() + static_cast<std::ptrdiff_t>(some.size())));
+  EXPECT_LE(inHalf.cost, problem.Cost(start) + CostRounding(inHalf.cost));
+  EXPECT_NEAR(inHalf.cost, problem.Cost(inHalf.counts), CostRounding(inHalf.cost));
+  const ProgramCounts inAll = ArcProgram(problem, all, start).Solve(start, 1000, 0.0);
+  EXPECT_NEAR(inAll.cost, SolveArcFlow(problem).cost, CostRounding(inAll.cost));
+  EXPECT_LE(inAll.cost, inHalf.cost + CostRounding(inHalf.cost));
 }
 }

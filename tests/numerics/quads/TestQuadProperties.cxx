@@ -247,12 +247,12 @@ TEST(QuadProperties, OfRandomDomains)
         if (tell)
         {
           std::printf(
-            "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d forced %d gap %.3f flows %d "
+            "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d forced %d gap %.3f "
             "released %d moved %.2g s %.3f %.3f %.3f\n",
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
             result.quality.inverted, FarApart(map, options.size), result.counts.zeroArcs,
-            result.counts.nodes, result.counts.gap, result.counts.flows, result.smoothing.released,
+            result.counts.nodes, result.counts.gap, result.smoothing.released,
             result.smoothing.moved / options.size, result.traceSeconds, result.counts.seconds,
             result.smoothSeconds);
         }

@@ -67,13 +67,13 @@ std::string Tell(const QuadResult& r)
 {
   char text[400];
   std::snprintf(text, sizeof text,
-    "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f flows %d "
+    "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f "
     "iter %d kept %d released %d moved %.3g  s: trace %.3f int %.4f lay %.3f smooth %.3f ratio",
     r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.faces.size(), r.lines.arcs.size(),
     r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
-    r.counts.zeroArcs, r.counts.nodes, r.counts.optimal, r.counts.gap, r.counts.flows,
-    r.smoothing.iterations, r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved,
-    r.traceSeconds, r.counts.seconds, r.layoutSeconds, r.smoothSeconds);
+    r.counts.zeroArcs, r.counts.nodes, r.counts.optimal, r.counts.gap, r.smoothing.iterations,
+    r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved, r.traceSeconds,
+    r.counts.seconds, r.layoutSeconds, r.smoothSeconds);
   return text;
 }
 

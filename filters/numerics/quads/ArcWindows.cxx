@@ -1,0 +1,208 @@
+#include "ArcWindows.h"
+
+#include "ArcProgram.h"
+#include "Separation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+std::size_t Index(int i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+/// Some faces of a T-mesh, the nearest to the first of them first, and their arcs.
+struct Window
+{
+  std::vector<int> faces;
+  std::vector<int> arcs;
+};
+
+class Windows
+{
+public:
+  explicit Windows(const TMesh& mesh)
+    : Mesh(mesh)
+  {
+    for (const TFace& face : mesh.faces)
+    {
+      std::vector<int> arcs;
+      for (const auto& side : face.sides)
+      {
+        for (const int half : side)
+        {
+          arcs.push_back(half / 2);
+        }
+      }
+      this->ArcsOf.push_back(std::move(arcs));
+    }
+  }
+
+  /// With at least `size` arcs, or all that there are.
+  Window Around(int face, std::size_t size) const
+  {
+    std::vector<char> seen(this->Mesh.faces.size(), 0);
+    std::vector<char> taken(this->Mesh.arcs.size(), 0);
+    Window window;
+    window.faces = { face };
+    seen[Index(face)] = 1;
+    std::size_t next = 0;
+    for (; next < window.faces.size() && window.arcs.size() < size; ++next)
+    {
+      for (const int arc : this->ArcsOf[Index(window.faces[next])])
+      {
+        if (taken[Index(arc)] == 0)
+        {
+          taken[Index(arc)] = 1;
+          window.arcs.push_back(arc);
+        }
+        for (const int half : { 2 * arc, 2 * arc + 1 })
+        {
+          const int other = this->Mesh.halfEdges[Index(half)].face;
+          if (other >= 0 && seen[Index(other)] == 0)
+          {
+            seen[Index(other)] = 1;
+            window.faces.push_back(other);
+          }
+        }
+      }
+    }
+    window.faces.resize(next);
+    return window;
+  }
+
+  /// Windows that cover the domain: each is around the face with the highest cost, beyond that of the nearest integers, of those
+  /// that are not in the nearer half of an earlier one.
+  std::vector<Window> Cover(
+    const ArcProblem& problem, const std::vector<int>& counts, std::size_t size) const
+  {
+    std::vector<double> excess;
+    for (const std::vector<int>& arcs : this->ArcsOf)
+    {
+      excess.push_back(std::accumulate(arcs.begin(), arcs.end(), 0.0,
+        [&](double sum, int arc)
+        {
+          const auto nearest = static_cast<int>(std::lround(problem.wanted[Index(arc)]));
+          return sum + problem.Cost(Index(arc), counts[Index(arc)]) -
+            problem.Cost(Index(arc), nearest);
+        }));
+    }
+    std::vector<int> order(this->ArcsOf.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+      [&](int a, int b) { return excess[Index(a)] > excess[Index(b)]; });
+    std::vector<char> covered(order.size(), 0);
+    std::vector<Window> windows;
+    for (const int face : order)
+    {
+      if (covered[Index(face)] == 0)
+      {
+        windows.push_back(this->Around(face, size));
+        const std::vector<int>& faces = windows.back().faces;
+        for (std::size_t i = 0; i < (faces.size() + 3) / 4; ++i)
+        {
+          covered[Index(faces[i])] = 1;
+        }
+      }
+    }
+    return windows;
+  }
+
+private:
+  const TMesh& Mesh;
+  std::vector<std::vector<int>> ArcsOf;
+};
+
+bool Improves(double cost, const IntegerCounts& best)
+{
+  return cost < best.cost - CostRounding(best.cost);
+}
+
+/// Rows are added for what is joined, as in the whole problem.
+void ImproveInside(const TMesh& mesh, const ArcProblem& problem, const Window& window,
+  IntegerCounts& best, std::vector<ArcRow>& rows)
+{
+  // Few windows need more of either.
+  constexpr int MostRounds = 12;
+  constexpr int MostNodes = 50;
+  std::vector<char> free(problem.Count(), 0);
+  for (const int arc : window.arcs)
+  {
+    free[Index(arc)] = 1;
+  }
+  ArcProgram program(problem, window.arcs, best.counts);
+  for (const ArcRow& row : rows)
+  {
+    if (row.Holds(best.counts) &&
+      std::any_of(row.terms.begin(), row.terms.end(),
+        [&free](const auto& term) { return free[Index(term.first)] != 0; }))
+    {
+      program.Add(row);
+    }
+  }
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    ProgramCounts found = program.Solve(best.counts, MostNodes, 0.0);
+    if (found.counts.empty() || !Improves(found.cost, best))
+    {
+      return;
+    }
+    const std::vector<Violation> violations = FindViolations(mesh, found.counts);
+    if (violations.empty())
+    {
+      best.counts = std::move(found.counts);
+      best.cost = found.cost;
+      return;
+    }
+    for (const Violation& violation : violations)
+    {
+      rows.push_back(RowAllowing(best.counts, violation, mesh, found.counts, problem.wanted));
+      program.Add(rows.back());
+    }
+  }
+}
+
+/// The optimum in which no arc loses its last edge: nothing new is joined.
+void Rebalance(const ArcProblem& problem, IntegerCounts& best)
+{
+  ArcProblem kept = problem;
+  std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
+    [](int count) { return std::min(count, 1); });
+  IntegerCounts found = SolveArcFlow(kept);
+  if (Improves(found.cost, best))
+  {
+    best.counts = std::move(found.counts);
+    best.cost = found.cost;
+  }
+}
+}
+
+void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t largest,
+  IntegerCounts& best, std::vector<ArcRow>& rows, const Progress& progress)
+{
+  const Windows windows(mesh);
+  // A window of 100 arcs takes milliseconds, one of 300 a tenth of a second. What small ones improve is not left to large ones, and
+  // what is more than three fifths of everything to the whole problem.
+  const std::array<std::size_t, 7> sizes = { 60, 100, 100, 200, 200, 300, 300 };
+  for (std::size_t pass = 0; pass < sizes.size(); ++pass)
+  {
+    if (sizes[pass] > largest || 5 * sizes[pass] > 3 * problem.Count())
+    {
+      break;
+    }
+    for (const Window& window : windows.Cover(problem, best.counts, sizes[pass]))
+    {
+      progress.Report(static_cast<double>(pass) / static_cast<double>(sizes.size()));
+      ImproveInside(mesh, problem, window, best, rows);
+    }
+    Rebalance(problem, best);
+  }
+}
+}

@@ -1,0 +1,72 @@
+// Numbers of quads of random configurations on the unit disk: how long their search takes and how near to the optimum it ends.
+
+#include "ArcCounts.h"
+
+#include "BuiltinDomains.h"
+#include "FlatMapSolve.h"
+#include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
+#include "TMeshFaces.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+using namespace crossfield;
+
+/// Four singularities of index 1 more than of index −1, in all `count`, no nearer to each other than about their mean distance allows.
+Configuration RandomSigns(int count, unsigned int seed)
+{
+  const double apart = std::min(0.15, 0.9 / std::sqrt(count));
+  std::mt19937 random(seed);
+  const auto uniform = [&random]
+  { return 1.7 * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+  Configuration configuration;
+  while (static_cast<int>(configuration.size()) < count)
+  {
+    const Point place(uniform(), uniform());
+    const bool free = place.norm() < 0.85 &&
+      std::none_of(configuration.begin(), configuration.end(),
+        [&](const Singularity& other) { return (other.position - place).norm() < apart; });
+    if (free)
+    {
+      const int placed = static_cast<int>(configuration.size());
+      configuration.push_back({ place, placed < 4 || placed % 2 == 0 ? 1 : -1 });
+    }
+  }
+  return configuration;
+}
+
+/// Quads of edge length 0.1; arguments are the number of singularities and the seed.
+void Integers(benchmark::State& state)
+{
+  const Configuration configuration =
+    RandomSigns(static_cast<int>(state.range(0)), static_cast<unsigned int>(state.range(1)));
+  BuiltinDomain disk;
+  disk.edgeLength = 0.03;
+  const FlatMap map = SolveFlatMap(
+    ShareTopology(
+      MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), configuration, disk.edgeLength)),
+    configuration);
+  const TMesh mesh = MakeTMesh(map, TraceLines(map));
+  const ArcProblem problem = MakeArcProblem(mesh, 0.1);
+  ArcCounts counts;
+  for (auto _ : state)
+  {
+    counts = CountArcs(mesh, problem, ArcSearch::Thorough);
+  }
+  state.counters["arcs"] = static_cast<double>(problem.Count());
+  state.counters["cost"] = counts.cost;
+  state.counters["gap"] = counts.gap;
+  state.counters["nodes"] = counts.nodes;
+}
+BENCHMARK(Integers)
+  ->ArgsProduct({ { 12, 30, 50, 80, 160 }, { 1, 2, 3 } })
+  ->Unit(benchmark::kMillisecond)
+  ->Iterations(1)
+  ->MeasureProcessCPUTime();
+}
