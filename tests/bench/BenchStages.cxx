@@ -420,6 +420,15 @@ void SizesToFourMillion(benchmark::internal::Benchmark* benchmark)
   benchmark->Apply(Sizes)->Arg(4000000);
 }
 
+void HoleCounts(benchmark::internal::Benchmark* benchmark)
+{
+  for (const std::int64_t count : { 4, 16, 36, 64, 100 })
+  {
+    benchmark->Arg(count);
+  }
+  benchmark->Unit(benchmark::kMillisecond)->Iterations(1)->MeasureProcessCPUTime()->UseManualTime();
+}
+
 BENCHMARK(Mesh)->Apply(SizesToFourMillion)->UseRealTime();
 BENCHMARK(BareCholmod)->Apply(Sizes)->UseRealTime();
 BENCHMARK_CAPTURE(Solve, Constrained, PerforatedMethod::Constrained)
@@ -442,26 +451,8 @@ BENCHMARK(MapToQuads)
   ->UseRealTime();
 BENCHMARK(Quads)->Apply(Sizes)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(FurtherConfiguration)->Apply(Sizes)->UseRealTime();
-BENCHMARK_CAPTURE(ManyHoles, Harmonic, PerforatedStart::Harmonic)
-  ->Arg(4)
-  ->Arg(16)
-  ->Arg(36)
-  ->Arg(64)
-  ->Arg(100)
-  ->Unit(benchmark::kMillisecond)
-  ->Iterations(1)
-  ->MeasureProcessCPUTime()
-  ->UseManualTime();
-BENCHMARK_CAPTURE(ManyHoles, Best, PerforatedStart::Best)
-  ->Arg(4)
-  ->Arg(16)
-  ->Arg(36)
-  ->Arg(64)
-  ->Arg(100)
-  ->Unit(benchmark::kMillisecond)
-  ->Iterations(1)
-  ->MeasureProcessCPUTime()
-  ->UseManualTime();
+BENCHMARK_CAPTURE(ManyHoles, Harmonic, PerforatedStart::Harmonic)->Apply(HoleCounts);
+BENCHMARK_CAPTURE(ManyHoles, Best, PerforatedStart::Best)->Apply(HoleCounts);
 // Ten million triangles take 7 GiB.
 BENCHMARK_CAPTURE(WholeRun, All, "all")->Apply(Sizes)->UseRealTime();
 BENCHMARK_CAPTURE(WholeRun, Display, "display")

@@ -11,34 +11,66 @@ namespace crossfield
 {
 namespace
 {
-/// ½ xᴴ S x − Re(bᴴ x).
-class QuadraticFunctional : public ConstrainedFunctional
+/// ½ xᴴ S x − Re(bᴴ x), whatever S is stored as.
+class Quadratic : public ConstrainedFunctional
 {
 public:
-  explicit QuadraticFunctional(const QuadraticProblem& problem)
-    : Problem(problem)
+  double Value(const ComplexVector& x) const final
+  {
+    return 0.5 * x.dot(this->Product(x)).real() - this->Load.dot(x).real();
+  }
+  Eigen::VectorXd Gradient(const ComplexVector& x) const final
+  {
+    const ComplexVector gradient = this->Product(x) - this->Load;
+    return Eigen::Map<const Eigen::VectorXd>(
+      reinterpret_cast<const double*>(gradient.data()), 2 * gradient.size());
+  }
+  double GradientScale(const ComplexVector& x) const final
+  {
+    return this->Product(x).norm() + this->Load.norm();
+  }
+  double Stiffness() const final { return this->MeanDiagonal; }
+
+protected:
+  Quadratic(const ComplexVector& load, double meanDiagonal)
+    : Load(load)
+    , MeanDiagonal(meanDiagonal)
+  {
+  }
+
+  /// S x.
+  virtual ComplexVector Times(const ComplexVector& x) const = 0;
+
+private:
+  /// S x; value, gradient and scale are asked for at one point.
+  const ComplexVector& Product(const ComplexVector& x) const
+  {
+    if (this->LastPoint.size() != x.size() || this->LastPoint != x)
+    {
+      this->LastPoint = x;
+      this->LastProduct = this->Times(x);
+    }
+    return this->LastProduct;
+  }
+
+  const ComplexVector& Load;
+  double MeanDiagonal;
+  mutable ComplexVector LastPoint;
+  mutable ComplexVector LastProduct;
+};
+
+/// With a dense S.
+class DenseFunctional final : public Quadratic
+{
+public:
+  explicit DenseFunctional(const QuadraticProblem& problem)
+    : Quadratic(
+        problem.load, problem.matrix.trace().real() / static_cast<double>(problem.matrix.rows()))
+    , Problem(problem)
     , RealMatrix(OnParts(problem.matrix))
   {
   }
 
-  double Value(const ComplexVector& x) const override
-  {
-    return 0.5 * x.dot(this->Product(x)).real() - this->Problem.load.dot(x).real();
-  }
-  Eigen::VectorXd Gradient(const ComplexVector& x) const override
-  {
-    const ComplexVector gradient = this->Product(x) - this->Problem.load;
-    return Eigen::Map<const Eigen::VectorXd>(
-      reinterpret_cast<const double*>(gradient.data()), 2 * gradient.size());
-  }
-  double GradientScale(const ComplexVector& x) const override
-  {
-    return this->Product(x).norm() + this->Problem.load.norm();
-  }
-  double Stiffness() const override
-  {
-    return this->Problem.matrix.trace().real() / static_cast<double>(this->Problem.matrix.rows());
-  }
   bool Factor(const ComplexVector&, const Additions& additions) override
   {
     Eigen::MatrixXd hessian = (1.0 + additions.shift) * this->RealMatrix;
@@ -56,41 +88,24 @@ public:
   }
 
 private:
-  ComplexVector Product(const ComplexVector& x) const { return this->Problem.matrix * x; }
+  ComplexVector Times(const ComplexVector& x) const override { return this->Problem.matrix * x; }
 
   const QuadraticProblem& Problem;
   Eigen::MatrixXd RealMatrix;
   DenseCholesky<double> LastFactor;
 };
 
-/// ½ xᴴ S x − Re(bᴴ x), with steps by the strongest couplings between holes. Whether its second derivatives are
-/// positive definite is decided with all of them.
-class BlockFunctional final : public ConstrainedFunctional
+/// With steps by the strongest couplings between holes. Whether its second derivatives are positive definite is decided
+/// with all of them.
+class BlockFunctional final : public Quadratic
 {
 public:
   explicit BlockFunctional(const ReducedProblem& problem)
-    : Problem(problem)
+    : Quadratic(problem.load, problem.matrix.trace() / static_cast<double>(problem.matrix.rows()))
+    , Problem(problem)
   {
   }
 
-  double Value(const ComplexVector& x) const override
-  {
-    return 0.5 * x.dot(this->Product(x)).real() - this->Problem.load.dot(x).real();
-  }
-  Eigen::VectorXd Gradient(const ComplexVector& x) const override
-  {
-    const ComplexVector gradient = this->Product(x) - this->Problem.load;
-    return Eigen::Map<const Eigen::VectorXd>(
-      reinterpret_cast<const double*>(gradient.data()), 2 * gradient.size());
-  }
-  double GradientScale(const ComplexVector& x) const override
-  {
-    return this->Product(x).norm() + this->Problem.load.norm();
-  }
-  double Stiffness() const override
-  {
-    return this->Problem.matrix.trace() / static_cast<double>(this->Problem.matrix.rows());
-  }
   bool Factor(const ComplexVector&, const Additions& additions) override
   {
     for (std::size_t level = 0; level < LeftOut.size(); ++level)
@@ -120,30 +135,22 @@ private:
   /// As parts of the mean of the diagonal of S; the last is rounding.
   static constexpr std::array<double, 4> LeftOut = { 1e-4, 1e-6, 1e-9, 1e-13 };
 
-  /// S x; value, gradient and scale are asked for at one point.
-  const ComplexVector& Product(const ComplexVector& x) const
+  ComplexVector Times(const ComplexVector& x) const override
   {
-    if (this->LastPoint.size() != x.size() || this->LastPoint != x)
-    {
-      this->LastPoint = x;
-      this->LastProduct = TimesMatrix(this->Problem, x);
-    }
-    return this->LastProduct;
+    return TimesMatrix(this->Problem, x);
   }
 
   const ReducedProblem& Problem;
   std::deque<BlockHessian> Levels; ///< Each made when it is first needed.
   const BlockHessian* Used = nullptr;
   BlockCholesky<double> LastFactor;
-  mutable ComplexVector LastPoint;
-  mutable ComplexVector LastProduct;
 };
 }
 
 MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
-  QuadraticFunctional functional(problem);
+  DenseFunctional functional(problem);
   return MinimiseConstrained(functional, problem.constraints, start, options, progress);
 }
 
