@@ -111,23 +111,13 @@ private:
     }
     for (Eigen::Index i = 0; i < additions.normals.cols(); ++i)
     {
-      const auto normal = additions.normals.col(i);
-      std::vector<int> rows;
-      for (const int edge : this->Constrained)
+      using Entry = Eigen::SparseMatrix<double>::InnerIterator;
+      for (Entry left(additions.normals, i); left; ++left)
       {
-        for (const int row : { 2 * edge, 2 * edge + 1 })
+        for (Entry right(additions.normals, i); right; ++right)
         {
-          if (normal[row] != 0.0)
-          {
-            rows.push_back(row);
-          }
-        }
-      }
-      for (const int row : rows)
-      {
-        for (const int column : rows)
-        {
-          entries.emplace_back(row, column, additions.weight * normal[row] * normal[column]);
+          entries.emplace_back(static_cast<int>(left.row()), static_cast<int>(right.row()),
+            additions.weight * left.value() * right.value());
         }
       }
     }

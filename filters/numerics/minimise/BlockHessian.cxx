@@ -26,56 +26,48 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix)
 BlockHessian::BlockHessian(const ReducedProblem& problem, double leftOut)
   : Blocks(InBlocks(problem, leftOut))
   , Coupling(OnParts(this->Blocks.matrix.coupling.cast<Complex>()))
-  , Place(static_cast<std::size_t>(problem.matrix.rows()))
 {
-  for (const Eigen::Index coupled : this->Blocks.matrix.coupled)
-  {
-    this->CoupledParts.push_back(2 * coupled);
-  }
   for (std::size_t i = 0; i < this->Blocks.unknowns.size(); ++i)
   {
-    int position = 0;
-    for (const int unknown : this->Blocks.unknowns[i])
-    {
-      this->Place[static_cast<std::size_t>(unknown)] = { i, position++ };
-    }
+    this->CoupledParts.push_back(2 * this->Blocks.matrix.coupled[i]);
+    this->Elastic.push_back(OnParts(this->Blocks.matrix.blocks[i].cast<Complex>()));
+    this->Constraints.push_back(OnParts(this->Blocks.constraints[i]));
   }
 }
 
 BlockCholesky<double> BlockHessian::Factor(
   const ConstrainedFunctional::Additions& additions, double margin) const
 {
-  std::vector<Eigen::MatrixXcd> added;
-  for (const Eigen::MatrixXd& block : this->Blocks.matrix.blocks)
-  {
-    added.emplace_back(Eigen::MatrixXcd::Zero(block.rows(), block.cols()));
-  }
-  for (const QuadraticConstraint::Entry& entry : additions.constraints)
-  {
-    const auto& [hole, row] = this->Place[static_cast<std::size_t>(entry.row)];
-    added[hole](row, this->Place[static_cast<std::size_t>(entry.column)].second) += entry.value;
-  }
+  const ComplexVector normals = this->NormalsInBases(additions.normals);
   std::vector<Eigen::MatrixXd> hessians;
-  for (std::size_t i = 0; i < added.size(); ++i)
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < this->Elastic.size(); ++i)
   {
-    const Eigen::MatrixXd& basis = this->Blocks.bases[i];
-    const Eigen::Index size = basis.rows();
-    hessians.push_back(OnParts((1.0 + additions.shift) * this->Blocks.matrix.blocks[i] +
-      basis.transpose() * added[i] * basis));
-    ComplexVector normal(size); // of the hole's constraint, zero elsewhere
-    for (Eigen::Index j = 0; j < size; ++j)
-    {
-      const Eigen::Index row = 2 * this->Blocks.unknowns[i][static_cast<std::size_t>(j)];
-      const auto column = static_cast<Eigen::Index>(i);
-      normal[j] = { additions.normals(row, column), additions.normals(row + 1, column) };
-    }
-    const ComplexVector turned = basis.transpose() * normal;
-    const Eigen::Map<const Eigen::VectorXd> parts(
-      reinterpret_cast<const double*>(turned.data()), 2 * size);
-    hessians.back() += additions.weight * parts * parts.transpose();
+    const Eigen::Index size = this->Elastic[i].rows() / 2;
+    const Eigen::Map<const Eigen::VectorXd> normal(
+      reinterpret_cast<const double*>(normals.data() + row), 2 * size);
+    hessians.push_back((1.0 + additions.shift) * this->Elastic[i] +
+      additions.multipliers[static_cast<Eigen::Index>(i)] * this->Constraints[i]);
+    hessians.back() += additions.weight * normal * normal.transpose();
     hessians.back().diagonal().array() += margin;
+    row += size;
   }
   return { hessians, this->CoupledParts, (1.0 + additions.shift) * this->Coupling };
+}
+
+ComplexVector BlockHessian::NormalsInBases(const Eigen::SparseMatrix<double>& normals) const
+{
+  const Eigen::VectorXd sum = normals * Eigen::VectorXd::Ones(normals.cols());
+  return this->Blocks.InBases(
+    Eigen::Map<const ComplexVector>(reinterpret_cast<const Complex*>(sum.data()), sum.size() / 2));
+}
+
+Eigen::MatrixXd BlockHessian::Forms(
+  const BlockCholesky<double>& factor, const Eigen::SparseMatrix<double>& normals) const
+{
+  const ComplexVector inBases = this->NormalsInBases(normals);
+  return factor.Forms(Eigen::Map<const Eigen::VectorXd>(
+    reinterpret_cast<const double*>(inBases.data()), 2 * inBases.size()));
 }
 
 Eigen::MatrixXd BlockHessian::Solve(

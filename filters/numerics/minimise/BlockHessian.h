@@ -34,11 +34,19 @@ public:
   Eigen::MatrixXd Solve(
     const BlockCholesky<double>& factor, const Eigen::MatrixXd& rightHandSides) const;
 
+  /// Nᵀ M⁻¹ N with the M of such a factor.
+  Eigen::MatrixXd Forms(
+    const BlockCholesky<double>& factor, const Eigen::SparseMatrix<double>& normals) const;
+
 private:
+  /// Σ A_i x in the bases: every hole has the rows of its own constraint.
+  ComplexVector NormalsInBases(const Eigen::SparseMatrix<double>& normals) const;
+
   DualProblem Blocks;
+  // These act on the parts: of every hole, S_ii and A_i in its basis, and what couples them.
+  std::vector<Eigen::MatrixXd> Elastic;
+  std::vector<Eigen::MatrixXd> Constraints;
   Eigen::MatrixXd Coupling;
   std::vector<Eigen::Index> CoupledParts;
-  std::vector<std::pair<std::size_t, int>>
-    Place; ///< Of every unknown, its hole and its position there.
 };
 }

@@ -14,8 +14,10 @@ namespace crossfield
 namespace
 {
 /// The shifts, relative to M, that are tried in turn. Each costs a factorisation; but a step that is
-/// damped more than necessary costs more of them, so the first one is small.
+/// damped more than necessary costs more of them, so the first one is small. Where constraints alone make saddles, what
+/// is soft are holes as a whole, which feel each other by far less than M is: there it is smaller still.
 constexpr double FirstShift = 1.0 / 64.0;
+constexpr double FirstShiftOfConstraints = 1.0 / 16384.0;
 constexpr double ShiftGrowth = 4.0;
 /// Far more than any Σ λ_i A_i asks for; without constraints 1 is enough (docs/method.md §4.2).
 constexpr double LastShift = 1e9;
@@ -57,7 +59,8 @@ struct LocalPoint
 {
   ComplexVector x;
   Eigen::VectorXd gradient;
-  Eigen::MatrixXd normals;    ///< Column i is A_i x.
+  Eigen::SparseMatrix<double>
+    normals;                  ///< Column i is A_i x: a constraint has to do with few unknowns.
   Eigen::VectorXd violations; ///< c_i.
   double value = 0.0;
 
@@ -68,15 +71,16 @@ struct LocalPoint
     , value(functional.Value(this->x))
   {
     const auto count = static_cast<Eigen::Index>(constraints.size());
-    this->normals.resize(2 * this->x.size(), count);
+    std::vector<Eigen::Triplet<double>> entries;
     this->violations.resize(count);
     for (Eigen::Index i = 0; i < count; ++i)
     {
       const QuadraticConstraint& constraint = constraints[static_cast<std::size_t>(i)];
-      this->normals.col(i) = constraint.Gradient(this->x);
+      constraint.AddGradient(this->x, static_cast<int>(i), entries);
       this->violations[i] = constraint.Value(this->x) - constraint.target;
     }
-    this->SparseNormals = this->normals.sparseView();
+    this->normals.resize(2 * this->x.size(), count);
+    this->normals.setFromTriplets(entries.begin(), entries.end());
   }
 
   /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
@@ -88,31 +92,21 @@ struct LocalPoint
     return RelativeRounding *
       (std::abs(this->value) + std::abs(this->gradient.dot(Parts(this->x))));
   }
-  /// Nᵀ times the columns of a matrix: a constraint has to do with few unknowns.
-  Eigen::MatrixXd AlongNormals(const Eigen::MatrixXd& columns) const
-  {
-    return this->SparseNormals.transpose() * columns;
-  }
   /// Nᵀ N.
   Eigen::MatrixXd ProductsOfNormals() const
   {
-    return Eigen::MatrixXd(
-      Eigen::SparseMatrix<double>(this->SparseNormals.transpose() * this->SparseNormals));
+    return Eigen::MatrixXd(Eigen::SparseMatrix<double>(this->normals.transpose() * this->normals));
   }
   /// λ that makes ∇f + Σ λ_i A_i x smallest.
   Eigen::VectorXd LeastSquaresMultipliers() const
   {
-    return -SolveSmall(this->ProductsOfNormals(), this->AlongNormals(this->gradient));
+    return -SolveSmall(this->ProductsOfNormals(), this->normals.transpose() * this->gradient);
   }
   /// The shortest step that the linearised constraints ask for.
   ComplexVector Restoration() const
   {
-    return FromParts(
-      -this->SparseNormals * SolveSmall(this->ProductsOfNormals(), this->violations));
+    return FromParts(-this->normals * SolveSmall(this->ProductsOfNormals(), this->violations));
   }
-
-private:
-  Eigen::SparseMatrix<double> SparseNormals;
 };
 
 class Minimiser
@@ -124,7 +118,8 @@ public:
     , Constraints(constraints)
     , Options(options)
     , Metric(functional.Metric())
-    , Here(functional, constraints, start)
+    , First(this->Metric.size() > 0 ? FirstShift : FirstShiftOfConstraints)
+    , Here(functional, constraints, functional.Relax(start))
     , Multipliers(this->Here.LeastSquaresMultipliers())
     , Residual(this->ResidualAt(this->Here, this->Multipliers))
   {
@@ -147,7 +142,7 @@ public:
         break;
       }
       progress.Report(static_cast<double>(result.iterations) / this->Options.maximumIterations);
-      this->FactorConvexified(critical ? FirstShift : this->NextShift);
+      this->FactorConvexified(critical ? this->First : this->NextShift);
       const bool caught = critical || (this->Slow && this->Shift > 0.0);
       // Off a critical point it has to pay more than the steps that it takes the place of.
       if (caught && this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent))
@@ -156,7 +151,11 @@ public:
       }
       else if (!critical && this->Step())
       {
-        result.convexifiedSteps += this->Shift > 0.0 ? 1 : 0;
+        if (this->Shift > 0.0)
+        {
+          ++result.convexifiedSteps;
+          this->RelaxHere();
+        }
       }
       else
       {
@@ -198,6 +197,7 @@ private:
           this->Multipliers[static_cast<Eigen::Index>(i)] * entry.value });
       }
     }
+    additions.multipliers = this->Multipliers;
     additions.normals = this->Here.normals;
     additions.weight = NormalWeight * this->Functional.Stiffness();
     additions.shift = shift;
@@ -209,7 +209,7 @@ private:
   /// Factors with the smallest shift, of those from this one on, that works.
   void FactorConvexified(double shift)
   {
-    shift = shift < FirstShift ? 0.0 : shift;
+    shift = shift < this->First ? 0.0 : shift;
     while (!this->TryFactor(shift))
     {
       if (shift >= LastShift)
@@ -218,7 +218,18 @@ private:
           "The second derivatives cannot be factored; the mesh may be in several parts or "
           "have degenerate triangles, remesh the domain.");
       }
-      shift = std::max(FirstShift, ShiftGrowth * shift);
+      shift = std::max(this->First, ShiftGrowth * shift);
+    }
+  }
+
+  /// Along the motion that the functional knows, with the multipliers as they are.
+  void RelaxHere()
+  {
+    ComplexVector relaxed = this->Functional.Relax(this->Here.x);
+    if (relaxed != this->Here.x)
+    {
+      this->Here = LocalPoint(this->Functional, this->Constraints, std::move(relaxed));
+      this->Residual = this->ResidualAt(this->Here, this->Multipliers);
     }
   }
 
@@ -226,13 +237,14 @@ private:
   bool Step()
   {
     const LocalPoint& here = this->Here;
-    // There may be no constraints, and not every solver takes no right-hand sides.
-    const Eigen::MatrixXd fromNormals =
-      here.normals.cols() == 0 ? here.normals : this->Functional.Solve(here.normals);
-    const Eigen::VectorXd fromGradient = this->Functional.Solve(here.gradient);
-    const Eigen::VectorXd plain =
-      SolveSmall(here.AlongNormals(fromNormals), here.violations - here.AlongNormals(fromGradient));
-    const Eigen::VectorXd direction = -fromGradient - fromNormals * plain;
+    Eigen::VectorXd direction = -this->Functional.Solve(here.gradient);
+    Eigen::VectorXd plain(0);
+    if (!this->Constraints.empty())
+    {
+      plain = SolveSmall(this->Functional.Forms(here.normals),
+        here.violations + here.normals.transpose() * direction);
+      direction -= this->Functional.Solve(here.normals * plain);
+    }
     // The weight on the normals shifts the multipliers by weight × Nᵀ δx = −weight × c.
     const Eigen::VectorXd target = plain - this->Scale * here.violations;
     this->Weight = std::max(1.0, target.size() > 0 ? 2.0 * target.lpNorm<Eigen::Infinity>() : 0.0);
@@ -257,10 +269,8 @@ private:
         trialMerit <= merit + here.MeritRounding() && residual <= 0.5 * this->Residual;
       if (falls || settles)
       {
-        // A full step says that the quadratic model holds: ask for less help next time. Where the
-        // constraints alone need it, that is while the multipliers are far off; then for none.
-        const double less = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
-        this->NextShift = this->Metric.size() > 0 ? less : 0.0;
+        // A full step says that the quadratic model holds: ask for less help next time.
+        this->NextShift = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
         this->Slow = this->Shift > 0.0 && merit - trialMerit < SlowDescent * std::abs(merit);
         this->Here = std::move(trial);
         this->Multipliers = moved;
@@ -323,13 +333,14 @@ private:
   const std::vector<QuadraticConstraint>& Constraints;
   MinimiserOptions Options;
   Eigen::VectorXd Metric;
+  double First; ///< Of the shifts.
   LocalPoint Here;
   Eigen::VectorXd Multipliers;
   double Residual;
   double Weight = 1.0;    ///< Of the violations in the merit.
   double Scale = 0.0;     ///< Weight of the normals in the last factorisation,
   double Shift = 0.0;     ///< and its shift.
-  double NextShift = 0.0; ///< To begin with in the next step; below FirstShift: none.
+  double NextShift = 0.0; ///< To begin with in the next step; below the first: none.
   bool Slow = false;      ///< The last step was convexified and lowered the merit by little.
 };
 }

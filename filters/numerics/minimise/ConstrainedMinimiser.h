@@ -21,6 +21,8 @@ public:
   /// shift that the last one needed. Empty: only the constraints can make a saddle, and it says that
   /// the start was a bad one, so the iteration ends there.
   virtual Eigen::VectorXd Metric() const { return {}; }
+  /// Where a motion is known that keeps the value of every constraint, the best place along it from x.
+  virtual ComplexVector Relax(const ComplexVector& x) const { return x; }
   /// Mean of the diagonal of the quadratic part, the size of a second derivative.
   virtual double Stiffness() const = 0;
 
@@ -29,13 +31,19 @@ public:
   struct Additions
   {
     std::vector<QuadraticConstraint::Entry> constraints; ///< Of Σ λ_i A_i, repeated ones add up.
-    Eigen::MatrixXd normals;                             ///< Column i is A_i x.
+    Eigen::VectorXd multipliers;                         ///< λ_i.
+    Eigen::SparseMatrix<double> normals;                 ///< Column i is A_i x.
     double weight = 0.0;
     double shift = 0.0;
   };
   /// Factors that sum; false when it is not positive definite.
   virtual bool Factor(const ComplexVector& x, const Additions& additions) = 0;
   virtual Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const = 0;
+  /// Nᵀ H⁻¹ N with the H that was factored last.
+  virtual Eigen::MatrixXd Forms(const Eigen::SparseMatrix<double>& normals) const
+  {
+    return normals.transpose() * this->Solve(normals);
+  }
 };
 
 /// A local minimiser near a start.
@@ -43,8 +51,8 @@ public:
 /// Sequential quadratic programming with a line search on the merit f(x) + ν Σ |c_i(x)|, c_i the
 /// violations; without constraints, Newton's method with a line search on f, which never rises by more
 /// than rounding. Where the Lagrangian's Hessian is not positive definite on the constraints' tangent
-/// space it is convexified by the smallest of the multiples 1/64, 1/16, 1/4, 1, ... of M that makes it
-/// so. The solution is converged only if no such help is needed there, that is, if the optimality
+/// space it is convexified by the smallest of a sequence of multiples of M, each four times the one before, that
+/// makes it so. The solution is converged only if no such help is needed there, that is, if the optimality
 /// system has as many negative eigenvalues as constraints; otherwise it is a saddle. Where one can be
 /// left (Metric), that is done there, and where convexified steps lower the merit by less than 1e-4 of
 /// itself.

@@ -2,6 +2,7 @@
 
 #include "BlockHessian.h"
 #include "DenseCholesky.h"
+#include "UnitSolve.h"
 
 #include <array>
 #include <deque>
@@ -78,7 +79,8 @@ public:
     {
       AddEntry(hessian, entry.row, entry.column, entry.value);
     }
-    hessian += additions.weight * additions.normals * additions.normals.transpose();
+    const Eigen::MatrixXd normals = additions.normals;
+    hessian += additions.weight * normals * normals.transpose();
     this->LastFactor = DenseCholesky<double>(std::move(hessian));
     return this->LastFactor.IsPositiveDefinite();
   }
@@ -129,6 +131,15 @@ public:
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides) const override
   {
     return this->Used->Solve(this->LastFactor, rightHandSides);
+  }
+  /// Turning the values of a hole by a phase changes no degree (docs/method.md §3.5).
+  ComplexVector Relax(const ComplexVector& x) const override
+  {
+    return RelaxPhases(this->Problem, x);
+  }
+  Eigen::MatrixXd Forms(const Eigen::SparseMatrix<double>& normals) const override
+  {
+    return this->Used->Forms(this->LastFactor, normals);
   }
 
 private:

@@ -17,14 +17,24 @@ double QuadraticConstraint::Value(const ComplexVector& x) const
 Eigen::VectorXd QuadraticConstraint::Gradient(const ComplexVector& x) const
 {
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * x.size());
+  std::vector<Eigen::Triplet<double>> parts;
+  this->AddGradient(x, 0, parts);
+  for (const Eigen::Triplet<double>& part : parts)
+  {
+    gradient[part.row()] += part.value();
+  }
+  return gradient;
+}
+
+void QuadraticConstraint::AddGradient(
+  const ComplexVector& x, int column, std::vector<Eigen::Triplet<double>>& entriesOfMatrix) const
+{
   for (const Entry& entry : this->entries)
   {
     const Complex product = entry.value * x[entry.column];
-    const Eigen::Index row = entry.row;
-    gradient[2 * row] += product.real();
-    gradient[2 * row + 1] += product.imag();
+    entriesOfMatrix.emplace_back(2 * entry.row, column, product.real());
+    entriesOfMatrix.emplace_back(2 * entry.row + 1, column, product.imag());
   }
-  return gradient;
 }
 
 QuadraticConstraint SumOfDegrees(const std::vector<DegreeConstraint>& constraints)

@@ -22,6 +22,9 @@ struct QuadraticConstraint
   double Value(const ComplexVector& x) const;
   /// A x as a real vector: entries 2i and 2i + 1 are the parts of entry i.
   Eigen::VectorXd Gradient(const ComplexVector& x) const;
+  /// The same as entries of this column of a sparse matrix, repeated ones add up.
+  void AddGradient(
+    const ComplexVector& x, int column, std::vector<Eigen::Triplet<double>>& entriesOfMatrix) const;
 };
 
 /// The sum of some degree constraints: one of them, or the global constraint on them all.

@@ -165,20 +165,66 @@ Descent DescendFromMany(const PhaseProblem& phases, const ComplexVector& start,
   return best;
 }
 
-/// Column i holds the evenly turning unit values of hole i.
-Eigen::MatrixXcd EvenTurning(const ReducedProblem& problem)
+/// The evenly turning unit values of all holes.
+ComplexVector EvenTurning(const ReducedProblem& problem)
 {
-  Eigen::MatrixXcd turning = Eigen::MatrixXcd::Zero(
-    problem.matrix.rows(), static_cast<Eigen::Index>(problem.constraints.size()));
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  ComplexVector turning(problem.matrix.rows());
+  for (const DegreeConstraint& constraint : problem.constraints)
   {
-    const DegreeConstraint& constraint = problem.constraints[i];
     for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
     {
-      turning(constraint.unknowns[j], static_cast<Eigen::Index>(i)) = constraint.turning[j];
+      turning[constraint.unknowns[j]] = constraint.turning[j];
     }
   }
   return turning;
+}
+
+/// B a, with the values of hole i as column i of B.
+ComplexVector Turn(
+  const ReducedProblem& problem, const ComplexVector& values, const ComplexVector& factors)
+{
+  ComplexVector turned(values.size());
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    for (const int unknown : problem.constraints[i].unknowns)
+    {
+      turned[unknown] = values[unknown] * factors[static_cast<Eigen::Index>(i)];
+    }
+  }
+  return turned;
+}
+
+/// Bᴴ x.
+ComplexVector Against(
+  const ReducedProblem& problem, const ComplexVector& values, const ComplexVector& x)
+{
+  const ComplexVector products = values.conjugate().cwiseProduct(x);
+  ComplexVector sums = ComplexVector::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+  {
+    for (const int unknown : problem.constraints[i].unknowns)
+    {
+      sums[static_cast<Eigen::Index>(i)] += products[unknown];
+    }
+  }
+  return sums;
+}
+
+/// With P = Bᴴ S B and c = Bᴴ b.
+PhaseProblem PhasesOf(const ReducedProblem& problem, const ComplexVector& values)
+{
+  const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
+  PhaseProblem phases{ Eigen::MatrixXcd(holes, holes), Against(problem, values, problem.load) };
+  for (Eigen::Index i = 0; i < holes; ++i)
+  {
+    ComplexVector ofHole = ComplexVector::Zero(values.size());
+    for (const int unknown : problem.constraints[static_cast<std::size_t>(i)].unknowns)
+    {
+      ofHole += problem.matrix.col(unknown) * values[unknown];
+    }
+    phases.matrix.col(i) = Against(problem, values, ofHole);
+  }
+  return phases;
 }
 }
 
@@ -191,19 +237,30 @@ MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
     solution.converged = true;
     return solution;
   }
-  const Eigen::MatrixXcd turning = EvenTurning(problem);
-  const PhaseProblem phases{ turning.adjoint() * problem.matrix.cast<Complex>() * turning,
-    turning.adjoint() * problem.load };
-  const ComplexVector nearest = turning.adjoint() * start;
+  const ComplexVector turning = EvenTurning(problem);
+  const PhaseProblem phases = PhasesOf(problem, turning);
+  const ComplexVector nearest = Against(problem, turning, start);
   const Descent best = DescendFromMany(phases,
     nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }), options,
     progress);
   solution.iterations = best.iterations;
   solution.converged = best.converged;
   solution.residual = best.point.residual;
-  solution.x = turning * best.point.factors;
+  solution.x = Turn(problem, turning, best.point.factors);
   solution.multipliers =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
   return solution;
+}
+
+ComplexVector RelaxPhases(const ReducedProblem& problem, const ComplexVector& x)
+{
+  if (problem.constraints.empty())
+  {
+    return x;
+  }
+  const PhaseProblem phases = PhasesOf(problem, x);
+  const Descent descent =
+    Descend(phases, PhasePoint(phases, ComplexVector::Ones(phases.load.size())), {}, {});
+  return Turn(problem, x, descent.point.factors);
 }
 }

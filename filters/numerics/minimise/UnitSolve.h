@@ -24,4 +24,8 @@ namespace crossfield
 /// must be that of a potential with periods around holes (PotentialReduction.h).
 MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});
+
+/// The values of every hole turned by a phase of its own, by the same descent from where they are: less of ½ xᴴ S x −
+/// Re(bᴴ x), and every degree as it was.
+ComplexVector RelaxPhases(const ReducedProblem& problem, const ComplexVector& x);
 }

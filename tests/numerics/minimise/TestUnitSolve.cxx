@@ -162,5 +162,34 @@ TEST(UnitSolve, EveryCrossIsAUnitAndTurnsEvenly)
     }
   }
 }
+
+TEST(UnitSolve, RelaxedPhasesAreBestAmongTheirNeighbours)
+{
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    Random random(static_cast<std::uint32_t>(500 + trial));
+    const ReducedProblem problem = RandomProblem(random, 1 + trial);
+    const ComplexVector start =
+      ComplexVector::NullaryExpr(problem.load.size(), [&] { return random.Square(); });
+    const auto value = [&](const ComplexVector& x)
+    { return 0.5 * x.dot(problem.matrix * x).real() - problem.load.dot(x).real(); };
+    const ComplexVector relaxed = RelaxPhases(problem, start);
+    const double lowest = value(relaxed);
+    EXPECT_LE(lowest, value(start));
+    for (const DegreeConstraint& constraint : problem.constraints)
+    {
+      ComplexVector turned = relaxed;
+      const Complex factor = relaxed[constraint.unknowns[0]] / start[constraint.unknowns[0]];
+      EXPECT_NEAR(std::abs(factor), 1.0, 1e-12);
+      for (const int unknown : constraint.unknowns)
+      {
+        EXPECT_LT(std::abs(relaxed[unknown] - factor * start[unknown]), 1e-12);
+        turned[unknown] *= std::polar(1.0, 1e-3);
+      }
+      EXPECT_GE(value(turned), lowest - 1e-12 * (1.0 + std::abs(lowest)));
+    }
+  }
+}
 }
 }
