@@ -23,8 +23,8 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix)
   return real;
 }
 
-BlockHessian::BlockHessian(const ReducedProblem& problem, double leftOut)
-  : Blocks(InBlocks(problem, leftOut))
+BlockHessian::BlockHessian(const HoleBases& bases, double leftOut)
+  : Blocks(bases.InBlocks(leftOut))
   , Coupling(OnParts(this->Blocks.matrix.coupling.cast<Complex>()))
 {
   for (std::size_t i = 0; i < this->Blocks.unknowns.size(); ++i)

@@ -2,7 +2,7 @@
 
 #include "BlockCholesky.h"
 #include "ConstrainedMinimiser.h"
-#include "DualProblem.h"
+#include "HoleBases.h"
 
 #include <utility>
 #include <vector>
@@ -20,8 +20,8 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix);
 class BlockHessian
 {
 public:
-  /// `leftOut` as in InBlocks.
-  BlockHessian(const ReducedProblem& problem, double leftOut);
+  /// `leftOut` as in HoleBases.
+  BlockHessian(const HoleBases& bases, double leftOut);
 
   /// Bound on the norm of what is left out of S.
   double LeftOut() const { return this->Blocks.leftOut; }

@@ -34,8 +34,4 @@ struct DualProblem
 
 /// S x.
 ComplexVector TimesMatrix(const ReducedProblem& problem, const ComplexVector& x);
-
-/// Leaves out as many couplings between a hole and the others as stay below a part of the mean of the diagonal of S,
-/// by the Frobenius norm of every hole; those that are largest are kept.
-DualProblem InBlocks(const ReducedProblem& problem, double tolerance);
 }

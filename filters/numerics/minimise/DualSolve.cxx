@@ -1,6 +1,7 @@
 #include "DualSolve.h"
 
 #include "DualMaximum.h"
+#include "HoleBases.h"
 #include "SerialBlas.h"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ MinimiserResult SolveReduced(
   // 1. With the strong couplings between holes only, where a step costs next to nothing.
   MinimiserOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the others change is larger
-  DualProblem dual = InBlocks(problem, Strong);
+  const HoleBases bases(problem);
+  DualProblem dual = bases.InBlocks(Strong);
   DualPoint point = MaximiseFromZero(dual, rough, progress.Part(0.0, 0.3), solution.iterations);
   const bool nowhere = point.onBorder && point.residual > WhatWeakOnesChange;
 
@@ -42,7 +44,7 @@ MinimiserResult SolveReduced(
   // refinement does not make up for that, or they decide whether H is positive definite, once more.
   for (const double leftOut : { Weak, Rounding })
   {
-    dual = InBlocks(problem, leftOut);
+    dual = bases.InBlocks(leftOut);
     dual.refinedWith = &problem;
     point = EvaluateDual(dual, std::move(point.multipliers));
     if (nowhere)

@@ -105,6 +105,7 @@ public:
   explicit BlockFunctional(const ReducedProblem& problem)
     : Quadratic(problem.load, problem.matrix.trace() / static_cast<double>(problem.matrix.rows()))
     , Problem(problem)
+    , Bases(problem)
   {
   }
 
@@ -114,7 +115,7 @@ public:
     {
       if (level == this->Levels.size())
       {
-        this->Levels.emplace_back(this->Problem, LeftOut[level]);
+        this->Levels.emplace_back(this->Bases, LeftOut[level]);
       }
       this->Used = &this->Levels[level];
       // What is left out may change every eigenvalue by its norm: with less of it where that decides.
@@ -152,6 +153,7 @@ private:
   }
 
   const ReducedProblem& Problem;
+  HoleBases Bases;
   std::deque<BlockHessian> Levels; ///< Each made when it is first needed.
   const BlockHessian* Used = nullptr;
   BlockCholesky<double> LastFactor;

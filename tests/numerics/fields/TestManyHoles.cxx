@@ -1,7 +1,7 @@
 #include "DirectPerforatedSolve.h"
 #include "DrillHoles.h"
-#include "DualProblem.h"
 #include "DualSolve.h"
+#include "HoleBases.h"
 #include "LocalSolve.h"
 #include "PotentialReduction.h"
 #include "Support.h"
@@ -43,12 +43,13 @@ TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
   const PotentialProblem problem = ProblemOn(TwelveHoles());
   const PotentialReduction reduction(problem);
   const ReducedProblem& reduced = reduction.GetReducedProblem();
+  const HoleBases bases(reduced);
   const double unit = reduced.matrix.diagonal().mean();
   Eigen::Index before = 0;
   for (const double tolerance : { 1.0, 1e-2, 1e-4, 1e-8, 1e-13 })
   {
     SCOPED_TRACE(tolerance);
-    const DualProblem dual = InBlocks(reduced, tolerance);
+    const DualProblem dual = bases.InBlocks(tolerance);
     const Eigen::MatrixXd difference = Whole(dual) - reduced.matrix;
     const double norm = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
       0.5 * (difference + difference.transpose()), Eigen::EigenvaluesOnly)
@@ -63,8 +64,8 @@ TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
     EXPECT_LE((dual.InValues(dual.InBases(reduced.load)) - reduced.load).norm(),
       1e-13 * reduced.load.norm());
   }
-  EXPECT_EQ(InBlocks(reduced, 1e3).matrix.coupling.rows(), 0);
-  EXPECT_LE(InBlocks(reduced, 1e-4).matrix.coupling.rows(), 12 * 8);
+  EXPECT_EQ(bases.InBlocks(1e3).matrix.coupling.rows(), 0);
+  EXPECT_LE(bases.InBlocks(1e-4).matrix.coupling.rows(), 12 * 8);
 }
 
 TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)

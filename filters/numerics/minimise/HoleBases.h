@@ -1,0 +1,25 @@
+#pragma once
+
+#include "DualProblem.h"
+
+namespace crossfield
+{
+/// An orthonormal basis of the values on every hole of a reduced problem, in the order in which its members are coupled
+/// to other holes, the strongest last, and S in these bases: made once for any number of tolerances
+/// (docs/method.md §3.4).
+class HoleBases
+{
+public:
+  explicit HoleBases(const ReducedProblem& problem);
+
+  /// Leaves out as many couplings between a hole and the others as stay below a part of the mean of the diagonal of S,
+  /// by the Frobenius norm of every hole; those that are largest are kept.
+  DualProblem InBlocks(double tolerance) const;
+
+private:
+  DualProblem Complete;           ///< Without `coupled`, `coupling` and `leftOut`.
+  Eigen::MatrixXd Couplings;      ///< S in the bases, hole by hole, zero within a hole.
+  std::vector<Eigen::Index> Rows; ///< Of the first member of every hole.
+  double MeanDiagonal = 0.0;      ///< Of S.
+};
+}
