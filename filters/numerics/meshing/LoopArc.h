@@ -1,0 +1,53 @@
+#pragma once
+
+#include "Plane.h"
+
+namespace crossfield
+{
+/// A closed polyline by the length along it from its first vertex.
+class LoopArc
+{
+public:
+  explicit LoopArc(const Loop& loop);
+
+  /// One loop round.
+  double Length() const { return this->Starts.back(); }
+  /// Where a vertex is; that of the number of vertices is the length of the whole loop.
+  double Start(std::size_t vertex) const { return this->Starts[vertex]; }
+  const Loop& Vertices() const { return this->Polyline; }
+
+  /// The place at a length, which may be of more than one round, or negative.
+  Point At(double length) const;
+
+  /// The vertex nearest to a length along the loop, which may be of more than one round, or negative.
+  std::size_t NearestVertex(double length) const;
+
+  /// Where the point of the loop is that is nearest to a place, if it is not farther than a reach; else
+  /// negative.
+  double Find(const Point& place, double reach) const;
+
+  /// Angles from side to side at the vertices, positive to the left.
+  std::vector<double> Turns() const;
+
+private:
+  double Folded(double length) const;
+  std::size_t SideAt(double folded) const;
+
+  Loop Polyline;
+  std::vector<double> Starts; ///< One more than there are vertices.
+};
+
+/// A vertex of a new loop, and which place of the old one it stands for.
+struct ArcVertex
+{
+  double at = 0.0; ///< Length along the old loop, in [0, Length()).
+  Point place = Point::Zero();
+};
+
+/// The largest distance of the vertices of a loop to the sides of a new one that stand for them: those from
+/// one of its vertices, whose `at` increase, to the next, round the loop.
+double LargestDistance(const LoopArc& arc, const std::vector<ArcVertex>& vertices);
+
+/// The places of vertices.
+Loop PlacesOf(const std::vector<ArcVertex>& vertices);
+}

@@ -1,0 +1,130 @@
+#include "ThinBoundary.h"
+
+#include "BoundaryCorners.h"
+#include "Error.h"
+#include "LoopArc.h"
+#include "LoopDivision.h"
+#include "MakePlanarDomain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Where a loop without corners may begin so that symmetries of the domain stay: the vertices farthest from its
+/// centre, or, of a circle around it, those at the extremes of x and y.
+std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double rounding)
+{
+  const Loop& loop = arc.Vertices();
+  double farthest = 0.0;
+  for (const Point& point : loop)
+  {
+    farthest = std::max(farthest, (point - centre).norm());
+  }
+  std::vector<double> seeds;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    if ((loop[i] - centre).norm() > farthest - rounding)
+    {
+      seeds.push_back(arc.Start(i));
+    }
+  }
+  if (seeds.size() <= 8) // a symmetry about the centre makes two, four or eight of one
+  {
+    return seeds;
+  }
+  seeds.clear();
+  for (const Point& direction : { Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1) })
+  {
+    const auto extreme = std::max_element(loop.begin(), loop.end(),
+      [&](const Point& a, const Point& b) { return a.dot(direction) < b.dot(direction); });
+    seeds.push_back(arc.Start(static_cast<std::size_t>(extreme - loop.begin())));
+  }
+  return seeds;
+}
+
+/// The new vertices of a loop; none where it stays as it is.
+std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& given,
+  const Point& centre, double cornerAngle, const Thinning& thinning)
+{
+  const Loop& loop = arc.Vertices();
+  double shortest = arc.Length();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    shortest = std::min(shortest, arc.Start(i + 1) - arc.Start(i));
+  }
+  if (shortest >= thinning.length)
+  {
+    return {};
+  }
+  const std::vector<double> turns = arc.Turns();
+  KeptPlaces kept = FindKeptPlaces(arc, turns, cornerAngle, given, thinning);
+  if (kept.places.empty())
+  {
+    kept.places = FindSeeds(arc, centre, thinning.rounding);
+  }
+  return DivideLoop(arc, turns, kept, thinning);
+}
+}
+
+//------------------------------------------------------------------------------
+SimplifiedBoundary ThinBoundary(
+  const PlanarDomain& domain, double length, const std::vector<Point>& keep, double cornerAngle)
+{
+  const double diagonal = domain.Diagonal();
+  // Coordinates of symmetric domains may be written with ten digits.
+  const Thinning thinning{ length, cornerAngle / 6.0, std::min(1e-9 * diagonal, 1e-3 * length) };
+  SimplifiedBoundary result;
+  std::vector<Loop> loops;
+  bool isThinned = false;
+  Point centre = Point::Zero();
+  {
+    Point low = domain.loops[0][0];
+    Point high = low;
+    for (const Point& point : domain.loops[0])
+    {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    centre = 0.5 * (low + high);
+  }
+  for (const Loop& loop : domain.loops)
+  {
+    const LoopArc arc(loop);
+    std::vector<double> given;
+    for (const Point& place : keep)
+    {
+      const double at = arc.Find(place, BoundaryReach * diagonal);
+      if (at >= 0.0)
+      {
+        given.push_back(at);
+      }
+    }
+    const std::vector<ArcVertex> vertices = ThinLoop(arc, given, centre, cornerAngle, thinning);
+    if (vertices.size() < 3)
+    {
+      loops.push_back(loop); // nothing to thin, or all of it is such detail
+      continue;
+    }
+    isThinned = true;
+    result.moved = std::max(result.moved, LargestDistance(arc, vertices));
+    loops.push_back(PlacesOf(vertices));
+  }
+  if (!isThinned)
+  {
+    return { domain, 0.0 };
+  }
+  try
+  {
+    result.domain = MakePlanarDomain(std::move(loops)); // says whether they touch
+  }
+  catch (const Error&)
+  {
+    return { domain, 0.0 };
+  }
+  return result;
+}
+}

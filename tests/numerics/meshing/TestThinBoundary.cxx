@@ -1,0 +1,154 @@
+#include "ThinBoundary.h"
+
+#include "BoundaryCorners.h"
+#include "BoundarySymmetry.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// A symmetric profile with a trailing edge of some thickness, cosine spacing from 1 to 0 and back, clockwise inside a box.
+PlanarDomain ProfileInBox(std::size_t half, double thickness)
+{
+  Loop upper;
+  for (std::size_t i = 0; i <= half; ++i)
+  {
+    const double s =
+      0.5 * (1.0 + std::cos(Pi * static_cast<double>(i) / static_cast<double>(half)));
+    const double y = 0.6 *
+        (0.2969 * std::sqrt(s) - 0.126 * s - 0.3516 * s * s + 0.2843 * s * s * s -
+          0.1036 * s * s * s * s) +
+      0.5 * thickness * s;
+    upper.emplace_back(s, i == half ? 0.0 : y);
+  }
+  Loop profile;
+  for (std::size_t i = 0; i < half; ++i)
+  {
+    profile.emplace_back(upper[i].x(), -upper[i].y());
+  }
+  profile.insert(profile.end(), upper.rbegin(), upper.rend());
+  return { { { { -1.0, -1.0 }, { 3.0, -1.0 }, { 3.0, 1.0 }, { -1.0, 1.0 } }, profile } };
+}
+
+double ShortestSide(const Loop& loop)
+{
+  double shortest = 1e300;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    shortest = std::min(shortest, (loop[(i + 1) % loop.size()] - loop[i]).norm());
+  }
+  return shortest;
+}
+
+bool HasVertex(const Loop& loop, const Point& place)
+{
+  return std::any_of(
+    loop.begin(), loop.end(), [&](const Point& point) { return (point - place).norm() < 1e-12; });
+}
+
+TEST(ThinBoundary, LeavesWhatIsLongerThanTheLengthAsItIs)
+{
+  const PlanarDomain domain{ { RegularPolygon(96) } };
+  const SimplifiedBoundary same = ThinBoundary(domain, 0.06);
+  EXPECT_EQ(same.moved, 0.0);
+  EXPECT_EQ(same.domain.loops, domain.loops);
+}
+
+TEST(ThinBoundary, OfACircleHasSidesOfHalfTheLengthToTheLength)
+{
+  const double length = 0.02;
+  // The outer one is around the centre, the inner one is not.
+  Loop hole = RegularPolygon(30001);
+  std::reverse(hole.begin(), hole.end());
+  for (Point& point : hole)
+  {
+    point = 0.3 * point + Point(0.4, 0.0);
+  }
+  const PlanarDomain domain{ { RegularPolygon(40000), hole } };
+  const SimplifiedBoundary thin = ThinBoundary(domain, length);
+  for (const Loop& loop : thin.domain.loops)
+  {
+    EXPECT_GT(ShortestSide(loop), 0.45 * length);
+    EXPECT_LE((loop[1] - loop[0]).norm(), length);
+  }
+  // Of a chord c the height is c²/8R, and a vertex is at most as far from it as that.
+  EXPECT_LE(thin.moved, length * length / (8.0 * 0.3));
+  EXPECT_GT(thin.moved, 0.25 * length * length / 8.0);
+  for (std::size_t i = 0; i < hole.size(); i += 17)
+  {
+    EXPECT_LE(DistanceToLoop(hole[i], thin.domain.loops[1]), thin.moved * (1.0 + 1e-9));
+  }
+}
+
+TEST(ThinBoundary, CornersWithinTheLengthBecomeOneWithTheSumOfTheirTurns)
+{
+  const double thickness = 1e-3;
+  const PlanarDomain domain = ProfileInBox(2000, thickness);
+  ASSERT_EQ(FindCorners(domain.loops).size(), 6U);
+  const SimplifiedBoundary thin = ThinBoundary(domain, 0.002);
+  const std::vector<Corner> corners = FindCorners(thin.domain.loops);
+  ASSERT_EQ(corners.size(), 5U);
+  EXPECT_LT((corners[4].position - Point(1.0, 0.0)).norm(), 1e-15);
+  // A side of eight times the thickness to the middle of it turns by a sixteenth.
+  const std::vector<Corner> both = FindCorners(domain.loops);
+  EXPECT_NEAR(corners[4].Turning(), both[4].Turning() + both[5].Turning(), 2.0 / 16.0);
+  EXPECT_GE(thin.moved, 0.5 * thickness * 0.97);
+  EXPECT_LE(thin.moved, 0.5 * thickness);
+  EXPECT_LT(thin.domain.loops[1].size(), 2000U);
+}
+
+TEST(ThinBoundary, KeepsTheSymmetriesOfADomain)
+{
+  const double tolerance = 1e-12;
+  for (const std::size_t half : { 2000U, 2001U })
+  {
+    const PlanarDomain profile = ThinBoundary(ProfileInBox(half, 1e-3), 0.002).domain;
+    EXPECT_TRUE(FindSymmetries(profile, tolerance).reflects);
+  }
+  Loop ellipse = RegularPolygon(4002);
+  for (Point& point : ellipse)
+  {
+    point.y() *= 0.5;
+  }
+  const PlanarDomain thin = ThinBoundary({ { ellipse } }, 0.02).domain;
+  EXPECT_LT(thin.loops[0].size(), 800U);
+  const SymmetryGroup group = FindSymmetries(thin, tolerance);
+  EXPECT_EQ(group.order, 2);
+  EXPECT_TRUE(group.reflects);
+}
+
+TEST(ThinBoundary, PlacesThatAreKeptStay)
+{
+  const PlanarDomain domain = ProfileInBox(2000, 1e-3);
+  const Point edge(1.0, 0.5e-3);
+  const Point on = domain.loops[1][700];
+  const Loop thin = ThinBoundary(domain, 0.002, { edge, on, { 0.5, 0.9 } }).domain.loops[1];
+  EXPECT_TRUE(HasVertex(thin, edge));
+  EXPECT_FALSE(HasVertex(thin, { 1.0, -0.5e-3 }));
+  EXPECT_TRUE(HasVertex(thin, on));
+  // Two of them in one place are not merged.
+  const Loop both = ThinBoundary(domain, 0.002, { edge, { 1.0, -0.5e-3 } }).domain.loops[1];
+  EXPECT_TRUE(HasVertex(both, edge));
+  EXPECT_TRUE(HasVertex(both, { 1.0, -0.5e-3 }));
+}
+
+TEST(ThinBoundary, SmallStepsGoAndSmallHolesStay)
+{
+  // Corners of opposite turns make none; the hole is smaller than the length on the whole.
+  const PlanarDomain domain{
+    { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.5, 1.0 }, { 0.5, 1.001 }, { 0.0, 1.001 } },
+      { { 0.5, 0.5 }, { 0.5, 0.501 }, { 0.501, 0.501 }, { 0.501, 0.5 } } }
+  };
+  const SimplifiedBoundary thin = ThinBoundary(domain, 0.01);
+  EXPECT_EQ(thin.domain.loops[0].size(), 5U);
+  EXPECT_TRUE(HasVertex(thin.domain.loops[0], { 0.5, 1.0005 }));
+  EXPECT_NEAR(thin.moved, 0.0005, 1e-9);
+  EXPECT_EQ(FindCorners({ thin.domain.loops[0] }).size(), 4U);
+  EXPECT_EQ(thin.domain.loops[1].size(), 4U);
+}
+}
+}
