@@ -4,6 +4,7 @@
  *
  *   crossfield check builtin:disk -s four.csv --json -
  */
+#include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
@@ -39,6 +40,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct CheckOptions
 {
+  BoundaryOptions boundary;
   std::string domain;
   std::string singularities;
   std::string corners;
@@ -146,18 +148,20 @@ int Check(const CheckOptions& options)
   OutputFile::RequireWritable({ { options.proposal, ".csv" }, { options.json, "" } });
 
   // 2. Read the domain, the configuration and the corners.
-  const auto domain = DomainReader::Open(options.domain, 0.0);
+  const auto domain = BoundaryInput::Open(options.domain, 0.0, options.boundary);
   vtkNew<vtkPoincareHopfCheck> check;
   vtkNew<vtkConfigurationProposal> proposal;
   check->SetInputConnection(domain->GetOutputPort());
   proposal->SetInputConnection(domain->GetOutputPort());
   DomainReader::ConnectCorners(check.Get(), options.corners);
   DomainReader::ConnectCorners(proposal.Get(), options.corners);
+  BoundaryInput::Keep(domain, options.corners);
   if (!options.singularities.empty())
   {
     const auto singularities = DomainReader::OpenPoints(options.singularities);
     check->SetSingularitiesConnection(singularities->GetOutputPort());
     proposal->SetSingularitiesConnection(singularities->GetOutputPort());
+    BoundaryInput::Keep(domain, singularities);
   }
 
   // 3. Propose; without a given configuration the proposal is what is checked.
@@ -194,6 +198,7 @@ int Check(const CheckOptions& options)
   if (options.json.empty() && !outputs.PrintsData())
   {
     std::cout << reason << "\n";
+    BoundaryInput::Print(domain);
     PrintSummary(check);
     if (options.alternatives > 0)
     {
@@ -208,7 +213,7 @@ int Check(const CheckOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(TopologyJson::Write(check), options.json);
+    outputs.Write(BoundaryInput::AddTo(TopologyJson::Write(check), domain), options.json);
   }
   outputs.Commit();
 
@@ -231,6 +236,7 @@ void AddCheckCommand(CLI::App& app, int& status)
     ->add_option("DOMAIN", options->domain,
       std::string(DomainReader::Help) + "; a solved field is checked itself")
     ->required();
+  options->boundary.AddTo(*command);
   command->add_option("-s,--singularities", options->singularities,
     "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; default: none");
   AddCornersTo(*command, options->corners);

@@ -23,6 +23,7 @@ void MeshOptions::AddTo(CLI::App& command)
   command.add_option("-o,--output", this->output, "the .vtu file to write, or - for output");
   command.add_option(
     "--size", this->size, "target edge length; default: 1/40 of the domain's diagonal");
+  this->boundary.AddTo(command);
 }
 
 void AddCornersTo(CLI::App& command, std::string& corners)

@@ -1,6 +1,8 @@
 #ifndef CommandLine_h
 #define CommandLine_h
 
+#include "BoundaryInput.h"
+
 #include <string>
 #include <vector>
 
@@ -38,6 +40,7 @@ void AddSolveCommand(CLI::App& app, int& status);
 /** Options that several subcommands share. */
 struct MeshOptions
 {
+  BoundaryOptions boundary;
   std::string domain;
   std::string singularities;
   std::string output;

@@ -67,7 +67,7 @@ int Compare(const CompareOptions& options)
     { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   PipelineRun::Update(domain, "reading");
   SingularityInput singularities(options.singularities, domain, options.size, "");
   singularities.Update();
@@ -125,10 +125,11 @@ int Compare(const CompareOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(CompareTable::Json(rows), options.json);
+    outputs.Write(BoundaryInput::AddTo(CompareTable::Json(rows), domain), options.json);
   }
   if (options.json.empty() && !outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     singularities.PrintChoice();
     std::cout << CompareTable::Text(rows);
   }

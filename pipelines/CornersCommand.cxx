@@ -4,6 +4,7 @@
  *
  *   crossfield corners builtin:l-shape -o corners.vtp --json -
  */
+#include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
@@ -36,6 +37,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct CornersOptions
 {
+  BoundaryOptions boundary;
   std::string domain;
   std::string output;
   std::string json;
@@ -87,7 +89,7 @@ int Corners(const CornersOptions& options)
   OutputFile::RequireWritable({ { options.output, ".vtp" }, { options.json, "" } });
 
   // 2. Classify.
-  const auto domain = DomainReader::Open(options.domain, 0.0);
+  const auto domain = BoundaryInput::Open(options.domain, 0.0, options.boundary);
   vtkNew<vtkBoundaryCornerClassifier> classifier;
   classifier->SetInputConnection(domain->GetOutputPort());
   classifier->SetSplitHalves(options.split);
@@ -107,11 +109,12 @@ int Corners(const CornersOptions& options)
   }
   if (options.json.empty() && !outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     PrintSummary(classifier);
   }
   if (!options.json.empty())
   {
-    outputs.Write(TopologyJson::Write(classifier), options.json);
+    outputs.Write(BoundaryInput::AddTo(TopologyJson::Write(classifier), domain), options.json);
   }
   outputs.Commit();
   return Done;
@@ -124,6 +127,7 @@ void AddCornersCommand(CLI::App& app, int& status)
   CLI::App* command = app.add_subcommand("corners", "choose the quarter indices of corners");
   command->footer("Example: crossfield corners builtin:l-shape -o corners.vtp --json -");
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
+  options->boundary.AddTo(*command);
   command->add_option("-o,--output", options->output, "the .vtp file to write");
   AddJsonTo(*command, options->json);
   command

@@ -47,7 +47,7 @@ void AddDrillCommand(CLI::App& app, int& status)
         { { options->output, ".vtu" }, { options->savedSingularities, ".csv" } });
 
       // 2. Read the domain and the configuration.
-      const auto domain = DomainReader::Open(options->domain, options->size);
+      const auto domain = BoundaryInput::Open(options->domain, options->size, options->boundary);
       SingularityInput singularities(options->singularities, domain, options->size, "");
       singularities.Update();
 
@@ -65,6 +65,7 @@ void AddDrillCommand(CLI::App& app, int& status)
       singularities.Save(options->savedSingularities, outputs);
       if (!outputs.PrintsData())
       {
+        BoundaryInput::Print(domain);
         singularities.PrintChoice();
         std::cout << options->output << ": " << CountTriangles(drill->GetOutput())
                   << " triangles\n";

@@ -3,6 +3,7 @@
  *
  *   crossfield energy builtin:disk -s four.csv --json -
  */
+#include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "EnergyJson.h"
@@ -30,6 +31,7 @@ namespace names = vtkCrossFieldArrayNames;
 
 struct EnergyOptions
 {
+  BoundaryOptions boundary;
   std::string domain;
   std::vector<std::string> configurations;
   std::string corners;
@@ -68,7 +70,7 @@ int Energy(const EnergyOptions& options)
   OutputFile::RequireWritable({ { options.json, "" } });
 
   // 2. Read the domain and the configurations.
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   vtkNew<vtkSingularityEnergy> energy;
   energy->SetInputConnection(domain->GetOutputPort());
   energy->SetMeshSize(options.size);
@@ -87,9 +89,12 @@ int Energy(const EnergyOptions& options)
   {
     for (const std::string& file : files)
     {
-      energy->AddConfigurationConnection(DomainReader::OpenPoints(file)->GetOutputPort());
+      const auto points = DomainReader::OpenPoints(file);
+      energy->AddConfigurationConnection(points->GetOutputPort());
+      BoundaryInput::Keep(domain, points);
     }
     DomainReader::ConnectCorners(energy.Get(), options.corners);
+    BoundaryInput::Keep(domain, options.corners);
   }
 
   // 3. Compute and write.
@@ -98,12 +103,14 @@ int Energy(const EnergyOptions& options)
   OutputTransaction outputs;
   if (!options.json.empty())
   {
-    outputs.Write(
-      EnergyJson::Write(energy, files, chosen.has_value() ? chosen->GetOutput() : nullptr),
+    outputs.Write(BoundaryInput::AddTo(EnergyJson::Write(energy, files,
+                                         chosen.has_value() ? chosen->GetOutput() : nullptr),
+                    domain),
       options.json);
   }
   else if (!outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     if (chosen.has_value())
     {
       chosen->PrintChoice();
@@ -130,6 +137,7 @@ void AddEnergyCommand(CLI::App& app, int& status)
   CLI::App* command = app.add_subcommand("energy", "compare configurations by their energies");
   command->footer("Example: crossfield energy builtin:disk -s four.csv --json -");
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
+  options->boundary.AddTo(*command);
   command
     ->add_option("-s,--singularities", options->configurations,
       "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp, or - for standard "

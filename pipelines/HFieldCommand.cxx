@@ -67,7 +67,7 @@ int SolveH(const HFieldOptions& options)
     { { options.output, ".vtu" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   vtkNew<vtkHField> solver;
   solver->SetInputConnection(domain->GetOutputPort());
   solver->SetMeshSize(options.size);
@@ -108,10 +108,12 @@ int SolveH(const HFieldOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write(field, seconds, placed), options.json);
+    outputs.Write(
+      BoundaryInput::AddTo(ReportJson::Write(field, seconds, placed), domain), options.json);
   }
   else if (!outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     if (!ofItsHoles)
     {
       singularities.PrintChoice();

@@ -66,7 +66,7 @@ int Optimize(const OptimizeOptions& options)
   OutputFile::RequireWritable({ { options.output, ".csv" }, { options.json, "" } });
 
   // 2. Read the domain and the start.
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   vtkNew<vtkSingularityOptimizer> optimizer;
   optimizer->SetInputConnection(domain->GetOutputPort());
   vtkNew<vtkConfigurationProposal> proposal;
@@ -78,8 +78,9 @@ int Optimize(const OptimizeOptions& options)
   }
   else
   {
-    optimizer->SetSingularitiesConnection(
-      DomainReader::OpenPoints(options.singularities)->GetOutputPort());
+    const auto start = DomainReader::OpenPoints(options.singularities);
+    optimizer->SetSingularitiesConnection(start->GetOutputPort());
+    BoundaryInput::Keep(domain, start);
   }
   optimizer->SetMeshSize(options.size);
   optimizer->SetMaximumIterations(options.iterations);
@@ -88,6 +89,7 @@ int Optimize(const OptimizeOptions& options)
   optimizer->SetEvenSizes(options.even);
   optimizer->SetPairs(options.pairs);
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
+  BoundaryInput::Keep(domain, options.corners);
 
   // 3. Optimise and write.
   PipelineRun::Update(optimizer, "optimizing");
@@ -101,6 +103,7 @@ int Optimize(const OptimizeOptions& options)
   }
   if (options.json.empty() && !outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     std::cout << "renormalized energy from " << FieldValue(moved, names::RenormalizedEnergyBefore)
               << " to " << FieldValue(moved, names::RenormalizedEnergyAfter) << " in "
               << FieldValue(moved, names::Iterations) << " iterations. "
@@ -124,7 +127,7 @@ int Optimize(const OptimizeOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(EnergyJson::Write(optimizer), options.json);
+    outputs.Write(BoundaryInput::AddTo(EnergyJson::Write(optimizer), domain), options.json);
   }
   outputs.Commit();
   return FieldValue(moved, names::Converged) != 0.0 ? Done : AnswerIsNo;

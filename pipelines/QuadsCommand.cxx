@@ -3,6 +3,7 @@
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json -
  */
+#include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
@@ -33,6 +34,7 @@ using Json = nlohmann::ordered_json;
 
 struct QuadsOptions
 {
+  BoundaryOptions boundary;
   std::string domain;
   std::string singularities;
   std::string corners;
@@ -143,7 +145,7 @@ int Mesh(const QuadsOptions& options)
     { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
-  const auto domain = DomainReader::Open(options.domain, options.meshSize);
+  const auto domain = BoundaryInput::Open(options.domain, options.meshSize, options.boundary);
   vtkNew<vtkQuadMesher> mesher;
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
@@ -184,10 +186,12 @@ int Mesh(const QuadsOptions& options)
   singularities.Save(options.savedSingularities, outputs);
   if (!options.json.empty())
   {
-    outputs.Write(WriteJson(mesher, singularities.GetOutput()), options.json);
+    outputs.Write(
+      BoundaryInput::AddTo(WriteJson(mesher, singularities.GetOutput()), domain), options.json);
   }
   else if (!outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     singularities.PrintChoice();
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
@@ -208,6 +212,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->footer(
     "Example: crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --json -");
   command->add_option("DOMAIN", options->domain, "a file, or builtin:NAME")->required();
+  options->boundary.AddTo(*command);
   command->add_option("-s,--singularities", options->singularities,
     "singularities: .csv with the header x,y,quarter_index, or .vtp, or - for standard input; left out: "
     "chosen for the domain");

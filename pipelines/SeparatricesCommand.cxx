@@ -70,7 +70,7 @@ int Trace(const SeparatricesOptions& options)
     { options.map, ".vtu" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   vtkNew<vtkCrossFieldMap> map;
   map->SetInputConnection(domain->GetOutputPort());
   map->SetMeshSize(options.size);
@@ -102,10 +102,13 @@ int Trace(const SeparatricesOptions& options)
   singularities.Save(options.savedSingularities, outputs);
   if (!options.json.empty())
   {
-    outputs.Write(WriteJson(lines, map, separatrices, singularities.GetOutput()), options.json);
+    outputs.Write(
+      BoundaryInput::AddTo(WriteJson(lines, map, separatrices, singularities.GetOutput()), domain),
+      options.json);
   }
   else if (!outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     singularities.PrintChoice();
     std::cout << FieldValue(lines, names::Lines) << " lines, " << FieldValue(lines, names::Faces)
               << " faces, " << FieldValue(lines, names::Arcs) << " arcs, longest line "

@@ -1,5 +1,6 @@
 #include "SingularityInput.h"
 
+#include "BoundaryInput.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
 #include "PipelineRun.h"
@@ -26,9 +27,11 @@ SingularityInput::SingularityInput(
   if (!file.empty())
   {
     this->Source = DomainReader::OpenPoints(file);
+    BoundaryInput::Keep(domain, this->Source);
     if (!corners.empty())
     {
       this->Corners = DomainReader::OpenPoints(corners);
+      BoundaryInput::Keep(domain, this->Corners);
     }
     return;
   }
@@ -36,7 +39,12 @@ SingularityInput::SingularityInput(
   this->Proposal->SetInputConnection(domain->GetOutputPort());
   this->Proposal->AutomaticOn();
   this->Proposal->SetMeshSize(size);
-  DomainReader::ConnectCorners(this->Proposal.Get(), corners);
+  if (!corners.empty())
+  {
+    const auto given = DomainReader::OpenPoints(corners);
+    this->Proposal->SetCornersConnection(given->GetOutputPort());
+    BoundaryInput::Keep(domain, given);
+  }
   this->Source = this->Proposal;
   this->Corners = this->Proposal;
   this->CornerPort = 1;

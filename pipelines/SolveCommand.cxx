@@ -157,7 +157,7 @@ int Solve(const SolveOptions& options)
   // 2. Read the domain and the configuration. The reference makes nothing of one, but a wrong name
   //    shall not go unnoticed.
   const bool isReference = options.method == "ginzburg-landau";
-  const auto domain = DomainReader::Open(options.domain, options.size);
+  const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   SingularityInput singularities(options.singularities, domain, options.size, options.corners);
   if (!isReference || !singularities.AreChosen())
   {
@@ -238,10 +238,12 @@ int Solve(const SolveOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write(field, seconds, shown), options.json);
+    outputs.Write(
+      BoundaryInput::AddTo(ReportJson::Write(field, seconds, shown), domain), options.json);
   }
   else if (!outputs.PrintsData())
   {
+    BoundaryInput::Print(domain);
     if (!isReference)
     {
       singularities.PrintChoice();

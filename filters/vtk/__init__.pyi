@@ -1,5 +1,6 @@
 # The classes and functions are typed where they are defined; this says which of them are public.
 from . import names as names
+from ._boundary import simplify as simplify
 from ._configurations import energy as energy, optimize as optimize, propose as propose
 from ._functions import (
     check as check, corners as corners, drill as drill, hfield as hfield, separatrices as separatrices,

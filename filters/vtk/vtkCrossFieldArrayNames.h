@@ -13,6 +13,9 @@ constexpr const char* BoundaryId = "BoundaryId";
 // Singularities and corners, points; drilled mesh, cells.
 constexpr const char* QuarterIndex = "QuarterIndex";
 constexpr const char* Radius = "Radius";
+// Field data: vtkBoundarySimplifier.
+constexpr const char* BoundaryMoved = "BoundaryMoved";
+constexpr const char* BoundaryPoints = "BoundaryPoints";
 // Field: vtkPerforatedCrossField.
 constexpr const char* CrossFieldCR = "CrossFieldCR";
 constexpr const char* Representation = "Representation";

@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import sys
 
 import domain_files
@@ -213,6 +214,55 @@ class Streams(ProgramTest):
                         ("compare", "builtin:disk", "--methods", "unit-norm")):
             with self.subTest(command[0]):
                 self.assertEqual(self.succeed(*command, "--json", "report.json"), "")
+
+
+class Boundaries(AutomaticTest):
+    def test_a_trailing_edge_that_no_triangle_resolves(self):
+        """A thousand points that crowd at the ends, and a trailing edge of 1e-5."""
+        upper = engineering.profile(count=500)[:501]
+        upper = [(x, y + 0.5e-5 * x) for x, y in upper]
+        profile = upper + [(x, -y) for x, y in reversed(upper[:-1])]
+        write_loops(self.folder / "domain.vtp", [engineering.box(-1, -1, 3, 1), profile])
+        report = json.loads(self.succeed("quads", "domain.vtp", "-o", "quads.vtu", "--json", "-",
+                                         "--save-singularities", "chosen.csv"))
+        self.assertEqual((report["inverted"], report["irregular"]), (0, {}))
+        self.assertGreater(report["scaled_jacobian"]["min"], 0.9)
+        size = math.hypot(4, 2) / 40
+        self.assertEqual(report["boundary"]["points_before"], len(profile) + 4)
+        self.assertLess(report["boundary"]["points"], len(profile))
+        self.assertGreaterEqual(report["boundary"]["moved"], 0.4e-5)
+        self.assertLess(report["boundary"]["moved"], 0.02 * size)
+        # The domain is symmetric, and so are the singularities that were chosen for it.
+        places = sorted((row["x"], row["y"]) for row in report["singularities"])
+        mirrored = sorted((x, -y) for x, y in places)
+        for place, other in zip(places, mirrored):
+            self.assertLess(math.dist(place, other), 1e-9 * math.hypot(4, 2))
+        # Given, they lie on the boundary as it was, and as it becomes.
+        self.succeed("hfield", "domain.vtp", "-s", "chosen.csv", "-o", "field.vtu")
+        # The corners of the trailing edge, if one of them is given, become one there.
+        edge = upper[0]
+        (self.folder / "edge.csv").write_text("x,y,quarter_index\n%.17g,%.17g,-2\n" % edge)
+        for options, corners in (((), 5), (("--thin-boundary", "0"), 6)):
+            report = json.loads(self.run_program(
+                "check", "domain.vtp", "--corners", "edge.csv", "--json", "-", *options).stdout)
+            self.assertEqual("boundary" in report, not options)
+            self.assertEqual(len(report["corners"]), corners)
+            self.assertIn(edge, [(row["x"], row["y"]) for row in report["corners"]])
+
+    def test_a_coast_that_is_smoothed(self):
+        chance = random.Random(1)
+        ragged = [((1 + r) * x, (1 + r) * y) for x, y in engineering.coast()[0]
+                  for r in [chance.uniform(0, 0.005)]]
+        write_loops(self.folder / "domain.vtp", [ragged])
+        rough = json.loads(self.succeed("corners", "domain.vtp", "--json", "-"))
+        result = self.succeed("corners", "domain.vtp", "--smooth-boundary", "0.05")
+        self.assertRegex(result, r"The boundary has \d+ of 2000 points and was moved by at most 0\.0\d")
+        smooth = json.loads(self.succeed("corners", "domain.vtp", "--smooth-boundary", "0.05", "--json", "-"))
+        self.assertEqual(smooth["boundary"]["points_before"], 2000)
+        self.assertNotIn("boundary", rough)
+        self.assertGreater(len(rough["corners"]), 500)
+        self.assertEqual(smooth["corners"], [])
+        self.refuse("corners", "domain.vtp", "--smooth-boundary", "-1", says=["--smooth-boundary"])
 
 
 class Aerofoils(ProgramTest):

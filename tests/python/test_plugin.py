@@ -24,6 +24,7 @@ ICONS = os.path.join(os.path.dirname(__file__), "..", "..", "paraview-plugin", "
 PROXIES = {
     "BoundaryCornerClassifier": (
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
+    "BoundarySimplifier": ("filters", "Input Kept MeshSize ThinningLength SmoothingLength CornerAngle"),
     "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
     "ConfigurationProposal": (
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "

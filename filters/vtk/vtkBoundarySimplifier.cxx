@@ -1,0 +1,202 @@
+#include "vtkBoundarySimplifier.h"
+
+#include "ColumnWriting.h"
+#include "DomainConversion.h"
+#include "FilterPorts.h"
+#include "FilterRun.h"
+#include "SmoothBoundary.h"
+#include "ThinBoundary.h"
+#include "UsedPoints.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticPointLocator.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkBoundarySimplifier);
+
+namespace
+{
+constexpr double MeshSizeOfDiagonal = 1.0 / 40.0; // as vtkDrillHoles has it
+constexpr double ThinningOfMeshSize = 0.02;
+
+int CountPoints(const crossfield::PlanarDomain& domain)
+{
+  int count = 0;
+  for (const crossfield::Loop& loop : domain.loops)
+  {
+    count += static_cast<int>(loop.size());
+  }
+  return count;
+}
+
+bool HasSurfaceWithArrays(vtkDataSet* input)
+{
+  bool hasSurface = false;
+  for (vtkIdType cell = 0; !hasSurface && cell < input->GetNumberOfCells(); ++cell)
+  {
+    const int type = input->GetCellType(cell);
+    hasSurface = type != VTK_LINE && type != VTK_POLY_LINE && type != VTK_VERTEX &&
+      type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL;
+  }
+  return hasSurface && input->GetPointData()->GetNumberOfArrays() > 0;
+}
+
+/** Gives points the arrays of the nearest points of the input that its cells use. */
+void CopyNearest(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
+{
+  if (input->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    return;
+  }
+  const UsedPoints used(input);
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (const vtkIdType id : used.GetIds())
+  {
+    places->InsertNextPoint(input->GetPoint(id));
+  }
+  vtkNew<vtkPolyData> nearby;
+  nearby->SetPoints(places);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(nearby);
+  locator->BuildLocator();
+  arrays->CopyAllocate(input->GetPointData(), points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType nearest = locator->FindClosestPoint(points->GetPoint(i));
+    arrays->CopyData(input->GetPointData(), used.GetIds()[static_cast<std::size_t>(nearest)], i);
+  }
+}
+
+/** One closed polyline per loop with the arrays of the nearest points of the input. */
+void Write(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDataSet* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (const crossfield::Loop& loop : domain.domain.loops)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
+    for (const crossfield::Point& place : loop)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(domain.plane.ToSpace(place).data()));
+    }
+    lines->InsertCellPoint(first);
+  }
+  if (auto* curves = vtkPolyData::SafeDownCast(output))
+  {
+    curves->SetPoints(points);
+    curves->SetLines(lines);
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(output))
+  {
+    grid->SetPoints(points);
+    grid->SetCells(VTK_POLY_LINE, lines);
+  }
+  CopyNearest(input, points, output->GetPointData());
+}
+}
+
+//------------------------------------------------------------------------------
+vtkBoundarySimplifier::vtkBoundarySimplifier()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkBoundarySimplifier::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return FilterPorts::TakeDomain(info);
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return FilterPorts::TakeOptionalPoints(info);
+}
+
+//------------------------------------------------------------------------------
+int vtkBoundarySimplifier::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  return FilterRun::Run(this, this->ErrorCode, input,
+    [&](const crossfield::Progress& progress)
+    {
+      const bool isAsked = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
+      if (DomainConversion::AsDrilledMesh(input) != nullptr ||
+        (!isAsked && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
+      {
+        output->ShallowCopy(input);
+        return;
+      }
+      const DomainConversion::Domain given = DomainConversion::ReadDomain(input);
+      std::vector<crossfield::Point> kept;
+      for (int i = 0; i < this->GetNumberOfInputConnections(1); ++i)
+      {
+        vtkDataSet* points = vtkDataSet::GetData(inputVector[1], i);
+        for (vtkIdType p = 0; points != nullptr && p < points->GetNumberOfPoints(); ++p)
+        {
+          kept.push_back(given.plane.ToPlane(Eigen::Vector3d(points->GetPoint(p))));
+        }
+      }
+      progress.Report(0.5);
+      const double size = MeshSizeOfDiagonal * given.domain.Diagonal();
+      const double thinning = this->ThinningLength >= 0.0
+        ? this->ThinningLength
+        : ThinningOfMeshSize * (this->MeshSize > 0.0 ? std::min(this->MeshSize, size) : size);
+      const double cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+      DomainConversion::Domain simple = given;
+      double moved = 0.0;
+      if (thinning > 0.0)
+      {
+        crossfield::SimplifiedBoundary thin =
+          crossfield::ThinBoundary(simple.domain, thinning, kept, cornerAngle);
+        simple.domain = thin.domain;
+        moved += thin.moved;
+      }
+      if (this->SmoothingLength > 0.0)
+      {
+        crossfield::SimplifiedBoundary smooth =
+          crossfield::SmoothBoundary(simple.domain, this->SmoothingLength, kept, cornerAngle);
+        simple.domain = smooth.domain;
+        moved += smooth.moved;
+      }
+      if (simple.domain.loops == given.domain.loops)
+      {
+        output->ShallowCopy(input);
+      }
+      else
+      {
+        Write(simple, input, output);
+      }
+      namespace names = vtkCrossFieldArrayNames;
+      ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
+      ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,
+        { CountPoints(given.domain), CountPoints(simple.domain) });
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshSize: " << this->MeshSize << "\n";
+  os << indent << "ThinningLength: " << this->ThinningLength << "\n";
+  os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+}

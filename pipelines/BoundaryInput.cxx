@@ -1,0 +1,114 @@
+#include "BoundaryInput.h"
+
+#include "DomainReader.h"
+#include "vtkBoundarySimplifier.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <optional>
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+struct Change
+{
+  long long before = 0;
+  long long after = 0;
+  double moved = 0.0;
+};
+
+/** What was taken out, if anything. */
+std::optional<Change> ChangeOf(vtkAlgorithm* domain)
+{
+  vtkFieldData* data = domain->GetOutputDataObject(0)->GetFieldData();
+  vtkDataArray* points = data->GetArray(names::BoundaryPoints);
+  vtkDataArray* moved = data->GetArray(names::BoundaryMoved);
+  if (!domain->IsA("vtkBoundarySimplifier") || points == nullptr || moved == nullptr)
+  {
+    return std::nullopt;
+  }
+  const Change change{ static_cast<long long>(points->GetComponent(0, 0)),
+    static_cast<long long>(points->GetComponent(1, 0)), moved->GetComponent(0, 0) };
+  if (change.before == change.after && change.moved == 0.0)
+  {
+    return std::nullopt;
+  }
+  return change;
+}
+}
+
+void BoundaryOptions::AddTo(CLI::App& command)
+{
+  command
+    .add_option("--thin-boundary", this->thinning,
+      "take detail below this length out of the boundary, 0: none; default: 0.02 of the target edge length")
+    ->check(CLI::NonNegativeNumber);
+  command
+    .add_option("--smooth-boundary", this->smoothing,
+      "smooth what is ragged in the boundary: waves below this length")
+    ->check(CLI::PositiveNumber);
+}
+
+namespace BoundaryInput
+{
+vtkSmartPointer<vtkAlgorithm> Open(
+  const std::string& name, double size, const BoundaryOptions& options)
+{
+  auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
+  simplifier->SetInputConnection(DomainReader::Open(name, size)->GetOutputPort());
+  simplifier->SetMeshSize(size);
+  simplifier->SetThinningLength(options.thinning);
+  simplifier->SetSmoothingLength(options.smoothing);
+  return simplifier;
+}
+
+void Keep(vtkAlgorithm* domain, vtkAlgorithm* points, int port)
+{
+  if (auto* simplifier = vtkBoundarySimplifier::SafeDownCast(domain))
+  {
+    simplifier->AddKeptConnection(points->GetOutputPort(port));
+  }
+}
+
+void Keep(vtkAlgorithm* domain, const std::string& file)
+{
+  if (!file.empty())
+  {
+    Keep(domain, DomainReader::OpenPoints(file));
+  }
+}
+
+void Print(vtkAlgorithm* domain)
+{
+  if (const std::optional<Change> change = ChangeOf(domain))
+  {
+    std::cout << "The boundary has " << change->after << " of " << change->before
+              << " points and was moved by at most " << change->moved << ".\n";
+  }
+}
+
+std::string AddTo(const std::string& report, vtkAlgorithm* domain)
+{
+  const std::optional<Change> change = ChangeOf(domain);
+  if (!change.has_value())
+  {
+    return report;
+  }
+  auto json = nlohmann::ordered_json::parse(report);
+  if (!json.is_object())
+  {
+    return report;
+  }
+  json["boundary"] = { { "points_before", change->before }, { "points", change->after },
+    { "moved", change->moved } };
+  return json.dump(2) + "\n";
+}
+}

@@ -1,0 +1,133 @@
+#include "FilterChecks.h"
+#include "vtkBoundarySimplifier.h"
+#include "vtkDrillHoles.h"
+#include "vtkPlanarDomainSource.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+constexpr int Count = 4000;
+
+/** A circle of radius 1 in the plane x = 3 with its angle as a point array, and a point that no line uses. */
+void FillCircle(vtkPolyData* circle)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> angles;
+  angles->SetName("Angle");
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(Count + 1);
+  for (int i = 0; i < Count; ++i)
+  {
+    const double angle = 2.0 * vtkMath::Pi() * i / Count;
+    lines->InsertCellPoint(points->InsertNextPoint(3.0, std::cos(angle), std::sin(angle)));
+    angles->InsertNextValue(angle);
+  }
+  lines->InsertCellPoint(0);
+  points->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  angles->InsertNextValue(-1.0);
+  circle->SetPoints(points);
+  circle->SetLines(lines);
+  circle->GetPointData()->AddArray(angles);
+}
+
+double Value(vtkDataSet* data, const char* name, int component = 0)
+{
+  return data->GetFieldData()->GetArray(name)->GetTuple1(component);
+}
+
+TEST(BoundarySimplifier, ThinsInThePlaneOfTheDomainAndKeepsArrays)
+{
+  vtkNew<vtkPolyData> circle;
+  FillCircle(circle);
+  vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetInputData(circle);
+  filter->SetMeshSize(1.0); // 0.02 of 1/40 of the diagonal is what counts
+  FilterChecks::UpdateWithoutError(filter);
+  auto* thin = vtkPolyData::SafeDownCast(filter->GetOutput());
+  const double length = 0.02 * std::sqrt(8.0) / 40.0;
+  const vtkIdType count = thin->GetNumberOfPoints();
+  EXPECT_EQ(Value(thin, "BoundaryPoints"), Count);
+  ASSERT_EQ(thin->GetFieldData()->GetArray("BoundaryPoints")->GetNumberOfTuples(), 2);
+  EXPECT_EQ(Value(thin, "BoundaryPoints", 1), static_cast<double>(count));
+  EXPECT_GT(static_cast<double>(count), 2.0 * vtkMath::Pi() / length);
+  EXPECT_LT(count, Count);
+  EXPECT_GT(Value(thin, "BoundaryMoved"), 0.0);
+  EXPECT_LE(Value(thin, "BoundaryMoved"), length * length / 8.0 * 1.001);
+  vtkDataArray* angles = thin->GetPointData()->GetArray("Angle");
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::array<double, 3> place = { thin->GetPoint(i)[0], thin->GetPoint(i)[1],
+      thin->GetPoint(i)[2] };
+    EXPECT_NEAR(place[0], 3.0, 1e-9);
+    const double angle = angles->GetTuple1(i);
+    EXPECT_NEAR(place[1], std::cos(angle), 2.0 / Count);
+    EXPECT_NEAR(place[2], std::sin(angle), 2.0 / Count);
+  }
+}
+
+TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
+{
+  vtkNew<vtkPolyData> circle;
+  FillCircle(circle);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(circle->GetPoints());
+  grid->SetCells(VTK_POLY_LINE, circle->GetLines());
+  vtkNew<vtkPolyData> kept;
+  vtkNew<vtkPoints> place;
+  place->SetDataTypeToDouble();
+  place->InsertNextPoint(circle->GetPoint(17));
+  kept->SetPoints(place);
+  vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetInputData(0, grid);
+  filter->SetInputData(1, kept);
+  filter->SetThinningLength(0.1);
+  FilterChecks::UpdateWithoutError(filter);
+  vtkDataSet* thin = vtkUnstructuredGrid::SafeDownCast(filter->GetOutput());
+  ASSERT_NE(thin, nullptr);
+  EXPECT_LT(thin->GetNumberOfPoints(), 200);
+  const vtkIdType nearest = thin->FindPoint(circle->GetPoint(17));
+  EXPECT_NEAR(
+    vtkMath::Distance2BetweenPoints(thin->GetPoint(nearest), circle->GetPoint(17)), 0.0, 1e-20);
+}
+
+TEST(BoundarySimplifier, PassesOnWhatHasNoDetailAndDrilledMeshes)
+{
+  vtkNew<vtkPlanarDomainSource> source;
+  source->SetDomainName("star");
+  vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSmoothingLength(0.01);
+  FilterChecks::UpdateWithoutError(filter);
+  auto* same = vtkPolyData::SafeDownCast(filter->GetOutput());
+  EXPECT_EQ(same->GetPoints(), source->GetOutput()->GetPoints());
+  EXPECT_EQ(Value(same, "BoundaryMoved"), 0.0);
+  EXPECT_EQ(source->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
+
+  vtkNew<vtkDrillHoles> drill;
+  drill->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkBoundarySimplifier> after;
+  after->SetInputConnection(drill->GetOutputPort());
+  after->SetSmoothingLength(0.5);
+  FilterChecks::UpdateWithoutError(after);
+  EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(after->GetOutput())->GetCells(),
+    drill->GetOutput()->GetCells());
+}
+}
