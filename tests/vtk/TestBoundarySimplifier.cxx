@@ -2,6 +2,7 @@
 #include "vtkBoundarySimplifier.h"
 #include "vtkDrillHoles.h"
 #include "vtkPlanarDomainSource.h"
+#include "vtkSingularitySource.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -17,13 +18,13 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace
 {
-constexpr int Count = 4000;
+constexpr int Count = 40000;
 
 /** A circle of radius 1 in the plane x = 3 with its angle as a point array, and a point that no line uses. */
 void FillCircle(vtkPolyData* circle)
@@ -72,15 +73,14 @@ TEST(BoundarySimplifier, ThinsInThePlaneOfTheDomainAndKeepsArrays)
   EXPECT_GT(Value(thin, "BoundaryMoved"), 0.0);
   EXPECT_LE(Value(thin, "BoundaryMoved"), length * length / 8.0 * 1.001);
   vtkDataArray* angles = thin->GetPointData()->GetArray("Angle");
+  double farthest = 0.0; // from the place that the array tells
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const std::array<double, 3> place = { thin->GetPoint(i)[0], thin->GetPoint(i)[1],
-      thin->GetPoint(i)[2] };
-    EXPECT_NEAR(place[0], 3.0, 1e-9);
     const double angle = angles->GetTuple1(i);
-    EXPECT_NEAR(place[1], std::cos(angle), 2.0 / Count);
-    EXPECT_NEAR(place[2], std::sin(angle), 2.0 / Count);
+    const double place[3] = { 3.0, std::cos(angle), std::sin(angle) };
+    farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(thin->GetPoint(i), place));
   }
+  EXPECT_LE(std::sqrt(farthest), 1.001 * vtkMath::Pi() / Count); // half a side
 }
 
 TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
@@ -123,6 +123,9 @@ TEST(BoundarySimplifier, PassesOnWhatHasNoDetailAndDrilledMeshes)
 
   vtkNew<vtkDrillHoles> drill;
   drill->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkSingularitySource> none;
+  none->RemoveAllSingularities();
+  drill->SetSingularitiesConnection(none->GetOutputPort());
   vtkNew<vtkBoundarySimplifier> after;
   after->SetInputConnection(drill->GetOutputPort());
   after->SetSmoothingLength(0.5);
