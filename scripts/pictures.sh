@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of docs/filters/ and docs/choosing_singularities.md with ParaView, into
 # docs/pictures/ or the folder given. Screenshots of ParaView's windows
-# are made by hand.
+# are made by hand but for those of the recorded run, which its test makes (in the tree with 128 colours).
 #
 #   scripts/build.sh && scripts/pictures.sh [FOLDER]
 set -euo pipefail
@@ -19,3 +19,9 @@ draw() {
 }
 
 draw docs_pictures.py --folder "$folder"
+
+build=$(dirname "$(dirname "$(command -v "$crossfield")")")
+ctest --test-dir "$build" -R '^ParaView\.RecordedRun$' --output-on-failure
+for step in propose drag quads; do
+  cp "$build/tests/paraview/recorded_run/$step.png" "$folder/tutorial_$step.png"
+done

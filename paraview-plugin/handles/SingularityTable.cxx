@@ -19,7 +19,8 @@ QString ShortText(double number, int column)
 {
   if (column != QuarterIndexColumn)
   {
-    return QString::number(number, 'g', 3);
+    // -0.000763 would be too wide for its column.
+    return QString::number(number, 'g', qAbs(number) < 1e-3 ? 1 : 3);
   }
   const int quarterIndex = qRound(number);
   const QString digits = QString::number(qAbs(quarterIndex));

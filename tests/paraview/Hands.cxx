@@ -1,16 +1,23 @@
-// What a person does in ParaView's client, for test_handles.py, which loads this library into the client by
-// ctypes: mouse events of Qt in the active 3D view, clicks on buttons, cells of the table, and pictures.
+// What a person does in ParaView's client, for person.py, which loads this library into the client by ctypes:
+// mouse events of Qt in the active 3D view, entries of menus, clicks on buttons, cells of the table, messages, and pictures.
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
+#include "pqLoadDataReaction.h"
+#include "pqOutputWidget.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QImage>
+#include <QMainWindow>
 #include <QMouseEvent>
 #include <QTableWidget>
 #include <QTimer>
@@ -51,6 +58,9 @@ Widget* Visible(const char* name)
   }
   return nullptr;
 }
+
+/** Warnings and errors that the window of messages has got. */
+QString Messages;
 }
 
 extern "C"
@@ -109,6 +119,75 @@ extern "C"
     return false;
   }
 
+  /** File > Open with the reader that is chosen for this file. */
+  bool hands_open(const char* file, const char* reader)
+  {
+    return pqLoadDataReaction::loadData({ QStringList(file) }, "sources", reader) != nullptr;
+  }
+
+  /** Whether there was an entry of this text in a menu that can be chosen. */
+  bool hands_trigger(const char* text)
+  {
+    for (QAction* action : pqCoreUtilities::mainWidget()->findChildren<QAction*>())
+    {
+      if (action->text().remove("&") == text && action->isEnabled())
+      {
+        action->trigger();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether there was a list of choices with this one, for the property of this name in the panel. */
+  bool hands_take(const char* property, const char* choice)
+  {
+    for (QWidget* widget : pqCoreUtilities::mainWidget()->findChildren<QWidget*>(property))
+    {
+      auto* choices = widget->findChild<QComboBox*>();
+      const int place = choices && choices->isVisible() ? choices->findText(choice) : -1;
+      if (place >= 0)
+      {
+        choices->setCurrentIndex(place);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** From now on warnings and errors are kept for hands_messages. */
+  void hands_listen()
+  {
+    for (pqOutputWidget* shown : pqCoreUtilities::mainWidget()->findChildren<pqOutputWidget*>())
+    {
+      QObject::connect(shown, &pqOutputWidget::messageDisplayed,
+        [](const QString& message, int type)
+        {
+          if (type != QtDebugMsg && type != QtInfoMsg)
+          {
+            Messages += message + "\n";
+          }
+        });
+    }
+  }
+
+  const char* hands_messages()
+  {
+    static QByteArray said;
+    said = Messages.toUtf8();
+    Messages.clear();
+    return said.constData();
+  }
+
+  /** A window of this size, with so much of its width for the panel. */
+  void hands_window(int width, int height, int panelWidth)
+  {
+    auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+    window->resize(width, height);
+    window->resizeDocks(
+      { window->findChild<QDockWidget*>("propertiesDock") }, { panelWidth }, Qt::Horizontal);
+  }
+
   int hands_rows()
   {
     auto* table = Visible<QTableWidget>("SingularityTable");
@@ -138,10 +217,19 @@ extern "C"
     Visible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
   }
 
-  /** A picture of the whole window, for people. */
-  bool hands_picture(const char* file)
+  /** A picture for people: of the whole window, or of the panel and the view alone. */
+  bool hands_picture(const char* file, bool isWhole)
   {
-    return pqCoreUtilities::mainWidget()->grab().save(file);
+    auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+    QRect part = window->rect();
+    if (!isWhole)
+    {
+      const QRect view = window->centralWidget()->geometry();
+      part.setTop(view.top());
+      part.setBottom(view.bottom());
+    }
+    // 0: the smallest file
+    return window->grab(part).toImage().convertToFormat(QImage::Format_RGB888).save(file, "PNG", 0);
   }
 
   void hands_undo()

@@ -16,7 +16,7 @@ shutil.rmtree(folder, ignore_errors=True)
 os.makedirs(folder)
 with tempfile.TemporaryDirectory() as home:
     # Settings of its own, and no dialog that welcomes.
-    environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home,
+    environment = dict(os.environ, PYTHONPATH=os.path.dirname(script), PYTHONDONTWRITEBYTECODE="1", HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home,
                        DASHBOARD_TEST_FROM_CTEST="1", PLUGIN=plugin, HANDS=hands, FOLDER=folder,
                        STATES=os.path.join(os.path.dirname(script), "..", "..", "paraview-plugin", "states"))
     done = subprocess.run([*command, "--dr", "--script=" + script], env=environment, text=True,

@@ -3,7 +3,6 @@
 The library of Hands.cxx sends the mouse events, clicks the buttons and types into the table. Pictures of
 the window are for people to look at.
 """
-import ctypes
 import os
 import statistics
 import sys
@@ -14,38 +13,11 @@ from paraview import servermanager, smtrace
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from person import check, check_equal, drag, hands, picture, pixel, wait
+
 MOVES = 60
 ROWS = [0.4242640687119285, 0.4242640687119285, 1, 0.1, -0.4242640687119285, 0.4242640687119285, 1, 0.1,
         -0.4242640687119285, -0.4242640687119285, 1, 0.1, 0.4242640687119285, -0.4242640687119285, 1, 0.1]
-
-hands = None
-
-
-def load_hands():
-    global hands
-    hands = ctypes.PyDLL(os.environ["HANDS"])
-    hands.hands_time_of_move.restype = hands.hands_number.restype = ctypes.c_double
-    hands.hands_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
-    hands.hands_undo_label.restype = ctypes.c_char_p
-    hands.hands_click.restype = hands.hands_picture.restype = ctypes.c_bool
-
-
-def check(condition, message):
-    if not condition:
-        raise AssertionError(message)
-
-
-def check_equal(found, wanted, what):
-    check(found == wanted, "%s: %r, not %r" % (what, found, wanted))
-
-
-def wait(milliseconds=100):
-    hands.hands_wait(milliseconds)
-
-
-def picture(name):
-    wait(300)
-    check(hands.hands_picture(os.path.join(os.environ["FOLDER"], name).encode()), "no picture")
 
 
 class Scene:
@@ -82,10 +54,7 @@ class Scene:
         return self.rows()[4 * i:4 * i + 4]
 
     def pixel(self, x, y):
-        renderer = self.view.GetRenderer()
-        renderer.SetWorldPoint(x, y, 0, 1)
-        renderer.WorldToDisplay()
-        return np.array(renderer.GetDisplayPoint()[:2])
+        return pixel(self.view, x, y)
 
     def drawn(self):
         """The places of the separatrices, as they are in the pipeline without asking it to update."""
@@ -105,15 +74,9 @@ class Scene:
         return coloured
 
     def drag(self, start, end, moves=3):
-        """From a place to another; yields after each move with the button down."""
-        start, end = np.rint(self.pixel(*start)), np.rint(self.pixel(*end))
-        hands.hands_press(*map(int, start))
-        wait()
-        for i in range(1, moves + 1):
-            place = np.rint(start + (end - start) * i / moves)
-            yield hands.hands_time_of_move(*map(int, place))
-        hands.hands_release(*map(int, end))
-        wait()
+        """From a place to another, straight."""
+        start, end = np.array(start), np.array(end)
+        return drag(self.view, [start + (end - start) * i / moves for i in range(moves + 1)] if moves else [start])
 
 
 def test_drag(scene):
@@ -363,7 +326,6 @@ def test_state_of_the_designer(scene):
 
 
 try:
-    load_hands()
     wait(500)
     LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
     scene = Scene()
@@ -374,8 +336,5 @@ try:
     print("all well")
 except BaseException:
     traceback.print_exc()
-    sys.stdout.flush()
-    if not hands:
-        os._exit(1)  # nothing can close the client
 sys.stdout.flush()
 hands.hands_quit()

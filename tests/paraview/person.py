@@ -1,0 +1,55 @@
+"""A person who uses ParaView's client: the library of Hands.cxx, and what tests in the client need around it."""
+import ctypes
+import os
+
+import numpy as np
+
+hands = ctypes.PyDLL(os.environ["HANDS"])
+hands.hands_time_of_move.restype = hands.hands_number.restype = ctypes.c_double
+hands.hands_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
+for function in hands.hands_undo_label, hands.hands_messages:
+    function.restype = ctypes.c_char_p
+for function in hands.hands_click, hands.hands_picture, hands.hands_open, hands.hands_trigger, hands.hands_take:
+    function.restype = ctypes.c_bool
+hands.hands_listen()
+
+
+def check(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def check_equal(found, wanted, what):
+    check(found == wanted, "%s: %r, not %r" % (what, found, wanted))
+
+
+def wait(milliseconds=100):
+    hands.hands_wait(milliseconds)
+
+
+def picture(name, is_whole=True):
+    wait(300)
+    check(hands.hands_picture(os.path.join(os.environ["FOLDER"], name).encode(), is_whole), "no picture")
+
+
+def messages():
+    """What the client has shown as warnings and errors since the last call."""
+    return hands.hands_messages().decode()
+
+
+def pixel(view, x, y):
+    renderer = view.GetRenderer()
+    renderer.SetWorldPoint(x, y, 0, 1)
+    renderer.WorldToDisplay()
+    return np.array(renderer.GetDisplayPoint()[:2])
+
+
+def drag(view, path):
+    """Along places of the plane; yields the seconds of each move, with the button down."""
+    path = [tuple(map(int, np.rint(pixel(view, *place)))) for place in path]
+    hands.hands_press(*path[0])
+    wait()
+    for place in path[1:]:
+        yield hands.hands_time_of_move(*place)
+    hands.hands_release(*path[-1])
+    wait()

@@ -1,0 +1,126 @@
+"""The run of docs/tutorial_paraview.md, step 7, in ParaView's client: a file, a proposal, a hand, Snap, quads, a file.
+
+Started by run_client.py. Pictures of the window after each step, for the page and to look at.
+"""
+import os
+import statistics
+import sys
+import traceback
+
+import numpy as np
+from paraview import servermanager
+from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_QUAD
+
+from person import check, check_equal, drag, hands, messages, picture, wait
+
+MOVES = 60
+# The page's own polygon.
+PAGE = os.path.join(os.environ["STATES"], "..", "..", "docs", "tutorial_paraview.md")
+
+
+def text(designer, name):
+    return servermanager.Fetch(designer).GetFieldData().GetAbstractArray(name).GetValue(0)
+
+
+def rows_of(designer):
+    designer.UpdatePropertyInformation()
+    return np.reshape(designer.GetProperty("Rows"), (-1, 4))
+
+
+def step_open(view):
+    with open(PAGE, encoding="utf-8") as page:
+        polygon = page.read().split("```csv polygon.csv\n")[1].split("```")[0]
+    file = os.path.join(os.environ["FOLDER"], "polygon.csv")
+    with open(file, "w", encoding="utf-8") as domain:
+        domain.write(polygon)
+    check(hands.hands_open(file.encode(), b"PlanarDomainReader"), "the domain cannot be opened")
+    check(hands.hands_click(b"Apply"), "no Apply for the reader")
+    wait()
+
+
+def step_propose(view):
+    check(hands.hands_trigger(b"Layout Designer"), "no Layout Designer in the menu")
+    check(hands.hands_click(b"Apply"), "no Apply for the designer")
+    wait()
+    designer = GetActiveSource()
+    check_equal(len(rows_of(designer)), 4, "singularities proposed")
+    check_equal((text(designer, "Stale"), hands.hands_rows()), (0, 4), "the layout proposed and the rows of the table")
+
+
+def step_drag(view):
+    designer = GetActiveSource()
+    chosen = int(rows_of(designer)[:, 0].argmin())
+    start, end = rows_of(designer)[chosen, :2], np.array([-0.9, 0.02])
+    # A half turn, from the end of the domain up and in.
+    angles = np.pi * np.arange(MOVES + 1) / MOVES
+    path = [(start + end) / 2 + np.cos(a) * (start - end) / 2 + [0, 0.25 * np.sin(a)] for a in angles]
+    times, seen = [], None
+    for seconds in drag(view, path):
+        times.append(seconds)
+        lines = vtk_to_numpy(designer.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetData()).copy()
+        check(not np.array_equal(lines, seen), "the lines did not follow a move")
+        seen = lines
+    right = int(rows_of(designer)[:, 0].argmax())
+    for _ in drag(view, [rows_of(designer)[right, :2], (1.1, 0), (0.9, 0)]):
+        pass
+    pixel = 2 * view.CameraParallelScale / view.ViewSize[1]
+    found = rows_of(designer)
+    check(abs(found[chosen, :2] - end).max() <= pixel, "the place of the first: %s" % found[chosen])
+    check(abs(found[right, :2] - [0.9, 0]).max() <= pixel, "the place of the second: %s" % found[right])
+    check_equal(text(designer, "Stale"), 0, "whether the layout is that of an earlier place")
+    print("frames of the recorded run: median %.0f ms, from %.0f to %.0f ms" % tuple(
+        1e3 * t for t in (statistics.median(times), min(times), max(times))))
+
+
+def step_snap(view):
+    designer = GetActiveSource()
+    faces = text(designer, "Faces")
+    check(hands.hands_click(b"Snap"), "no button of the designer")
+    wait(300)
+    check_equal((faces, text(designer, "Faces"), text(designer, "Stale")), (9, 5, 0), "faces before and after, and stale")
+    # Lines that meet leave no thin faces.
+    check(text(designer, "ShortestArc") > 4, "a short arc is left: %g" % text(designer, "ShortestArc"))
+
+
+def step_quads(view):
+    designer = GetActiveSource()
+    check(hands.hands_take(b"Quads", b"Smooth"), "no choice of quads in the panel")
+    check(hands.hands_click(b"Apply"), "no Apply for quads")
+    wait()
+
+
+def step_save(view):
+    file = os.path.join(os.environ["FOLDER"], "quads.vtu")
+    SaveData(file, proxy=OutputPort(GetActiveSource(), 3), DataMode="Binary")
+    quads = servermanager.Fetch(OpenDataFile(file))
+    # The sides of the boundary are lines.
+    types = [quads.GetCellType(i) for i in range(quads.GetNumberOfCells()) if quads.GetCell(i).GetCellDimension() == 2]
+    check_equal(set(types), {VTK_QUAD}, "the types of faces")
+    check(900 < len(types) < 1100, "%d quads" % len(types))
+    report = quads.GetFieldData()
+    got, asked, valence = (vtk_to_numpy(report.GetArray(name)).tolist()
+                           for name in ("IrregularGot", "IrregularAsked", "IrregularValence"))
+    check_equal(got, asked, "irregular nodes")
+    check_equal(dict(zip(valence, got)).get(3), 4, "nodes of valence 3")
+    check_equal(report.GetArray("Inverted").GetValue(0), 0, "inverted quads")
+
+
+try:
+    hands.hands_window(960, 800, 370)
+    wait(500)
+    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
+    view = GetActiveViewOrCreate("RenderView")
+    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
+    for name, step in [item for item in globals().items() if item[0].startswith("step_")]:
+        print(name, flush=True)
+        step(view)
+        picture(name[5:] + ".png", is_whole=False)
+        check_equal(messages(), "", "messages of " + name)
+    print("all well")
+except BaseException:
+    traceback.print_exc()
+    picture("failed.png")
+sys.stdout.flush()
+hands.hands_quit()
