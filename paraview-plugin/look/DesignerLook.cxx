@@ -15,11 +15,11 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 
-#include <QPointer>
 #include <QTimer>
 
 #include <array>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 namespace
@@ -85,11 +85,19 @@ void ColourBy(
   vtkSMPropertyHelper(colours, "RGBPoints")
     .Set(points.data(), static_cast<unsigned int>(points.size()));
   colours->UpdateVTKObjects();
-  vtkSMPVRepresentationProxy::SetScalarColoring(shown, array, association);
+  // Without a look at the data, which there may not be yet.
+  vtkSMPropertyHelper(shown, "ColorArrayName").SetInputArrayToProcess(association, array);
+  vtkSMPropertyHelper(shown, "LookupTable").Set(colours);
 }
 
-void Show(pqPipelineSource* source, vtkSMProxy* shown, int port)
+bool HasLayout(pqPipelineSource* designer)
 {
+  return designer->getSourceProxy()->GetDataInformation(0)->GetNumberOfCells() > 0;
+}
+
+void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
+{
+  vtkSMProxy* shown = representation->getProxy();
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
   const auto lift = [&](double part)
   {
@@ -124,6 +132,17 @@ void Show(pqPipelineSource* source, vtkSMProxy* shown, int port)
     break;
   }
   shown->UpdateVTKObjects();
+  // ParaView shows legends after that.
+  QTimer::singleShot(0, representation,
+    [representation]
+    {
+      if (representation->getView() &&
+        vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation->getProxy()))
+      {
+        vtkSMPVRepresentationProxy::SetScalarBarVisibility(
+          representation->getProxy(), representation->getView()->getProxy(), false);
+      }
+    });
 }
 
 void ShowAtFirst(pqPipelineSource* source)
@@ -140,16 +159,21 @@ void ShowAtFirst(pqPipelineSource* source)
       {
         return;
       }
-      Show(designer, added->getProxy(), port);
-      // ParaView shows legends after that.
-      QTimer::singleShot(0, added,
-        [shown = QPointer<pqDataRepresentation>(added)]
+      if (HasLayout(designer))
+      {
+        Show(designer, added, port);
+        return;
+      }
+      // When what is wrong with the input has been mended; ParaView warns of colours by arrays that there are not.
+      const auto later = std::make_shared<QMetaObject::Connection>();
+      *later = QObject::connect(designer,
+        QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), added,
+        [designer, added, port, later](pqPipelineSource*)
         {
-          if (shown && shown->getView() &&
-            vtkSMPVRepresentationProxy::GetUsingScalarColoring(shown->getProxy()))
+          if (HasLayout(designer))
           {
-            vtkSMPVRepresentationProxy::SetScalarBarVisibility(
-              shown->getProxy(), shown->getView()->getProxy(), false);
+            QObject::disconnect(*later);
+            Show(designer, added, port);
           }
         });
     });

@@ -148,8 +148,14 @@ extern "C"
       const int place = choices && choices->isVisible() ? choices->findText(choice) : -1;
       if (place >= 0)
       {
-        choices->setCurrentIndex(place);
-        return true;
+        // As the mouse can: not what is grey.
+        const QModelIndex chosen = choices->model()->index(place, 0);
+        const bool isEnabled = choices->model()->flags(chosen).testFlag(Qt::ItemIsEnabled);
+        if (isEnabled)
+        {
+          choices->setCurrentIndex(place);
+        }
+        return isEnabled;
       }
     }
     return false;

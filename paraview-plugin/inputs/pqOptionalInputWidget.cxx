@@ -1,0 +1,80 @@
+#include "pqOptionalInputWidget.h"
+
+#include "pqActiveObjects.h"
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
+#include "vtkSMOutputPort.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+
+#include <QComboBox>
+#include <QPointer>
+#include <QSet>
+#include <QStandardItemModel>
+#include <QTimer>
+
+namespace
+{
+void AddWhatFollows(const pqPipelineSource* source, QSet<vtkSMProxy*>& found)
+{
+  for (const pqPipelineSource* consumer : source->getAllConsumers())
+  {
+    if (!found.contains(consumer->getProxy()))
+    {
+      found.insert(consumer->getProxy());
+      AddWhatFollows(consumer, found);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+pqOptionalInputWidget::pqOptionalInputWidget(
+  vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+  : pqInputSelectorWidget(proxy, property, parent)
+  , Choices(this->findChild<QComboBox*>())
+{
+  // The list is filled again whenever the pipeline changes.
+  QObject::connect(this->Choices->model(), &QAbstractItemModel::rowsInserted, this,
+    [this](const QModelIndex&, int first, int last) { this->GreyWhatFollows(first, last); });
+  this->GreyWhatFollows(0, this->Choices->count() - 1);
+}
+
+//------------------------------------------------------------------------------
+void pqOptionalInputWidget::GreyWhatFollows(int firstRow, int lastRow)
+{
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  const auto* filter = model->findItem<pqPipelineSource*>(this->proxy());
+  if (!filter)
+  {
+    return;
+  }
+  QSet<vtkSMProxy*> following;
+  AddWhatFollows(filter, following);
+  for (int row = firstRow; row <= lastRow; ++row)
+  {
+    auto* port = vtkSMOutputPort::SafeDownCast(
+      static_cast<vtkSMProxy*>(this->Choices->itemData(row).value<void*>()));
+    if (port && following.contains(port->GetSourceProxy()))
+    {
+      qobject_cast<QStandardItemModel*>(this->Choices->model())->item(row)->setEnabled(false);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqOptionalInputWidget::apply()
+{
+  const QPointer<pqPipelineSource> active = pqActiveObjects::instance().activeSource();
+  pqInputSelectorWidget::apply();
+  // A filter of two inputs moves to another place in the pipeline browser, which then selects its neighbour.
+  QTimer::singleShot(0, this,
+    [this, active]
+    {
+      if (active && active->getProxy() == this->proxy())
+      {
+        pqActiveObjects::instance().setActiveSource(active);
+      }
+    });
+}

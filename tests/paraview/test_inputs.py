@@ -1,0 +1,74 @@
+"""Optional inputs, chosen in the panel of a filter that was made in the menu; started by run_client.py."""
+import os
+import sys
+import traceback
+
+from paraview import servermanager
+from paraview.simple import *
+
+from person import check, check_equal, hands, messages, picture, wait
+
+
+def make(name, domain):
+    """The filter that a person makes of the domain in the menu, not yet applied."""
+    SetActiveSource(domain)
+    wait(200)
+    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    wait()
+
+
+def test_chosen_in_the_panel(domain, rows):
+    for name, label in ("Poincare Hopf Check", "Singularities"), ("Cross Field Map", "Singularities"), (
+            "Layout Designer", "StartFrom"):
+        make(name, domain)
+        check(hands.hands_take(label.encode(), b"Three and one"), "no list of choices for " + name)
+        check(hands.hands_click(b"Apply"), "no Apply")
+        wait(200)
+        made = GetActiveSource()
+        check_equal(made.GetXMLLabel(), name, "the filter made")
+        # The proxy in ParaView, not what the panel shows.
+        check(made.SMProxy.GetProperty(label).GetProxy(0) is rows.SMProxy, "the input of %s is not what was chosen" % name)
+        check_equal(messages(), "", "messages of " + name)
+        if name == "Poincare Hopf Check":
+            text = servermanager.Fetch(made, idx=3).GetColumn(0).GetValue(0)
+            check("add up to 4" in text, "the check does not count what was chosen: " + text)
+        picture(name.replace(" ", "_").lower() + ".png")
+
+
+def test_taken_back(domain, rows):
+    designer = GetActiveSource()
+    check(hands.hands_take(b"StartFrom", b"(none)"), "no way back to none")
+    check(hands.hands_click(b"Apply"), "no Apply")
+    wait(200)
+    check_equal(designer.SMProxy.GetProperty("StartFrom").GetNumberOfProxies(), 0, "inputs after none was chosen")
+
+
+def test_no_circle(domain, rows):
+    designer = GetActiveSource()
+    Show(SingularityHandles(registrationName="Follows", Input=OutputPort(designer, 2)))
+    Render()
+    SetActiveSource(designer)
+    wait(200)
+    check(not hands.hands_take(b"StartFrom", b"Follows"), "what follows from a filter can be its input")
+    check(hands.hands_take(b"StartFrom", b"Three and one"), "other choices have gone")
+
+
+try:
+    hands.hands_window(1000, 800, 370)
+    wait(500)
+    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
+    GetActiveViewOrCreate("RenderView")
+    domain = PlanarDomainSource(registrationName="Domain")
+    rows = SingularitySource(registrationName="Three and one")
+    for source in domain, rows:
+        Show(source)
+    Render()
+    for name, test in [item for item in globals().items() if item[0].startswith("test_")]:
+        print(name, flush=True)
+        test(domain, rows)
+    print("all well")
+except BaseException:
+    traceback.print_exc()
+    picture("failed.png")
+sys.stdout.flush()
+hands.hands_quit()
