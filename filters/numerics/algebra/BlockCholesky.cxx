@@ -98,8 +98,7 @@ typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Forms(const Vector
     columns.col(i).segment(block.place, block.across.rows()) =
       vector.segment(block.row + block.inner.rows(), block.across.rows()) - block.across * inner;
   }
-  this->Coupled.GetLower().template triangularView<Eigen::Lower>().solveInPlace(columns);
-  forms += columns.adjoint() * columns;
+  forms += this->Coupled.Form(std::move(columns));
   return forms;
 }
 

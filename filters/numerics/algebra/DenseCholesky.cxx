@@ -1,5 +1,6 @@
 #include "DenseCholesky.h"
 
+#include "DenseProduct.h"
 #include "SerialBlas.h"
 
 #include <utility>
@@ -16,6 +17,15 @@ extern "C"
     std::size_t halfLength);
   void zpotri_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
     int* info, std::size_t halfLength);
+  void dtrsm_(const char* side, const char* half, const char* transposed, const char* diagonal,
+    const int* rows, const int* columns, const double* factor, const double* triangle,
+    const int* leading, double* matrix, const int* leadingOfMatrix, std::size_t sideLength,
+    std::size_t halfLength, std::size_t transposedLength, std::size_t diagonalLength);
+  void ztrsm_(const char* side, const char* half, const char* transposed, const char* diagonal,
+    const int* rows, const int* columns, const std::complex<double>* factor,
+    const std::complex<double>* triangle, const int* leading, std::complex<double>* matrix,
+    const int* leadingOfMatrix, std::size_t sideLength, std::size_t halfLength,
+    std::size_t transposedLength, std::size_t diagonalLength);
 }
 
 namespace crossfield
@@ -30,6 +40,20 @@ void Factorise(const int* size, double* matrix, int* info)
 void Factorise(const int* size, std::complex<double>* matrix, int* info)
 {
   zpotrf_("L", size, matrix, size, info, 1);
+}
+
+/// L⁻¹ times the columns of a matrix, in place.
+void SolveLower(const int* size, const double* lower, const int* columns, double* matrix)
+{
+  const double one = 1.0;
+  dtrsm_("L", "L", "N", "N", size, columns, &one, lower, size, matrix, size, 1, 1, 1, 1);
+}
+
+void SolveLower(const int* size, const std::complex<double>* lower, const int* columns,
+  std::complex<double>* matrix)
+{
+  const std::complex<double> one = 1.0;
+  ztrsm_("L", "L", "N", "N", size, columns, &one, lower, size, matrix, size, 1, 1, 1, 1);
 }
 
 void Invert(const int* size, double* factor, int* info)
@@ -57,6 +81,19 @@ DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
   Factorise(&size, this->Lower.data(), &info);
   this->PositiveDefinite = info == 0;
   this->Lower.template triangularView<Eigen::StrictlyUpper>().setZero();
+}
+
+template <typename Scalar>
+typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix columns) const
+{
+  if (columns.size() > 0)
+  {
+    const SerialBlas serial;
+    const auto size = static_cast<int>(columns.rows());
+    const auto count = static_cast<int>(columns.cols());
+    SolveLower(&size, this->Lower.data(), &count, columns.data());
+  }
+  return AdjointProduct(columns, columns);
 }
 
 template <typename Scalar>

@@ -35,6 +35,9 @@ public:
     return lower.adjoint().solve(lower.solve(rightHandSides));
   }
 
+  /// Bᴴ A⁻¹ B, by BLAS (?trsm, ?gemm).
+  Matrix Form(Matrix columns) const;
+
   /// A⁻¹ (?potri), in half the time of solving for the unit matrix.
   Matrix Inverse() const;
 

@@ -2,22 +2,33 @@
 
 #include "SerialBlas.h"
 
+#include <complex>
+
 // The Fortran interface of BLAS; see DenseCholesky.
-extern "C" void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
-  const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
-  const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
-  const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
+extern "C"
+{
+  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
+    const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
+    const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
+    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
+  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
+    const int* inner, const std::complex<double>* factor, const std::complex<double>* left,
+    const int* leadingOfLeft, const std::complex<double>* right, const int* leadingOfRight,
+    const std::complex<double>* factorOfResult, std::complex<double>* result,
+    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
+}
 
 namespace crossfield
 {
 namespace
 {
-using Columns = Eigen::Ref<const Eigen::MatrixXd>;
-
-Eigen::MatrixXd Multiply(const Columns& left, char ofLeft, const Columns& right)
+/// With "N" or "C" for A or its adjoint, by one of the functions above.
+template <typename Matrix, typename Function>
+Matrix Multiply(Function* gemm, const char* ofLeft, const Eigen::Ref<const Matrix>& left,
+  const Eigen::Ref<const Matrix>& right)
 {
-  const Eigen::Index height = ofLeft == 'T' ? left.cols() : left.rows();
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(height, right.cols());
+  const Eigen::Index height = *ofLeft == 'C' ? left.cols() : left.rows();
+  Matrix product = Matrix::Zero(height, right.cols());
   if (product.size() > 0 && right.rows() > 0)
   {
     const SerialBlas serial;
@@ -26,22 +37,30 @@ Eigen::MatrixXd Multiply(const Columns& left, char ofLeft, const Columns& right)
     const auto inner = static_cast<int>(right.rows());
     const auto leadingOfLeft = static_cast<int>(left.outerStride());
     const auto leadingOfRight = static_cast<int>(right.outerStride());
-    const double one = 1.0;
-    const double zero = 0.0;
-    dgemm_(&ofLeft, "N", &rows, &columns, &inner, &one, left.data(), &leadingOfLeft, right.data(),
+    const typename Matrix::Scalar one = 1.0;
+    const typename Matrix::Scalar zero = 0.0;
+    gemm(ofLeft, "N", &rows, &columns, &inner, &one, left.data(), &leadingOfLeft, right.data(),
       &leadingOfRight, &zero, product.data(), &rows, 1, 1);
   }
   return product;
 }
 }
 
-Eigen::MatrixXd DenseProduct(const Columns& left, const Columns& right)
+Eigen::MatrixXd DenseProduct(
+  const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right)
 {
-  return Multiply(left, 'N', right);
+  return Multiply<Eigen::MatrixXd>(dgemm_, "N", left, right);
 }
 
-Eigen::MatrixXd TransposedProduct(const Columns& left, const Columns& right)
+Eigen::MatrixXd AdjointProduct(
+  const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right)
 {
-  return Multiply(left, 'T', right);
+  return Multiply<Eigen::MatrixXd>(dgemm_, "C", left, right);
+}
+
+Eigen::MatrixXcd AdjointProduct(
+  const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right)
+{
+  return Multiply<Eigen::MatrixXcd>(zgemm_, "C", left, right);
 }
 }

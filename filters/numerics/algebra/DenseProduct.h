@@ -8,7 +8,9 @@ namespace crossfield
 Eigen::MatrixXd DenseProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 
-/// Aᵀ B, likewise.
-Eigen::MatrixXd TransposedProduct(
+/// Aᴴ B, likewise.
+Eigen::MatrixXd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
+Eigen::MatrixXcd AdjointProduct(
+  const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right);
 }

@@ -109,7 +109,7 @@ HoleBases::HoleBases(const ReducedProblem& problem)
   {
     const Eigen::Index size = dual.bases[i].cols();
     this->Couplings.middleRows(this->Rows[i], size) =
-      TransposedProduct(dual.bases[i], RowsOf(half, dual.unknowns[i]));
+      AdjointProduct(dual.bases[i], RowsOf(half, dual.unknowns[i]));
     this->Couplings.block(this->Rows[i], this->Rows[i], size, size).setZero();
   }
   dual.load = dual.InBases(problem.load);

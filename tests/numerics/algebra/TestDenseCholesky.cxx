@@ -52,6 +52,8 @@ TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
     EXPECT_LE((factor.Inverse() * matrix - TestFixture::Matrix::Identity(size, size)).norm(),
       1e-11 * (1.0 + matrix.norm()));
     const typename TestFixture::Matrix expected = this->Dense(size, 3);
+    EXPECT_LE((factor.Form(matrix * expected) - expected.adjoint() * matrix * expected).norm(),
+      1e-12 * (1.0 + matrix.norm() * expected.squaredNorm()));
     EXPECT_LE((factor.Solve(matrix * expected) - expected).norm(), 1e-10 * (1.0 + expected.norm()));
   }
 }
