@@ -48,6 +48,20 @@ std::vector<std::pair<double, double>> RunsOf(
   return runs;
 }
 
+/// What a run of corners, and what is between them, turns by; to the left, into the domain, positive.
+double TurnOf(const LoopArc& arc, const std::vector<double>& turns, double begin, double end)
+{
+  const std::size_t last = arc.NearestVertex(end);
+  std::size_t vertex = arc.NearestVertex(begin);
+  double turn = turns[vertex];
+  while (vertex != last)
+  {
+    vertex = (vertex + 1) % turns.size();
+    turn += turns[vertex];
+  }
+  return turn;
+}
+
 /// A side to a merged corner leads past where the boundary was by half of the run's length; so it is that many times as long
 /// as the run where the boundary is smooth enough, and turns by little.
 constexpr double SideOfMerged = 8.0;
@@ -123,7 +137,8 @@ KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, 
       kept.places.push_back(begin);
       continue;
     }
-    if (span <= thinning.length && inside.size() < 2)
+    if (span <= thinning.length && inside.size() < 2 &&
+      TurnOf(arc, turns, begin, end) <= Pi - cornerAngle)
     {
       const double reach = SideOfMerged * span;
       const Approach before = FindApproach(arc, turns, given, begin, false, reach, thinning);

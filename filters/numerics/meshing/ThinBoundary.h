@@ -15,6 +15,7 @@ struct SimplifiedBoundary
 /// one, in the middle of the boundary between them, which turns by the sum of their turns; between
 /// corners, sides become longer, up to that length, while they turn by at most a sixth of the corner angle.
 ///
+/// Corners that would make one sharper than the corner angle, as the end of a narrow channel, stay.
 /// Vertices at the places of `keep` that lie on the boundary stay, and corners within the length of one of them become one
 /// there. Nothing moves by more than the length, and nothing at all where all sides are longer. The
 /// symmetries of a domain stay, to rounding. A loop that would have fewer than three vertices stays as it is, and so does a

@@ -136,6 +136,23 @@ TEST(ThinBoundary, PlacesThatAreKeptStay)
   EXPECT_TRUE(HasVertex(both, { 1.0, -0.5e-3 }));
 }
 
+TEST(ThinBoundary, EndsOfChannelsStay)
+{
+  // Four corners would become two needles, and with the bend there would still be a loop.
+  const PlanarDomain channel{ { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.999, 1.0 },
+    { 0.999, 0.001 }, { 0.0, 0.001 } } } };
+  const SimplifiedBoundary same = ThinBoundary(channel, 0.01);
+  EXPECT_EQ(FindCorners(same.domain.loops).size(), 6U);
+  EXPECT_EQ(same.moved, 0.0);
+  // The chamfer of a corner is as short, and goes.
+  const PlanarDomain chamfer{
+    { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.999 }, { 0.999, 1.0 }, { 0.0, 1.0 } } }
+  };
+  const SimplifiedBoundary square = ThinBoundary(chamfer, 0.01);
+  EXPECT_EQ(FindCorners(square.domain.loops).size(), 4U);
+  EXPECT_NEAR(square.moved, 0.0005, 1e-6); // across the new sides
+}
+
 TEST(ThinBoundary, SmallStepsGoAndSmallHolesStay)
 {
   // Corners of opposite turns make none; the hole is smaller than the length on the whole.
