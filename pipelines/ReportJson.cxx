@@ -136,9 +136,13 @@ std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double
 {
   Json report = Json::object();
   vtkFieldData* data = field->GetFieldData();
+  // Field data passes through filters; what is said of the domain is BoundaryInput's.
+  namespace names = vtkCrossFieldArrayNames;
+  const std::set<std::string> ofDomain = { names::BoundaryMoved, names::BoundaryPoints };
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    if (vtkDataArray* array = data->GetArray(i))
+    vtkDataArray* array = data->GetArray(i);
+    if (array != nullptr && ofDomain.count(array->GetName()) == 0)
     {
       report[SnakeCase(array->GetName())] = Value(array);
     }

@@ -179,11 +179,9 @@ int vtkBoundarySimplifier::RequestData(
       if (simple.domain.loops == given.domain.loops)
       {
         output->ShallowCopy(input);
+        return;
       }
-      else
-      {
-        Write(simple, input, output);
-      }
+      Write(simple, input, output);
       namespace names = vtkCrossFieldArrayNames;
       ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
       ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,

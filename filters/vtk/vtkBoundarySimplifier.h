@@ -13,7 +13,7 @@
  *
  * Output (of the input's type): where something was taken out, one closed polyline per loop, in the plane of the domain, with
  * the point arrays of the nearest points of the input; else the input. Meshes of vtkDrillHoles, and by default
- * surfaces with point arrays, pass through. Field data:
+ * surfaces with point arrays, pass through. Field data, where something was taken out:
  *
  * | array | meaning |
  * | --- | --- |

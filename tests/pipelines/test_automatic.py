@@ -238,7 +238,8 @@ class Boundaries(AutomaticTest):
         for place, other in zip(places, mirrored):
             self.assertLess(math.dist(place, other), 1e-9 * math.hypot(4, 2))
         # Given, they lie on the boundary as it was, and as it becomes.
-        self.succeed("hfield", "domain.vtp", "-s", "chosen.csv", "-o", "field.vtu")
+        report = json.loads(self.succeed("hfield", "domain.vtp", "-s", "chosen.csv", "-o", "field.vtu", "--json", "-"))
+        self.assertEqual([name for name in report if name.startswith("boundary")], ["boundary"])
         # The corners of the trailing edge, if one of them is given, become one there.
         edge = upper[0]
         (self.folder / "edge.csv").write_text("x,y,quarter_index\n%.17g,%.17g,-2\n" % edge)

@@ -118,7 +118,7 @@ TEST(BoundarySimplifier, PassesOnWhatHasNoDetailAndDrilledMeshes)
   FilterChecks::UpdateWithoutError(filter);
   auto* same = vtkPolyData::SafeDownCast(filter->GetOutput());
   EXPECT_EQ(same->GetPoints(), source->GetOutput()->GetPoints());
-  EXPECT_EQ(Value(same, "BoundaryMoved"), 0.0);
+  EXPECT_EQ(same->GetFieldData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(source->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
 
   vtkNew<vtkDrillHoles> drill;
