@@ -5,6 +5,7 @@ loaded; the curve is the renormalised energy over the iterations. The field is t
 """
 from paraview import servermanager
 from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkObject
 
 domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
 start = SingularitySource(
@@ -28,14 +29,16 @@ SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0,
               AmbientColor=[0.85, 0.92, 1])
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
-# Where the first steps, of which there are few, lead; the filter warns that they do not arrive.
+# Where the first steps, of which there are few, lead. That they do not arrive is no news for the window of messages.
 ways = [[] for _ in range(4)]
+vtkObject.GlobalWarningDisplayOff()
 for iterations in (0, 1, 2, 3, 4, 6, 8, 12, 200):
     way = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
     places = servermanager.Fetch(way)
     for i in range(4):
         ways[i] += places.GetPoint(i)
     Delete(way)
+vtkObject.GlobalWarningDisplayOn()
 for number, way in enumerate(ways):
     drawn = Show(PolyLineSource(registrationName="Way %d" % (number + 1), Points=way), view)
     SetProperties(drawn, ColorArrayName=["POINTS", ""], AmbientColor=[0.4, 0.4, 0.4], DiffuseColor=[0.4, 0.4, 0.4],

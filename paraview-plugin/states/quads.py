@@ -15,8 +15,9 @@ quads = QuadMesher(registrationName="Quads", Input=domain, Singularities=singula
 view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
+# Not 0, the value that gives way to the least one of the array, which is -1.
 faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "BlockId"],
-                  LowerThreshold=0, UpperThreshold=1e9)
+                  LowerThreshold=-0.5, UpperThreshold=1e9)
 shown = Show(faces, view)
 ColorBy(shown, ("CELLS", "BlockId"))
 SetProperties(

@@ -1,6 +1,6 @@
 """State: the lines that leave the singularities of a ring, and the rectangles between them.
 
-Four singularities of each sign. Lines have the colour of the singularity where they start; faces are rectangles of
+Four singularities of each sign. Lines are red where they start at quarter index 1, blue at -1; faces are rectangles of
 the flat map, in pale colours; the thin black lines are streamlines of the field from one seed.
 """
 from paraview.simple import *
@@ -28,15 +28,20 @@ SetProperties(
                 (0.91, 0.85, 0.96)][face * 7 % 5])])
 faces.SetScalarBarVisibility(view, False)
 SetProperties(faces, Ambient=1, Diffuse=0)
+# Not 0, the value that gives way to the least one of the array, which is -1.
 separatrices = Threshold(registrationName="Lines of singularities", Input=lines,
-                         Scalars=["CELLS", "Line"], LowerThreshold=0, UpperThreshold=1e9)
+                         Scalars=["CELLS", "Line"], LowerThreshold=-0.5, UpperThreshold=1e9)
 shown = Show(separatrices, view)
 ColorBy(shown, ("CELLS", "Singularity"))
+# The first four are of quarter index 1.
+SetProperties(GetColorTransferFunction("Singularity"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
+              RGBPoints=[0, 0.85, 0.1, 0.1, 3.4, 0.85, 0.1, 0.1, 3.6, 0.1, 0.2, 0.85, 7, 0.1, 0.2, 0.85])
 shown.SetScalarBarVisibility(view, False)
-SetProperties(shown, LineWidth=3, Ambient=1, Diffuse=0)
+SetProperties(shown, LineWidth=3, Ambient=1, Diffuse=0, Position=[0, 0, 0.001])
 streamlines = Threshold(registrationName="Streamlines", Input=lines, Scalars=["CELLS", "Seed"],
-                        LowerThreshold=0, UpperThreshold=1e9)
+                        LowerThreshold=-0.5, UpperThreshold=1e9)
 thin = Show(streamlines, view)
-SetProperties(thin, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+SetProperties(thin, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0], LineWidth=2,
+              Position=[0, 0, 0.002])
 Hide(lines, view)
 ResetCamera(view)

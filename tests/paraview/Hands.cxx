@@ -5,6 +5,7 @@
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
 #include "pqLoadDataReaction.h"
+#include "pqLoadStateReaction.h"
 #include "pqOutputWidget.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -123,6 +124,12 @@ extern "C"
   bool hands_open(const char* file, const char* reader)
   {
     return pqLoadDataReaction::loadData({ QStringList(file) }, "sources", reader) != nullptr;
+  }
+
+  /** File > Load State, without the window that asks where its data are. */
+  void hands_load_state(const char* file)
+  {
+    pqLoadStateReaction::loadState(file, true);
   }
 
   /** Whether there was an entry of this text in a menu that can be chosen. */
