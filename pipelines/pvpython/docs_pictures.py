@@ -10,6 +10,9 @@ below one, orange ones above. Sample run: scripts/pictures.sh.
 """
 import argparse
 import os
+import tempfile
+
+import numpy as np
 
 from paraview import servermanager
 from paraview.simple import *
@@ -42,6 +45,14 @@ def path_of(name):
 
 def draw_crosses(field, view, spacing, colour=BLACK):
     draw_lines(CrossGlyphs(Input=field, Spacing=spacing, Scale=0.75), view, colour, 1)
+
+
+def draw_mesh(mesh, view):
+    shown = Show(mesh, view)
+    SetProperties(shown, Representation="Surface With Edges", ColorArrayName=[None, ""],
+                  DiffuseColor=[0.9, 0.94, 1], AmbientColor=[0.9, 0.94, 1], Ambient=1, Diffuse=0,
+                  EdgeColor=GREY)
+    draw_boundaries(mesh, view)
 
 
 def field_panel(field, title, spacing=0.1, found=False):
@@ -98,17 +109,37 @@ def singularity_source():
     figure(path_of("singularity_source"), view)
 
 
+def coast():
+    """A reader of a ragged coast: a circle with waves of all lengths; their phases are always the same."""
+    angles = np.linspace(0, 2 * np.pi, 600, endpoint=False)
+    waves = range(2, 120)
+    phases = np.random.default_rng(7).uniform(0, 2 * np.pi, len(waves))
+    radius = 1 + sum(0.25 / wave**1.1 * np.cos(wave * angles + phase) for wave, phase in zip(waves, phases))
+    file = os.path.join(tempfile.mkdtemp(), "coast.csv")
+    np.savetxt(file, np.column_stack([radius * np.cos(angles), radius * np.sin(angles)]), delimiter=",",
+               header="x,y", comments="")
+    return PlanarDomainReader(FileName=file)
+
+
+def boundary_simplifier():
+    ragged = coast()
+    views = []
+    for length in (0, 0.1, 0.3):
+        mesh = DrillHoles(Input=BoundarySimplifier(Input=ragged, SmoothingLength=length),
+                          Singularities=rows(), MeshSize=0.12)
+        view = panel(mesh, "SmoothingLength %g" % length)
+        draw_mesh(mesh, view)
+        views.append(view)
+    figure(path_of("boundary_simplifier"), *views)
+
+
 def drill_holes():
     views = []
     for mode in ("Perforate", "Imprint", "Triangle"):
         mesh = DrillHoles(Input=disk(), Singularities=rows(*(row + (0.1,) for row in on_circle(4, 0.6))),
                           Mode=mode, MeshSize=0.12)
         view = panel(mesh, mode)
-        shown = Show(mesh, view)
-        SetProperties(shown, Representation="Surface With Edges", ColorArrayName=[None, ""],
-                      DiffuseColor=[0.9, 0.94, 1], AmbientColor=[0.9, 0.94, 1], Ambient=1, Diffuse=0,
-                      EdgeColor=GREY)
-        draw_boundaries(mesh, view)
+        draw_mesh(mesh, view)
         views.append(view)
     figure(path_of("drill_holes"), *views)
 
@@ -337,7 +368,7 @@ def sizes():
     figure(path_of("sizes"), *views)
 
 
-PICTURES = [planar_domain_source, singularity_source, drill_holes, boundary_corner_classifier,
+PICTURES = [planar_domain_source, singularity_source, boundary_simplifier, drill_holes, boundary_corner_classifier,
             poincare_hopf_check, configuration_proposal, perforated_cross_field,
             ginzburg_landau_cross_field, singularity_energy, singularity_optimizer,
             cross_field_singularities, separatrices, layout_designer, quad_mesher, cross_glyphs, valence, holonomy,

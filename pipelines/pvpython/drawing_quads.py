@@ -27,7 +27,7 @@ def draw_quads(quads, layout, width, node=0.008):
 
 def draw_blocks(quads, view):
     """The quads with thin edges, coloured by their block."""
-    faces = pv.Threshold(Input=quads, Scalars=["CELLS", "BlockId"], LowerThreshold=0,
+    faces = pv.Threshold(Input=quads, Scalars=["CELLS", "BlockId"], LowerThreshold=-0.5,
                          UpperThreshold=1e9)
     count = len(PALE)
     coloured = pv.Calculator(Input=faces, AttributeType="Cell Data", ResultArrayName="Tone",
