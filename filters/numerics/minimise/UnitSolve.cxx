@@ -36,7 +36,7 @@ struct PhasePoint
     this->radial = forces.real();
     this->tangential = forces.imag();
     const double scale = product.norm() + problem.load.norm();
-    this->residual = scale > 0.0 ? this->tangential.norm() / scale : 0.0;
+    this->residual = scale == 0.0 ? 0.0 : this->tangential.norm() / scale;
   }
 };
 
@@ -66,14 +66,16 @@ Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOpt
     hessian.diagonal() -= descent.point.radial;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
     const Eigen::VectorXd& curvatures = spectrum.eigenvalues();
-    minimum = curvatures.size() == 0 || curvatures[0] > 0.0;
+    // Without a load all holes may turn together: a curvature of zero, but for rounding.
+    const double stiffness = elastic.size() > 0 ? elastic.diagonal().maxCoeff() : 0.0;
+    minimum = curvatures.size() == 0 || curvatures[0] >= -1e-13 * stiffness;
     if (minimum && descent.point.residual <= options.tolerance)
     {
       break;
     }
     ++descent.iterations;
     // Directions of negative curvature are followed downhill; flat ones not to infinity.
-    const double flat = 1e-8 * curvatures.lpNorm<Eigen::Infinity>();
+    const double flat = 1e-8 * std::max(stiffness, curvatures.lpNorm<Eigen::Infinity>());
     const Eigen::VectorXd step =
       -(spectrum.eigenvectors() * curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
         spectrum.eigenvectors().transpose() * descent.point.tangential);

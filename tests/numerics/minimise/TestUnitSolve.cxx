@@ -191,5 +191,23 @@ TEST(UnitSolve, RelaxedPhasesAreBestAmongTheirNeighbours)
     }
   }
 }
+
+/// Without a load all holes may turn together, and any such field is as good as the others.
+TEST(UnitSolve, WithoutALoadAllHolesMayTurn)
+{
+  Random random(321);
+  for (const int holes : { 1, 2, 5 })
+  {
+    SCOPED_TRACE(holes);
+    ReducedProblem problem = RandomProblem(random, holes);
+    problem.load.setZero();
+    const ComplexVector start = ComplexVector::Ones(problem.load.size());
+    const MinimiserResult solution = SolveReducedUnit(problem, start);
+    EXPECT_TRUE(solution.converged);
+    EXPECT_NEAR(solution.x.cwiseAbs().maxCoeff(), 1.0, 1e-12);
+    EXPECT_NEAR(solution.x.cwiseAbs().minCoeff(), 1.0, 1e-12);
+    EXPECT_TRUE(RelaxPhases(problem, solution.x).allFinite());
+  }
+}
 }
 }
