@@ -92,11 +92,11 @@ Configuration DesignSession::Start(
 void DesignSession::Obey(const DesignQuestion& question, Configuration& now,
   std::vector<Row>& given, const crossfield::Progress& progress)
 {
+  this->events.clear();
   if (question.command == DesignCommand::None)
   {
     return;
   }
-  this->events.clear();
   if (question.command != DesignCommand::Undo)
   {
     const std::vector<Row> start = ToRows(now);

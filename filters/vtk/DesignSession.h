@@ -59,7 +59,7 @@ public:
     const crossfield::Progress& progress);
 
   std::optional<crossfield::LayoutDesign> design; ///< The last one that could be.
-  std::vector<std::string> events;                ///< Of the last command, a sentence each.
+  std::vector<std::string> events; ///< Of the command of this update, a sentence each.
 
 private:
   const crossfield::Configuration& Choose(
