@@ -60,6 +60,14 @@ def relift(mesh, phase, rounding):
 LIFTS = [2.0 * np.pi * np.array([0, a, b]) for a in (-1, 0, 1) for b in (-1, 0, 1) if a or b]
 
 
+def potential_range(energy, mesh):
+    """How far the conjugate potential ranges, about: in a strip as long as the domain and of its area, g L with the energy
+    ½ g² L W; at least one. Phases are rounded as it is, which tells in long domains.
+    """
+    extent = np.ptp(mesh.points, axis=0).max()
+    return np.sqrt(max(1.0, 2.0 * energy * extent ** 2 / mesh.area.sum()))
+
+
 def check_unit_norm(data, mesh, field, report):
     """Harmonic phase, closed potential; gives ½ ∫ |∇φ|²."""
     rounding = mesh.rounding()

@@ -106,7 +106,8 @@ def _verify_perforated(data, mesh, field, boundary, indices, loops, degrees, fou
     elif field.of_unit_norm and not mesh.of_kind(IMPRINTED):
         report.kind = "unit-norm field"
         energy, _ = unit_norm.check_unit_norm(data, mesh, field, report)
-        energies.check_energy("Energy", data.value("Energy"), energy, mesh, report)
+        energies.check_energy("Energy", data.value("Energy"), energy, mesh, report,
+                              unit_norm.potential_range(energy, mesh))
     else:
         report.kind = "constrained field"
         energy = gradient_energies(mesh, field.in_triangle).sum()
@@ -127,7 +128,8 @@ def _verify_h(data, mesh, field, boundary, indices, loops, degrees, found, repor
     chosen = counts.check_counts(data, mesh, boundary, indices, given, report)
     if on_holes:
         energy, phase = unit_norm.check_unit_norm(data, mesh, field, report)
-        energies.check_energy("Energy", data.value("Energy"), energy, mesh, report)
+        energies.check_energy("Energy", data.value("Energy"), energy, mesh, report,
+                              unit_norm.potential_range(energy, mesh))
         hfield.check_on_holes(data, mesh, phase, report)
         singular.check_reached(data, mesh, loops, degrees, False, report)
         singular.check_unwanted(data, mesh, indices, boundary, chosen, found, report)
