@@ -111,10 +111,10 @@ def singularity_source():
 
 def coast():
     """A reader of a ragged coast: a circle with waves of all lengths; their phases are always the same."""
-    angles = np.linspace(0, 2 * np.pi, 600, endpoint=False)
-    waves = range(2, 120)
+    angles = np.linspace(0, 2 * np.pi, 160, endpoint=False)
+    waves = range(2, 40)
     phases = np.random.default_rng(7).uniform(0, 2 * np.pi, len(waves))
-    radius = 1 + sum(0.25 / wave**1.1 * np.cos(wave * angles + phase) for wave, phase in zip(waves, phases))
+    radius = 1 + sum(0.2 / wave**1.1 * np.cos(wave * angles + phase) for wave, phase in zip(waves, phases))
     file = os.path.join(tempfile.mkdtemp(), "coast.csv")
     np.savetxt(file, np.column_stack([radius * np.cos(angles), radius * np.sin(angles)]), delimiter=",",
                header="x,y", comments="")
@@ -126,7 +126,7 @@ def boundary_simplifier():
     views = []
     for length in (0, 0.1, 0.3):
         mesh = DrillHoles(Input=BoundarySimplifier(Input=ragged, SmoothingLength=length),
-                          Singularities=rows(), MeshSize=0.12)
+                          Singularities=rows(), MeshSize=0.2, Gradation=0.5)
         view = panel(mesh, "SmoothingLength %g" % length)
         draw_mesh(mesh, view)
         views.append(view)
