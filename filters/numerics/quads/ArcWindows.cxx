@@ -189,11 +189,11 @@ void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t 
 {
   const Windows windows(mesh);
   // A window of 100 arcs takes milliseconds, one of 300 a tenth of a second. What small ones improve is not left to large ones, and
-  // what is more than three fifths of everything to the whole problem.
+  // what is more than four fifths of everything to the whole problem.
   const std::array<std::size_t, 7> sizes = { 60, 100, 100, 200, 200, 300, 300 };
   for (std::size_t pass = 0; pass < sizes.size(); ++pass)
   {
-    if (sizes[pass] > largest || 5 * sizes[pass] > 3 * problem.Count())
+    if (sizes[pass] > largest || 5 * sizes[pass] > 4 * problem.Count())
     {
       break;
     }
