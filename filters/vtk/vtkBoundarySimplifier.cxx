@@ -4,6 +4,7 @@
 #include "DomainConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "InputCheck.h"
 #include "SmoothBoundary.h"
 #include "ThinBoundary.h"
 #include "UsedPoints.h"
@@ -137,6 +138,7 @@ int vtkBoundarySimplifier::RequestData(
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
+      InputCheck::Require(input);
       const bool isAsked = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DomainConversion::AsDrilledMesh(input) != nullptr ||
         (!isAsked && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
@@ -151,6 +153,7 @@ int vtkBoundarySimplifier::RequestData(
         vtkDataSet* points = vtkDataSet::GetData(inputVector[1], i);
         for (vtkIdType p = 0; points != nullptr && p < points->GetNumberOfPoints(); ++p)
         {
+          InputCheck::RequireFinite(points->GetPoint(p), p);
           kept.push_back(given.plane.ToPlane(Eigen::Vector3d(points->GetPoint(p))));
         }
       }

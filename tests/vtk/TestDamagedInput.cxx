@@ -3,6 +3,7 @@
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
+#include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossGlyphs.h"
 #include "vtkDrillHoles.h"
@@ -54,6 +55,10 @@ void ExpectDamaged(vtkDataSet* domain, const std::string& part)
   filter->SetInputData(domain);
   filter->SetSingularitiesData(TestInputs::Singularities({ { 1.0, 1.0, 1.0, 0.2 } }));
   EXPECT_EQ(CaptureError(filter, { part, "damaged" }), vtkErrorCode::UserError);
+  // Looks at the cells before it reads a domain.
+  vtkNew<vtkBoundarySimplifier> simplifier;
+  simplifier->SetInputData(domain);
+  EXPECT_EQ(CaptureError(simplifier, { part, "damaged" }), vtkErrorCode::UserError);
 }
 
 TEST(DamagedInput, ListOfCells)
