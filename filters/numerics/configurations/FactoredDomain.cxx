@@ -19,7 +19,7 @@ DrillOptions OfSize(double meshSize)
   return options;
 }
 
-KeptTriangulation Keep(const MeshTopology& topology)
+std::unique_ptr<const KeptTriangulation> Keep(const MeshTopology& topology)
 {
   std::vector<bool> onBoundary(topology.mesh.points.size(), false);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -39,7 +39,8 @@ KeptTriangulation Keep(const MeshTopology& topology)
   {
     marks.push_back({ { 0, 0 }, loop.kind, loop.id, loop.quarterIndex });
   }
-  return { { topology.AlignedLoops() }, marks, inside };
+  return std::make_unique<const KeptTriangulation>(
+    PlanarDomain{ topology.AlignedLoops() }, marks, inside);
 }
 }
 
@@ -51,7 +52,6 @@ FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configu
       ShareTopology(DrillHoles(InsertBoundarySingularities(this->Domain, configuration), {},
         OfSize(meshSize), progress.Part(0.0, 0.5))),
       PotentialSolver::Boundary::Natural, progress.Part(0.5, 1.0)))
-  , Triangulation(Keep(this->Potential->GetTopology()))
 {
 }
 
@@ -93,7 +93,9 @@ TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
     }
     inside.push_back(singularity.position);
   }
+  std::call_once(
+    this->IsTriangulated, [this] { this->Triangulation = Keep(this->Potential->GetTopology()); });
   // Nearer vertices would leave edges much shorter than those around.
-  return this->Triangulation.With(inside, this->MeshSize / 3.0);
+  return this->Triangulation->With(inside, this->MeshSize / 3.0);
 }
 }

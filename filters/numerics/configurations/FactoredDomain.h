@@ -5,6 +5,8 @@
 #include "PotentialSolver.h"
 #include "Singularity.h"
 
+#include <mutex>
+
 namespace crossfield
 {
 /// A domain with what belongs to it whatever the singularities: its mesh and the factor of the Laplacian on it. Made
@@ -34,6 +36,8 @@ private:
   PlanarDomain Domain;
   double MeshSize;
   std::shared_ptr<const PotentialSolver> Potential;
-  KeptTriangulation Triangulation;
+  /// Made by the first MeshOn: who wants H or W alone has no use for it.
+  mutable std::once_flag IsTriangulated;
+  mutable std::unique_ptr<const KeptTriangulation> Triangulation;
 };
 }

@@ -162,6 +162,7 @@ TEST(ArcWindows, LeadToTheOptimum)
   Random random(1234);
   double whole = 0.0;
   double windows = 0.0;
+  double first = 0.0;
   std::size_t kept = 0;
   for (int sample = 0; sample < 4; ++sample)
   {
@@ -173,6 +174,7 @@ TEST(ArcWindows, LeadToTheOptimum)
     IntegerCounts found = SolveArcFlow(ones);
     std::vector<ArcRow> rows;
     double cost = found.cost;
+    first += cost;
     for (const std::size_t largest : { 0, 60, 100 })
     {
       ImproveInWindows(lines, problem, largest, found, rows);
@@ -180,7 +182,6 @@ TEST(ArcWindows, LeadToTheOptimum)
       EXPECT_TRUE(FindViolations(lines, found.counts).empty());
       EXPECT_NEAR(found.cost, problem.Cost(found.counts), CostRounding(cost));
       EXPECT_LE(found.cost, cost);
-      EXPECT_EQ(found.cost<cost, largest> 0);
       cost = found.cost;
     }
     kept += rows.size();
@@ -191,7 +192,8 @@ TEST(ArcWindows, LeadToTheOptimum)
   }
   EXPECT_GT(kept, 0u);
   EXPECT_GE(windows, whole);
-  EXPECT_LT(windows, 2.0 * whole); // the first numbers cost up to ten times as much
+  EXPECT_LT(windows, 2.0 * whole);
+  EXPECT_GT(first, 2.0 * windows);
 }
 
 /// With some arcs free the others stay, the equations hold, and nothing better is left among the free ones.
