@@ -32,13 +32,15 @@ SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], Diff
 # Where the first steps, of which there are few, lead. That they do not arrive is no news for the window of messages.
 ways = [[] for _ in range(4)]
 vtkObject.GlobalWarningDisplayOff()
-for iterations in (0, 1, 2, 3, 4, 6, 8, 12, 200):
-    way = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
-    places = servermanager.Fetch(way)
-    for i in range(4):
-        ways[i] += places.GetPoint(i)
-    Delete(way)
-vtkObject.GlobalWarningDisplayOn()
+try:
+    for iterations in (0, 1, 2, 3, 4, 6, 8, 12, 200):
+        way = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
+        places = servermanager.Fetch(way)
+        for i in range(4):
+            ways[i] += places.GetPoint(i)
+        Delete(way)
+finally:
+    vtkObject.GlobalWarningDisplayOn()
 for number, way in enumerate(ways):
     drawn = Show(PolyLineSource(registrationName="Way %d" % (number + 1), Points=way), view)
     SetProperties(drawn, ColorArrayName=["POINTS", ""], AmbientColor=[0.4, 0.4, 0.4], DiffuseColor=[0.4, 0.4, 0.4],
