@@ -1,8 +1,11 @@
 """A person who uses ParaView's client: the library of Hands.cxx, and what tests in the client need around it."""
 import ctypes
 import os
+import sys
+import traceback
 
 import numpy as np
+from paraview import simple
 
 hands = ctypes.PyDLL(os.environ["HANDS"])
 hands.hands_time_of_move.restype = hands.hands_number.restype = ctypes.c_double
@@ -53,3 +56,25 @@ def drag(view, path):
         yield hands.hands_time_of_move(*place)
     hands.hands_release(*path[-1])
     wait()
+
+
+def run(prefix, names, each, window=None):
+    """Calls `each` with every function of `names` whose name begins so, in order, and ends the client.
+
+    `window` is its size: width, height, width of the panel. An exception is told, with a picture; run_client.py looks
+    for "all well".
+    """
+    try:
+        if window:
+            hands.hands_window(*window)
+        wait(500)
+        simple.LoadPlugin(os.environ["PLUGIN"], remote=False, ns=names)
+        for name, function in [item for item in names.items() if item[0].startswith(prefix)]:
+            print(name, flush=True)
+            each(function)
+        print("all well")
+    except BaseException:
+        traceback.print_exc()
+        picture("failed.png")
+    sys.stdout.flush()
+    hands.hands_quit()

@@ -5,15 +5,13 @@ the window are for people to look at.
 """
 import os
 import statistics
-import sys
-import traceback
 
 import numpy as np
 from paraview import servermanager, smtrace
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from person import check, check_equal, drag, hands, picture, pixel, wait
+from person import check, check_equal, drag, hands, picture, pixel, run, wait
 
 MOVES = 60
 ROWS = [0.4242640687119285, 0.4242640687119285, 1, 0.1, -0.4242640687119285, 0.4242640687119285, 1, 0.1,
@@ -325,16 +323,13 @@ def test_state_of_the_designer(scene):
     print("frames of a drag in the designer's state: median %.0f ms" % (1e3 * statistics.median(times)))
 
 
-try:
-    wait(500)
-    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
-    scene = Scene()
-    for name, test in list(globals().items()):
-        if name.startswith("test_"):
-            print(name, flush=True)
-            test(scene)
-    print("all well")
-except BaseException:
-    traceback.print_exc()
-sys.stdout.flush()
-hands.hands_quit()
+scenes = []
+
+
+def play(test):
+    if not scenes:
+        scenes.append(Scene())
+    test(scenes[0])
+
+
+run("test_", globals(), play)

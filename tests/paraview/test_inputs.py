@@ -1,12 +1,10 @@
 """Optional inputs, chosen in the panel of a filter that was made in the menu; started by run_client.py."""
 import os
-import sys
-import traceback
 
 from paraview import servermanager
 from paraview.simple import *
 
-from person import check, check_equal, hands, messages, picture, wait
+from person import check, check_equal, hands, messages, picture, run, wait
 
 
 def make(name, domain):
@@ -53,22 +51,14 @@ def test_no_circle(domain, rows):
     check(hands.hands_take(b"StartFrom", b"Three and one"), "other choices have gone")
 
 
-try:
-    hands.hands_window(1000, 800, 370)
-    wait(500)
-    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
-    GetActiveViewOrCreate("RenderView")
-    domain = PlanarDomainSource(registrationName="Domain")
-    rows = SingularitySource(registrationName="Three and one")
-    for source in domain, rows:
-        Show(source)
-    Render()
-    for name, test in [item for item in globals().items() if item[0].startswith("test_")]:
-        print(name, flush=True)
-        test(domain, rows)
-    print("all well")
-except BaseException:
-    traceback.print_exc()
-    picture("failed.png")
-sys.stdout.flush()
-hands.hands_quit()
+def ask(test):
+    if not GetSources():
+        GetActiveViewOrCreate("RenderView")
+        for source in (PlanarDomainSource(registrationName="Domain"),
+                       SingularitySource(registrationName="Three and one")):
+            Show(source)
+        Render()
+    test(FindSource("Domain"), FindSource("Three and one"))
+
+
+run("test_", globals(), ask, (1000, 800, 370))

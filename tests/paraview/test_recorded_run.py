@@ -4,8 +4,6 @@ Started by run_client.py. Pictures of the window after each step, for the page a
 """
 import os
 import statistics
-import sys
-import traceback
 
 import numpy as np
 from paraview import servermanager
@@ -13,7 +11,7 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_QUAD
 
-from person import check, check_equal, drag, hands, messages, picture, wait
+from person import check, check_equal, drag, hands, messages, picture, run, wait
 
 MOVES = 60
 # The page's own polygon.
@@ -107,20 +105,12 @@ def step_save(view):
     check_equal(report.GetArray("Inverted").GetValue(0), 0, "inverted quads")
 
 
-try:
-    hands.hands_window(960, 800, 370)
-    wait(500)
-    LoadPlugin(os.environ["PLUGIN"], remote=False, ns=globals())
+def walk(step):
     view = GetActiveViewOrCreate("RenderView")
     SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
-    for name, step in [item for item in globals().items() if item[0].startswith("step_")]:
-        print(name, flush=True)
-        step(view)
-        picture(name[5:] + ".png", is_whole=False)
-        check_equal(messages(), "", "messages of " + name)
-    print("all well")
-except BaseException:
-    traceback.print_exc()
-    picture("failed.png")
-sys.stdout.flush()
-hands.hands_quit()
+    step(view)
+    picture(step.__name__[5:] + ".png", is_whole=False)
+    check_equal(messages(), "", "messages of " + step.__name__)
+
+
+run("step_", globals(), walk, (960, 800, 370))

@@ -3,17 +3,15 @@
 Nothing may be said in the window of messages, every view has to show something, and the pictures are to be looked at.
 """
 import os
-import sys
-import traceback
 
 import paraview.simple as simple
 
-from person import check, check_equal, hands, messages, picture, wait
+from person import check, check_equal, hands, messages, picture, run, wait
 
 STATES = os.environ["STATES"]
 
 
-def test(state):
+def load(state):
     simple.ResetSession()
     wait(200)
     hands.hands_load_state(os.path.join(STATES, state).encode())
@@ -25,22 +23,15 @@ def test(state):
     check_equal(messages(), "", "messages of " + state)
 
 
-try:
-    hands.hands_window(1200, 900, 300)
-    wait(500)
-    simple.LoadPlugin(os.environ["PLUGIN"], remote=False, ns=vars(simple))
-    wrong = 0
+def test_states():
+    wrong = []
     for state in sorted(name for name in os.listdir(STATES) if name.endswith(".py")):
         print(state, flush=True)
         try:
-            test(state)
-        except AssertionError:
-            # The next may be well.
-            traceback.print_exc()
-            wrong += 1
-    if not wrong:
-        print("all well")
-except BaseException:
-    traceback.print_exc()
-sys.stdout.flush()
-hands.hands_quit()
+            load(state)
+        except AssertionError as error:
+            wrong.append("%s: %s" % (state, error))  # the next may be well
+    check_equal(wrong, [], "what is wrong with states")
+
+
+run("test_", globals(), lambda test: test(), (1200, 900, 300))
