@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LoopArc.h"
 #include "MeshTopology.h"
 
 namespace crossfield
@@ -25,18 +26,18 @@ public:
   CurvePlace Nearest(int loop, const Point& point) const;
   /// Unit vector along the polyline there; at a vertex that of the edge after it.
   Point Tangent(const CurvePlace& place) const;
-  double Length(int loop) const { return this->Starts[static_cast<std::size_t>(loop)].back(); }
+  double Length(int loop) const { return this->ArcOf(loop).Length(); }
   /// Places of the vertices that are corners (MeshTopology::corners).
   std::vector<CurvePlace> Corners() const;
   /// The entry of mesh.boundary at a place.
   int PositionAt(const CurvePlace& place) const;
 
 private:
-  std::pair<std::size_t, double> EdgeAt(const CurvePlace& place) const;
+  const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
 
   const MeshTopology& Topology;
-  std::vector<std::vector<double>> Starts; ///< Per loop and vertex, and the loop's length.
-  std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary likewise.
+  std::vector<LoopArc> Arcs;               ///< Of the aligned loops.
+  std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary, per loop and side.
   std::vector<std::pair<int, std::size_t>> LoopAndEdge; ///< Of every entry.
 };
 }

@@ -2,6 +2,8 @@
 
 #include "Plane.h"
 
+#include <utility>
+
 namespace crossfield
 {
 /// A closed polyline by the length along it from its first vertex.
@@ -16,14 +18,25 @@ public:
   double Start(std::size_t vertex) const { return this->Starts[vertex]; }
   const Loop& Vertices() const { return this->Polyline; }
 
-  /// The place at a length, which may be of more than one round, or negative.
+  // Lengths may be of more than one round, or negative.
+
+  /// The side at a length, that after a vertex at it, and which part of it is before: in [0, 1].
+  std::pair<std::size_t, double> SideAt(double length) const;
+
+  /// The place at a length.
   Point At(double length) const;
 
-  /// The vertex nearest to a length along the loop, which may be of more than one round, or negative.
+  /// Unit vector along the side at a length.
+  Point Tangent(double length) const;
+
+  /// The vertex nearest to a length along the loop.
   std::size_t NearestVertex(double length) const;
 
-  /// Where the point of the loop is that is nearest to a place, if it is not farther than a reach; else
-  /// negative.
+  /// Where the point of the loop is that is nearest to a place; the vertex between two sides that are equally
+  /// near. Linear in the vertices.
+  double Nearest(const Point& place) const;
+
+  /// The same, if it is not farther than a reach; else negative.
   double Find(const Point& place, double reach) const;
 
   /// Angles from side to side at the vertices, positive to the left.
@@ -31,7 +44,10 @@ public:
 
 private:
   double Folded(double length) const;
-  std::size_t SideAt(double folded) const;
+  const Point& End(std::size_t side) const
+  {
+    return this->Polyline[(side + 1) % this->Polyline.size()];
+  }
 
   Loop Polyline;
   std::vector<double> Starts; ///< One more than there are vertices.

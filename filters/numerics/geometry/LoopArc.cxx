@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace crossfield
 {
@@ -21,55 +22,76 @@ LoopArc::LoopArc(const Loop& loop)
 //------------------------------------------------------------------------------
 double LoopArc::Folded(double length) const
 {
-  return length - std::floor(length / this->Length()) * this->Length();
+  const double folded = std::fmod(length, this->Length());
+  return folded < 0.0 ? folded + this->Length() : folded;
 }
 
 //------------------------------------------------------------------------------
-std::size_t LoopArc::SideAt(double folded) const
+std::pair<std::size_t, double> LoopArc::SideAt(double length) const
 {
+  const double folded = this->Folded(length);
   const auto after = std::upper_bound(this->Starts.begin(), this->Starts.end(), folded);
-  return std::min(this->Polyline.size() - 1,
-    static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - this->Starts.begin())) - 1);
+  const std::size_t side =
+    std::min(static_cast<std::size_t>(after - this->Starts.begin()), this->Polyline.size()) - 1;
+  const double extent = this->Starts[side + 1] - this->Starts[side];
+  return { side, extent > 0.0 ? (folded - this->Starts[side]) / extent : 0.0 };
 }
 
 //------------------------------------------------------------------------------
 Point LoopArc::At(double length) const
 {
-  length = this->Folded(length);
-  const std::size_t side = this->SideAt(length);
-  const double extent = this->Starts[side + 1] - this->Starts[side];
-  const double part = extent > 0.0 ? (length - this->Starts[side]) / extent : 0.0;
-  const Point& from = this->Polyline[side];
-  return from + part * (this->Polyline[(side + 1) % this->Polyline.size()] - from);
+  const auto [side, part] = this->SideAt(length);
+  return this->Polyline[side] + part * (this->End(side) - this->Polyline[side]);
+}
+
+//------------------------------------------------------------------------------
+Point LoopArc::Tangent(double length) const
+{
+  const std::size_t side = this->SideAt(length).first;
+  return (this->End(side) - this->Polyline[side]).normalized();
 }
 
 //------------------------------------------------------------------------------
 std::size_t LoopArc::NearestVertex(double length) const
 {
-  length = this->Folded(length);
-  const std::size_t side = this->SideAt(length);
-  const bool isLast = length - this->Starts[side] > this->Starts[side + 1] - length;
-  return isLast ? (side + 1) % this->Polyline.size() : side;
+  const auto [side, part] = this->SideAt(length);
+  return part > 0.5 ? (side + 1) % this->Polyline.size() : side;
+}
+
+//------------------------------------------------------------------------------
+double LoopArc::Nearest(const Point& place) const
+{
+  const double rounding = 1e-13 * this->Length(); // of a distance between points of the domain
+  const std::size_t count = this->Polyline.size();
+  double nearest = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t side = 0; side < count; ++side)
+  {
+    const Point& from = this->Polyline[side];
+    const Point& to = this->End(side);
+    const double distance = WayFromSegment(place, from, to).norm();
+    const bool isNext = side == best + 1 || (best == 0 && side + 1 == count);
+    if (std::abs(distance - least) <= rounding && isNext)
+    {
+      nearest = side == best + 1 ? this->Starts[side] : 0.0;
+    }
+    else if (distance < least)
+    {
+      least = distance;
+      best = side;
+      nearest = this->Starts[side] +
+        NearestFraction(place, from, to) * (this->Starts[side + 1] - this->Starts[side]);
+    }
+  }
+  return nearest;
 }
 
 //------------------------------------------------------------------------------
 double LoopArc::Find(const Point& place, double reach) const
 {
-  double found = -1.0;
-  for (std::size_t i = 0; i < this->Polyline.size(); ++i)
-  {
-    const Point& from = this->Polyline[i];
-    const Point& to = this->Polyline[(i + 1) % this->Polyline.size()];
-    const double part = NearestFraction(place, from, to);
-    const double distance = (from + part * (to - from) - place).norm();
-    if (distance <= reach)
-    {
-      reach = distance;
-      found =
-        std::fmod(this->Starts[i] + part * (this->Starts[i + 1] - this->Starts[i]), this->Length());
-    }
-  }
-  return found;
+  const double nearest = this->Nearest(place);
+  return (this->At(nearest) - place).norm() <= reach ? nearest : -1.0;
 }
 
 //------------------------------------------------------------------------------
