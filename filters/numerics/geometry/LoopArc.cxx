@@ -1,5 +1,6 @@
 #include "LoopArc.h"
 
+#include "BoundaryCorners.h"
 #include "Segment.h"
 
 #include <algorithm>
@@ -95,6 +96,21 @@ double LoopArc::Find(const Point& place, double reach) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> LoopArc::FindAll(const std::vector<Point>& places, double reach) const
+{
+  std::vector<double> found;
+  for (const Point& place : places)
+  {
+    const double at = this->Find(place, reach);
+    if (at >= 0.0)
+    {
+      found.push_back(at);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> LoopArc::Turns() const
 {
   const std::size_t count = this->Polyline.size();
@@ -106,6 +122,21 @@ std::vector<double> LoopArc::Turns() const
       here - this->Polyline[(i + count - 1) % count], this->Polyline[(i + 1) % count] - here);
   }
   return turns;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> LoopArc::Corners(double cornerAngle) const
+{
+  const std::vector<double> turns = this->Turns();
+  std::vector<double> corners;
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    if (IsCorner(turns[i], cornerAngle))
+    {
+      corners.push_back(this->Starts[i]);
+    }
+  }
+  return corners;
 }
 
 //------------------------------------------------------------------------------

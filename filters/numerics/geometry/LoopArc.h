@@ -38,9 +38,14 @@ public:
 
   /// The same, if it is not farther than a reach; else negative.
   double Find(const Point& place, double reach) const;
+  /// Where those of some places are that are not farther than a reach.
+  std::vector<double> FindAll(const std::vector<Point>& places, double reach) const;
 
   /// Angles from side to side at the vertices, positive to the left.
   std::vector<double> Turns() const;
+
+  /// Where the vertices are that turn by more than an angle (IsCorner), in order.
+  std::vector<double> Corners(double cornerAngle) const;
 
 private:
   double Folded(double length) const;

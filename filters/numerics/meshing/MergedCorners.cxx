@@ -1,7 +1,5 @@
 #include "MergedCorners.h"
 
-#include "BoundaryCorners.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,21 +7,6 @@ namespace crossfield
 {
 namespace
 {
-/// Where corners are, in order, as lengths along the loop.
-std::vector<double> CornersOf(
-  const LoopArc& arc, const std::vector<double>& turns, double cornerAngle)
-{
-  std::vector<double> corners;
-  for (std::size_t i = 0; i < turns.size(); ++i)
-  {
-    if (IsCorner(turns[i], cornerAngle))
-    {
-      corners.push_back(arc.Start(i));
-    }
-  }
-  return corners;
-}
-
 /// Runs of corners, each at most a length from the last: [begin, end] along the loop, `end` maybe beyond its length.
 std::vector<std::pair<double, double>> RunsOf(
   const std::vector<double>& corners, double round, double length)
@@ -114,7 +97,7 @@ Approach FindApproach(const LoopArc& arc, const std::vector<double>& turns,
 KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, double cornerAngle,
   const std::vector<double>& given, const Thinning& thinning)
 {
-  const std::vector<double> corners = CornersOf(arc, turns, cornerAngle);
+  const std::vector<double> corners = arc.Corners(cornerAngle);
   KeptPlaces kept;
   std::vector<bool> isTaken(given.size(), false);
   for (const auto& [begin, end] : RunsOf(corners, arc.Length(), thinning.length))

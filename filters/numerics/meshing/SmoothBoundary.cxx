@@ -177,15 +177,7 @@ std::vector<ArcVertex> SmoothCurve(const Curve& given, double length, double rou
 std::vector<double> FindKept(
   const LoopArc& arc, const std::vector<double>& given, double length, double cornerAngle)
 {
-  const std::vector<double> turns = arc.Turns();
-  std::vector<double> corners;
-  for (std::size_t i = 0; i < turns.size(); ++i)
-  {
-    if (IsCorner(turns[i], cornerAngle))
-    {
-      corners.push_back(arc.Start(i));
-    }
-  }
+  const std::vector<double> corners = arc.Corners(cornerAngle);
   std::vector<double> kept = given;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
@@ -270,20 +262,12 @@ SimplifiedBoundary SmoothBoundary(
   for (const Loop& loop : domain.loops)
   {
     const LoopArc arc(loop);
-    std::vector<double> given;
-    for (const Point& place : keep)
-    {
-      const double at = arc.Find(place, BoundaryReach * domain.Diagonal());
-      if (at >= 0.0)
-      {
-        given.push_back(at);
-      }
-    }
     if (arc.Length() < ShortestLoop * length)
     {
       loops.push_back(loop);
       continue;
     }
+    const std::vector<double> given = arc.FindAll(keep, BoundaryReach * domain.Diagonal());
     const std::vector<ArcVertex> vertices =
       SmoothLoop(arc, FindKept(arc, given, length, cornerAngle), length);
     result.moved = std::max(result.moved, LargestDistance(arc, vertices));

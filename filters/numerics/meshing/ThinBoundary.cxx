@@ -6,6 +6,8 @@
 #include "LoopDivision.h"
 #include "MakePlanarDomain.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -80,30 +82,17 @@ SimplifiedBoundary ThinBoundary(
   SimplifiedBoundary result;
   std::vector<Loop> loops;
   bool isThinned = false;
-  Point centre = Point::Zero();
+  Eigen::AlignedBox2d box;
+  for (const Point& point : domain.loops[0])
   {
-    Point low = domain.loops[0][0];
-    Point high = low;
-    for (const Point& point : domain.loops[0])
-    {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    centre = 0.5 * (low + high);
+    box.extend(point);
   }
   for (const Loop& loop : domain.loops)
   {
     const LoopArc arc(loop);
-    std::vector<double> given;
-    for (const Point& place : keep)
-    {
-      const double at = arc.Find(place, BoundaryReach * diagonal);
-      if (at >= 0.0)
-      {
-        given.push_back(at);
-      }
-    }
-    const std::vector<ArcVertex> vertices = ThinLoop(arc, given, centre, cornerAngle, thinning);
+    const std::vector<double> given = arc.FindAll(keep, BoundaryReach * diagonal);
+    const std::vector<ArcVertex> vertices =
+      ThinLoop(arc, given, box.center(), cornerAngle, thinning);
     if (vertices.size() < 3)
     {
       loops.push_back(loop); // nothing to thin, or all of it is such detail

@@ -45,6 +45,7 @@ TEST(LoopArc, FindsWhatIsNearest)
   EXPECT_EQ(arc.Nearest({ 0.25, 0.25 }), 0.0);
   EXPECT_EQ(arc.Find({ 1, -3 }, 3.0), 1.0);
   EXPECT_LT(arc.Find({ 1, -3 }, 2.9), 0.0);
+  EXPECT_EQ(arc.FindAll({ { 5, 1 }, { 9, 9 }, { 1, 0 } }, 1.0), std::vector<double>({ 5.0, 1.0 }));
 }
 
 TEST(LoopArc, TurnsByAWholeTurn)
@@ -57,6 +58,8 @@ TEST(LoopArc, TurnsByAWholeTurn)
   }
   EXPECT_NEAR(sum, 2.0 * Pi, 1e-15);
   EXPECT_EQ(arc.Turns()[1], 0.0);
+  EXPECT_EQ(arc.Corners(Pi / 6.0), std::vector<double>({ 0.0, 4.0, 6.0, 10.0 }));
+  EXPECT_TRUE(arc.Corners(Pi / 2.0).empty()); // by more than the angle
 }
 
 TEST(LoopArc, MeasuresHowFarAVertexIsFromTheSideThatStandsForIt)
