@@ -24,15 +24,10 @@
 #include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkBoundarySimplifier);
 
 namespace
 {
-constexpr double MeshSizeOfDiagonal = 1.0 / 40.0; // as vtkDrillHoles has it
-constexpr double ThinningOfMeshSize = 0.02;
-
 int CountPoints(const crossfield::PlanarDomain& domain)
 {
   int count = 0;
@@ -158,10 +153,9 @@ int vtkBoundarySimplifier::RequestData(
         }
       }
       progress.Report(0.5);
-      const double size = MeshSizeOfDiagonal * given.domain.Diagonal();
       const double thinning = this->ThinningLength >= 0.0
         ? this->ThinningLength
-        : ThinningOfMeshSize * (this->MeshSize > 0.0 ? std::min(this->MeshSize, size) : size);
+        : crossfield::DefaultThinning(given.domain, this->MeshSize);
       const double cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       DomainConversion::Domain simple = given;
       double moved = 0.0;

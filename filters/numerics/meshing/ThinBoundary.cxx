@@ -1,6 +1,7 @@
 #include "ThinBoundary.h"
 
 #include "BoundaryCorners.h"
+#include "DrillHoles.h"
 #include "Error.h"
 #include "LoopArc.h"
 #include "LoopDivision.h"
@@ -16,6 +17,9 @@ namespace crossfield
 {
 namespace
 {
+/// Of a mesh size: what is thinned unless asked otherwise.
+constexpr double PartOfMeshSize = 0.02;
+
 /// Where a loop without corners may begin so that symmetries of the domain stay: the vertices farthest from its
 /// centre, or, of a circle around it, those at the extremes of x and y.
 std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double rounding)
@@ -70,6 +74,14 @@ std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& g
   }
   return DivideLoop(arc, turns, kept, thinning);
 }
+}
+
+//------------------------------------------------------------------------------
+double DefaultThinning(const PlanarDomain& domain, double meshSize)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  return PartOfMeshSize * std::min(ResolveMeshSize(options, domain), ResolveMeshSize({}, domain));
 }
 
 //------------------------------------------------------------------------------

@@ -11,6 +11,10 @@ struct SimplifiedBoundary
   double moved = 0.0; ///< The largest distance of a vertex of the old boundary to the new one.
 };
 
+/// The length that is thinned unless one is given (docs/method.md §10.5), of a domain that is meant for a mesh size, 0 for
+/// the default one: 0.02 of it, and of the default one where that is less. Throws Error as ResolveMeshSize does.
+double DefaultThinning(const PlanarDomain& domain, double meshSize = 0.0);
+
 /// Takes detail out of a boundary that is shorter than a length (docs/method.md §10.5): corners within it become
 /// one, in the middle of the boundary between them, which turns by the sum of their turns; between
 /// corners, sides become longer, up to that length, while they turn by at most a sixth of the corner angle.

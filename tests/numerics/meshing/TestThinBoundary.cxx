@@ -50,6 +50,16 @@ bool HasVertex(const Loop& loop, const Point& place)
     loop.begin(), loop.end(), [&](const Point& point) { return (point - place).norm() < 1e-12; });
 }
 
+TEST(ThinBoundary, DefaultLengthIsByTheFinerOfTheMeshSizes)
+{
+  const PlanarDomain domain{ { RegularPolygon(4) } }; // in the unit circle
+  const double usual = 0.02 * domain.Diagonal() / 40.0;
+  EXPECT_DOUBLE_EQ(DefaultThinning(domain), usual);
+  EXPECT_DOUBLE_EQ(DefaultThinning(domain, 0.01), 0.0002);
+  EXPECT_DOUBLE_EQ(DefaultThinning(domain, 10.0), usual);
+  EXPECT_THROW(DefaultThinning(domain, -1.0), Error);
+}
+
 TEST(ThinBoundary, LeavesWhatIsLongerThanTheLengthAsItIs)
 {
   const PlanarDomain domain{ { RegularPolygon(96) } };
