@@ -31,17 +31,12 @@ std::optional<Change> ChangeOf(vtkAlgorithm* domain)
   vtkFieldData* data = domain->GetOutputDataObject(0)->GetFieldData();
   vtkDataArray* points = data->GetArray(names::BoundaryPoints);
   vtkDataArray* moved = data->GetArray(names::BoundaryMoved);
-  if (!domain->IsA("vtkBoundarySimplifier") || points == nullptr || moved == nullptr)
+  if (points == nullptr || moved == nullptr)
   {
     return std::nullopt;
   }
-  const Change change{ static_cast<long long>(points->GetComponent(0, 0)),
+  return Change{ static_cast<long long>(points->GetComponent(0, 0)),
     static_cast<long long>(points->GetComponent(1, 0)), moved->GetComponent(0, 0) };
-  if (change.before == change.after && change.moved == 0.0)
-  {
-    return std::nullopt;
-  }
-  return change;
 }
 }
 

@@ -50,6 +50,14 @@ bool HasSurfaceWithArrays(vtkDataSet* input)
   return hasSurface && input->GetPointData()->GetNumberOfArrays() > 0;
 }
 
+/** The input, without what was said of an earlier change: what is said is of this filter. */
+void PassOn(vtkDataSet* input, vtkDataSet* output)
+{
+  output->ShallowCopy(input);
+  output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryMoved);
+  output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryPoints);
+}
+
 /** Gives points the arrays of the nearest points of the input that its cells use. */
 void CopyNearest(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
 {
@@ -138,7 +146,7 @@ int vtkBoundarySimplifier::RequestData(
       if (DomainConversion::AsDrilledMesh(input) != nullptr ||
         (!isAsked && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
       {
-        output->ShallowCopy(input);
+        PassOn(input, output);
         return;
       }
       const DomainConversion::Domain given = DomainConversion::ReadDomain(input);
@@ -175,7 +183,7 @@ int vtkBoundarySimplifier::RequestData(
       }
       if (simple.domain.loops == given.domain.loops)
       {
-        output->ShallowCopy(input);
+        PassOn(input, output);
         return;
       }
       Write(simple, input, output);

@@ -13,11 +13,11 @@
  *
  * Output (of the input's type): where something was taken out, one closed polyline per loop, in the plane of the domain, with
  * the point arrays of the nearest points of the input; else the input. Meshes of vtkDrillHoles, and by default
- * surfaces with point arrays, pass through. Field data, where something was taken out:
+ * surfaces with point arrays, pass through. Field data, where something was taken out, and nowhere else:
  *
  * | array | meaning |
  * | --- | --- |
- * | `BoundaryMoved` | the largest distance of a point of the boundary to the new one |
+ * | `BoundaryMoved` | the largest distance of a point of the boundary to the new one; thinned and smoothed, the sum of both, a bound |
  * | `BoundaryPoints` | two values: its points before and after |
  *
  * Failure: a domain that vtkDrillHoles refuses; a smooth boundary that would cross itself. The output is then empty.

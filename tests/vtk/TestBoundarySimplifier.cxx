@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -106,6 +107,58 @@ TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
   const vtkIdType nearest = thin->FindPoint(circle->GetPoint(17));
   EXPECT_NEAR(
     vtkMath::Distance2BetweenPoints(thin->GetPoint(nearest), circle->GetPoint(17)), 0.0, 1e-20);
+}
+
+TEST(BoundarySimplifier, WhatItSaysIsOfItself)
+{
+  vtkNew<vtkPlanarDomainSource> source;
+  source->SetDomainName("star");
+  source->Update();
+  vtkNew<vtkPolyData> star;
+  star->ShallowCopy(source->GetOutput());
+  const std::array<const char*, 3> arrays = { "BoundaryMoved", "BoundaryPoints", "Other" };
+  for (const char* name : arrays)
+  {
+    vtkNew<vtkDoubleArray> values; // as of a file that the filter wrote
+    values->SetName(name);
+    values->InsertNextValue(1.0);
+    values->InsertNextValue(1.0);
+    star->GetFieldData()->AddArray(values);
+  }
+  vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetInputData(star);
+  FilterChecks::UpdateWithoutError(filter);
+  vtkFieldData* said = filter->GetOutput()->GetFieldData();
+  EXPECT_EQ(said->GetAbstractArray("BoundaryMoved"), nullptr);
+  EXPECT_EQ(said->GetAbstractArray("BoundaryPoints"), nullptr);
+  EXPECT_NE(said->GetAbstractArray("Other"), nullptr);
+  EXPECT_EQ(star->GetFieldData()->GetNumberOfArrays(), 3);
+}
+
+TEST(BoundarySimplifier, DistancesOfThinningAndSmoothingAddUp)
+{
+  vtkNew<vtkPlanarDomainSource> disk;
+  disk->SetEdgeLength(0.01);
+  disk->Update();
+  const auto moved = [&](double thinning, double smoothing, vtkPolyData* domain)
+  {
+    vtkNew<vtkBoundarySimplifier> filter;
+    filter->SetInputData(domain);
+    filter->SetThinningLength(thinning);
+    filter->SetSmoothingLength(smoothing);
+    FilterChecks::UpdateWithoutError(filter);
+    vtkNew<vtkPolyData> simple;
+    simple->ShallowCopy(filter->GetOutput());
+    domain->ShallowCopy(simple);
+    return Value(simple, "BoundaryMoved");
+  };
+  vtkNew<vtkPolyData> domain;
+  domain->ShallowCopy(disk->GetOutput());
+  const double first = moved(0.1, 0.0, domain);
+  const double second = moved(0.0, 0.5, domain);
+  EXPECT_GT(std::min(first, second), 0.0);
+  domain->ShallowCopy(disk->GetOutput());
+  EXPECT_DOUBLE_EQ(moved(0.1, 0.5, domain), first + second);
 }
 
 TEST(BoundarySimplifier, PassesOnWhatHasNoDetailAndDrilledMeshes)
