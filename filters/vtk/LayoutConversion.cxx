@@ -20,21 +20,6 @@ std::optional<double> LeastAngle(const crossfield::LayoutDesign& design)
 {
   return design.quads ? std::optional<double>(90.0 * design.quads->quality.eta.min) : std::nullopt;
 }
-
-std::string Summarise(const crossfield::LayoutDesign& design, double shortestArc)
-{
-  std::ostringstream text;
-  text << design.mesh.faces.size() << " faces";
-  if (design.quads)
-  {
-    text << ", " << design.quads->mesh.quads.size() << " quads in "
-         << design.quads->blocks.blocks.size() << " blocks, least angle " << std::fixed
-         << std::setprecision(0) << *LeastAngle(design) << " deg";
-  }
-  text << std::setprecision(2) << std::fixed << ", shortest arc " << shortestArc << " quads, W "
-       << design.energy.energy;
-  return text.str();
-}
 }
 
 namespace LayoutConversion
@@ -53,23 +38,40 @@ void AddShade(bool stale, vtkPolyData* lines)
 }
 
 //------------------------------------------------------------------------------
+std::string Summary(const crossfield::LayoutDesign* design, const Report& report)
+{
+  if (design == nullptr || !report.refusal.empty())
+  {
+    return report.refusal;
+  }
+  std::ostringstream text;
+  text << design->mesh.faces.size() << " faces";
+  if (design->quads)
+  {
+    text << ", " << design->quads->mesh.quads.size() << " quads in "
+         << design->quads->blocks.blocks.size() << " blocks, least angle " << std::fixed
+         << std::setprecision(0) << *LeastAngle(*design) << " deg";
+  }
+  text << std::setprecision(2) << std::fixed << ", shortest arc "
+       << design->shortestArc / report.quadSize << " quads, W " << design->energy.energy;
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data)
 {
   const bool shown = report.refusal.empty();
   ColumnWriting::AddIntegers(data, names::Stale, { shown ? 0 : 1 });
   ColumnWriting::AddText(data, names::Verdict,
     shown ? crossfield::Verdict(design->count, design->energy.holonomyDefect) : report.refusal);
+  ColumnWriting::AddText(data, names::Summary, Summary(design, report));
   if (design == nullptr)
   {
-    ColumnWriting::AddText(data, names::Summary, report.refusal);
     return;
   }
-  const double shortestArc = design->shortestArc / report.quadSize;
-  ColumnWriting::AddText(
-    data, names::Summary, shown ? Summarise(*design, shortestArc) : report.refusal);
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.faces.size()) });
-  ColumnWriting::AddNumbers(data, names::ShortestArc, { shortestArc });
+  ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   if (const std::optional<double> angle = LeastAngle(*design))
   {
     ColumnWriting::AddNumbers(data, names::LeastAngle, { *angle });

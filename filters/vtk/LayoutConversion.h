@@ -22,6 +22,9 @@ struct Report
 /** The cell array `Shade` of lines: the sign of the quarter index where a line starts; 0, grey, where the layout is stale. */
 void AddShade(bool stale, vtkPolyData* lines);
 
+/** One line with what the design that is shown is good for, or why there is none. */
+std::string Summary(const crossfield::LayoutDesign* design, const Report& report);
+
 /** The field data of vtkLayoutDesigner; `design` is null where there never was one. */
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data);
 }

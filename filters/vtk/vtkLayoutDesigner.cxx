@@ -8,6 +8,8 @@
 #include "LayoutConversion.h"
 #include "MapConversion.h"
 #include "QuadConversion.h"
+#include "ViewText.h"
+#include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -15,6 +17,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
@@ -30,7 +33,7 @@ vtkLayoutDesigner::vtkLayoutDesigner()
   , Session(std::make_unique<DesignSession>())
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
   this->OutputRows->SetNumberOfComponents(4);
 }
 
@@ -46,7 +49,9 @@ int vtkLayoutDesigner::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 3 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  const char* const types[5] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
+    "vtkTable" };
+  return FilterPorts::Give(info, types[port]);
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +243,9 @@ int vtkLayoutDesigner::RequestData(
         // Last: where the first array is empty, ParaView shows none.
         EnergyConversion::WriteEvents(session.events, output);
       }
+      ViewText::Write(vtkCrossFieldArrayNames::Summary,
+        ViewText::InLines(LayoutConversion::Summary(design, report)),
+        vtkTable::GetData(outputVector, 4));
     });
 }
 

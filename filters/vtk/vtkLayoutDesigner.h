@@ -19,6 +19,7 @@
  * Output 1 (vtkPolyData): the faces, as output 1 of vtkSeparatrices.
  * Output 2 (vtkPolyData): the singularities as points, with `QuarterIndex`, where they are now.
  * Output 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
+ * Output 4 (vtkTable): one column, `Summary`, with one row: that of the field data in lines of at most 60 characters, for a view.
  *
  * A configuration that cannot be, as one whose quarter indices have a wrong sum or with a singularity outside, is no failure:
  * outputs 0, 1 and 3 are those of the last one that could be, `Stale` is 1, and `Verdict` says why.

@@ -12,6 +12,7 @@
 #include "FilterRun.h"
 #include "HolonomyCheck.h"
 #include "SingularityRecord.h"
+#include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -27,7 +28,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkPoincareHopfCheck);
@@ -158,20 +158,10 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
-/** The verdict as a text of short lines, for a view. */
+/** The verdict, and the reason below it. */
 void WriteVerdict(const char* verdict, const std::string& reason, vtkTable* table)
 {
-  std::istringstream words(reason);
-  std::string text = verdict;
-  std::size_t lineLength = std::string::npos; // the reason begins on a line of its own
-  constexpr std::size_t LongestLine = 60;
-  for (std::string word; words >> word;)
-  {
-    const bool fits = lineLength != std::string::npos && lineLength + word.size() < LongestLine;
-    text += (fits ? " " : "\n") + word;
-    lineLength = fits ? lineLength + word.size() + 1 : word.size();
-  }
-  ColumnWriting::AddText(table->GetRowData(), "Verdict", text);
+  ViewText::Write("Verdict", std::string(verdict) + "\n" + ViewText::InLines(reason), table);
 }
 }
 

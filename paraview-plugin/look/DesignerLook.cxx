@@ -35,6 +35,7 @@ constexpr std::array<Colour, 5> Pale = { { { 0.98, 0.85, 0.8 }, { 0.82, 0.9, 0.9
   { 0.85, 0.96, 0.84 }, { 0.97, 0.94, 0.76 }, { 0.91, 0.85, 0.96 } } };
 // Of more faces the last colour; a layout that is a help has fewer.
 constexpr int Faces = 200;
+constexpr int SummaryPort = 4;
 
 void Set(vtkSMProxy* proxy, const char* name, double value)
 {
@@ -93,6 +94,36 @@ void ColourBy(
 bool HasLayout(pqPipelineSource* designer)
 {
   return designer->getSourceProxy()->GetDataInformation(0)->GetNumberOfCells() > 0;
+}
+
+/// What the layout is good for, as a text below it.
+void ShowSummary(pqDataRepresentation* representation)
+{
+  vtkSMProxy* shown = representation->getProxy();
+  vtkSMPropertyHelper(shown, "WindowLocation").Set("Lower Center");
+  Set(shown, "FontSize", 12);
+  shown->UpdateVTKObjects();
+  // It is put into its view after that.
+  QTimer::singleShot(0, representation,
+    [representation]
+    {
+      // The colours of the palette go together; those of a view of its own need not.
+      vtkSMProxy* view =
+        representation->getView() ? representation->getView()->getProxy() : nullptr;
+      if (view == nullptr ||
+        vtkSMPropertyHelper(view, "UseColorPaletteForBackground").GetAsInt() != 0)
+      {
+        return;
+      }
+      Colour background;
+      vtkSMPropertyHelper(view, "Background").Get(background.data(), 3);
+      const double brightness = (background[0] + background[1] + background[2]) / 3;
+      const double grey = brightness > 0.5 ? 0 : 1;
+      const Colour colour = { grey, grey, grey };
+      vtkSMPropertyHelper(representation->getProxy(), "Color").Set(colour.data(), 3);
+      representation->getProxy()->UpdateVTKObjects();
+      representation->renderViewEventually();
+    });
 }
 
 void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
@@ -154,6 +185,15 @@ void ShowAtFirst(pqPipelineSource* source)
   QObject::connect(source, &pqPipelineSource::representationAdded, source,
     [](pqPipelineSource* designer, pqDataRepresentation* added, int port)
     {
+      if (port == SummaryPort)
+      {
+        // A text, also where there is no layout; a spreadsheet has no place for one.
+        if (added->getProxy()->GetProperty("WindowLocation") != nullptr)
+        {
+          ShowSummary(added);
+        }
+        return;
+      }
       // A spreadsheet or the like has none of this.
       if (!vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
       {

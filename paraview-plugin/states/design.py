@@ -43,9 +43,6 @@ SetProperties(GetColorTransferFunction("QuarterIndex"), AutomaticRescaleRangeMod
               RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
 shown.SetScalarBarVisibility(view, False)
 SetProperties(shown, Ambient=1, Diffuse=0)
-text = PythonAnnotation(
-    registrationName="Quality", Input=designer, ArrayAssociation="Field Data",
-    Expression="inputs[0].VTKObject.GetFieldData().GetAbstractArray('Summary').GetValue(0)")
-SetProperties(Show(text, view), Color=[0, 0, 0], FontSize=16, WindowLocation="Lower Center")
+SetProperties(Show(OutputPort(designer, 4), view), Color=[0, 0, 0], FontSize=16, WindowLocation="Lower Center")
 ResetCamera(view)
 view.CameraParallelScale *= 0.82

@@ -27,6 +27,16 @@ def rows_of(designer):
     return np.reshape(designer.GetProperty("Rows"), (-1, 4))
 
 
+def check_summary(view, designer):
+    """The text in the view is that of the layout shown, black on white."""
+    found = [shown for shown in view.Representations if shown.GetXMLName() == "TextSourceRepresentation"]
+    check_equal(len(found), 1, "texts in the view")
+    drawn = found[0].GetClientSideObject().GetTextWidgetRepresentation().GetRepresentation().GetText()
+    check_equal(" ".join(drawn.splitlines()), text(designer, "Summary"), "the text in the view")
+    check("shortest arc" in drawn and "least angle" in drawn, "the text has no quality: " + drawn)
+    check_equal((list(found[0].Color), found[0].WindowLocation), ([0, 0, 0], "Lower Center"), "how it is drawn")
+
+
 def step_open(view):
     with open(PAGE, encoding="utf-8") as page:
         polygon = page.read().split("```csv polygon.csv\n")[1].split("```")[0]
@@ -45,6 +55,7 @@ def step_propose(view):
     designer = GetActiveSource()
     check_equal(len(rows_of(designer)), 4, "singularities proposed")
     check_equal((text(designer, "Stale"), hands.hands_rows()), (0, 4), "the layout proposed and the rows of the table")
+    check_summary(view, designer)
 
 
 def step_drag(view):
@@ -68,6 +79,7 @@ def step_drag(view):
     check(abs(found[chosen, :2] - end).max() <= pixel, "the place of the first: %s" % found[chosen])
     check(abs(found[right, :2] - [0.9, 0]).max() <= pixel, "the place of the second: %s" % found[right])
     check_equal(text(designer, "Stale"), 0, "whether the layout is that of an earlier place")
+    check_summary(view, designer)
     print("frames of the recorded run: median %.0f ms, from %.0f to %.0f ms" % tuple(
         1e3 * t for t in (statistics.median(times), min(times), max(times))))
 
@@ -80,6 +92,7 @@ def step_snap(view):
     check_equal((faces, text(designer, "Faces"), text(designer, "Stale")), (9, 5, 0), "faces before and after, and stale")
     # Lines that meet leave no thin faces.
     check(text(designer, "ShortestArc") > 4, "a short arc is left: %g" % text(designer, "ShortestArc"))
+    check_summary(view, designer)
 
 
 def step_quads(view):
@@ -87,6 +100,7 @@ def step_quads(view):
     check(hands.hands_take(b"Quads", b"Smooth"), "no choice of quads in the panel")
     check(hands.hands_click(b"Apply"), "no Apply for quads")
     wait()
+    check_summary(view, designer)
 
 
 def step_save(view):

@@ -149,6 +149,7 @@ def test_layout_designer():
     check_equal(value(stale, "Stale"), 1, "whether a layout with a singularity outside is stale")
     check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the lines that stay")
     check("outside" in stale.GetFieldData().GetAbstractArray("Summary").GetValue(0), "the sentence")
+    check("outside" in servermanager.Fetch(designer, idx=4).GetValueByName(0, "Summary").ToString(), "the text")
 
 
 def test_separatrices():

@@ -15,10 +15,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -56,6 +58,26 @@ public:
     auto* text = vtkStringArray::SafeDownCast(
       this->Filter->GetOutput()->GetFieldData()->GetAbstractArray(name));
     return text == nullptr ? std::string() : std::string(text->GetValue(0));
+  }
+
+  /** Of the table for a view, with its lines made one; none is long. */
+  std::string TextInView()
+  {
+    auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(4));
+    auto* column = vtkStringArray::SafeDownCast(table->GetColumnByName("Summary"));
+    std::string text =
+      column == nullptr || column->GetNumberOfValues() != 1 ? "" : column->GetValue(0);
+    std::size_t begin = 0;
+    for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
+    {
+      end = text.find('\n', begin);
+      EXPECT_LE(std::min(end, text.size()) - begin, 60U) << text;
+      if (end != std::string::npos)
+      {
+        text[end] = ' ';
+      }
+    }
+    return text;
   }
 
   std::set<double> Shades()
@@ -109,6 +131,7 @@ TEST_F(LayoutDesigner, ShowsWhatTheOtherFiltersShow)
   EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
   EXPECT_GT(this->Value("LeastAngle"), 50);
   EXPECT_NE(this->Text("Summary").find("9 faces"), std::string::npos) << this->Text("Summary");
+  EXPECT_EQ(this->TextInView(), this->Text("Summary"));
   this->Filter->SetQuadsToNone();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->CountOf(3), 0);
@@ -126,6 +149,7 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   EXPECT_EQ(this->Shades(), std::set<double>({ 0.0 })) << "a stale layout is grey";
   EXPECT_NE(this->Text("Verdict").find("outside"), std::string::npos) << this->Text("Verdict");
   EXPECT_EQ(this->Text("Summary"), this->Text("Verdict"));
+  EXPECT_EQ(this->TextInView(), this->Text("Verdict"));
   EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
   // Back again, all is well.
   this->SetFour();
