@@ -1,23 +1,18 @@
 #include "ArcCounts.h"
 
-#include "ArcFlow.h"
-#include "ArcProgram.h"
+#include "ArcImprovement.h"
 #include "ArcWindows.h"
 #include "Separation.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// Of the cost, before everything is apart: rows are still to come.
-constexpr double RoughGap = 0.01;
-/// Of the nodes, for each solution before everything is apart.
-constexpr int RoughRounds = 6;
-
 /// One edge or more everywhere, and three around every loop: nothing is joined.
 IntegerCounts KeepAllArcs(const TMesh& mesh, ArcProblem problem)
 {
@@ -38,68 +33,32 @@ IntegerCounts KeepAllArcs(const TMesh& mesh, ArcProblem problem)
 constexpr std::size_t QuickWindow = 100;
 constexpr std::size_t ThoroughWindow = 300;
 
+/// Of one search of the whole problem.
 int NodesFor(const ArcProblem& problem, ArcSearch search)
 {
-  // Times arcs: five to ten seconds for the thorough one. Not seconds, so that numbers are the same on every machine.
-  constexpr int ArcsTimesNodes = 150000;
-  constexpr int QuickPart = 20;
+  // Times arcs: a few seconds for the thorough one. Not seconds, so that numbers are the same on every machine.
+  constexpr int ArcsTimesNodes = 250000;
   // What very many arcs get nevertheless.
-  constexpr int LeastNodes = 50;
-  const int nodes = ArcsTimesNodes / std::max(1, static_cast<int>(problem.Count()));
-  return search == ArcSearch::Quick ? nodes / QuickPart : std::max(LeastNodes, nodes);
+  constexpr int LeastNodes = 300;
+  constexpr int QuickPart = 20;
+  const int nodes = std::max(LeastNodes, ArcsTimesNodes / static_cast<int>(problem.Count()));
+  return search == ArcSearch::Quick ? nodes / QuickPart : nodes;
 }
 
-/// Adds rows for what is one and must not be, and solves again, as long as nodes are left: roughly until counts
-/// keep everything apart, then to the optimum. Better counts than those given, if it finds them, and a better bound.
-void AddRows(const TMesh& mesh, const ArcProblem& problem, std::vector<int> counts,
-  const std::vector<ArcRow>& rows, int most, ArcCounts& best, const Progress& progress)
+/// All arcs are free. The first search meets nearly all the rows; the second, if it is needed, has cuts of all of them
+/// from the beginning.
+void ImproveWhole(const TMesh& mesh, const ArcProblem& problem, int mostNodes, IntegerCounts& best,
+  std::vector<ArcRow>& rows, ArcCounts& result, const Progress& progress)
 {
-  if (most < RoughRounds)
+  std::vector<int> all(problem.Count());
+  std::iota(all.begin(), all.end(), 0);
+  constexpr int Searches = 2;
+  for (int i = 0; i < Searches && best.cost > result.bound + CostRounding(result.bound); ++i)
   {
-    return;
-  }
-  int nodes = most;
-  double gap = RoughGap;
-  ArcProgram program(problem);
-  for (const ArcRow& row : rows)
-  {
-    if (row.Holds(best.counts))
-    {
-      program.Add(row);
-    }
-  }
-  while (nodes > 0)
-  {
-    progress.Report(1.0 - static_cast<double>(nodes) / most);
-    const std::vector<Violation> violations = FindViolations(mesh, counts);
-    for (const Violation& violation : violations)
-    {
-      program.Add(RowAllowing(best.counts, violation, mesh, counts, problem.wanted));
-    }
-    if (violations.empty())
-    {
-      const double cost = problem.Cost(counts);
-      if (cost < best.cost - CostRounding(best.bound))
-      {
-        best.counts = counts;
-        best.cost = cost;
-      }
-      if (gap == 0.0 || best.cost <= best.bound + CostRounding(best.bound))
-      {
-        return;
-      }
-      gap = 0.0;
-    }
-    ProgramCounts found =
-      program.Solve(best.counts, gap > 0.0 ? std::min(nodes, most / RoughRounds) : nodes, gap);
-    nodes -= std::max(1, found.nodes);
-    best.nodes += found.nodes;
-    best.bound = std::max(best.bound, found.bound);
-    if (found.counts.empty())
-    {
-      break;
-    }
-    counts = std::move(found.counts);
+    progress.Report(static_cast<double>(i) / Searches);
+    const Improvement improvement = ImproveCounts(mesh, problem, all, mostNodes, best, rows);
+    result.bound = std::max(result.bound, improvement.bound);
+    result.nodes += improvement.nodes;
   }
 }
 }
@@ -119,13 +78,10 @@ ArcCounts CountArcs(
     ImproveInWindows(mesh, problem, search == ArcSearch::Quick ? QuickWindow : ThoroughWindow,
       apart, rows, progress.Part(0.0, 0.5));
   }
+  ImproveWhole(
+    mesh, problem, NodesFor(problem, search), apart, rows, result, progress.Part(0.5, 1.0));
   result.counts = std::move(apart.counts);
   result.cost = apart.cost;
-  if (result.cost > result.bound + CostRounding(result.bound))
-  {
-    AddRows(mesh, problem, joined.counts, rows, NodesFor(problem, search), result,
-      progress.Part(0.5, 1.0));
-  }
   result.zeroArcs = static_cast<int>(std::count(result.counts.begin(), result.counts.end(), 0));
   result.optimal = result.cost <= result.bound + CostRounding(result.bound);
   result.gap = result.optimal ? 0.0 : (result.cost - result.bound) / (1.0 + result.bound);

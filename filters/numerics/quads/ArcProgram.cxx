@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace crossfield
@@ -16,39 +15,14 @@ std::size_t Index(int i)
   return static_cast<std::size_t>(i);
 }
 
+/// As GLPK's own for whole numbers.
+constexpr double NearlyWhole = 1e-5;
+
 struct Delete
 {
   void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
 };
 
-/// What GLPK calls back with.
-struct BranchAndCut
-{
-  int mostNodes = 0;
-  int nodes = 0;
-  std::vector<double> start; ///< A value per column, from 1 on.
-  double bound = 0.0;
-
-  static void Step(glp_tree* tree, void* info)
-  {
-    auto& search = *static_cast<BranchAndCut*>(info);
-    if (glp_ios_reason(tree) == GLP_IHEUR && !search.start.empty())
-    {
-      glp_ios_heur_sol(tree, search.start.data());
-      search.start.clear();
-    }
-    if (glp_ios_reason(tree) == GLP_ISELECT)
-    {
-      glp_ios_tree_size(tree, nullptr, nullptr, &search.nodes);
-      const int best = glp_ios_best_node(tree);
-      search.bound = best > 0 ? glp_ios_node_bound(tree, best) : search.bound;
-      if (search.nodes > search.mostNodes)
-      {
-        glp_ios_terminate(tree);
-      }
-    }
-  }
-};
 }
 
 struct ArcProgram::Program
@@ -115,10 +89,10 @@ struct ArcProgram::Program
       glp_get_status(this->Data.get()) == GLP_OPT;
   }
 
-  ProgramCounts Search(const std::vector<int>& start, int mostNodes, double gap)
+  ProgramCounts Search(const std::vector<int>& start, int mostNodes, const Separate& separate,
+    std::vector<ArcRow>& rows)
   {
-    BranchAndCut search;
-    search.mostNodes = mostNodes;
+    BranchAndCut search{ *this, separate, rows, mostNodes, 0, {}, 0.0 };
     search.bound = glp_get_obj_val(this->Data.get());
     if (!start.empty())
     {
@@ -132,7 +106,8 @@ struct ArcProgram::Program
     options.gmi_cuts = GLP_ON;
     options.mir_cuts = GLP_ON;
     options.br_tech = GLP_BR_PCH;
-    options.mip_gap = gap;
+    // Rounding would take numbers that nobody has separated.
+    options.sr_heur = GLP_OFF;
     options.cb_func = &BranchAndCut::Step;
     options.cb_info = &search;
     const int status = glp_intopt(this->Data.get(), &options);
@@ -142,10 +117,8 @@ struct ArcProgram::Program
     result.bound = search.bound;
     if (found == GLP_OPT || found == GLP_FEAS)
     {
-      for (std::size_t a = 0; a < this->Problem.Count(); ++a)
-      {
-        result.counts.push_back(this->CountOf(a));
-      }
+      result.counts =
+        this->CountsOf([this](int column) { return glp_mip_col_val(this->Data.get(), column); });
       result.cost = this->Problem.Cost(result.counts);
       result.bound = status == 0 ? result.cost : std::min(search.bound, result.cost);
     }
@@ -154,6 +127,108 @@ struct ArcProgram::Program
 
 private:
   static constexpr int Fixed = 0; // columns begin with 1
+
+  /// What GLPK calls back with.
+  struct BranchAndCut
+  {
+    Program& program;
+    const Separate& separate;
+    std::vector<ArcRow>& rows;
+    int mostNodes;
+    int nodes = 0;
+    std::vector<double> start; ///< A value per column, from 1 on.
+    double bound = 0.0;
+
+    static void Step(glp_tree* tree, void* info)
+    {
+      auto& search = *static_cast<BranchAndCut*>(info);
+      switch (glp_ios_reason(tree))
+      {
+      case GLP_IROWGEN:
+        search.AddRows();
+        break;
+      case GLP_IHEUR:
+        if (!search.start.empty())
+        {
+          glp_ios_heur_sol(tree, search.start.data());
+          search.start.clear();
+        }
+        break;
+      case GLP_ISELECT:
+      {
+        glp_ios_tree_size(tree, nullptr, nullptr, &search.nodes);
+        const int best = glp_ios_best_node(tree);
+        search.bound = best > 0 ? glp_ios_node_bound(tree, best) : search.bound;
+        if (search.nodes > search.mostNodes)
+        {
+          glp_ios_terminate(tree);
+        }
+        break;
+      }
+      default:
+        break;
+      }
+    }
+
+    /// To the relaxation at hand: rows are those of a node and of what is below it, so others may need them again.
+    void AddRows()
+    {
+      bool isNew = false;
+      for (const ArcRow& row : this->rows)
+      {
+        if (this->program.Breaks(row))
+        {
+          this->program.AddRow(row.terms, GLP_LO, row.least);
+          isNew = true;
+        }
+      }
+      if (isNew || !this->program.IsWhole())
+      {
+        return;
+      }
+      const std::vector<int> counts = this->program.CountsOf(
+        [this](int column) { return glp_get_col_prim(this->program.Data.get(), column); });
+      for (ArcRow& row : this->separate(counts))
+      {
+        this->program.AddRow(row.terms, GLP_LO, row.least);
+        this->rows.push_back(std::move(row));
+      }
+    }
+  };
+
+  double Relaxed(std::size_t arc) const
+  {
+    if (!this->IsFree(arc))
+    {
+      return this->Counts[arc];
+    }
+    const int first = this->FirstColumn[arc];
+    const auto value = [this](int column) { return glp_get_col_prim(this->Data.get(), column); };
+    return this->Floors[arc] - value(first) + value(first + 1) + value(first + 2);
+  }
+
+  bool Breaks(const ArcRow& row) const
+  {
+    double sum = 0.0;
+    for (const auto& [arc, factor] : row.terms)
+    {
+      sum += factor * this->Relaxed(Index(arc));
+    }
+    return sum < row.least - NearlyWhole;
+  }
+
+  bool IsWhole() const
+  {
+    for (int column = 1; column <= glp_get_num_cols(this->Data.get()); ++column)
+    {
+      const double value = glp_get_col_prim(this->Data.get(), column);
+      if (std::abs(value - std::round(value)) > NearlyWhole)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
 
   bool IsFree(std::size_t arc) const { return this->FirstColumn[arc] != Fixed; }
 
@@ -209,18 +284,21 @@ private:
     return values;
   }
 
-  int CountOf(std::size_t arc) const
+  template <typename Value>
+  std::vector<int> CountsOf(Value value) const
   {
-    if (!this->IsFree(arc))
+    std::vector<int> counts = this->Counts;
+    counts.resize(this->Problem.Count());
+    for (std::size_t a = 0; a < counts.size(); ++a)
     {
-      return this->Counts[arc];
+      if (this->IsFree(a))
+      {
+        const int first = this->FirstColumn[a];
+        counts[a] = this->Floors[a] +
+          static_cast<int>(std::lround(value(first + 1) + value(first + 2) - value(first)));
+      }
     }
-    const auto value = [&](int i)
-    {
-      return static_cast<int>(
-        std::lround(glp_mip_col_val(this->Data.get(), this->FirstColumn[arc] + i)));
-    };
-    return this->Floors[arc] - value(0) + value(1) + value(2);
+    return counts;
   }
 
   const ArcProblem& Problem;
@@ -229,21 +307,6 @@ private:
   std::vector<int> FirstColumn;  ///< Per arc.
   std::vector<int> Floors;
 };
-
-namespace
-{
-std::vector<int> AllArcs(const ArcProblem& problem)
-{
-  std::vector<int> arcs(problem.Count());
-  std::iota(arcs.begin(), arcs.end(), 0);
-  return arcs;
-}
-}
-
-ArcProgram::ArcProgram(const ArcProblem& problem)
-  : ArcProgram(problem, AllArcs(problem), {})
-{
-}
 
 ArcProgram::ArcProgram(
   const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts)
@@ -259,7 +322,8 @@ void ArcProgram::Add(const ArcRow& row)
   this->Rows.push_back(row);
 }
 
-ProgramCounts ArcProgram::Solve(const std::vector<int>& start, int mostNodes, double gap)
+ProgramCounts ArcProgram::Solve(
+  const std::vector<int>& start, int mostNodes, const Separate& separate)
 {
   if (!this->Data->Relax())
   {
@@ -267,6 +331,6 @@ ProgramCounts ArcProgram::Solve(const std::vector<int>& start, int mostNodes, do
   }
   const bool holds = std::all_of(this->Rows.begin(), this->Rows.end(),
     [&start](const ArcRow& row) { return !start.empty() && row.Holds(start); });
-  return this->Data->Search(holds ? start : std::vector<int>(), mostNodes, gap);
+  return this->Data->Search(holds ? start : std::vector<int>(), mostNodes, separate, this->Rows);
 }
 }

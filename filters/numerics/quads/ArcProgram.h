@@ -3,6 +3,7 @@
 #include "ArcProblem.h"
 #include "SeparationRow.h"
 
+#include <functional>
 #include <memory>
 
 namespace crossfield
@@ -15,7 +16,7 @@ struct ProgramCounts
   int nodes = 0;      ///< Of branch and cut.
 };
 
-/// An ArcProblem with more and more rows, solved by GLPK's branch and cut (docs/method.md §14.3).
+/// An ArcProblem with rows for what must stay apart, solved by GLPK's branch and cut (docs/method.md §14.3).
 ///
 /// n = ⌊ℓ⌋ − d + m + u with 0 ≤ d ≤ ⌊ℓ⌋, 0 ≤ m ≤ 1, u ≥ 0: three columns an arc, whose costs are the slopes of
 /// w |n − ℓ|. Then the absolute value needs no row, and the relaxation is that of the flow. Lower bounds of the problem
@@ -23,8 +24,7 @@ struct ProgramCounts
 class ArcProgram
 {
 public:
-  explicit ArcProgram(const ArcProblem& problem);
-  /// Only some arcs are free. The others keep the counts that are given, which solve the equations.
+  /// Only the arcs `free` are free. The others keep the counts that are given, which solve the equations.
   ArcProgram(
     const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts);
   ~ArcProgram();
@@ -33,9 +33,16 @@ public:
 
   void Add(const ArcRow& row);
 
-  /// The least cost but for a part `gap` of it. Ends after `mostNodes` nodes, not after a time: the result is the same on
-  /// every machine. `start`, if not empty, are counts to begin with; not used where a row does not hold for them.
-  ProgramCounts Solve(const std::vector<int>& start, int mostNodes, double gap);
+  /// Rows that counts break and must not; none: nothing is joined.
+  using Separate = std::function<std::vector<ArcRow>(const std::vector<int>& counts)>;
+
+  /// The least cost of counts for which `separate` has no rows, which are added where the search meets whole numbers
+  /// that break them. Ends after `mostNodes` nodes, not after a time: the result is the same on every machine. `start`
+  /// are counts to begin with, for which the rows hold, or none.
+  ProgramCounts Solve(const std::vector<int>& start, int mostNodes, const Separate& separate);
+
+  /// Those added, and those met on the way.
+  const std::vector<ArcRow>& GetRows() const { return this->Rows; }
 
 private:
   struct Program;

@@ -1,7 +1,6 @@
 #include "ArcWindows.h"
 
-#include "ArcProgram.h"
-#include "Separation.h"
+#include "ArcImprovement.h"
 
 #include <algorithm>
 #include <array>
@@ -120,55 +119,6 @@ private:
   std::vector<std::vector<int>> ArcsOf;
 };
 
-bool Improves(double cost, const IntegerCounts& best)
-{
-  return cost < best.cost - CostRounding(best.cost);
-}
-
-/// Rows are added for what is joined, as in the whole problem.
-void ImproveInside(const TMesh& mesh, const ArcProblem& problem, const Window& window,
-  IntegerCounts& best, std::vector<ArcRow>& rows)
-{
-  // Few windows need more of either.
-  constexpr int MostRounds = 12;
-  constexpr int MostNodes = 50;
-  std::vector<char> free(problem.Count(), 0);
-  for (const int arc : window.arcs)
-  {
-    free[Index(arc)] = 1;
-  }
-  ArcProgram program(problem, window.arcs, best.counts);
-  for (const ArcRow& row : rows)
-  {
-    if (row.Holds(best.counts) &&
-      std::any_of(row.terms.begin(), row.terms.end(),
-        [&free](const auto& term) { return free[Index(term.first)] != 0; }))
-    {
-      program.Add(row);
-    }
-  }
-  for (int round = 0; round < MostRounds; ++round)
-  {
-    ProgramCounts found = program.Solve(best.counts, MostNodes, 0.0);
-    if (found.counts.empty() || !Improves(found.cost, best))
-    {
-      return;
-    }
-    const std::vector<Violation> violations = FindViolations(mesh, found.counts);
-    if (violations.empty())
-    {
-      best.counts = std::move(found.counts);
-      best.cost = found.cost;
-      return;
-    }
-    for (const Violation& violation : violations)
-    {
-      rows.push_back(RowAllowing(best.counts, violation, mesh, found.counts, problem.wanted));
-      program.Add(rows.back());
-    }
-  }
-}
-
 /// The optimum in which no arc loses its last edge: nothing new is joined.
 void Rebalance(const ArcProblem& problem, IntegerCounts& best)
 {
@@ -176,7 +126,7 @@ void Rebalance(const ArcProblem& problem, IntegerCounts& best)
   std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
     [](int count) { return std::min(count, 1); });
   IntegerCounts found = SolveArcFlow(kept);
-  if (Improves(found.cost, best))
+  if (found.cost < best.cost - CostRounding(best.cost))
   {
     best.counts = std::move(found.counts);
     best.cost = found.cost;
@@ -188,19 +138,21 @@ void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t 
   IntegerCounts& best, std::vector<ArcRow>& rows, const Progress& progress)
 {
   const Windows windows(mesh);
+  // Few windows need more.
+  constexpr int MostNodes = 50;
   // A window of 100 arcs takes milliseconds, one of 300 a tenth of a second. What small ones improve is not left to large ones, and
-  // what is more than four fifths of everything to the whole problem.
+  // what is more than a third of everything to the whole problem.
   const std::array<std::size_t, 7> sizes = { 60, 100, 100, 200, 200, 300, 300 };
   for (std::size_t pass = 0; pass < sizes.size(); ++pass)
   {
-    if (sizes[pass] > largest || 5 * sizes[pass] > 4 * problem.Count())
+    if (sizes[pass] > largest || 3 * sizes[pass] > problem.Count())
     {
       break;
     }
     for (const Window& window : windows.Cover(problem, best.counts, sizes[pass]))
     {
       progress.Report(static_cast<double>(pass) / static_cast<double>(sizes.size()));
-      ImproveInside(mesh, problem, window, best, rows);
+      ImproveCounts(mesh, problem, window.arcs, MostNodes, best, rows);
     }
     Rebalance(problem, best);
   }
