@@ -3,6 +3,7 @@
 #include "OptimizerCurvature.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -120,6 +121,15 @@ QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& h
     model = SolveModelWith(matrix, here);
   }
   return model;
+}
+
+/// The matrix with the absolute values of its eigenvalues: a step leaves a saddle along the directions in which it falls as
+/// fast as it comes to rest along the others, and the updates go on, which need a positive definite one.
+Eigen::MatrixXd WithoutSaddle(const Eigen::MatrixXd& hessian)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(hessian);
+  return modes.eigenvectors() * modes.eigenvalues().cwiseAbs().asDiagonal() *
+    modes.eigenvectors().transpose();
 }
 
 /// Damped BFGS update (Powell 1978): stays positive definite where the Lagrangian is not convex.
@@ -256,7 +266,7 @@ OptimizerEnd OptimizerIteration::Run(
     shortSteps = this->Moved < Short * objective.Clearance() ? shortSteps + 1 : 0;
     if (shortSteps == MostShortSteps && here.place.size() <= MostCoordinates)
     {
-      this->Hessian = DifferenceHessian(objective, here, model.pull);
+      this->Hessian = WithoutSaddle(DifferenceHessian(objective, here, model.pull));
       shortSteps = 0;
     }
   }

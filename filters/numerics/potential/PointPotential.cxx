@@ -76,11 +76,11 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
       BoundaryHalf& half = this->Halves[h];
       const auto [from, to] = this->Ends(h, m < this->CurveLogs);
       half.logFlux += log.strength * turns[h];
-      // Its mean over a half: at the half's vertex, but along sides that come out of it integrated.
+      // Its mean over a half: of its ends, but along sides that come out of it integrated.
       const bool along = m < this->CurveLogs || std::abs(turns[h]) <= AngleRounding;
       half.logMean += along
         ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
-        : log.Value(topology.PointAt(half.vertex));
+        : 0.5 * (log.Value(half.from) + log.Value(half.to));
       this->Sources[half.vertex] -= log.strength * turns[h];
     }
   }
@@ -201,6 +201,13 @@ double PointPotential::StripTurn(
     here = centre;
   }
   return -(turn + log.Turn(here, ends[1]));
+}
+
+const EdgePotential& PointPotential::OnEdges() const
+{
+  std::call_once(this->HasEdges,
+    [this] { this->Edges = std::make_unique<const EdgePotential>(*this->Problem.potential); });
+  return *this->Edges;
 }
 
 Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const

@@ -254,4 +254,12 @@ Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
   }
   return sources;
 }
+
+const PotentialSolver& PotentialSolver::OfGivenBoundary() const
+{
+  std::call_once(this->HasOther,
+    [this]
+    { this->Other = std::make_unique<const PotentialSolver>(this->Topology, Boundary::Given); });
+  return *this->Other;
+}
 }

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <mutex>
 
 namespace crossfield
 {
@@ -120,6 +121,9 @@ public:
   /// The whole matrix, ground and given boundary included, times (Ψ, q): the sources of a potential.
   Eigen::VectorXd Apply(const Eigen::VectorXd& solution) const;
 
+  /// The same Laplacian with the boundary given, factored when it is first asked for: energies take it, fields do not.
+  const PotentialSolver& OfGivenBoundary() const;
+
 private:
   SharedTopology Topology;
   Eigen::Index VertexCount;
@@ -128,5 +132,7 @@ private:
   Boundary OnLoops;
   std::vector<int> Trailing;
   std::unique_ptr<DissectedCholesky> Factor;
+  mutable std::once_flag HasOther;
+  mutable std::unique_ptr<const PotentialSolver> Other; ///< Of OfGivenBoundary.
 };
 }

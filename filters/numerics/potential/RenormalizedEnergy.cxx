@@ -6,13 +6,53 @@
 
 namespace crossfield
 {
+namespace
+{
+/// What the logarithms are on a half of a boundary edge.
+struct HalfFlow
+{
+  double flux = 0.0;
+  double value = 0.0; ///< Mean.
+};
+
+std::vector<HalfFlow> FlowsOf(
+  const PointPotential& potential, const PointPotential::Solution& solution)
+{
+  const std::size_t inside = solution.logs.size() - potential.GetBoundaryLogs().size();
+  std::vector<HalfFlow> flows;
+  for (const BoundaryHalf& half : potential.GetHalves())
+  {
+    // The logarithms of the boundary are integrated where they are large.
+    HalfFlow flow{ half.logFlux, half.logMean };
+    for (std::size_t j = 0; j < inside; ++j)
+    {
+      const LogSource& log = solution.logs[j];
+      flow.flux += log.strength * log.Turn(half.from, half.to);
+      flow.value += 0.5 * (log.Value(half.from) + log.Value(half.to));
+    }
+    flows.push_back(flow);
+  }
+  return flows;
+}
+
+/// R at the midpoints of boundary edges, in the Crouzeix-Raviart space.
+Eigen::VectorXd SolveOnEdges(const PointPotential& potential, const std::vector<HalfFlow>& flows)
+{
+  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(flows.size() / 2));
+  for (std::size_t h = 0; h < flows.size(); ++h)
+  {
+    fluxes[static_cast<Eigen::Index>(h / 2)] += potential.GetHalves()[h].growth - flows[h].flux;
+  }
+  return potential.OnEdges().Solve(fluxes);
+}
+}
+
 RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
   const std::vector<LogSource>& logs = solution.logs;
   const auto count =
     static_cast<Eigen::Index>(logs.size() - potential.GetBoundaryLogs().size()); // singularities
-  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   const Eigen::VectorXd& regular = solution.regular;
   const auto periods = static_cast<Eigen::Index>(solution.holonomyDefect.size());
 
@@ -41,29 +81,28 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   }
 
   // 2. On the boundary: ½ ∮ R ∂R/∂ν + ∮ Λ ∂R/∂ν + ½ ∮ Λ ∂Λ/∂ν with ∂R/∂ν = s − ∂Λ/∂ν.
-  energy += 0.5 * solution.sources.dot(regular);
+  const std::vector<HalfFlow> flows = FlowsOf(potential, solution);
+  const Eigen::VectorXd atEdges = SolveOnEdges(potential, flows);
   std::vector<Eigen::Matrix2Xd> carriedGradient(
     static_cast<std::size_t>(periods), Eigen::Matrix2Xd::Zero(2, count));
-  for (const BoundaryHalf& half : potential.GetHalves())
+  for (std::size_t h = 0; h < flows.size(); ++h)
   {
-    const Point& vertex = mesh.points[static_cast<std::size_t>(half.vertex)];
-    // The vertex stands for the half, but the logarithms of the boundary are integrated.
-    double flux = half.logFlux;
-    double value = half.logMean;
-    for (std::size_t j = 0; j < static_cast<std::size_t>(count); ++j)
-    {
-      flux += logs[j].strength * logs[j].Turn(half.from, half.to);
-      value += logs[j].Value(vertex);
-    }
-    energy += value * (half.growth - 0.5 * flux);
+    const BoundaryHalf& half = potential.GetHalves()[h];
+    const HalfFlow& flow = flows[h];
+    const double regularValue =
+      0.5 * (regular[half.vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
+    energy +=
+      0.5 * (half.growth - flow.flux) * regularValue + flow.value * (half.growth - 0.5 * flow.flux);
     for (Eigen::Index j = 0; j < count; ++j)
     {
       const LogSource& log = logs[static_cast<std::size_t>(j)];
       const Point turn = log.strength *
         (LogSource::TurnDerivative(half.to, log.position) -
           LogSource::TurnDerivative(half.from, log.position));
-      gradient.col(j) += -(regular[half.vertex] + 0.5 * value) * turn +
-        (half.growth - 0.5 * flux) * log.strength * LogSource::LogDerivative(vertex, log.position);
+      gradient.col(j) += -(regularValue + 0.5 * flow.value) * turn +
+        (half.growth - 0.5 * flow.flux) * 0.5 * log.strength *
+          (LogSource::LogDerivative(half.from, log.position) +
+            LogSource::LogDerivative(half.to, log.position));
       for (Eigen::Index k = 0; k < periods; ++k)
       {
         // The carried phase is linear in the sources, and its adjoint is the basis of the periods.

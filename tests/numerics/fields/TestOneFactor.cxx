@@ -67,8 +67,9 @@ TEST(OneFactor, AMovedPointNeedsNone)
   DrillOptions options;
   options.meshSize = 0.1;
   const auto potential = Factor(DrillHoles(Builtin("disk", 0.1), {}, options));
+  // The first energy factors the Laplacian of the inner vertices, too.
+  double last = SolveHField(potential, OnCircle(4, 0.4, 0.3, 1, 0.0)).renormalizedEnergy;
   const long before = SparseCholesky::CountOfAll();
-  double last = 0.0;
   for (const double radius : { 0.5, 0.6, 0.7 })
   {
     const HField field = SolveHField(potential, OnCircle(4, radius, 0.3, 1, 0.0));

@@ -1,0 +1,112 @@
+#include "EdgePotential.h"
+
+#include "ConformingPhase.h"
+
+#include <Eigen/Cholesky>
+
+namespace crossfield
+{
+namespace
+{
+constexpr auto Islands = PotentialSolver::Periods::Islands;
+
+/// Sources of the phase with given values on the boundary that is harmonic inside: zero at the vertices there.
+Eigen::VectorXd SourcesOf(const PotentialSolver& inside, const Eigen::VectorXd& boundary)
+{
+  return inside.Apply(boundary + inside.Solve(-inside.Apply(boundary), Islands));
+}
+}
+
+EdgePotential::EdgePotential(const PotentialSolver& potential)
+  : Potential(potential)
+  , Inside(potential.OfGivenBoundary())
+{
+  const MeshTopology& topology = potential.GetTopology();
+  const Eigen::Index islands = topology.LoopCount(BoundaryKind::Inner);
+  this->Constants.resize(potential.Rows(), islands);
+  this->Coupling.resize(islands, islands);
+  Eigen::Index k = 0;
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    if (loop.kind == BoundaryKind::Inner)
+    {
+      Eigen::VectorXd one = Eigen::VectorXd::Zero(potential.Rows());
+      for (const int edge : loop.edges)
+      {
+        one[topology.BoundaryAt(edge).vertices[0]] = 1.0;
+      }
+      this->Constants.col(k) = SourcesOf(this->Inside, one);
+      this->Coupling.col(k) = this->AroundIslands(this->Constants.col(k));
+      ++k;
+    }
+  }
+}
+
+Eigen::VectorXd EdgePotential::AroundIslands(const Eigen::VectorXd& sources) const
+{
+  const MeshTopology& topology = this->Potential.GetTopology();
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(topology.LoopCount(BoundaryKind::Inner));
+  Eigen::Index k = 0;
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    if (loop.kind == BoundaryKind::Inner)
+    {
+      for (const int edge : loop.edges)
+      {
+        sums[k] += sources[topology.BoundaryAt(edge).vertices[0]];
+      }
+      ++k;
+    }
+  }
+  return sums;
+}
+
+Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
+{
+  const MeshTopology& topology = this->Potential.GetTopology();
+  // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
+  Eigen::VectorXd sources = SourcesOf(this->Inside, ConformingPhase(this->Potential, fluxes).Get());
+  if (this->Coupling.size() > 0)
+  {
+    sources -= this->Constants *
+      Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->AroundIslands(sources));
+  }
+
+  // 2. Its conjugate changes by the source of a vertex on the way past it, and by that of a period along its strip; the
+  // potential is minus that.
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(fluxes.size());
+  const auto follow = [&](const BoundaryLoop& loop, int first)
+  {
+    const bool forward =
+      loop.kind == BoundaryKind::Outer; // inner loops are listed against their edges
+    const std::size_t count = loop.edges.size();
+    std::size_t here = 0;
+    while (loop.edges[here] != first)
+    {
+      ++here;
+    }
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      const std::size_t next = forward ? (here + 1) % count : (here + count - 1) % count;
+      values[loop.edges[next]] =
+        values[loop.edges[here]] - sources[topology.BoundaryAt(loop.edges[next]).vertices[0]];
+      here = next;
+    }
+  };
+  Eigen::Index k = 0;
+  for (const BoundaryLoop& loop : topology.loops) // the outer one is the first
+  {
+    if (loop.kind == BoundaryKind::Outer)
+    {
+      follow(loop, loop.edges.front());
+      continue;
+    }
+    const LoopStrip& strip = this->Potential.GetStrips()[static_cast<std::size_t>(k)];
+    values[strip.lastBoundaryEdge] =
+      values[strip.firstBoundaryEdge] + sources[this->Potential.PeriodRow(k)];
+    follow(loop, strip.lastBoundaryEdge);
+    ++k;
+  }
+  return values;
+}
+}
