@@ -33,14 +33,11 @@ the same singularities, and what the others end with. Seconds are those of a pro
 Indices that end on the boundary come after a bar. In the pictures red is positive, blue is negative, and quads that
 follow the field are small where it is dark.
 
-W grows by up to 2.4 %% of that energy on finer meshes. That is not the optimum, which moves by at most 0.003 of the diagonal in bracket,
-plate3, bolts, fillet t and blade passage, nor the boundary, which is the same polygon, but what triangles resolve beside small
-holes and fillets: there they are as long as the sides of the polygon and grow by a quarter of the way from them, however
-small the mesh size, until it is below these sides. With the singularities held where they are, and edges of 1, 1/2, 1/4, 1/8
-and 1/16 of the default length, W is 31.66, 31.92, 32.30, 32.82 and 33.03 in the bracket, 75.09, 75.42, 75.86, 76.27 and 76.37
-in plate3: at first 5.0 %% and 2.1 %% of that energy below the finest. W is that of conforming functions for Φ, a lower bound of
-the polygon's; `crossfield energy` prints an upper one, too, and their mean E(ρ), in the bracket 81.2 where the finest mesh has
-81.0 and W alone leads to 79.7. Places hardly depend on it.
+W is the middle of a lower and an upper bound. The lower one alone, W of earlier versions, is up to 5 %% too low beside small
+holes and fillets, where triangles are as long as the sides of the polygon and grow by a quarter of the way from them, however
+small the mesh size, until it is below these sides: with the singularities held where they are, 31.66, 32.30 and 33.03 with edges of 1,
+1/4 and 1/16 of the default length in the bracket, where the middle is 32.98, 33.00 and 33.08
+([the method](method.md), section 5.3, has more of them).
 
 | domain | singularities | W of the proposal | W of the optimum | steps | seconds | finer | changes by | random starts |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- |

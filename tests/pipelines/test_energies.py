@@ -203,6 +203,19 @@ class Optimize(EnergiesTest):
                                     - report["renormalized_energy_after"]),
                                 0.01 * (1 + abs(report["renormalized_energy_after"])))
 
+    def test_parts_have_the_energy_of_finer_meshes(self):
+        # Lengths of the default size, 1/40 of the diagonal, which finer meshes need, and their boundary.
+        for name, size in (("plate3", 3.60555), ("bracket", 2.82843), ("elbow", 0.141421), ("tjunction", 0.180278),
+                           ("naca_blunt", 0.270416)):
+            with self.subTest(name):
+                part = PARTS / f"{name}.vtp"
+                best = self.report("optimize", part, "-o", "best.csv")["renormalized_energy_after"]
+                given = ("-s", "best.csv") if name not in ("elbow", "tjunction") else ()  # these have none
+                finer = ("--size", size / 4, "--thin-boundary", 0.02 * size)
+                for energy in (self.report("hfield", part, *given), self.report("hfield", part, *given, *finer),
+                               self.report("energy", part, *given)["configurations"][0]):
+                    self.assertLess(abs(energy["renormalized_energy"] - best), 0.01 * abs(best) + 1e-9)
+
     def test_refusals(self):
         self.refuse("optimize", "builtin:disk", "-s", "three.csv", "-o", "better.csv",
                     says=("add up to 3",), status=1)

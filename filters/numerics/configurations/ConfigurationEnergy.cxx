@@ -4,7 +4,7 @@
 #include "ConfigurationPlacement.h"
 #include "EnergyMesh.h"
 #include "Error.h"
-#include "FactoredDomain.h"
+#include "MeshForPoints.h"
 
 #include <algorithm>
 #include <tuple>
@@ -27,8 +27,9 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
     all.insert(all.end(), configuration.begin(), configuration.end());
   }
   const PlanarDomain refined = InsertBoundarySingularities(domain, all);
-  const FactoredDomain factored(refined, {}, options.meshSize, progress.Part(0.0, 0.1));
-  const MeshTopology& topology = factored.GetPotential()->GetTopology();
+  const auto potential = std::make_shared<const PotentialSolver>(
+    ShareTopology(MeshForAll(domain, configurations, options.meshSize, progress.Part(0.0, 0.05))));
+  const MeshTopology& topology = potential->GetTopology();
   const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)
@@ -45,8 +46,8 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       const PlacedConfiguration placed =
         PlaceConfiguration(topology, configurations[i], options.corners);
       energy.interior = placed.interior;
-      const PointPotential points(factored.GetPotential(),
-        AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
+      const PointPotential points(
+        potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       energy.coreRadius = coreRadius;
       energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);

@@ -33,7 +33,7 @@ double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 
 /// Energies of configurations on a domain, the best first: the least at the core radius ρ,
 /// W + coefficient × log(1/ρ) (docs/method.md §5.6); inconsistent ones come last. Singularities may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every
-/// configuration; W takes one without holes for all of them, factored once.
+/// configuration; W takes one without holes for all of them (MeshForAll), factored once.
 ///
 /// Throws Error when a singularity lies outside, or its hole cuts the boundary or another hole.
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,

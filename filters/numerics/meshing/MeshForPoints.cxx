@@ -12,13 +12,11 @@ namespace crossfield
 {
 namespace
 {
-/// Options with edges small enough at each singularity.
-DrillOptions RefineAt(
-  const Configuration& configuration, const PlanarDomain& domain, double meshSize)
+/// What asks for small edges at each singularity.
+std::vector<SizeSource> SmallAt(
+  const Configuration& configuration, const PlanarDomain& domain, double size)
 {
-  DrillOptions options;
-  options.meshSize = meshSize;
-  const double size = ResolveMeshSize(options, domain);
+  std::vector<SizeSource> sources;
   for (const Singularity& singularity : configuration)
   {
     if (!singularity.position.allFinite())
@@ -33,8 +31,18 @@ DrillOptions RefineAt(
       room = apart > 0.0 ? std::min(room, apart) : room;
     }
     // A thousandth is fine enough for any picture, and bounds the number of triangles.
-    options.refinements.push_back({ singularity.position, std::max(0.25 * room, 1e-3 * size) });
+    sources.push_back({ singularity.position, std::max(0.25 * room, 1e-3 * size) });
   }
+  return sources;
+}
+
+/// Options with edges small enough at each singularity.
+DrillOptions RefineAt(
+  const Configuration& configuration, const PlanarDomain& domain, double meshSize)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  options.refinements = SmallAt(configuration, domain, ResolveMeshSize(options, domain));
   return options;
 }
 }
@@ -60,5 +68,21 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
     }
   }
   return DrillHoles(InsertBoundarySingularities(domain, configuration), {}, options, progress);
+}
+
+TriangleMesh MeshForAll(const PlanarDomain& domain,
+  const std::vector<Configuration>& configurations, double meshSize, const Progress& progress)
+{
+  DrillOptions options;
+  options.meshSize = meshSize;
+  const double size = ResolveMeshSize(options, domain);
+  Configuration all;
+  for (const Configuration& configuration : configurations)
+  {
+    all.insert(all.end(), configuration.begin(), configuration.end());
+    const std::vector<SizeSource> sources = SmallAt(configuration, domain, size);
+    options.refinements.insert(options.refinements.end(), sources.begin(), sources.end());
+  }
+  return DrillHoles(InsertBoundarySingularities(domain, all), {}, options, progress);
 }
 }

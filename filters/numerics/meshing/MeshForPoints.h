@@ -5,6 +5,8 @@
 #include "Singularity.h"
 #include "TriangleMesh.h"
 
+#include <vector>
+
 namespace crossfield
 {
 /// Triangulates a domain without holes for SolveHField: four times finer at the singularities, and
@@ -12,7 +14,12 @@ namespace crossfield
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 
-/// The same with a vertex on every singularity, as SolveFlatMap needs it.
+/// One mesh that serves each of several configurations as well as its own; that of a single one is the same.
+TriangleMesh MeshForAll(const PlanarDomain& domain,
+  const std::vector<Configuration>& configurations, double meshSize = 0.0,
+  const Progress& progress = {});
+
+/// MeshForPoints with a vertex on every singularity, as SolveFlatMap needs it.
 TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 }

@@ -85,7 +85,8 @@ TEST(SingularityOptimizer, FourOnADiskEndOnTheSquareOfTheTheory)
 {
   const OptimizerResult result = Optimize(Builtin("disk", 0.04), Scattered, 0.04);
   ExpectStationary(result);
-  EXPECT_NEAR(result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
+  EXPECT_NEAR(
+    result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
   std::vector<double> angles;
   for (const Singularity& singularity : result.configuration)
   {
@@ -324,7 +325,8 @@ TEST(SingularityOptimizer, AQuarterThatACornerHasTooMuchMovesInside)
   EXPECT_TRUE(result.converged) << result.reason;
   EXPECT_TRUE(Says(result, "sent a singularity of quarter index 1 inside"));
   ASSERT_EQ(result.configuration.size(), 4u);
-  EXPECT_NEAR(result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
+  EXPECT_NEAR(
+    result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
 }
 
 TEST(SingularityOptimizer, OneAtItsClearanceDoesNotStopTheOthers)
@@ -353,7 +355,8 @@ TEST(SingularityOptimizer, AStartAtTheBoundaryIsMovedOffIt)
   const OptimizerResult result = OptimizeSingularities(Builtin("disk", 0.05), start, options);
   EXPECT_TRUE(result.converged) << result.reason;
   EXPECT_TRUE(Says(result, "Singularity 3 at"));
-  EXPECT_NEAR(result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
+  EXPECT_NEAR(
+    result.energyAfter, -7.2962, 0.02); // of the circle; that of the polygon is lower by O(h²)
 }
 
 TEST(SingularityOptimizer, GivenRadiiShrinkToFit)

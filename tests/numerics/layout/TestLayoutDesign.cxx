@@ -51,7 +51,8 @@ TEST(LayoutDesign, NeitherMeshesNorFactorsTheDomainAgain)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
   const MeshTopology& base = factored.GetPotential()->GetTopology();
-  DesignLayout(factored, Four(0.45, 0.3)); // the first energy factors the Laplacian of the inner vertices, too
+  DesignLayout(
+    factored, Four(0.45, 0.3)); // the first energy factors the Laplacian of the inner vertices, too
   for (int i = 0; i < 10; ++i)
   {
     const Configuration configuration = Four(0.5 + 0.02 * i, 0.3);
