@@ -85,12 +85,13 @@ TEST_F(SingularityEnergy, RowsAreSortedAndComplete)
   }
   EXPECT_TRUE(std::isnan(this->Value(3, "Energy")));
   EXPECT_TRUE(std::isnan(this->Value(3, "RenormalizedEnergy")));
-  EXPECT_NEAR(this->Value(1, "RenormalizedEnergy"), 2.0498, 0.03);
+  // Of the circle; that of its polygon of 63 sides is lower by O(h²).
+  EXPECT_NEAR(this->Value(1, "RenormalizedEnergy"), 2.0498, 0.05);
   EXPECT_NEAR(this->Value(0, "LogarithmCoefficient"), 4.0 * vtkMath::Pi(), 1e-9);
   // One centred hole: π d² log(1/ρ), either way.
   const double exact = 16.0 * vtkMath::Pi() * std::log(1.0 / 0.05);
   EXPECT_NEAR(this->Value(2, "EnergyDegreeOnly"), exact, 0.005 * exact);
-  EXPECT_NEAR(this->Value(2, "RenormalizedEnergy"), 0.0, 0.02);
+  EXPECT_NEAR(this->Value(2, "RenormalizedEnergy"), 0.0, 0.05);
 
   auto* gradients = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(1));
   ASSERT_EQ(gradients->GetNumberOfPoints(), 9);

@@ -32,7 +32,7 @@ struct LayoutDesign
   double seconds = 0.0;
 };
 
-/// The layout of one configuration on a domain that is factored (docs/method.md §15.2). W costs one back-substitution on its
+/// The layout of one configuration on a domain that is factored (docs/method.md §15.2). W costs two back-substitutions on its
 /// factor; the map is solved for on a mesh with vertices at the singularities, which the domain's becomes by local changes.
 ///
 /// Throws Error as SolveFlatMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.

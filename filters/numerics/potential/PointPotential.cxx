@@ -36,7 +36,7 @@ Eigen::VectorXd RemovePeriods(
   {
     return {};
   }
-  const Eigen::VectorXd sources = -inverse.inverse() * solution.tail(periods);
+  Eigen::VectorXd sources = -inverse.inverse() * solution.tail(periods);
   solution += basis * sources;
   solution.tail(periods).setZero();
   return sources;
