@@ -422,7 +422,7 @@ void SizesToFourMillion(benchmark::internal::Benchmark* benchmark)
 
 void HoleCounts(benchmark::internal::Benchmark* benchmark)
 {
-  for (const std::int64_t count : { 4, 16, 36, 64, 100 })
+  for (const std::int64_t count : { 4, 16, 36, 64, 100, 300 })
   {
     benchmark->Arg(count);
   }

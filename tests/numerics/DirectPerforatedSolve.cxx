@@ -4,6 +4,8 @@
 #include "NestedDissection.h"
 #include "SparseCholesky.h"
 
+#include <Eigen/Cholesky>
+
 namespace crossfield
 {
 namespace
@@ -132,6 +134,16 @@ ComplexVector SolveComplex(const SparseCholesky& factor, const ComplexVector& ri
 }
 }
 
+GramMatrix MatrixOn(const std::vector<DegreeConstraint>& constraints, const Eigen::MatrixXd& dense)
+{
+  std::vector<Eigen::Index> sizes;
+  for (const DegreeConstraint& constraint : constraints)
+  {
+    sizes.push_back(static_cast<Eigen::Index>(constraint.unknowns.size()));
+  }
+  return { sizes, Eigen::MatrixXd(dense.llt().matrixL()) };
+}
+
 ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution)
 {
   ComplexVector forces = ComplexVector::Zero(solution.x.size());
@@ -171,7 +183,7 @@ SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOpt
   const ComplexVector harmonic = SolveComplex(factor, rightHandSide);
   const Eigen::MatrixXd root = factor.TrailingFactor(static_cast<int>(unknowns.holes.size()));
   ReducedProblem problem;
-  problem.matrix = root * root.transpose();
+  problem.matrix = MatrixOn(constraints, root * root.transpose());
   problem.load = problem.matrix * Gather(harmonic, unknowns.holes);
   problem.constraints = constraints;
   const MinimiserResult reduced = SolveReduced(problem, options);

@@ -6,6 +6,9 @@
 
 namespace crossfield
 {
+/// A symmetric positive definite matrix with a block for every constraint.
+GramMatrix MatrixOn(const std::vector<DegreeConstraint>& constraints, const Eigen::MatrixXd& dense);
+
 /// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S x − b when solved.
 ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution);
 

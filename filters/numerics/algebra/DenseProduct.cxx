@@ -7,6 +7,11 @@
 // The Fortran interface of BLAS; see DenseCholesky.
 extern "C"
 {
+  void dtrsm_(const char* side, const char* half, const char* transposed, const char* unit,
+    const int* rows, const int* columns, const double* factor, const double* triangle,
+    const int* leadingOfTriangle, double* result, const int* leadingOfResult,
+    std::size_t sideLength, std::size_t halfLength, std::size_t transposedLength,
+    std::size_t unitLength);
   void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
     const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
     const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
@@ -62,5 +67,21 @@ Eigen::MatrixXcd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right)
 {
   return Multiply<Eigen::MatrixXcd>(zgemm_, "C", left, right);
+}
+
+void SolveLowerInPlace(
+  const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> columns)
+{
+  if (columns.size() > 0)
+  {
+    const SerialBlas serial;
+    const auto rows = static_cast<int>(columns.rows());
+    const auto count = static_cast<int>(columns.cols());
+    const auto leadingOfLower = static_cast<int>(lower.outerStride());
+    const auto leading = static_cast<int>(columns.outerStride());
+    const double one = 1.0;
+    dtrsm_("L", "L", "N", "N", &rows, &count, &one, lower.data(), &leadingOfLower, columns.data(),
+      &leading, 1, 1, 1, 1);
+  }
 }
 }

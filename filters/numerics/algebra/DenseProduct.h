@@ -13,4 +13,8 @@ Eigen::MatrixXd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 Eigen::MatrixXcd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right);
+
+/// B becomes L⁻¹ B, by BLAS (dtrsm); only the lower half of L is read.
+void SolveLowerInPlace(
+  const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> columns);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DenseCholesky.h"
+#include "GramMatrix.h"
 #include "Plane.h"
 #include "Progress.h"
 #include "SparseCholesky.h"
@@ -39,6 +40,11 @@ public:
 
   /// Back substitution: A⁻¹ b, 0 for unknowns left out. Throws Error when it is not finite.
   Eigen::MatrixXd Substitute(const Eliminated& eliminated) const;
+
+  /// L⁻¹ B for every B of some with few entries, supernode by supernode: their columns are the blocks of the nodes. The last node
+  /// is that of the border, with all blocks; its last rows belong to the trailing unknowns. Rows of B are those of the matrix.
+  std::vector<GramNode> EliminateSparse(
+    const std::vector<Eigen::SparseMatrix<double>>& blocks) const;
 
   /// Lower triangular L_tt of the trailing unknowns: L_tt L_ttᵀ is the Schur complement on them.
   const Eigen::MatrixXd& GetTrailingFactor() const { return this->TrailingFactor; }

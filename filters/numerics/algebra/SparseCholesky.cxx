@@ -1,5 +1,6 @@
 #include "SparseCholesky.h"
 
+#include "DenseProduct.h"
 #include "MemoryBudget.h"
 #include "SerialBlas.h"
 
@@ -9,7 +10,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace crossfield
 {
@@ -171,6 +174,85 @@ Eigen::MatrixXd SparseCholesky::SolveLower(const Eigen::MatrixXd& rightHandSides
 Eigen::MatrixXd SparseCholesky::SolveUpper(const Eigen::MatrixXd& rightHandSides) const
 {
   return this->Solve(CHOLMOD_Pt, this->Solve(CHOLMOD_Lt, rightHandSides));
+}
+
+std::vector<std::vector<SparseCholesky::Rows>> SparseCholesky::SolveLowerSparse(
+  const std::vector<Eigen::SparseMatrix<double>>& blocks) const
+{
+  const cholmod_factor& factor = *this->Data->factor;
+  const auto* columnStarts = static_cast<const int*>(factor.super);
+  const auto* rowStarts = static_cast<const int*>(factor.pi);
+  const auto* valueStarts = static_cast<const int*>(factor.px);
+  const auto* rows = static_cast<const int*>(factor.s);
+  const auto* values = static_cast<const double*>(factor.x);
+  std::vector<int> nodeOf(factor.n);
+  for (int node = 0; node < static_cast<int>(factor.nsuper); ++node)
+  {
+    std::fill(nodeOf.begin() + columnStarts[node], nodeOf.begin() + columnStarts[node + 1], node);
+  }
+  const SerialBlas serial;
+  std::vector<int> placeOf(factor.nsuper); // of a supernode's first row in the work of one block
+  std::vector<std::vector<Rows>> solutions;
+  for (const Eigen::SparseMatrix<double>& block : blocks)
+  {
+    // 1. The supernodes on the ways to the root: after each its parent, that of its first row below; the others are above that.
+    std::set<int> path;
+    const auto parentOf = [&](int node)
+    {
+      const int below = rowStarts[node] + columnStarts[node + 1] - columnStarts[node];
+      return below < rowStarts[node + 1] ? nodeOf[static_cast<std::size_t>(rows[below])] : -1;
+    };
+    for (Eigen::Index column = 0; column < block.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(block, column); entry; ++entry)
+      {
+        int node = nodeOf[static_cast<std::size_t>(entry.row())];
+        while (node >= 0 && path.insert(node).second)
+        {
+          node = parentOf(node);
+        }
+      }
+    }
+    int size = 0;
+    for (const int node : path)
+    {
+      placeOf[static_cast<std::size_t>(node)] = size;
+      size += columnStarts[node + 1] - columnStarts[node];
+    }
+
+    // 2. Substitution along them.
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> work(size, block.cols());
+    work.setZero();
+    const auto placeOfRow = [&](Eigen::Index row)
+    {
+      const int node = nodeOf[static_cast<std::size_t>(row)];
+      return placeOf[static_cast<std::size_t>(node)] + row - columnStarts[node];
+    };
+    for (Eigen::Index column = 0; column < block.cols(); ++column)
+    {
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(block, column); entry; ++entry)
+      {
+        work(placeOfRow(entry.row()), column) += entry.value();
+      }
+    }
+    std::vector<Rows>& solution = solutions.emplace_back();
+    for (const int node : path)
+    {
+      const int first = columnStarts[node];
+      const Eigen::Index width = columnStarts[node + 1] - first;
+      const Eigen::Index height = rowStarts[node + 1] - rowStarts[node];
+      const Eigen::Map<const Eigen::MatrixXd> lower(values + valueStarts[node], height, width);
+      Eigen::MatrixXd part = work.middleRows(placeOf[static_cast<std::size_t>(node)], width);
+      SolveLowerInPlace(lower.topRows(width), part);
+      const Eigen::MatrixXd below = DenseProduct(lower.bottomRows(height - width), part);
+      for (Eigen::Index k = 0; k < below.rows(); ++k)
+      {
+        work.row(placeOfRow(rows[rowStarts[node] + width + k])) -= below.row(k);
+      }
+      solution.push_back({ first, std::move(part) });
+    }
+  }
+  return solutions;
 }
 
 Eigen::MatrixXd SparseCholesky::TrailingFactor(int count) const

@@ -44,6 +44,17 @@ public:
   Eigen::MatrixXd SolveLower(const Eigen::MatrixXd& rightHandSides) const;
   Eigen::MatrixXd SolveUpper(const Eigen::MatrixXd& rightHandSides) const;
 
+  /// Rows of a matrix, from a first one on.
+  struct Rows
+  {
+    int first;
+    Eigen::MatrixXd values;
+  };
+  /// L⁻¹ B for every B of some with few entries: of each, the rows that are not zero, supernode by supernode. They lie on the
+  /// ways of the elimination tree from its entries to the root. Rows of B and of the result are in elimination order.
+  std::vector<std::vector<Rows>> SolveLowerSparse(
+    const std::vector<Eigen::SparseMatrix<double>>& blocks) const;
+
   /// Lower triangular L_tt of the `count` trailing unknowns, the last of the order, in that order.
   /// L_tt L_ttᵀ is the Schur complement of A on them, which therefore costs no solve
   /// (docs/method.md §10.3).

@@ -4,8 +4,6 @@
 #include "ConformingPhase.h"
 #include "ConjugateField.h"
 
-#include <Eigen/Cholesky>
-
 #include <utility>
 
 namespace crossfield
@@ -33,10 +31,10 @@ PerforatedEnergy ComputePerforatedEnergy(
   const Eigen::VectorXd inside = given.Solve(-given.Apply(phase.Get()), Everywhere);
   result.alignedUpper = GradientEnergy(topology->mesh, given.Gradient(phase.Get() + inside));
 
-  // Free along the boundary. Of Φ only the constants on the holes matter, of φ only the periods
-  // around them, which come last: both are in the trailing blocks of the factors.
-  const Eigen::MatrixXd merge = MergeHoles(problem);
-  const Eigen::Index holes = merge.cols() - topology->LoopCount(BoundaryKind::Inner);
+  // Free along the boundary. Of Φ only the constants on the holes matter, of φ only the periods around them.
+  const Eigen::VectorXd spread = TurnsOfHoles(given, 1.0);
+  result.degreeOnlyLower = 0.5 * spread.dot(SolveConstantOnHoles(given, spread, Everywhere));
+  const Eigen::Index holes = topology->LoopCount(BoundaryKind::Hole);
   Eigen::VectorXd turns(holes);
   Eigen::Index hole = 0;
   for (const BoundaryLoop& loop : problem.Topology().loops)
@@ -46,13 +44,8 @@ PerforatedEnergy ComputePerforatedEnergy(
       turns[hole++] = 2.0 * Pi * loop.quarterIndex;
     }
   }
-  const Eigen::MatrixXd lower = given.TrailingFactor(Everywhere);
-  const Eigen::MatrixXd root =
-    lower.triangularView<Eigen::Lower>().transpose() * merge.topLeftCorner(lower.rows(), holes);
-  result.degreeOnlyLower =
-    0.5 * turns.dot(Eigen::LLT<Eigen::MatrixXd>(root.transpose() * root).solve(turns));
   const Eigen::MatrixXd periods =
-    problem.potential->TrailingFactor(Everywhere).bottomRightCorner(holes, holes);
+    problem.potential->PeriodFactor(Everywhere).bottomRightCorner(holes, holes);
   result.degreeOnlyUpper =
     0.5 * (periods.triangularView<Eigen::Lower>().transpose() * turns).squaredNorm();
   return result;

@@ -24,10 +24,13 @@ DirectReduction::DirectReduction(
   }
   this->Factor = std::make_unique<SparseCholesky>(
     this->Aligned.freeStiffness, this->Aligned.EliminationOrder(this->Constrained));
-  const Eigen::MatrixXd root =
-    this->Factor->TrailingFactor(static_cast<int>(this->Constrained.size()));
-  const auto lower = root.triangularView<Eigen::Lower>();
-  this->Reduced.matrix = lower * Eigen::MatrixXd(root.transpose());
+  std::vector<Eigen::Index> sizes;
+  for (const BoundaryLoop& loop : loops)
+  {
+    sizes.push_back(static_cast<Eigen::Index>(loop.edges.size()));
+  }
+  this->Reduced.matrix =
+    GramMatrix(sizes, this->Factor->TrailingFactor(static_cast<int>(this->Constrained.size())));
 
   const Eigen::MatrixXd harmonic = this->Factor->Solve(this->Aligned.Load());
   this->Harmonic = this->ValuesOf(this->Aligned.Extend(harmonic));

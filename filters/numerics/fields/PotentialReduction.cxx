@@ -1,9 +1,6 @@
 #include "PotentialReduction.h"
 
-#include "CholeskyInverse.h"
 #include "ConjugateField.h"
-
-#include <algorithm>
 
 namespace crossfield
 {
@@ -40,69 +37,27 @@ Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
 PotentialReduction::PotentialReduction(
   const PotentialProblem& problem, PotentialSolver::Periods periods)
   : Problem(problem)
-  , ConstantsCount(periods == PotentialSolver::Periods::IslandsAndHoles)
-  , Aligned(problem.potential->Eliminate(AlignedLoad(problem), periods))
+  , Periods(periods)
+  , Aligned(AlignedLoad(problem))
 {
   const PotentialSolver& potential = *problem.potential;
   const MeshTopology& topology = problem.Topology();
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::Index holePeriod = potential.PeriodCount(PotentialSolver::Periods::Islands);
-  const auto holeVertices =
-    static_cast<int>(potential.TrailingCount(periods) - potential.PeriodCount(periods));
   for (const BoundaryLoop& loop : topology.loops)
   {
-    if (loop.kind != BoundaryKind::Hole)
+    if (loop.kind == BoundaryKind::Hole)
     {
-      continue;
-    }
-    const auto first = static_cast<int>(this->HoleEdges.size());
-    const auto size = static_cast<int>(loop.edges.size());
-    for (int j = 0; j < size; ++j)
-    {
-      this->HoleEdges.push_back(topology.EdgeOfBoundary(loop.edges[static_cast<std::size_t>(j)]));
-      entries.emplace_back(first + j, first + j, 1.0);
-      entries.emplace_back(first + j, first + (j + 1) % size, -1.0);
-    }
-    if (this->ConstantsCount)
-    {
-      const int last = potential.GetStrips()[static_cast<std::size_t>(holePeriod)].lastBoundaryEdge;
-      const auto position = std::find(loop.edges.begin(), loop.edges.end(), last);
-      entries.emplace_back(holeVertices + static_cast<int>(holePeriod),
-        first + static_cast<int>(position - loop.edges.begin()), -1.0);
-    }
-    ++holePeriod;
-    this->Reduced.constraints.push_back(ConstrainLoop(topology, loop, first));
-  }
-
-  const auto count = static_cast<Eigen::Index>(this->HoleEdges.size());
-  const Eigen::Index trailing = potential.TrailingCount(periods);
-  this->Differences.resize(trailing, count);
-  this->Differences.setFromTriplets(entries.begin(), entries.end());
-  if (trailing == 0)
-  {
-    return; // neither holes nor inner loops: nothing is left to choose
-  }
-  // Differences of T⁻¹, which LAPACK makes from the factor of T in less time than a product of matrices takes.
-  const Eigen::MatrixXd response =
-    CholeskyInverse(potential.TrailingFactor(periods)) * this->Differences;
-  this->Reduced.matrix = this->Differences.transpose() * response;
-  this->Reduced.matrix.triangularView<Eigen::StrictlyUpper>() = this->Reduced.matrix.transpose();
-  if (!this->ConstantsCount)
-  {
-    // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
-    const double weight =
-      count > 0 ? this->Reduced.matrix.trace() / static_cast<double>(count) : 0.0;
-    for (const DegreeConstraint& constraint : this->Reduced.constraints)
-    {
-      const auto first = static_cast<Eigen::Index>(constraint.unknowns.front());
-      const auto size = static_cast<Eigen::Index>(constraint.unknowns.size());
-      this->Reduced.matrix.block(first, first, size, size).array() +=
-        weight / static_cast<double>(size);
+      this->Reduced.constraints.push_back(
+        ConstrainLoop(topology, loop, static_cast<int>(this->HoleEdges.size())));
+      for (const int edge : loop.edges)
+      {
+        this->HoleEdges.push_back(topology.EdgeOfBoundary(edge));
+      }
     }
   }
-
-  const Eigen::MatrixXd load = -(this->Differences.transpose() * this->Aligned.trailing);
-  this->Reduced.load.resize(count);
+  this->Reduced.matrix = potential.GetHoleResponse(periods).elastic;
+  const Eigen::MatrixXd load =
+    -(potential.HoleSources().transpose() * potential.Solve(this->Aligned, periods));
+  this->Reduced.load.resize(load.rows());
   this->Reduced.load.real() = load.col(0);
   this->Reduced.load.imag() = load.col(1);
 }
@@ -116,7 +71,7 @@ ComplexVector PotentialReduction::ValuesOf(const ComplexVector& u) const
   }
   for (const DegreeConstraint& constraint : this->Reduced.constraints)
   {
-    if (this->ConstantsCount)
+    if (this->Periods == PotentialSolver::Periods::IslandsAndHoles)
     {
       break;
     }
@@ -131,20 +86,20 @@ RecoveredField PotentialReduction::Recover(const ComplexVector& x) const
 {
   const MeshTopology& topology = this->Problem.Topology();
   const PotentialSolver& potential = *this->Problem.potential;
-  const ComplexVector sources = this->Differences * x;
-  Eigen::MatrixXd added(sources.size(), 2);
-  added << sources.real(), sources.imag();
-  const Eigen::MatrixXd gradient = potential.Gradient(potential.Substitute(this->Aligned, added));
+  Eigen::MatrixXd values(x.size(), 2);
+  values << x.real(), x.imag();
+  const Eigen::MatrixXd sources = this->Aligned + potential.HoleSources() * values;
+  const Eigen::MatrixXd gradient = potential.Gradient(potential.Solve(sources, this->Periods));
 
   RecoveredField field;
   field.energy = GradientEnergy(topology.mesh, gradient);
   const int first = topology.FirstOuterEdge();
   const Complex start = this->Problem.alignment.crosses[first];
-  const Eigen::MatrixXd values = IntegrateConjugate(topology.mesh, topology.edges, gradient,
+  const Eigen::MatrixXd parts = IntegrateConjugate(topology.mesh, topology.edges, gradient,
     topology.EdgeOfBoundary(first), Eigen::Vector2d(start.real(), start.imag()));
-  field.u.resize(values.cols());
-  field.u.real() = values.row(0);
-  field.u.imag() = values.row(1);
+  field.u.resize(parts.cols());
+  field.u.real() = parts.row(0);
+  field.u.imag() = parts.row(1);
   field.alignmentResidual = SetAlignedCrosses(topology, this->Problem.alignment, field.u);
   return field;
 }

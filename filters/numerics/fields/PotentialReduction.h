@@ -11,7 +11,7 @@ namespace crossfield
 /// and j + 1, the conjugate potentials of Re u and Im u have sources s_j = x_j − x_{j+1} at the hole
 /// vertices, s = ∇ᵀx, and the forces of the constraints on the hole edges are f_j = Ψ_j − Ψ_{j−1},
 /// f = ∇Ψ. So the Schur complement of the Crouzeix-Raviart matrix on the hole edges is
-/// S = ∇ T⁻¹ ∇ᵀ with the trailing Schur complement T of PotentialSolver. The degree constraints do
+/// S = ∇ K⁻¹ ∇ᵀ with the matrix K of PotentialSolver. The degree constraints do
 /// not change when a constant is added to x on a hole: the energy is minimised over these constants,
 /// and S is completed by the gauge that makes the mean of x on every hole zero.
 ///
@@ -30,10 +30,8 @@ public:
 
 private:
   const PotentialProblem& Problem;
-  bool ConstantsCount;        ///< The potential has periods around holes.
-  std::vector<int> HoleEdges; ///< Edge numbers, hole by hole, counter-clockwise.
-  /// The potentials with the sources of the aligned loops only, columns Re and Im.
-  PotentialSolver::Eliminated Aligned;
-  Eigen::SparseMatrix<double> Differences; ///< ∇ᵀ: sources of the trailing unknowns from x.
+  PotentialSolver::Periods Periods; ///< With those of holes, constants on holes count.
+  std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
+  Eigen::MatrixXd Aligned;          ///< The sources of the aligned loops, columns Re and Im.
 };
 }

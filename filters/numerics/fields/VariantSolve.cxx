@@ -106,9 +106,9 @@ public:
     {
       this->Problem.constraints.push_back(SumOfDegrees(degrees));
     }
-    this->Expansion.resize(reduced.matrix.rows(), unknowns);
+    this->Expansion.resize(reduced.matrix.Rows(), unknowns);
     this->Expansion.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::MatrixXcd product = reduced.matrix.cast<Complex>() * this->Expansion;
+    const Eigen::MatrixXcd product = reduced.matrix.Dense().cast<Complex>() * this->Expansion;
     this->Problem.matrix = this->Expansion.adjoint() * product;
     this->Problem.load = this->Expansion.adjoint() * reduced.load;
   }

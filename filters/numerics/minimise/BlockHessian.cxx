@@ -39,6 +39,8 @@ BlockCholesky<double> BlockHessian::Factor(
   const ConstrainedFunctional::Additions& additions, double margin) const
 {
   const ComplexVector normals = this->NormalsInBases(additions.normals);
+  const DualProblem::Margin bound = this->Blocks.MarginOfLeftOut();
+  const double scale = (1.0 + additions.shift) * margin;
   std::vector<Eigen::MatrixXd> hessians;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < this->Elastic.size(); ++i)
@@ -49,7 +51,9 @@ BlockCholesky<double> BlockHessian::Factor(
     hessians.push_back((1.0 + additions.shift) * this->Elastic[i] +
       additions.multipliers[static_cast<Eigen::Index>(i)] * this->Constraints[i]);
     hessians.back() += additions.weight * normal * normal.transpose();
-    hessians.back().diagonal().array() += margin;
+    const Eigen::Index uncoupled = 2 * size - this->CoupledParts[i];
+    hessians.back().diagonal().head(uncoupled).array() += scale * bound.uncoupled;
+    hessians.back().diagonal().tail(this->CoupledParts[i]).array() += scale * bound.coupled;
     row += size;
   }
   return { hessians, this->CoupledParts, (1.0 + additions.shift) * this->Coupling };

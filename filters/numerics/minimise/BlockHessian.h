@@ -23,10 +23,8 @@ public:
   /// `leftOut` as in HoleBases.
   BlockHessian(const HoleBases& bases, double leftOut);
 
-  /// Bound on the norm of what is left out of S.
-  double LeftOut() const { return this->Blocks.leftOut; }
-
-  /// The factor of (1 + shift) S + Σ λ_i A_i + weight × N Nᵀ + margin × the unit matrix. Constraint i is that of hole i.
+  /// The factor of (1 + shift) (S + margin × M) + Σ λ_i A_i + weight × N Nᵀ, M the bound of what is left out of S
+  /// (DualProblem::MarginOfLeftOut). Constraint i is that of hole i.
   BlockCholesky<double> Factor(
     const ConstrainedFunctional::Additions& additions, double margin) const;
 

@@ -132,7 +132,7 @@ public:
     while (true)
     {
       const bool critical = this->Residual <= this->Options.tolerance;
-      if (critical && this->TryFactor(0.0))
+      if (critical && this->TryFactor(0.0, true))
       {
         result.converged = true;
         break;
@@ -142,7 +142,7 @@ public:
         break;
       }
       progress.Report(static_cast<double>(result.iterations) / this->Options.maximumIterations);
-      this->FactorConvexified(critical ? this->First : this->NextShift);
+      this->FactorConvexified(critical ? this->First : this->NextShift, critical);
       const bool caught = critical || (this->Slow && this->Shift > 0.0);
       // Off a critical point it has to pay more than the steps that it takes the place of.
       if (caught && this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent))
@@ -185,8 +185,8 @@ private:
     return std::max(residual, scale > 0.0 ? gradient.norm() / scale : 0.0);
   }
 
-  /// Factors with this shift; false where it is too small.
-  bool TryFactor(double shift)
+  /// Factors with this shift; false where it is too small. `certain` as in Additions.
+  bool TryFactor(double shift, bool certain)
   {
     ConstrainedFunctional::Additions additions;
     for (std::size_t i = 0; i < this->Constraints.size(); ++i)
@@ -201,16 +201,17 @@ private:
     additions.normals = this->Here.normals;
     additions.weight = NormalWeight * this->Functional.Stiffness();
     additions.shift = shift;
+    additions.certain = certain;
     this->Shift = additions.shift;
     this->Scale = additions.weight;
     return this->Functional.Factor(this->Here.x, additions);
   }
 
   /// Factors with the smallest shift, of those from this one on, that works.
-  void FactorConvexified(double shift)
+  void FactorConvexified(double shift, bool certain)
   {
     shift = shift < this->First ? 0.0 : shift;
-    while (!this->TryFactor(shift))
+    while (!this->TryFactor(shift, certain))
     {
       if (shift >= LastShift)
       {

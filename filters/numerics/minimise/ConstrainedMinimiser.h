@@ -35,6 +35,8 @@ public:
     Eigen::SparseMatrix<double> normals;                 ///< Column i is A_i x.
     double weight = 0.0;
     double shift = 0.0;
+    bool certain =
+      false; ///< Whether it has to be certain that the sum is positive definite; else a step is made with it.
   };
   /// Factors that sum; false when it is not positive definite.
   virtual bool Factor(const ComplexVector& x, const Additions& additions) = 0;

@@ -65,16 +65,18 @@ struct Stationary
   }
 };
 
-/// The factor of H(λ) less a multiple of the unit matrix.
+/// The factor of H(λ) less a diagonal matrix.
 BlockCholesky<Complex> FactorDual(
-  const DualProblem& problem, const Eigen::VectorXd& multipliers, double less)
+  const DualProblem& problem, const Eigen::VectorXd& multipliers, const DualProblem::Margin& less)
 {
   std::vector<Eigen::MatrixXcd> blocks;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
     blocks.emplace_back(problem.matrix.blocks[i] +
       multipliers[static_cast<Eigen::Index>(i)] * problem.constraints[i]);
-    blocks.back().diagonal().array() -= less;
+    const Eigen::Index coupled = problem.matrix.coupled[i];
+    blocks.back().diagonal().head(blocks.back().rows() - coupled).array() -= less.uncoupled;
+    blocks.back().diagonal().tail(coupled).array() -= less.coupled;
   }
   return { blocks, problem.matrix.coupled, problem.matrix.coupling.cast<Complex>() };
 }
@@ -94,7 +96,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
 {
   DualPoint point;
   point.multipliers = std::move(multipliers);
-  point.factor = FactorDual(problem, point.multipliers, 0.0);
+  point.factor = FactorDual(problem, point.multipliers, { 0.0, 0.0 });
   point.positiveDefinite = point.factor.IsPositiveDefinite();
   if (!point.positiveDefinite)
   {
@@ -135,7 +137,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
 bool IsCertain(const DualProblem& problem, const DualPoint& point)
 {
   return point.positiveDefinite &&
-    FactorDual(problem, point.multipliers, problem.leftOut).IsPositiveDefinite();
+    FactorDual(problem, point.multipliers, problem.MarginOfLeftOut()).IsPositiveDefinite();
 }
 DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
   const MinimiserOptions& options, const Progress& progress, int& iterations)

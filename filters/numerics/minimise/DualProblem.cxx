@@ -1,5 +1,8 @@
 #include "DualProblem.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace crossfield
 {
 namespace
@@ -17,20 +20,21 @@ ComplexVector PartOf(const ComplexVector& vector, const std::vector<int>& number
 
 }
 
-ComplexVector TimesMatrix(const ReducedProblem& problem, const ComplexVector& x)
+DualProblem::Margin DualProblem::MarginOfLeftOut() const
 {
-  // Two products with a vector read S as it is; one with both parts copies it.
-  ComplexVector result(x.size());
-  result.real() = problem.matrix * Eigen::VectorXd(x.real());
-  result.imag() = problem.matrix * Eigen::VectorXd(x.imag());
-  return result;
+  // With d_i the uncoupled part of x on hole i and R_i what was left out of its rows, xᵀEx is at most
+  // √5 Σ ‖d_i‖ ‖R_i‖ ‖x‖ ≤ τ Σ ‖d_i‖² + 5/(4τ) Σ ‖R_i‖² ‖x‖² for any τ, and leftOut² is 2 Σ ‖R_i‖². What is uncoupled is
+  // stiff, and turning a hole as a whole is soft: so more of it is put there, but less the less there is.
+  const double unit = this->matrix.Trace() / static_cast<double>(this->matrix.Rows());
+  const double stiff = std::max(this->leftOut, 0.05 * std::sqrt(this->leftOut * unit));
+  const double all = stiff > 0.0 ? 0.625 * this->leftOut * this->leftOut / stiff : 0.0;
+  return { stiff + all, all };
 }
 
 ComplexVector DualProblem::Elastic(const ComplexVector& x) const
 {
-  return this->refinedWith != nullptr
-    ? this->InBases(TimesMatrix(*this->refinedWith, this->InValues(x)))
-    : ComplexVector(this->matrix * x);
+  return this->refinedWith != nullptr ? this->InBases(this->refinedWith->matrix * this->InValues(x))
+                                      : ComplexVector(this->matrix * x);
 }
 
 ComplexVector DualProblem::InBases(const ComplexVector& x) const

@@ -21,6 +21,15 @@ struct DualProblem
   Eigen::VectorXd sizes; ///< Number of edges of every hole.
   /// Bound on the norm of what was left out between holes.
   double leftOut = 0.0;
+
+  /// What was left out lies between −M and M with a diagonal M, which has this on members that are not coupled, and on all others.
+  struct Margin
+  {
+    double uncoupled;
+    double coupled;
+  };
+  Margin MarginOfLeftOut() const;
+
   /// What x(λ) is refined with until nothing is left out of it; without it x(λ) is that of the matrix above.
   const ReducedProblem* refinedWith = nullptr;
 
@@ -31,7 +40,4 @@ struct DualProblem
   ComplexVector InBases(const ComplexVector& x) const;
   ComplexVector InValues(const ComplexVector& x) const;
 };
-
-/// S x.
-ComplexVector TimesMatrix(const ReducedProblem& problem, const ComplexVector& x);
 }

@@ -17,6 +17,11 @@ constexpr double Strong = 1e-4;
 constexpr double Weak = 1e-8;
 constexpr double Rounding = 1e-13;
 
+/// The path takes dozens of factors. Where it leads to asks for no more members in all than this, or four of every hole: those
+/// that turn once and twice around it.
+constexpr Eigen::Index MembersOnPath = 1200;
+constexpr Eigen::Index FewestMembers = 4;
+
 /// A path by the strong couplings that ends on the border with a residual above this ends there with all of them.
 constexpr double WhatWeakOnesChange = 1e-2;
 }
@@ -36,15 +41,20 @@ MinimiserResult SolveReduced(
   MinimiserOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the others change is larger
   const HoleBases bases(problem);
-  DualProblem dual = bases.InBlocks(Strong);
+  const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
+  DualProblem dual = bases.InBlocks(Strong, std::max(FewestMembers, MembersOnPath / holes));
   DualPoint point = MaximiseFromZero(dual, rough, progress.Part(0.0, 0.3), solution.iterations);
   const bool nowhere = point.onBorder && point.residual > WhatWeakOnesChange;
 
-  // 2. With all of them from there; the whole way if that was not close enough. The factor lacks some; where
-  // refinement does not make up for that, or they decide whether H is positive definite, once more.
-  for (const double leftOut : { Weak, Rounding })
+  // 2. With all of them from there: x(λ) is refined until nothing is left out of it. The factor lacks some; where
+  // refinement does not make up for that, or they decide whether H is positive definite, once more with fewer left out, and
+  // then the whole way if that was not close enough.
+  for (const double leftOut : { Strong, Weak, Rounding })
   {
-    dual = bases.InBlocks(leftOut);
+    if (!nowhere)
+    {
+      dual = bases.InBlocks(leftOut);
+    }
     dual.refinedWith = &problem;
     point = EvaluateDual(dual, std::move(point.multipliers));
     if (nowhere)
@@ -53,19 +63,26 @@ MinimiserResult SolveReduced(
     }
     point =
       MaximiseNearby(dual, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
-    if (point.residual > options.tolerance && solution.iterations < options.maximumIterations)
+    if (leftOut < Strong && point.residual > options.tolerance &&
+      solution.iterations < options.maximumIterations)
     {
       point = MaximiseFromZero(dual, options, progress.Part(0.5, 1.0), solution.iterations);
     }
     solution.converged = point.residual <= options.tolerance && IsCertain(dual, point);
-    if (solution.converged || point.onBorder || solution.iterations >= options.maximumIterations)
+    if (solution.converged || (point.onBorder && leftOut < Strong) ||
+      solution.iterations >= options.maximumIterations)
     {
       break;
     }
   }
-  if (!point.positiveDefinite)
+  if (nowhere || !point.positiveDefinite)
   {
-    point = EvaluateDual(dual, Eigen::VectorXd::Zero(dual.targets.size())); // the harmonic field
+    // Past the border x(λ) may be anything: then the harmonic field.
+    DualPoint harmonic = EvaluateDual(dual, Eigen::VectorXd::Zero(dual.targets.size()));
+    if (!point.positiveDefinite || !(point.residual <= harmonic.residual))
+    {
+      point = std::move(harmonic);
+    }
   }
 
   solution.x = dual.InValues(point.x);

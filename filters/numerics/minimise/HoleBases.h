@@ -2,6 +2,8 @@
 
 #include "DualProblem.h"
 
+#include <limits>
+
 namespace crossfield
 {
 /// An orthonormal basis of the values on every hole of a reduced problem, in the order in which its members are coupled
@@ -13,13 +15,14 @@ public:
   explicit HoleBases(const ReducedProblem& problem);
 
   /// Leaves out as many couplings between a hole and the others as stay below a part of the mean of the diagonal of S,
-  /// by the Frobenius norm of every hole; those that are largest are kept.
-  DualProblem InBlocks(double tolerance) const;
+  /// by the Frobenius norm of every hole; those that are largest are kept, at most so many members of every hole.
+  DualProblem InBlocks(
+    double tolerance, Eigen::Index most = std::numeric_limits<Eigen::Index>::max()) const;
 
 private:
-  DualProblem Complete;           ///< Without `coupled`, `coupling` and `leftOut`.
-  Eigen::MatrixXd Couplings;      ///< S in the bases, hole by hole, zero within a hole.
-  std::vector<Eigen::Index> Rows; ///< Of the first member of every hole.
-  double MeanDiagonal = 0.0;      ///< Of S.
+  DualProblem Complete;      ///< Without `coupled`, `coupling` and `leftOut`.
+  GramMatrix InBases;        ///< S in the bases.
+  Eigen::VectorXd Couplings; ///< Of every member, the norm of what couples it to other holes.
+  double MeanDiagonal = 0.0; ///< Of S.
 };
 }

@@ -103,7 +103,7 @@ class BlockFunctional final : public Quadratic
 {
 public:
   explicit BlockFunctional(const ReducedProblem& problem)
-    : Quadratic(problem.load, problem.matrix.trace() / static_cast<double>(problem.matrix.rows()))
+    : Quadratic(problem.load, problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows()))
     , Problem(problem)
     , Bases(problem)
   {
@@ -111,18 +111,18 @@ public:
 
   bool Factor(const ComplexVector&, const Additions& additions) override
   {
-    for (std::size_t level = 0; level < LeftOut.size(); ++level)
+    const std::size_t levels = additions.certain ? LeftOut.size() : 1;
+    for (std::size_t level = 0; level < levels; ++level)
     {
       if (level == this->Levels.size())
       {
         this->Levels.emplace_back(this->Bases, LeftOut[level]);
       }
       this->Used = &this->Levels[level];
-      // What is left out may change every eigenvalue by its norm: with less of it where that decides.
-      const double margin = (1.0 + additions.shift) * this->Used->LeftOut();
-      this->LastFactor = this->Used->Factor(additions, -margin);
+      // What is left out may change every eigenvalue by its bound: with less of it where that decides.
+      this->LastFactor = this->Used->Factor(additions, additions.certain ? -1.0 : 0.0);
       if (this->LastFactor.IsPositiveDefinite() ||
-        !this->Used->Factor(additions, margin).IsPositiveDefinite())
+        (additions.certain && !this->Used->Factor(additions, 1.0).IsPositiveDefinite()))
       {
         break;
       }
@@ -145,12 +145,9 @@ public:
 
 private:
   /// As parts of the mean of the diagonal of S; the last is rounding.
-  static constexpr std::array<double, 4> LeftOut = { 1e-4, 1e-6, 1e-9, 1e-13 };
+  static constexpr std::array<double, 5> LeftOut = { 1e-4, 1e-5, 1e-7, 1e-10, 1e-13 };
 
-  ComplexVector Times(const ComplexVector& x) const override
-  {
-    return TimesMatrix(this->Problem, x);
-  }
+  ComplexVector Times(const ComplexVector& x) const override { return this->Problem.matrix * x; }
 
   const ReducedProblem& Problem;
   HoleBases Bases;

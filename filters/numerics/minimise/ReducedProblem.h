@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DegreeConstraint.h"
+#include "GramMatrix.h"
 
 namespace crossfield
 {
@@ -8,8 +9,9 @@ namespace crossfield
 ///   minimise ½ xᴴ S x − Re(bᴴ x)   subject to   ½ xᴴ A_i x = t_i.
 struct ReducedProblem
 {
-  Eigen::MatrixXd matrix; ///< S, symmetric positive definite.
-  ComplexVector load;     ///< b; S⁻¹ b are the values of the field without constraints.
-  std::vector<DegreeConstraint> constraints; ///< Every unknown belongs to exactly one.
+  GramMatrix matrix;  ///< S, symmetric positive definite; a block per constraint.
+  ComplexVector load; ///< b; S⁻¹ b are the values of the field without constraints.
+  std::vector<DegreeConstraint> constraints; ///< The unknowns of each are those of its block, in
+                                             ///< their order.
 };
 }

@@ -170,7 +170,7 @@ Descent DescendFromMany(const PhaseProblem& phases, const ComplexVector& start,
 /// The evenly turning unit values of all holes.
 ComplexVector EvenTurning(const ReducedProblem& problem)
 {
-  ComplexVector turning(problem.matrix.rows());
+  ComplexVector turning(problem.matrix.Rows());
   for (const DegreeConstraint& constraint : problem.constraints)
   {
     for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
@@ -215,16 +215,24 @@ ComplexVector Against(
 /// With P = Bᴴ S B and c = Bᴴ b.
 PhaseProblem PhasesOf(const ReducedProblem& problem, const ComplexVector& values)
 {
-  const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
-  PhaseProblem phases{ Eigen::MatrixXcd(holes, holes), Against(problem, values, problem.load) };
-  for (Eigen::Index i = 0; i < holes; ++i)
+  // Of v = r + i s on hole i and the same on hole k: (rᵀSr + sᵀSs) + i (rᵀSs − sᵀSr).
+  std::vector<Eigen::MatrixXd> parts;
+  for (int hole = 0; hole < problem.matrix.BlockCount(); ++hole)
   {
-    ComplexVector ofHole = ComplexVector::Zero(values.size());
-    for (const int unknown : problem.constraints[static_cast<std::size_t>(i)].unknowns)
+    const auto ofHole = values.segment(problem.matrix.First(hole), problem.matrix.Size(hole));
+    parts.emplace_back(ofHole.size(), 2);
+    parts.back() << ofHole.real(), ofHole.imag();
+  }
+  const Eigen::MatrixXd forms = problem.matrix.Congruence(parts).Dense();
+  const auto holes = static_cast<Eigen::Index>(parts.size());
+  PhaseProblem phases{ Eigen::MatrixXcd(holes, holes), Against(problem, values, problem.load) };
+  for (Eigen::Index k = 0; k < holes; ++k)
+  {
+    for (Eigen::Index i = 0; i < holes; ++i)
     {
-      ofHole += problem.matrix.col(unknown) * values[unknown];
+      const auto form = forms.block<2, 2>(2 * i, 2 * k);
+      phases.matrix(i, k) = { form(0, 0) + form(1, 1), form(0, 1) - form(1, 0) };
     }
-    phases.matrix.col(i) = Against(problem, values, ofHole);
   }
   return phases;
 }

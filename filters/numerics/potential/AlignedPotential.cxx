@@ -1,35 +1,38 @@
 #include "AlignedPotential.h"
 
 #include "ConjugateField.h"
+#include "DenseCholesky.h"
+#include "GramSolve.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 namespace crossfield
 {
-Eigen::MatrixXd MergeHoles(const PotentialProblem& problem)
+Eigen::VectorXd TurnsOfHoles(const PotentialSolver& potential, double factor)
 {
-  const auto rows = problem.potential->TrailingCount(PotentialSolver::Periods::Islands);
-  const Eigen::Index periods = problem.potential->PeriodCount(PotentialSolver::Periods::Islands);
-  std::vector<Eigen::Index> sizes;
-  for (const BoundaryLoop& loop : problem.Topology().loops)
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(potential.Rows());
+  for (const BoundaryLoop& loop : potential.GetTopology().loops)
   {
-    if (loop.kind == BoundaryKind::Hole)
+    for (const int edge : loop.edges)
     {
-      sizes.push_back(static_cast<Eigen::Index>(loop.edges.size()));
+      if (loop.kind == BoundaryKind::Hole)
+      {
+        sources[potential.GetTopology().BoundaryAt(edge).vertices[0]] =
+          factor * 2.0 * Pi * loop.quarterIndex / static_cast<double>(loop.edges.size());
+      }
     }
   }
-  const auto holes = static_cast<Eigen::Index>(sizes.size());
-  Eigen::MatrixXd merge = Eigen::MatrixXd::Zero(rows, holes + periods);
-  Eigen::Index row = 0;
-  for (Eigen::Index hole = 0; hole < holes; ++hole)
-  {
-    const Eigen::Index size = sizes[static_cast<std::size_t>(hole)];
-    merge.block(row, hole, size, 1).setOnes();
-    row += size;
-  }
-  merge.block(row, holes, periods, periods).setIdentity();
-  return merge;
+  return sources;
+}
+
+Eigen::VectorXd SolveConstantOnHoles(const PotentialSolver& potential,
+  const Eigen::VectorXd& sources, PotentialSolver::Periods periods)
+{
+  const Eigen::SparseMatrix<double>& differences = potential.HoleSources();
+  const Eigen::VectorXd free = potential.Solve(sources, periods);
+  const Eigen::VectorXd forces =
+    SolveGram(potential.GetHoleResponse(periods).elastic, -(differences.transpose() * free));
+  return potential.Solve(sources + differences * forces, periods);
 }
 
 double AlignedDifference(
@@ -75,58 +78,40 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
   constexpr auto Islands = PotentialSolver::Periods::Islands;
   const Eigen::Index periods = potential.PeriodCount(Islands);
 
-  // 1. The potential without hole sources: until they enter the dense problem below, the ground
-  //    takes what is missing.
-  Eigen::VectorXd holeSources = Eigen::VectorXd::Zero(potential.TrailingCount(Islands));
-  Eigen::Index row = 0;
-  for (const BoundaryLoop& loop : problem.Topology().loops)
-  {
-    if (loop.kind == BoundaryKind::Hole)
-    {
-      holeSources[row] = -2.0 * Pi * loop.quarterIndex;
-      row += static_cast<Eigen::Index>(loop.edges.size());
-    }
-  }
-  const PotentialSolver::Eliminated aligned = potential.Eliminate(sources.atRows, Islands);
-  const Eigen::VectorXd freeTrailing = aligned.trailing;
+  const Eigen::SparseMatrix<double>& differences = potential.HoleSources();
+  const PotentialSolver::HoleResponse& response = potential.GetHoleResponse(Islands);
 
-  // 2. The dense problem on hole constants and periods.
-  const Eigen::MatrixXd merge = MergeHoles(problem);
-  const auto trailingFactor = potential.TrailingFactor(Islands);
-  const auto lower = trailingFactor.triangularView<Eigen::Lower>();
-  const Eigen::VectorXd reducedLoad = lower * (lower.transpose() * freeTrailing) + holeSources;
-  const Eigen::MatrixXd root = lower.transpose() * merge;
-  const Eigen::MatrixXd matrix = root.transpose() * root;
-  const Eigen::VectorXd mergedLoad = merge.transpose() * reducedLoad;
-  const Eigen::Index holes = matrix.rows() - periods;
-  const Eigen::LLT<Eigen::MatrixXd> holeFactor(matrix.topLeftCorner(holes, holes));
+  // 1. The potential with the sources of each hole spread over its vertices, and what has to be added to them so that
+  //    it is constant there: differences of values x on its edges, which have no sum.
+  Eigen::VectorXd load = sources.atRows + TurnsOfHoles(potential, -1.0);
+  const Eigen::VectorXd free = potential.Solve(load, Islands);
+  Eigen::VectorXd values = SolveGram(response.elastic, -(differences.transpose() * free));
 
-  // 3. Single-valued first: what phase difference would the periods' equations carry?
+  // 2. Single-valued first: what phase difference would the periods' equations carry?
   AlignedPotential result;
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(matrix.rows());
-  values.head(holes) = holeFactor.solve(mergedLoad.head(holes));
   if (periods > 0)
   {
-    const auto coupling = matrix.bottomLeftCorner(periods, holes);
-    const Eigen::VectorXd carried = coupling * values.head(holes) - mergedLoad.tail(periods);
+    // What sources at the periods do to holes and, with these, to the periods.
+    const Eigen::MatrixXd onHoles = SolveGram(response.elastic, response.periods);
+    const Eigen::MatrixXd lower = potential.PeriodFactor(Islands);
+    const Eigen::MatrixXd inverse = DenseCholesky<double>(lower * lower.transpose()).Inverse() -
+      response.periods.transpose() * onHoles;
+    const Eigen::VectorXd grown =
+      free.segment(potential.PeriodRow(0), periods) + response.periods.transpose() * values;
+    const Eigen::VectorXd carried = -inverse.llt().solve(grown);
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {
       defects[k] = WrapAngle(AlignedDifference(problem, sources, k) - carried[k]);
       result.holonomyDefect.push_back(defects[k]);
     }
-    const Eigen::MatrixXd inverse = (matrix.bottomRightCorner(periods, periods) -
-      coupling * holeFactor.solve(coupling.transpose()))
-                                      .inverse();
     result.carriedPhase = carried + NearestOffsets(defects, inverse);
-    Eigen::VectorXd fullLoad = mergedLoad;
-    fullLoad.tail(periods) += result.carriedPhase;
-    values = matrix.llt().solve(fullLoad);
+    load.segment(potential.PeriodRow(0), periods) += result.carriedPhase;
+    values -= onHoles * result.carriedPhase;
   }
 
-  // 4. The forces on the trailing unknowns that keep every hole constant, and the potential.
-  const Eigen::VectorXd forces = lower * (lower.transpose() * (merge * values - freeTrailing));
-  result.solution = potential.Substitute(aligned, forces);
+  // 3. The potential.
+  result.solution = potential.Solve(load + differences * values, Islands);
   result.gradient = potential.Gradient(result.solution);
   result.energy = GradientEnergy(problem.Topology().mesh, result.gradient);
   return result;

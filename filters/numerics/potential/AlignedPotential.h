@@ -24,9 +24,13 @@ struct AlignedPotential
 /// single-valued potential, then improved one loop at a time while that lowers the energy.
 AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSources& sources);
 
-/// The trailing unknowns of the potential in terms of one constant per hole and the periods around
-/// islands; Φ has none around holes, on which φ is free.
-Eigen::MatrixXd MergeHoles(const PotentialProblem& problem);
+/// The potential that is constant on every hole, with these sources, rows of PotentialSolver: only the sum over each hole
+/// counts.
+Eigen::VectorXd SolveConstantOnHoles(const PotentialSolver& potential,
+  const Eigen::VectorXd& sources, PotentialSolver::Periods periods);
+
+/// Sources at hole vertices, rows of PotentialSolver: this multiple of 2π times the quarter index of each hole.
+Eigen::VectorXd TurnsOfHoles(const PotentialSolver& potential, double factor);
 
 /// Phase of the alignment at the first edge of the strip to inner loop k minus that at its last one,
 /// modulo 2π.

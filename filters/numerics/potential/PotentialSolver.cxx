@@ -14,22 +14,40 @@ namespace crossfield
 {
 namespace
 {
-/// Vertices of the holes; see PotentialSolver::TrailingRows.
-std::vector<int> HoleVertices(const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops)
+/// See PotentialSolver::HoleSources.
+Eigen::SparseMatrix<double> DifferencesOnHoles(
+  const MeshTopology& topology, const std::vector<LoopStrip>& strips)
 {
-  std::vector<int> vertices;
-  for (const BoundaryLoop& loop : loops)
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto firstPeriod = static_cast<int>(topology.mesh.points.size());
+  auto period = static_cast<std::size_t>(topology.LoopCount(BoundaryKind::Inner));
+  int first = 0;
+  for (const BoundaryLoop& loop : topology.loops)
   {
-    for (int edge : loop.edges)
+    if (loop.kind != BoundaryKind::Hole)
     {
-      if (loop.kind == BoundaryKind::Hole)
+      continue;
+    }
+    const auto size = static_cast<int>(loop.edges.size());
+    for (int j = 0; j < size; ++j)
+    {
+      // Edges are directed clockwise around the hole, so edge j starts where edge j + 1 ends.
+      const int edge = loop.edges[static_cast<std::size_t>(j)];
+      const int vertex = topology.BoundaryAt(edge).vertices[0];
+      entries.emplace_back(vertex, first + j, 1.0);
+      entries.emplace_back(vertex, first + (j + 1) % size, -1.0);
+      if (edge == strips[period].lastBoundaryEdge)
       {
-        // Edges are directed clockwise around the hole, so edge j starts where edge j + 1 ends.
-        vertices.push_back(mesh.boundary[static_cast<std::size_t>(edge)].vertices[0]);
+        entries.emplace_back(firstPeriod + static_cast<int>(period), first + j, -1.0);
       }
     }
+    first += size;
+    ++period;
   }
-  return vertices;
+  Eigen::SparseMatrix<double> differences(
+    firstPeriod + static_cast<Eigen::Index>(strips.size()), first);
+  differences.setFromTriplets(entries.begin(), entries.end());
+  return differences;
 }
 
 /// The P1 matrix bordered by the periods.
@@ -92,7 +110,7 @@ PotentialSolver::PotentialSolver(
   , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
   , Strips(FindLoopStrips(this->Topology->mesh, this->Topology->edges, this->Topology->loops, true))
   , OnLoops(boundary)
-  , Trailing(HoleVertices(this->Topology->mesh, this->Topology->loops))
+  , Differences(DifferencesOnHoles(*this->Topology, this->Strips))
 {
   const TriangleMesh& mesh = this->Topology->mesh;
   std::vector<int> leftOut = {
@@ -109,7 +127,8 @@ PotentialSolver::PotentialSolver(
       }
     }
   }
-  std::vector<int>& periodRows = boundary == Boundary::Natural ? this->Trailing : leftOut;
+  std::vector<int> trailing;
+  std::vector<int>& periodRows = boundary == Boundary::Natural ? trailing : leftOut;
   for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
   {
     periodRows.push_back(static_cast<int>(this->PeriodRow(k)));
@@ -120,68 +139,83 @@ PotentialSolver::PotentialSolver(
   const Eigen::SparseMatrix<double> matrix =
     BorderedMatrix(mesh, this->Topology->edges, this->Strips);
   progress.Report(0.1);
-  this->Factor = std::make_unique<DissectedCholesky>(
-    matrix, places, this->Trailing, leftOut, progress.Part(0.1, 1.0));
+  this->Factor =
+    std::make_unique<DissectedCholesky>(matrix, places, trailing, leftOut, progress.Part(0.1, 1.0));
 }
 
-Eigen::Index PotentialSolver::TrailingCount(Periods periods) const
+const PotentialSolver::HoleResponse& PotentialSolver::GetHoleResponse(Periods periods) const
 {
-  const auto all = static_cast<Eigen::Index>(this->Trailing.size());
-  // Where the boundary is given no period is an unknown.
-  return periods == Periods::Islands && this->OnLoops == Boundary::Natural
-    ? all - (this->PeriodCount() - this->IslandCount)
-    : all;
+  std::unique_ptr<const HoleResponse>& kept = this->Responses[periods == Periods::Islands ? 0 : 1];
+  if (kept)
+  {
+    return *kept;
+  }
+  std::vector<Eigen::Index> sizes;
+  std::vector<Eigen::SparseMatrix<double>> blocks;
+  Eigen::Index first = 0;
+  for (const BoundaryLoop& loop : this->Topology->loops)
+  {
+    if (loop.kind == BoundaryKind::Hole)
+    {
+      sizes.push_back(static_cast<Eigen::Index>(loop.edges.size()));
+      blocks.emplace_back(this->Differences.middleCols(first, sizes.back()));
+      first += sizes.back();
+    }
+  }
+  HoleResponse response;
+  if (!blocks.empty())
+  {
+    std::vector<GramNode> nodes = this->Factor->EliminateSparse(blocks);
+    // The last rows are the periods; those that the question does not have are held at zero.
+    Eigen::MatrixXd& border = nodes.back().rows;
+    const Eigen::Index without =
+      this->Factor->GetTrailingFactor().rows() - this->TrailingCount(periods);
+    border.conservativeResize(border.rows() - without, Eigen::NoChange);
+    response.periods = this->PeriodFactor(periods)
+                         .transpose()
+                         .triangularView<Eigen::Upper>()
+                         .solve(border.bottomRows(this->TrailingCount(periods)))
+                         .transpose();
+    response.elastic = GramMatrix(sizes, std::move(nodes));
+    if (periods == Periods::Islands || this->OnLoops == Boundary::Given)
+    {
+      // The gauge: any positive weight will do; the mean of the diagonal keeps the matrix well scaled.
+      const double mean = response.elastic.Trace() / static_cast<double>(response.elastic.Rows());
+      for (int hole = 0; hole < response.elastic.BlockCount(); ++hole)
+      {
+        const Eigen::Index size = response.elastic.Size(hole);
+        response.elastic.AddToBlock(
+          hole, Eigen::MatrixXd::Constant(size, size, mean / static_cast<double>(size)));
+      }
+    }
+  }
+  kept = std::make_unique<const HoleResponse>(std::move(response));
+  return *kept;
 }
 
 Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const
 {
-  return this->Substitute(this->Eliminate(rightHandSides, periods),
-    Eigen::MatrixXd::Zero(this->TrailingCount(periods), rightHandSides.cols()));
-}
-
-PotentialSolver::Eliminated PotentialSolver::Eliminate(
-  const Eigen::MatrixXd& rightHandSides, Periods periods) const
-{
-  Eliminated eliminated;
-  eliminated.periods = periods;
-  eliminated.forward = this->Factor->Eliminate(rightHandSides);
-  auto trailing =
-    eliminated.forward.border.bottomRows(static_cast<Eigen::Index>(this->Trailing.size()));
-  const Eigen::Index count = this->TrailingCount(periods);
-  // Zero here is zero after back substitution: the periods that the question does not have.
-  trailing.bottomRows(trailing.rows() - count).setZero();
-  eliminated.trailing =
-    this->TrailingFactor(periods).transpose().triangularView<Eigen::Upper>().solve(
-      trailing.topRows(count));
-  const auto sources = rightHandSides.topRows(this->VertexCount);
-  eliminated.sums = sources.colwise().sum();
-  eliminated.sizes = sources.cwiseAbs().colwise().sum();
-  return eliminated;
-}
-
-Eigen::MatrixXd PotentialSolver::Substitute(
-  Eliminated eliminated, const Eigen::MatrixXd& addedSources) const
-{
   // A given boundary takes whatever is missing.
-  const Eigen::Index columnsToCheck = this->OnLoops == Boundary::Natural ? addedSources.cols() : 0;
-  for (Eigen::Index column = 0; column < columnsToCheck; ++column)
+  const auto sources = rightHandSides.topRows(this->VertexCount);
+  for (Eigen::Index column = 0;
+       this->OnLoops == Boundary::Natural && column < rightHandSides.cols(); ++column)
   {
-    const auto atVertices =
-      addedSources.col(column).head(addedSources.rows() - this->PeriodCount(eliminated.periods));
-    const double sum = eliminated.sums[column] + atVertices.sum();
+    const double sum = sources.col(column).sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
-      std::numeric_limits<double>::epsilon() * (eliminated.sizes[column] + atVertices.lpNorm<1>());
+      std::numeric_limits<double>::epsilon() * sources.col(column).lpNorm<1>();
     if (!(std::abs(sum) <= rounding))
     {
       throw Error("The sources of the potential add up to " + std::to_string(sum) +
         " instead of zero, so it has no solution; the quarter indices violate Poincaré-Hopf.");
     }
   }
-  eliminated.forward.border.bottomRows(static_cast<Eigen::Index>(this->Trailing.size()))
-    .topRows(addedSources.rows()) +=
-    this->TrailingFactor(eliminated.periods).triangularView<Eigen::Lower>().solve(addedSources);
-  return this->Factor->Substitute(eliminated.forward);
+  DissectedCholesky::Eliminated eliminated = this->Factor->Eliminate(rightHandSides);
+  // Zero here is zero after back substitution: the periods that the question does not have.
+  eliminated.border
+    .bottomRows(this->Factor->GetTrailingFactor().rows() - this->TrailingCount(periods))
+    .setZero();
+  return this->Factor->Substitute(eliminated);
 }
 
 Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) const

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <memory>
 #include <mutex>
 
@@ -33,13 +34,13 @@ namespace crossfield
 ///   the domain on the left; at an interior vertex: −2π times the turns of φ around it;
 /// - at a period: φ on the strip's first edge minus φ on its last edge.
 ///
-/// The trailing unknowns, hole vertices, then periods of inner loops, then those of holes, come last in
-/// the factorisation, so their Schur complement T is at hand: any treatment of holes and islands is a
-/// small dense problem. A question without periods around holes takes the leading part of it.
+/// Holes lie in the dissection like everything else. What their edges feel of each other follows from the ways of the
+/// elimination tree that their vertices take (HoleResponse); no matrix over all of them is made. The periods, those of inner loops
+/// before those of holes, come last in the factorisation: a question without periods around holes takes the leading part of it.
 ///
 /// Where the boundary is given (Boundary::Given), the values at the vertices of outer and inner loops
 /// and the periods are no unknowns but zero in every solution; with inhomogeneous values x, solve for
-/// the sources minus Apply(x) and add x. The trailing unknowns are then the hole vertices alone.
+/// the sources minus Apply(x) and add x.
 class PotentialSolver
 {
 public:
@@ -78,36 +79,28 @@ public:
   /// One per period.
   const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
 
-  /// Rows of all trailing unknowns: per hole its vertices, counter-clockwise, where vertex j joins
-  /// edges j and j + 1 of the hole's BoundaryLoop; then the periods, islands before holes.
-  const std::vector<int>& TrailingRows() const { return this->Trailing; }
-  /// How many of them a question has.
-  Eigen::Index TrailingCount(Periods periods) const;
-
-  /// Lower triangular L with T = L Lᵀ, the Schur complement on the trailing unknowns of a question.
-  Eigen::Ref<const Eigen::MatrixXd> TrailingFactor(Periods periods) const
+  /// Lower triangular L with L Lᵀ the Schur complement on the periods of a question; empty where the boundary is given.
+  Eigen::Ref<const Eigen::MatrixXd> PeriodFactor(Periods periods) const
   {
     const Eigen::Index count = this->TrailingCount(periods);
     return this->Factor->GetTrailingFactor().topLeftCorner(count, count);
   }
 
-  /// A solution that is half done: sources of the trailing unknowns may still be added.
-  struct Eliminated
+  /// ∇ᵀ: the sources of a potential from values x on the edges of holes, hole by hole and counter-clockwise. Vertex j joins
+  /// edges j and j + 1 of the hole's BoundaryLoop and has the source x_j − x_{j+1}; a hole's period has −x at the last edge of its
+  /// strip (docs/method.md §3.3).
+  const Eigen::SparseMatrix<double>& HoleSources() const { return this->Differences; }
+
+  /// What edges of holes do to each other through the potential.
+  struct HoleResponse
   {
-    DissectedCholesky::Eliminated forward;
-    Periods periods = Periods::Islands; ///< Of the question.
-    Eigen::MatrixXd trailing;           ///< The solution on the trailing unknowns, in their order.
-    Eigen::RowVectorXd sums;            ///< Of the sources at vertices,
-    Eigen::RowVectorXd sizes;           ///< and of their absolute values.
+    GramMatrix elastic; ///< S = ∇ K⁻¹ ∇ᵀ, a block per hole.
+    Eigen::MatrixXd
+      periods; ///< ∇ K⁻¹ E: what a unit source at each period of the question does to every edge.
   };
-
-  /// Solves for the trailing unknowns only. What is missing for the sources of a column at vertices
-  /// to add up to zero is taken by the ground until sources are added.
-  Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides, Periods periods) const;
-
-  /// The solution everywhere after sources, a row per trailing unknown, were added: half the work of
-  /// Solve, and the same requirement.
-  Eigen::MatrixXd Substitute(Eliminated eliminated, const Eigen::MatrixXd& addedSources) const;
+  /// Made when it is first asked for, so not in two threads at once. Where constants on holes do nothing, without periods around them, S is completed by
+  /// γ/m times the matrix of ones on every hole, γ the mean of the diagonal.
+  const HoleResponse& GetHoleResponse(Periods periods) const;
 
   /// Solves for any number of columns; the ground, or what is given, is 0 in the result. With a
   /// natural boundary the entries of a column at vertices must add up to zero, or there is no
@@ -125,14 +118,21 @@ public:
   const PotentialSolver& OfGivenBoundary() const;
 
 private:
+  /// How many unknowns that come last, periods, a question has.
+  Eigen::Index TrailingCount(Periods periods) const
+  {
+    return this->OnLoops == Boundary::Natural ? this->PeriodCount(periods) : 0;
+  }
+
   SharedTopology Topology;
   Eigen::Index VertexCount;
   Eigen::Index IslandCount;
   std::vector<LoopStrip> Strips;
   Boundary OnLoops;
-  std::vector<int> Trailing;
+  Eigen::SparseMatrix<double> Differences;
   std::unique_ptr<DissectedCholesky> Factor;
   mutable std::once_flag HasOther;
   mutable std::unique_ptr<const PotentialSolver> Other; ///< Of OfGivenBoundary.
+  mutable std::array<std::unique_ptr<const HoleResponse>, 2> Responses; ///< By Periods.
 };
 }

@@ -36,8 +36,9 @@ ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
   }
   const Eigen::MatrixXd root =
     Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
-  problem.matrix = root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size);
-  problem.load = problem.matrix * Eigen::Map<ComplexVector>(harmonic.data(), size);
+  problem.matrix = MatrixOn(problem.constraints,
+    root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size));
+  problem.load = problem.matrix * ComplexVector(Eigen::Map<ComplexVector>(harmonic.data(), size));
   return problem;
 }
 
@@ -103,12 +104,12 @@ KnownProblem RandomKnownProblem(Random& random, int holeCount, double margin)
 {
   KnownProblem known{ RandomProblem(random, holeCount, 0.0), {}, {} };
   ReducedProblem& problem = known.problem;
-  const Eigen::Index size = problem.matrix.rows();
+  const Eigen::Index size = problem.matrix.Rows();
   known.multipliers = Eigen::VectorXd::NullaryExpr(
     holeCount, [&] { return random.Uniform(0.5, 1.0) * (random.Integer(0, 1) == 0 ? 1 : -1); });
   const auto withMultipliers = [&]
   {
-    Eigen::MatrixXcd hessian = problem.matrix.cast<Complex>();
+    Eigen::MatrixXcd hessian = problem.matrix.Dense().cast<Complex>();
     for (int i = 0; i < holeCount; ++i)
     {
       hessian += known.multipliers[i] *
@@ -117,12 +118,12 @@ KnownProblem RandomKnownProblem(Random& random, int holeCount, double margin)
     return hessian;
   };
   // H(s λ) is S at s = 0 and indefinite for large s.
-  const Eigen::MatrixXcd added = withMultipliers() - problem.matrix.cast<Complex>();
+  const Eigen::MatrixXcd added = withMultipliers() - problem.matrix.Dense().cast<Complex>();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> spectrum(
-    added, problem.matrix.cast<Complex>(), Eigen::EigenvaluesOnly);
+    added, problem.matrix.Dense().cast<Complex>(), Eigen::EigenvaluesOnly);
   known.multipliers *= (1.0 - margin) / -spectrum.eigenvalues()[0];
   const Eigen::MatrixXcd hessian = withMultipliers();
-  known.x = problem.matrix.cast<Complex>().llt().solve(problem.load) +
+  known.x = problem.matrix.Dense().cast<Complex>().llt().solve(problem.load) +
     ComplexVector::NullaryExpr(size, [&] { return 0.3 * random.Square(); });
   problem.load = hessian * known.x;
   for (DegreeConstraint& constraint : problem.constraints)
@@ -194,7 +195,7 @@ TEST(ReducedProblem, WhereTheConstraintsHoldAlreadyTheHarmonicFieldStays)
 {
   Random random(33);
   const ReducedProblem problem = RandomProblem(random, 3, 0.0);
-  const ComplexVector harmonic = problem.matrix.llt().solve(problem.load);
+  const ComplexVector harmonic = problem.matrix.Dense().llt().solve(problem.load);
   const MinimiserResult held = SolveReduced(problem);
   EXPECT_TRUE(held.converged);
   EXPECT_EQ(held.iterations, 0);
@@ -216,7 +217,7 @@ TEST(ReducedProblem, FollowsRotationOfTheFieldAndScaleOfTheMatrix)
   ReducedProblem changed = problem;
   const Complex phase = random.UnitComplex();
   changed.load *= 1e6 * phase;
-  changed.matrix *= 1e6;
+  changed.matrix = MatrixOn(problem.constraints, 1e6 * problem.matrix.Dense());
   const MinimiserResult moved = SolveReduced(changed);
   ASSERT_TRUE(moved.converged);
   EXPECT_EQ(moved.iterations, solution.iterations);

@@ -34,7 +34,8 @@ ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
   }
   const Eigen::MatrixXd root =
     Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
-  problem.matrix = root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size);
+  problem.matrix = MatrixOn(problem.constraints,
+    root * root.transpose() / size + 0.5 * Eigen::MatrixXd::Identity(size, size));
   ComplexVector harmonic = Eigen::Map<ComplexVector>(turning.data(), size);
   for (Complex& value : harmonic)
   {
@@ -75,7 +76,7 @@ TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.8);
-    ComplexVector start = problem.matrix.llt().solve(problem.load);
+    ComplexVector start = problem.matrix.Dense().llt().solve(problem.load);
     for (Complex& value : start)
     {
       value += 0.5 * random.Square();

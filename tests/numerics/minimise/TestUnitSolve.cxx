@@ -1,3 +1,4 @@
+#include "DirectPerforatedSolve.h"
 #include "ReducedProblem.h"
 #include "Support.h"
 #include "UnitSolve.h"
@@ -28,7 +29,7 @@ ReducedProblem RandomProblem(Random& random, int holeCount)
   const int size = Edges * holeCount;
   const Eigen::MatrixXd root =
     Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.Uniform(-1.0, 1.0); });
-  problem.matrix = root * root.transpose();
+  problem.matrix = MatrixOn(problem.constraints, root * root.transpose());
   const double scale = std::pow(10.0, random.Uniform(-2.0, 1.0));
   problem.load = ComplexVector::NullaryExpr(size, [&] { return scale * random.Square(); });
   return problem;
@@ -43,6 +44,7 @@ struct Torus
   explicit Torus(const ReducedProblem& problem)
   {
     const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
+    const Eigen::MatrixXd dense = problem.matrix.Dense();
     this->matrix = Eigen::MatrixXcd::Zero(holes, holes);
     this->load = ComplexVector::Zero(holes);
     for (Eigen::Index a = 0; a < holes; ++a)
@@ -57,7 +59,7 @@ struct Torus
           for (std::size_t j = 0; j < column.unknowns.size(); ++j)
           {
             this->matrix(a, b) += std::conj(row.turning[i]) *
-              problem.matrix(row.unknowns[i], column.unknowns[j]) * column.turning[j];
+              dense(row.unknowns[i], column.unknowns[j]) * column.turning[j];
           }
         }
       }

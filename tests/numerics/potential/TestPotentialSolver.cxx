@@ -134,10 +134,7 @@ TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
       EXPECT_NEAR(sources[row], 0.0, 1e-11);
     }
   }
-  // The hole vertices alone are last.
-  EXPECT_EQ(solver.TrailingRows().size(), 24u);
-  EXPECT_EQ(solver.TrailingCount(Everywhere), 24);
-  EXPECT_EQ(solver.TrailingCount(Islands), 24);
+  EXPECT_EQ(solver.PeriodFactor(Everywhere).size(), 0);
 }
 
 TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)
@@ -214,47 +211,91 @@ TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
   EXPECT_LE(residual.lpNorm<Eigen::Infinity>(), 1e-10);
 }
 
-TEST(PotentialSolver, TrailingFactorBelongsToTheSchurComplement)
+TEST(PotentialSolver, PeriodFactorBelongsToTheSchurComplement)
 {
-  // Unit forces on trailing unknowns, the ground taking what is missing: T⁻¹ is what they do there.
-  // Without periods around holes these are held at zero.
-  for (const PlanarDomain& domain : { Plain(), WithIslands() })
+  // Unit sources at the periods: the inverse of the Schur complement is what they do there.
+  const Prepared prepared(WithIslands());
+  for (const auto periods : { Islands, Everywhere })
   {
-    const Prepared prepared(domain);
-    for (const auto periods : { Islands, Everywhere })
-    {
-      const std::vector<int>& trailing = prepared.solver.TrailingRows();
-      const Eigen::Index count = prepared.solver.TrailingCount(periods);
-      EXPECT_EQ(count, Eigen::Index(trailing.size()) - (periods == Islands ? 2 : 0));
-      Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(prepared.solver.Rows(), count);
-      for (Eigen::Index i = 0; i < count; ++i)
-      {
-        forces(trailing[i], i) = 1.0;
-      }
-      const Eigen::MatrixXd inverse = prepared.solver.Eliminate(forces, periods).trailing;
-      const Eigen::MatrixXd lower = prepared.solver.TrailingFactor(periods);
-      const Eigen::MatrixXd identity = lower * (lower.transpose() * inverse);
-      EXPECT_LE((identity - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-9);
-    }
+    const Eigen::Index count = prepared.solver.PeriodCount(periods);
+    EXPECT_EQ(count, periods == Islands ? 2 : 4);
+    Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(prepared.solver.Rows(), count);
+    sources.middleRows(prepared.solver.PeriodRow(0), count).setIdentity();
+    const Eigen::MatrixXd inverse =
+      prepared.solver.Solve(sources, periods).middleRows(prepared.solver.PeriodRow(0), count);
+    const Eigen::MatrixXd lower = prepared.solver.PeriodFactor(periods);
+    const Eigen::MatrixXd identity = lower * (lower.transpose() * inverse);
+    EXPECT_LE((identity - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-10);
   }
 }
 
-TEST(PotentialSolver, TrailingRowsFollowTheHoles)
+TEST(PotentialSolver, HoleSourcesAreTheDifferencesAroundHoles)
 {
   const Prepared prepared(WithIslands());
-  std::size_t row = 0;
+  const Eigen::SparseMatrix<double>& sources = prepared.solver.HoleSources();
+  Eigen::Index column = 0;
+  Eigen::Index period = 2;
   for (const BoundaryLoop& loop : prepared.loops)
   {
-    for (std::size_t j = 0; loop.kind == BoundaryKind::Hole && j < loop.edges.size(); ++j)
+    const auto size = static_cast<Eigen::Index>(loop.edges.size());
+    Eigen::Index last = 0;
+    for (Eigen::Index j = 0; loop.kind == BoundaryKind::Hole && j < size; ++j)
     {
       // Vertex j joins edges j and j + 1.
-      const int vertex = prepared.solver.TrailingRows()[row++];
-      const auto& after = prepared.mesh.boundary[loop.edges[(j + 1) % loop.edges.size()]].vertices;
-      EXPECT_EQ(vertex, prepared.mesh.boundary[loop.edges[j]].vertices[0]);
-      EXPECT_EQ(vertex, after[1]);
+      const auto& edge = prepared.mesh.boundary[loop.edges[j]].vertices;
+      EXPECT_EQ(edge[0], prepared.mesh.boundary[loop.edges[(j + 1) % size]].vertices[1]);
+      EXPECT_EQ(sources.coeff(edge[0], column + j), 1.0);
+      EXPECT_EQ(sources.coeff(edge[0], column + (j + 1) % size), -1.0);
+      last += sources.coeff(prepared.solver.PeriodRow(period), column + j) == -1.0 ? 1 : 0;
+    }
+    if (loop.kind == BoundaryKind::Hole)
+    {
+      EXPECT_EQ(last, 1);
+      column += size;
+      ++period;
     }
   }
-  EXPECT_EQ(prepared.solver.TrailingRows().size(), row + 4) << "two islands, two holes";
+  EXPECT_EQ(sources.cols(), column);
+  EXPECT_EQ(sources.nonZeros(), 2 * column + 2);
+}
+
+TEST(PotentialSolver, HoleResponseIsWhatSourcesOnHolesDo)
+{
+  for (const auto boundary :
+    { PotentialSolver::Boundary::Natural, PotentialSolver::Boundary::Given })
+  {
+    for (const PlanarDomain& domain : { Plain(), WithIslands() })
+    {
+      for (const auto periods : { Islands, Everywhere })
+      {
+        const Prepared prepared(domain, boundary);
+        const PotentialSolver& solver = prepared.solver;
+        const Eigen::MatrixXd sources = solver.HoleSources();
+        Eigen::MatrixXd expected = sources.transpose() * solver.Solve(sources, periods);
+        const PotentialSolver::HoleResponse& response = solver.GetHoleResponse(periods);
+        ASSERT_EQ(response.elastic.BlockCount(), 2);
+        if (periods == Islands || boundary == PotentialSolver::Boundary::Given)
+        {
+          const double mean = expected.diagonal().mean();
+          expected.topLeftCorner(12, 12).array() += mean / 12.0;
+          expected.bottomRightCorner(12, 12).array() += mean / 12.0;
+        }
+        EXPECT_LE((response.elastic.Dense() - expected).norm(), 1e-11 * expected.norm());
+
+        Eigen::MatrixXd atPeriods = Eigen::MatrixXd::Zero(solver.Rows(),
+          boundary == PotentialSolver::Boundary::Natural ? solver.PeriodCount(periods) : 0);
+        atPeriods.middleRows(solver.PeriodRow(0), atPeriods.cols()).setIdentity();
+        ASSERT_EQ(response.periods.cols(), atPeriods.cols());
+        if (atPeriods.cols() == 0)
+        {
+          continue;
+        }
+        EXPECT_LE(
+          (response.periods - sources.transpose() * solver.Solve(atPeriods, periods)).norm(),
+          1e-11);
+      }
+    }
+  }
 }
 
 TEST(PotentialSolver, RefusesSourcesWithASum)
