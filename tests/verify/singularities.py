@@ -72,6 +72,21 @@ def find(mesh, field, indices, boundary):
     return found
 
 
+def give_to_boundary(data, mesh, boundary, found):
+    """A singularity of the boundary that shows in triangles beside its vertex is one of the boundary; the file says where they are."""
+    for x, y, z, quarter in data.field.get("PointSingularities", np.zeros((0, 4))):
+        distance = np.linalg.norm(data.points[boundary.vertex] - [x, y, z], axis=1)
+        vertex = boundary.vertex[distance.argmin()]
+        if distance.min() > mesh.frame.exactness * mesh.frame.size:
+            continue
+        touching = (mesh.triangles == vertex).any(axis=1)
+        reach = 2.0 * np.linalg.norm(mesh.points[mesh.triangles[touching]] - mesh.points[vertex], axis=2).max()
+        for singularity in found:
+            if (singularity.quarter == quarter and
+                    np.linalg.norm(singularity.position - mesh.points[vertex]) <= reach):
+                singularity.inside = False
+
+
 def beyond_circles(mesh, found):
     """Σ |k| of what the imprinted circles, with an edge around them, did not ask for."""
     appeared = 0

@@ -134,12 +134,12 @@ def _verify_h(data, mesh, field, boundary, indices, loops, degrees, found, repor
         singular.check_reached(data, mesh, loops, degrees, False, report)
         singular.check_unwanted(data, mesh, indices, boundary, chosen, found, report)
         return
+    singular.give_to_boundary(data, mesh, boundary, found)
     hfield.check_at_points(data, mesh, field, boundary, found, chosen, report)
     if data.value("UnwantedSingularities") == 0:
         report.equal("GivenInteriorQuarters: the singularities inside",
                      data.value("GivenInteriorQuarters"), sum(s.quarter for s in found if s.inside))
-    report.note("Energy and RenormalizedEnergy need the places and radii of the singularities, which "
-                "the file does not list: not recomputed")
+    report.note("Energy and RenormalizedEnergy need a potential of their own: not recomputed")
 
 
 def files_of(names):
