@@ -169,6 +169,7 @@ Eigen::MatrixXd GramMatrix::Dense() const
 GramMatrix GramMatrix::Congruence(const std::vector<Eigen::MatrixXd>& ofBlocks) const
 {
   std::vector<Eigen::Index> sizes;
+  sizes.reserve(ofBlocks.size());
   for (const Eigen::MatrixXd& columns : ofBlocks)
   {
     sizes.push_back(columns.cols());
