@@ -41,10 +41,27 @@ public:
   /// Back substitution: A⁻¹ b, 0 for unknowns left out. Throws Error when it is not finite.
   Eigen::MatrixXd Substitute(const Eliminated& eliminated) const;
 
-  /// L⁻¹ B for every B of some with few entries, supernode by supernode: their columns are the blocks of the nodes. The last node
-  /// is that of the border, with all blocks; its last rows belong to the trailing unknowns. Rows of B are those of the matrix.
-  std::vector<GramNode> EliminateSparse(
-    const std::vector<Eigen::SparseMatrix<double>>& blocks) const;
+  /// V = L⁻¹ B for every B of some with few entries, supernode by supernode: their columns are the blocks of the nodes.
+  struct SparseEliminated
+  {
+    /// Where the first row of a node is: in a half, or, 2, in the border.
+    struct Place
+    {
+      std::size_t part;
+      Eigen::Index first;
+    };
+    std::vector<Eigen::Index> firsts; ///< First column of every block, and the number of columns.
+    std::vector<GramNode> nodes;      ///< The last one is that of the border, with all blocks.
+    std::vector<Place> places;        ///< Of the nodes.
+
+    /// Vᵀ y.
+    Eigen::MatrixXd Against(const Eliminated& eliminated) const;
+    /// y + V x.
+    void AddTo(Eliminated& eliminated, const Eigen::MatrixXd& x) const;
+  };
+
+  /// Rows of B are those of the matrix.
+  SparseEliminated EliminateSparse(const std::vector<Eigen::SparseMatrix<double>>& blocks) const;
 
   /// Lower triangular L_tt of the trailing unknowns: L_tt L_ttᵀ is the Schur complement on them.
   const Eigen::MatrixXd& GetTrailingFactor() const { return this->TrailingFactor; }

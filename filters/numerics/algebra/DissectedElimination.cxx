@@ -11,7 +11,58 @@
 
 namespace crossfield
 {
-std::vector<GramNode> DissectedCholesky::EliminateSparse(
+namespace
+{
+/// The rows of a node, in what is eliminated.
+template <typename Parts>
+auto RowsAt(
+  Parts& parts, const DissectedCholesky::SparseEliminated::Place& place, Eigen::Index count)
+{
+  auto& part = place.part < 2 ? parts.halves[place.part] : parts.border;
+  return part.middleRows(place.first, count);
+}
+}
+
+Eigen::MatrixXd DissectedCholesky::SparseEliminated::Against(const Eliminated& eliminated) const
+{
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(this->firsts.back(), eliminated.border.cols());
+  for (std::size_t i = 0; i < this->nodes.size(); ++i)
+  {
+    const GramNode& node = this->nodes[i];
+    const Eigen::MatrixXd part =
+      AdjointProduct(node.rows, RowsAt(eliminated, this->places[i], node.rows.rows()));
+    Eigen::Index row = 0;
+    for (const int block : node.blocks)
+    {
+      const Eigen::Index first = this->firsts[static_cast<std::size_t>(block)];
+      const Eigen::Index size = this->firsts[static_cast<std::size_t>(block) + 1] - first;
+      sums.middleRows(first, size) += part.middleRows(row, size);
+      row += size;
+    }
+  }
+  return sums;
+}
+
+void DissectedCholesky::SparseEliminated::AddTo(
+  Eliminated& eliminated, const Eigen::MatrixXd& x) const
+{
+  for (std::size_t i = 0; i < this->nodes.size(); ++i)
+  {
+    const GramNode& node = this->nodes[i];
+    Eigen::MatrixXd ofNode(node.rows.cols(), x.cols());
+    Eigen::Index row = 0;
+    for (const int block : node.blocks)
+    {
+      const Eigen::Index first = this->firsts[static_cast<std::size_t>(block)];
+      const Eigen::Index size = this->firsts[static_cast<std::size_t>(block) + 1] - first;
+      ofNode.middleRows(row, size) = x.middleRows(first, size);
+      row += size;
+    }
+    RowsAt(eliminated, this->places[i], node.rows.rows()) += DenseProduct(node.rows, ofNode);
+  }
+}
+
+DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
   const std::vector<Eigen::SparseMatrix<double>>& blocks) const
 {
   std::vector<Eigen::Index> firsts = { 0 };
@@ -25,6 +76,7 @@ std::vector<GramNode> DissectedCholesky::EliminateSparse(
     "What " + std::to_string(firsts.back()) + " edges of holes feel on the cut through the mesh",
     "use a larger mesh size, fewer holes or fewer edges on them");
   std::array<std::vector<GramNode>, 2> ofHalves;
+  std::array<std::vector<SparseEliminated::Place>, 2> placesInHalves;
   std::array<Eigen::MatrixXd, 2> ofBorder;
   ForBothHalves(true,
     [&](std::size_t h)
@@ -100,6 +152,7 @@ std::vector<GramNode> DissectedCholesky::EliminateSparse(
           column += values.cols();
         }
         ofHalves[h].push_back(std::move(node));
+        placesInHalves[h].push_back({ h, first });
         members.clear();
       }
       ofBorder[h] = DenseProduct(half.borderFactor, atBorder);
@@ -138,9 +191,14 @@ std::vector<GramNode> DissectedCholesky::EliminateSparse(
     }
   }
   SolveLowerInPlace(this->BorderFactor.GetLower(), border.rows);
-  std::vector<GramNode> nodes = std::move(ofHalves[0]);
-  std::move(ofHalves[1].begin(), ofHalves[1].end(), std::back_inserter(nodes));
-  nodes.push_back(std::move(border));
-  return nodes;
+  SparseEliminated result;
+  result.firsts = std::move(firsts);
+  result.nodes = std::move(ofHalves[0]);
+  std::move(ofHalves[1].begin(), ofHalves[1].end(), std::back_inserter(result.nodes));
+  result.nodes.push_back(std::move(border));
+  result.places = std::move(placesInHalves[0]);
+  result.places.insert(result.places.end(), placesInHalves[1].begin(), placesInHalves[1].end());
+  result.places.push_back({ 2, 0 });
+  return result;
 }
 }

@@ -30,8 +30,8 @@ public:
 
 private:
   const PotentialProblem& Problem;
-  PotentialSolver::Periods Periods; ///< With those of holes, constants on holes count.
-  std::vector<int> HoleEdges;       ///< Edge numbers, hole by hole, counter-clockwise.
-  Eigen::MatrixXd Aligned;          ///< The sources of the aligned loops, columns Re and Im.
+  PotentialSolver::Periods Periods;    ///< With those of holes, constants on holes count.
+  std::vector<int> HoleEdges;          ///< Edge numbers, hole by hole, counter-clockwise.
+  PotentialSolver::Eliminated Aligned; ///< Of the sources of aligned loops, columns Re and Im.
 };
 }

@@ -28,11 +28,10 @@ Eigen::VectorXd TurnsOfHoles(const PotentialSolver& potential, double factor)
 Eigen::VectorXd SolveConstantOnHoles(const PotentialSolver& potential,
   const Eigen::VectorXd& sources, PotentialSolver::Periods periods)
 {
-  const Eigen::SparseMatrix<double>& differences = potential.HoleSources();
-  const Eigen::VectorXd free = potential.Solve(sources, periods);
-  const Eigen::VectorXd forces =
-    SolveGram(potential.GetHoleResponse(periods).elastic, -(differences.transpose() * free));
-  return potential.Solve(sources + differences * forces, periods);
+  PotentialSolver::Eliminated eliminated = potential.Eliminate(sources, periods);
+  potential.AddOnHoles(eliminated,
+    SolveGram(potential.GetHoleResponse(periods).elastic, -potential.OnHoles(eliminated)), periods);
+  return potential.Substitute(eliminated);
 }
 
 double AlignedDifference(
@@ -78,14 +77,13 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
   constexpr auto Islands = PotentialSolver::Periods::Islands;
   const Eigen::Index periods = potential.PeriodCount(Islands);
 
-  const Eigen::SparseMatrix<double>& differences = potential.HoleSources();
   const PotentialSolver::HoleResponse& response = potential.GetHoleResponse(Islands);
 
   // 1. The potential with the sources of each hole spread over its vertices, and what has to be added to them so that
   //    it is constant there: differences of values x on its edges, which have no sum.
-  Eigen::VectorXd load = sources.atRows + TurnsOfHoles(potential, -1.0);
-  const Eigen::VectorXd free = potential.Solve(load, Islands);
-  Eigen::VectorXd values = SolveGram(response.elastic, -(differences.transpose() * free));
+  PotentialSolver::Eliminated load =
+    potential.Eliminate(sources.atRows + TurnsOfHoles(potential, -1.0), Islands);
+  Eigen::VectorXd values = SolveGram(response.elastic, -potential.OnHoles(load));
 
   // 2. Single-valued first: what phase difference would the periods' equations carry?
   AlignedPotential result;
@@ -97,7 +95,7 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
     const Eigen::MatrixXd inverse = DenseCholesky<double>(lower * lower.transpose()).Inverse() -
       response.periods.transpose() * onHoles;
     const Eigen::VectorXd grown =
-      free.segment(potential.PeriodRow(0), periods) + response.periods.transpose() * values;
+      potential.AtPeriods(load, Islands) + response.periods.transpose() * values;
     const Eigen::VectorXd carried = -inverse.llt().solve(grown);
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
@@ -106,12 +104,13 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
       result.holonomyDefect.push_back(defects[k]);
     }
     result.carriedPhase = carried + NearestOffsets(defects, inverse);
-    load.segment(potential.PeriodRow(0), periods) += result.carriedPhase;
+    potential.AddAtPeriods(load, result.carriedPhase, Islands);
     values -= onHoles * result.carriedPhase;
   }
 
   // 3. The potential.
-  result.solution = potential.Solve(load + differences * values, Islands);
+  potential.AddOnHoles(load, values, Islands);
+  result.solution = potential.Substitute(load);
   result.gradient = potential.Gradient(result.solution);
   result.energy = GradientEnergy(problem.Topology().mesh, result.gradient);
   return result;

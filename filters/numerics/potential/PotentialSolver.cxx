@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -143,6 +144,27 @@ PotentialSolver::PotentialSolver(
     std::make_unique<DissectedCholesky>(matrix, places, trailing, leftOut, progress.Part(0.1, 1.0));
 }
 
+const DissectedCholesky::SparseEliminated& PotentialSolver::EliminatedHoles() const
+{
+  if (!this->Holes)
+  {
+    std::vector<Eigen::SparseMatrix<double>> blocks;
+    Eigen::Index first = 0;
+    for (const BoundaryLoop& loop : this->Topology->loops)
+    {
+      if (loop.kind == BoundaryKind::Hole)
+      {
+        const auto size = static_cast<Eigen::Index>(loop.edges.size());
+        blocks.emplace_back(this->Differences.middleCols(first, size));
+        first += size;
+      }
+    }
+    this->Holes = std::make_unique<const DissectedCholesky::SparseEliminated>(
+      this->Factor->EliminateSparse(blocks));
+  }
+  return *this->Holes;
+}
+
 const PotentialSolver::HoleResponse& PotentialSolver::GetHoleResponse(Periods periods) const
 {
   std::unique_ptr<const HoleResponse>& kept = this->Responses[periods == Periods::Islands ? 0 : 1];
@@ -150,23 +172,15 @@ const PotentialSolver::HoleResponse& PotentialSolver::GetHoleResponse(Periods pe
   {
     return *kept;
   }
-  std::vector<Eigen::Index> sizes;
-  std::vector<Eigen::SparseMatrix<double>> blocks;
-  Eigen::Index first = 0;
-  for (const BoundaryLoop& loop : this->Topology->loops)
-  {
-    if (loop.kind == BoundaryKind::Hole)
-    {
-      sizes.push_back(static_cast<Eigen::Index>(loop.edges.size()));
-      blocks.emplace_back(this->Differences.middleCols(first, sizes.back()));
-      first += sizes.back();
-    }
-  }
   HoleResponse response;
-  if (!blocks.empty())
+  if (this->Differences.cols() > 0)
   {
-    std::vector<GramNode> nodes = this->Factor->EliminateSparse(blocks);
+    const DissectedCholesky::SparseEliminated& holes = this->EliminatedHoles();
+    std::vector<Eigen::Index> sizes(holes.firsts.size());
+    std::adjacent_difference(holes.firsts.begin(), holes.firsts.end(), sizes.begin());
+    sizes.erase(sizes.begin());
     // The last rows are the periods; those that the question does not have are held at zero.
+    std::vector<GramNode> nodes = holes.nodes;
     Eigen::MatrixXd& border = nodes.back().rows;
     const Eigen::Index without =
       this->Factor->GetTrailingFactor().rows() - this->TrailingCount(periods);
@@ -193,29 +207,60 @@ const PotentialSolver::HoleResponse& PotentialSolver::GetHoleResponse(Periods pe
   return *kept;
 }
 
-Eigen::MatrixXd PotentialSolver::Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const
+PotentialSolver::Eliminated PotentialSolver::Eliminate(
+  const Eigen::MatrixXd& rightHandSides, Periods periods) const
 {
   // A given boundary takes whatever is missing.
-  const auto sources = rightHandSides.topRows(this->VertexCount);
+  const auto atVertices = rightHandSides.topRows(this->VertexCount);
   for (Eigen::Index column = 0;
        this->OnLoops == Boundary::Natural && column < rightHandSides.cols(); ++column)
   {
-    const double sum = sources.col(column).sum();
+    const double sum = atVertices.col(column).sum();
     // Sums of n terms in floating point are off by at most n ε times the sum of their sizes.
     const double rounding = static_cast<double>(this->VertexCount) *
-      std::numeric_limits<double>::epsilon() * sources.col(column).lpNorm<1>();
+      std::numeric_limits<double>::epsilon() * atVertices.col(column).lpNorm<1>();
     if (!(std::abs(sum) <= rounding))
     {
       throw Error("The sources of the potential add up to " + std::to_string(sum) +
         " instead of zero, so it has no solution; the quarter indices violate Poincaré-Hopf.");
     }
   }
-  DissectedCholesky::Eliminated eliminated = this->Factor->Eliminate(rightHandSides);
-  // Zero here is zero after back substitution: the periods that the question does not have.
-  eliminated.border
-    .bottomRows(this->Factor->GetTrailingFactor().rows() - this->TrailingCount(periods))
+  Eliminated sources = this->Factor->Eliminate(rightHandSides);
+  this->LeaveOutPeriods(sources, periods);
+  return sources;
+}
+
+void PotentialSolver::LeaveOutPeriods(Eliminated& sources, Periods periods) const
+{
+  sources.border.bottomRows(this->Factor->GetTrailingFactor().rows() - this->TrailingCount(periods))
     .setZero();
-  return this->Factor->Substitute(eliminated);
+}
+
+Eigen::MatrixXd PotentialSolver::OnHoles(const Eliminated& sources) const
+{
+  return this->EliminatedHoles().Against(sources);
+}
+
+void PotentialSolver::AddOnHoles(
+  Eliminated& sources, const Eigen::MatrixXd& x, Periods periods) const
+{
+  this->EliminatedHoles().AddTo(sources, x);
+  this->LeaveOutPeriods(sources, periods);
+}
+
+Eigen::MatrixXd PotentialSolver::AtPeriods(const Eliminated& sources, Periods periods) const
+{
+  const Eigen::Index all = this->Factor->GetTrailingFactor().rows();
+  return this->PeriodFactor(periods).transpose().triangularView<Eigen::Upper>().solve(
+    sources.border.middleRows(sources.border.rows() - all, this->TrailingCount(periods)));
+}
+
+void PotentialSolver::AddAtPeriods(
+  Eliminated& sources, const Eigen::MatrixXd& atPeriods, Periods periods) const
+{
+  const Eigen::Index all = this->Factor->GetTrailingFactor().rows();
+  sources.border.middleRows(sources.border.rows() - all, this->TrailingCount(periods)) +=
+    this->PeriodFactor(periods).triangularView<Eigen::Lower>().solve(atPeriods);
 }
 
 Eigen::MatrixXd PotentialSolver::Gradient(const Eigen::MatrixXd& solutions) const

@@ -105,7 +105,27 @@ public:
   /// Solves for any number of columns; the ground, or what is given, is 0 in the result. With a
   /// natural boundary the entries of a column at vertices must add up to zero, or there is no
   /// solution: throws Error with their sum.
-  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const;
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& rightHandSides, Periods periods) const
+  {
+    return this->Substitute(this->Eliminate(rightHandSides, periods));
+  }
+
+  /// The two halves of Solve. In between it is known what the sources do on holes and at periods, without the second half, and
+  /// sources there can be added, without the first.
+  using Eliminated = DissectedCholesky::Eliminated;
+  Eliminated Eliminate(const Eigen::MatrixXd& rightHandSides, Periods periods) const;
+  Eigen::MatrixXd Substitute(const Eliminated& sources) const
+  {
+    return this->Factor->Substitute(sources);
+  }
+  /// ∇Ψ on all edges of holes.
+  Eigen::MatrixXd OnHoles(const Eliminated& sources) const;
+  /// Ψ's periods, those of the question.
+  Eigen::MatrixXd AtPeriods(const Eliminated& sources, Periods periods) const;
+  /// Adds ∇ᵀx.
+  void AddOnHoles(Eliminated& sources, const Eigen::MatrixXd& x, Periods periods) const;
+  /// Adds sources at the periods of the question.
+  void AddAtPeriods(Eliminated& sources, const Eigen::MatrixXd& atPeriods, Periods periods) const;
 
   /// Gradient ∇Ψ + Σ q_k ∇η_k on every triangle: a column per triangle, two rows per column of the
   /// solution.
@@ -124,6 +144,11 @@ private:
     return this->OnLoops == Boundary::Natural ? this->PeriodCount(periods) : 0;
   }
 
+  /// L⁻¹ ∇ᵀ. Made when it is first asked for.
+  const DissectedCholesky::SparseEliminated& EliminatedHoles() const;
+  /// Zero here is zero after back substitution: periods that the question does not have.
+  void LeaveOutPeriods(Eliminated& sources, Periods periods) const;
+
   SharedTopology Topology;
   Eigen::Index VertexCount;
   Eigen::Index IslandCount;
@@ -133,6 +158,7 @@ private:
   std::unique_ptr<DissectedCholesky> Factor;
   mutable std::once_flag HasOther;
   mutable std::unique_ptr<const PotentialSolver> Other; ///< Of OfGivenBoundary.
+  mutable std::unique_ptr<const DissectedCholesky::SparseEliminated> Holes;
   mutable std::array<std::unique_ptr<const HoleResponse>, 2> Responses; ///< By Periods.
 };
 }
