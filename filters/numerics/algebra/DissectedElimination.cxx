@@ -125,8 +125,11 @@ DissectedCholesky::SparseEliminated DissectedCholesky::EliminateSparse(
         {
           const auto inside = std::clamp<Eigen::Index>(inner - rows.first, 0, rows.values.rows());
           const Eigen::Index outside = rows.values.rows() - inside;
-          atBorder.block(rows.first + inside - inner, firsts[block], outside, rows.values.cols()) =
-            rows.values.bottomRows(outside);
+          if (outside > 0)
+          {
+            atBorder.block(rows.first + inside - inner, firsts[block], outside,
+              rows.values.cols()) = rows.values.bottomRows(outside);
+          }
           if (inside > 0)
           {
             nodes[rows.first].emplace_back(

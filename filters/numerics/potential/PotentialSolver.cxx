@@ -173,6 +173,7 @@ const PotentialSolver::HoleResponse& PotentialSolver::GetHoleResponse(Periods pe
     return *kept;
   }
   HoleResponse response;
+  response.periods.resize(0, this->TrailingCount(periods));
   if (this->Differences.cols() > 0)
   {
     const DissectedCholesky::SparseEliminated& holes = this->EliminatedHoles();
