@@ -21,7 +21,7 @@ PerforatedEnergy ComputePerforatedEnergy(
   result.alignedLower = linear.energy;
   result.holonomyDefect = linear.holonomyDefect;
 
-  const PotentialSolver given(topology, PotentialSolver::Boundary::Given);
+  const PotentialSolver& given = problem.potential->OfGivenBoundary();
   const EdgePhases linearPhases = LinearEdgePhases(problem);
   ConformingPhase phase(*problem.potential, linearPhases.end - linearPhases.start);
   if (topology->LoopCount(BoundaryKind::Inner) > 0)

@@ -203,13 +203,6 @@ double PointPotential::StripTurn(
   return -(turn + log.Turn(here, ends[1]));
 }
 
-const EdgePotential& PointPotential::OnEdges() const
-{
-  std::call_once(this->HasEdges,
-    [this] { this->Edges = std::make_unique<const EdgePotential>(*this->Problem.potential); });
-  return *this->Edges;
-}
-
 Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const
 {
   Eigen::VectorXd regular = this->Problem.potential->Solve(sources, Islands);

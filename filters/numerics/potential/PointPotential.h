@@ -1,12 +1,8 @@
 #pragma once
 
 #include "AlignedSources.h"
-#include "EdgePotential.h"
 #include "LogSource.h"
 #include "Singularity.h"
-
-#include <memory>
-#include <mutex>
 
 namespace crossfield
 {
@@ -76,8 +72,6 @@ public:
   const Eigen::MatrixXd& GetPeriodBasis() const { return this->PeriodBasis; }
   /// Midpoints of the boundary edges between which strip k carries the phase.
   std::array<Point, 2> StripEnds(Eigen::Index k) const;
-  /// The same Laplacian for potentials with a value per edge, made when it is first asked for.
-  const EdgePotential& OnEdges() const;
 
 private:
   /// Finds the logarithms of the boundary.
@@ -101,7 +95,5 @@ private:
   Eigen::VectorXd Sources; ///< Of R, before the singularities inside.
   Eigen::MatrixXd PeriodBasis;
   Eigen::MatrixXd PeriodInverse; ///< Of the Schur complement on the periods.
-  mutable std::once_flag HasEdges;
-  mutable std::unique_ptr<const EdgePotential> Edges;
 };
 }

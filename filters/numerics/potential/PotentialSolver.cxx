@@ -1,5 +1,6 @@
 #include "PotentialSolver.h"
 
+#include "EdgePotential.h"
 #include "Error.h"
 #include "P1Laplacian.h"
 
@@ -333,6 +334,15 @@ Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
     }
   }
   return sources;
+}
+
+PotentialSolver::~PotentialSolver() = default;
+
+const EdgePotential& PotentialSolver::OnEdges() const
+{
+  std::call_once(
+    this->HasEdges, [this] { this->Edges = std::make_unique<const EdgePotential>(*this); });
+  return *this->Edges;
 }
 
 const PotentialSolver& PotentialSolver::OfGivenBoundary() const

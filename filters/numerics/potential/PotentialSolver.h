@@ -14,6 +14,7 @@
 
 namespace crossfield
 {
+class EdgePotential;
 
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
 /// constrained field and everything derived from a potential (docs/method.md §2.3).
@@ -62,6 +63,10 @@ public:
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   explicit PotentialSolver(
     SharedTopology topology, Boundary boundary = Boundary::Natural, const Progress& progress = {});
+
+  ~PotentialSolver();
+  PotentialSolver(const PotentialSolver&) = delete;
+  PotentialSolver& operator=(const PotentialSolver&) = delete;
 
   const MeshTopology& GetTopology() const { return *this->Topology; }
   const SharedTopology& ShareTopology() const { return this->Topology; }
@@ -137,6 +142,9 @@ public:
   /// The same Laplacian with the boundary given, factored when it is first asked for: energies take it, fields do not.
   const PotentialSolver& OfGivenBoundary() const;
 
+  /// The same Laplacian for potentials with a value per edge, of a natural boundary; made when it is first asked for.
+  const EdgePotential& OnEdges() const;
+
 private:
   /// How many unknowns that come last, periods, a question has.
   Eigen::Index TrailingCount(Periods periods) const
@@ -158,6 +166,8 @@ private:
   std::unique_ptr<DissectedCholesky> Factor;
   mutable std::once_flag HasOther;
   mutable std::unique_ptr<const PotentialSolver> Other; ///< Of OfGivenBoundary.
+  mutable std::once_flag HasEdges;
+  mutable std::unique_ptr<const EdgePotential> Edges;
   mutable std::unique_ptr<const DissectedCholesky::SparseEliminated> Holes;
   mutable std::array<std::unique_ptr<const HoleResponse>, 2> Responses; ///< By Periods.
 };

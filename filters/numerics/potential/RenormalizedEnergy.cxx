@@ -1,5 +1,7 @@
 #include "RenormalizedEnergy.h"
 
+#include "EdgePotential.h"
+
 #include <Eigen/LU>
 
 #include <cmath>
@@ -43,7 +45,7 @@ Eigen::VectorXd SolveOnEdges(const PointPotential& potential, const std::vector<
   {
     fluxes[static_cast<Eigen::Index>(h / 2)] += potential.GetHalves()[h].growth - flows[h].flux;
   }
-  return potential.OnEdges().Solve(fluxes);
+  return potential.GetProblem().potential->OnEdges().Solve(fluxes);
 }
 }
 
