@@ -36,13 +36,18 @@ std::vector<SizeSource> SmallAt(
   return sources;
 }
 
-/// Options with edges small enough at each singularity.
+/// Options with edges small enough at each singularity of each configuration.
 DrillOptions RefineAt(
-  const Configuration& configuration, const PlanarDomain& domain, double meshSize)
+  const std::vector<Configuration>& configurations, const PlanarDomain& domain, double meshSize)
 {
   DrillOptions options;
   options.meshSize = meshSize;
-  options.refinements = SmallAt(configuration, domain, ResolveMeshSize(options, domain));
+  const double size = ResolveMeshSize(options, domain);
+  for (const Configuration& configuration : configurations)
+  {
+    const std::vector<SizeSource> sources = SmallAt(configuration, domain, size);
+    options.refinements.insert(options.refinements.end(), sources.begin(), sources.end());
+  }
   return options;
 }
 }
@@ -50,14 +55,13 @@ DrillOptions RefineAt(
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize, const Progress& progress)
 {
-  return DrillHoles(InsertBoundarySingularities(domain, configuration), {},
-    RefineAt(configuration, domain, meshSize), progress);
+  return MeshForAll(domain, { configuration }, meshSize, progress);
 }
 
 TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize, const Progress& progress)
 {
-  DrillOptions options = RefineAt(configuration, domain, meshSize);
+  DrillOptions options = RefineAt({ configuration }, domain, meshSize);
   for (const Singularity& singularity : configuration)
   {
     // On the boundary they become vertices of it; SolveFlatMap refuses those outside.
@@ -73,16 +77,12 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
 TriangleMesh MeshForAll(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, double meshSize, const Progress& progress)
 {
-  DrillOptions options;
-  options.meshSize = meshSize;
-  const double size = ResolveMeshSize(options, domain);
   Configuration all;
   for (const Configuration& configuration : configurations)
   {
     all.insert(all.end(), configuration.begin(), configuration.end());
-    const std::vector<SizeSource> sources = SmallAt(configuration, domain, size);
-    options.refinements.insert(options.refinements.end(), sources.begin(), sources.end());
   }
-  return DrillHoles(InsertBoundarySingularities(domain, all), {}, options, progress);
+  return DrillHoles(InsertBoundarySingularities(domain, all), {},
+    RefineAt(configurations, domain, meshSize), progress);
 }
 }
