@@ -6,46 +6,11 @@
 
 namespace crossfield
 {
-namespace
-{
-constexpr auto Islands = PotentialSolver::Periods::Islands;
-
-/// Sources of the phase with given values on the boundary that is harmonic inside: zero at the vertices there.
-Eigen::VectorXd SourcesOf(const PotentialSolver& inside, const Eigen::VectorXd& boundary)
-{
-  return inside.Apply(boundary + inside.Solve(-inside.Apply(boundary), Islands));
-}
-}
-
-EdgePotential::EdgePotential(const PotentialSolver& potential)
-  : Potential(potential)
-  , Inside(potential.OfGivenBoundary())
-{
-  const MeshTopology& topology = potential.GetTopology();
-  const Eigen::Index islands = topology.LoopCount(BoundaryKind::Inner);
-  this->Constants.resize(potential.Rows(), islands);
-  this->Coupling.resize(islands, islands);
-  Eigen::Index k = 0;
-  for (const BoundaryLoop& loop : topology.loops)
-  {
-    if (loop.kind == BoundaryKind::Inner)
-    {
-      Eigen::VectorXd one = Eigen::VectorXd::Zero(potential.Rows());
-      for (const int edge : loop.edges)
-      {
-        one[topology.BoundaryAt(edge).vertices[0]] = 1.0;
-      }
-      this->Constants.col(k) = SourcesOf(this->Inside, one);
-      this->Coupling.col(k) = this->AroundIslands(this->Constants.col(k));
-      ++k;
-    }
-  }
-}
-
-Eigen::VectorXd EdgePotential::AroundIslands(const Eigen::VectorXd& sources) const
+Eigen::MatrixXd EdgePotential::AroundIslands(const Eigen::MatrixXd& sources) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(topology.LoopCount(BoundaryKind::Inner));
+  Eigen::MatrixXd sums =
+    Eigen::MatrixXd::Zero(topology.LoopCount(BoundaryKind::Inner), sources.cols());
   Eigen::Index k = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -53,7 +18,7 @@ Eigen::VectorXd EdgePotential::AroundIslands(const Eigen::VectorXd& sources) con
     {
       for (const int edge : loop.edges)
       {
-        sums[k] += sources[topology.BoundaryAt(edge).vertices[0]];
+        sums.row(k) += sources.row(topology.BoundaryAt(edge).vertices[0]);
       }
       ++k;
     }
@@ -65,11 +30,14 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
-  Eigen::VectorXd sources = SourcesOf(this->Inside, ConformingPhase(this->Potential, fluxes).Get());
-  if (this->Coupling.size() > 0)
+  Eigen::VectorXd sources =
+    this->Inside.HarmonicSources(ConformingPhase(this->Potential, fluxes).Get());
+  const Eigen::MatrixXd& constants = this->Inside.IslandSources();
+  if (constants.cols() > 0)
   {
-    sources -= this->Constants *
-      Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->AroundIslands(sources));
+    sources -= constants *
+      Eigen::LLT<Eigen::MatrixXd>(this->AroundIslands(constants))
+        .solve(this->AroundIslands(sources));
   }
 
   // 2. Its conjugate changes by the source of a vertex on the way past it, and by that of a period along its strip; the

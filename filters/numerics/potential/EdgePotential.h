@@ -13,20 +13,21 @@ class EdgePotential
 {
 public:
   /// `potential` has natural boundaries, and has to outlive this.
-  explicit EdgePotential(const PotentialSolver& potential);
+  explicit EdgePotential(const PotentialSolver& potential)
+    : Potential(potential)
+    , Inside(potential.OfGivenBoundary())
+  {
+  }
 
   /// The potential at the midpoints of boundary edges for given fluxes through them, both in the order of mesh.boundary:
   /// single-valued, and 0 on the first edge of the outer loop. Fluxes add up to zero but for rounding.
   Eigen::VectorXd Solve(const Eigen::VectorXd& fluxes) const;
 
 private:
-  /// Sum over the vertices of every inner loop: what the conjugate grows along it.
-  Eigen::VectorXd AroundIslands(const Eigen::VectorXd& sources) const;
+  /// Sums over the vertices of every inner loop: what the conjugate grows along it.
+  Eigen::MatrixXd AroundIslands(const Eigen::MatrixXd& sources) const;
 
   const PotentialSolver& Potential;
   const PotentialSolver& Inside; ///< Of the inner vertices.
-  Eigen::MatrixXd
-    Constants; ///< Sources of the phase that is 1 on one inner loop and 0 on the other loops,
-  Eigen::MatrixXd Coupling; ///< and their sums along inner loops.
 };
 }

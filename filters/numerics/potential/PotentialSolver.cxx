@@ -1,6 +1,5 @@
 #include "PotentialSolver.h"
 
-#include "EdgePotential.h"
 #include "Error.h"
 #include "P1Laplacian.h"
 
@@ -336,13 +335,28 @@ Eigen::VectorXd PotentialSolver::Apply(const Eigen::VectorXd& solution) const
   return sources;
 }
 
-PotentialSolver::~PotentialSolver() = default;
-
-const EdgePotential& PotentialSolver::OnEdges() const
+const Eigen::MatrixXd& PotentialSolver::IslandSources() const
 {
-  std::call_once(
-    this->HasEdges, [this] { this->Edges = std::make_unique<const EdgePotential>(*this); });
-  return *this->Edges;
+  std::call_once(this->HasIslands,
+    [this]
+    {
+      this->OfIslands.resize(this->Rows(), this->IslandCount);
+      Eigen::Index k = 0;
+      for (const BoundaryLoop& loop : this->Topology->loops)
+      {
+        if (loop.kind == BoundaryKind::Inner)
+        {
+          Eigen::VectorXd one = Eigen::VectorXd::Zero(this->Rows());
+          for (const int edge : loop.edges)
+          {
+            one[this->Topology->BoundaryAt(edge).vertices[0]] = 1.0;
+          }
+          this->OfIslands.col(k) = this->HarmonicSources(one);
+          ++k;
+        }
+      }
+    });
+  return this->OfIslands;
 }
 
 const PotentialSolver& PotentialSolver::OfGivenBoundary() const

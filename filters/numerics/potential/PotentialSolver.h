@@ -14,8 +14,6 @@
 
 namespace crossfield
 {
-class EdgePotential;
-
 /// The P1 Laplacian of a mesh, factored once: the one linear solver behind the unit-norm field, the
 /// constrained field and everything derived from a potential (docs/method.md §2.3).
 ///
@@ -63,10 +61,6 @@ public:
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   explicit PotentialSolver(
     SharedTopology topology, Boundary boundary = Boundary::Natural, const Progress& progress = {});
-
-  ~PotentialSolver();
-  PotentialSolver(const PotentialSolver&) = delete;
-  PotentialSolver& operator=(const PotentialSolver&) = delete;
 
   const MeshTopology& GetTopology() const { return *this->Topology; }
   const SharedTopology& ShareTopology() const { return this->Topology; }
@@ -142,8 +136,14 @@ public:
   /// The same Laplacian with the boundary given, factored when it is first asked for: energies take it, fields do not.
   const PotentialSolver& OfGivenBoundary() const;
 
-  /// The same Laplacian for potentials with a value per edge, of a natural boundary; made when it is first asked for.
-  const EdgePotential& OnEdges() const;
+  /// Where the boundary is given: the sources of the potential with values x at its vertices and periods, zero at the vertices inside,
+  /// where it is harmonic.
+  Eigen::VectorXd HarmonicSources(const Eigen::VectorXd& x) const
+  {
+    return this->Apply(x + this->Solve(-this->Apply(x), Periods::Islands));
+  }
+  /// Those of the potentials that are 1 on one inner loop and 0 on all other loops, a column each. Made when it is first asked for.
+  const Eigen::MatrixXd& IslandSources() const;
 
 private:
   /// How many unknowns that come last, periods, a question has.
@@ -166,8 +166,8 @@ private:
   std::unique_ptr<DissectedCholesky> Factor;
   mutable std::once_flag HasOther;
   mutable std::unique_ptr<const PotentialSolver> Other; ///< Of OfGivenBoundary.
-  mutable std::once_flag HasEdges;
-  mutable std::unique_ptr<const EdgePotential> Edges;
+  mutable std::once_flag HasIslands;
+  mutable Eigen::MatrixXd OfIslands; ///< IslandSources.
   mutable std::unique_ptr<const DissectedCholesky::SparseEliminated> Holes;
   mutable std::array<std::unique_ptr<const HoleResponse>, 2> Responses; ///< By Periods.
 };

@@ -45,7 +45,7 @@ Eigen::VectorXd SolveOnEdges(const PointPotential& potential, const std::vector<
   {
     fluxes[static_cast<Eigen::Index>(h / 2)] += potential.GetHalves()[h].growth - flows[h].flux;
   }
-  return potential.GetProblem().potential->OnEdges().Solve(fluxes);
+  return EdgePotential(*potential.GetProblem().potential).Solve(fluxes);
 }
 }
 
