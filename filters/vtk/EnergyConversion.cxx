@@ -56,15 +56,25 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
       [&value](const ConfigurationEnergy& energy)
       { return energy.consistent ? value(energy) : std::numeric_limits<double>::quiet_NaN(); });
   };
+  const auto addPerforated = [&](const char* name, auto value)
+  {
+    add(name,
+      [&value](const ConfigurationEnergy& energy)
+      {
+        return energy.perforated ? value(*energy.perforated)
+                                 : std::numeric_limits<double>::quiet_NaN();
+      });
+  };
+  using Perforated = crossfield::PerforatedEnergy;
+  addPerforated(names::Energy, [](const Perforated& e) { return e.Aligned(); });
+  addPerforated(names::EnergyLowerBound, [](const Perforated& e) { return e.alignedLower; });
+  addPerforated(names::EnergyUpperBound, [](const Perforated& e) { return e.alignedUpper; });
+  addPerforated(names::EnergyDegreeOnly, [](const Perforated& e) { return e.DegreeOnly(); });
+  addPerforated(
+    names::EnergyDegreeOnlyLowerBound, [](const Perforated& e) { return e.degreeOnlyLower; });
+  addPerforated(
+    names::EnergyDegreeOnlyUpperBound, [](const Perforated& e) { return e.degreeOnlyUpper; });
   using Energy = ConfigurationEnergy;
-  add(names::Energy, [](const Energy& e) { return e.perforated.Aligned(); });
-  add(names::EnergyLowerBound, [](const Energy& e) { return e.perforated.alignedLower; });
-  add(names::EnergyUpperBound, [](const Energy& e) { return e.perforated.alignedUpper; });
-  add(names::EnergyDegreeOnly, [](const Energy& e) { return e.perforated.DegreeOnly(); });
-  add(names::EnergyDegreeOnlyLowerBound,
-    [](const Energy& e) { return e.perforated.degreeOnlyLower; });
-  add(names::EnergyDegreeOnlyUpperBound,
-    [](const Energy& e) { return e.perforated.degreeOnlyUpper; });
   add(names::LogarithmCoefficient,
     [](const Energy& e) { return e.renormalized.logarithmCoefficient; });
   add(names::RenormalizedEnergy, [](const Energy& e) { return e.renormalized.energy; });

@@ -5,6 +5,7 @@
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "KeptDomain.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -17,10 +18,14 @@ vtkStandardNewMacro(vtkSingularityEnergy);
 
 //------------------------------------------------------------------------------
 vtkSingularityEnergy::vtkSingularityEnergy()
+  : Kept(std::make_unique<KeptDomain>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
+
+//------------------------------------------------------------------------------
+vtkSingularityEnergy::~vtkSingularityEnergy() = default;
 
 //------------------------------------------------------------------------------
 int vtkSingularityEnergy::FillInputPortInformation(int port, vtkInformation* info)
@@ -48,21 +53,26 @@ int vtkSingularityEnergy::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      const DomainConversion::Domain& input = this->Kept->Read(domain);
       const int count = inputVector[1]->GetNumberOfInformationObjects();
       std::vector<crossfield::Configuration> configurations;
+      crossfield::Configuration all;
       configurations.reserve(static_cast<std::size_t>(count));
       for (int i = 0; i < count; ++i)
       {
         configurations.push_back(
           DomainConversion::ReadConfiguration(vtkDataSet::GetData(inputVector[1], i), input.plane));
+        all.insert(all.end(), configurations.back().begin(), configurations.back().end());
       }
       crossfield::ConfigurationEnergyOptions options;
       options.meshSize = this->MeshSize;
       options.coreRadius = this->CoreRadius;
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
-      const std::vector<crossfield::ConfigurationEnergy> energies =
-        crossfield::CompareConfigurations(input.domain, configurations, options, progress);
+      const std::vector<crossfield::ConfigurationEnergy> energies = this->KeepMesh
+        ? crossfield::CompareRenormalizedEnergies(
+            this->Kept->Factor(all, this->MeshSize, progress.Part(0.0, 0.7)), configurations,
+            options, progress.Part(0.7, 1.0))
+        : crossfield::CompareConfigurations(input.domain, configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));
       EnergyConversion::WriteGradients(
         energies, input.plane, vtkPolyData::GetData(outputVector, 1));
@@ -75,4 +85,5 @@ void vtkSingularityEnergy::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CoreRadius: " << this->CoreRadius << "\n";
+  os << indent << "KeepMesh: " << this->KeepMesh << "\n";
 }

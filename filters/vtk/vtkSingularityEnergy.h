@@ -53,6 +53,10 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkTableAlgorithm.h"
 
+#include <memory> // for what is kept
+
+class KeptDomain;
+
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityEnergy : public vtkTableAlgorithm
 {
 public:
@@ -92,9 +96,20 @@ public:
   vtkGetMacro(CoreRadius, double);
   ///@}
 
+  ///@{
+  /**
+   * Meshes and factors the domain once, whatever its singularities, and keeps both until the domain, the mesh size or a singularity on
+   * the boundary changes: a moved singularity is then quick. The mesh is not refined at singularities, and there are no energies
+   * of domains with holes, which would have to be drilled: their columns are NaN. Default: off.
+   */
+  vtkSetMacro(KeepMesh, bool);
+  vtkGetMacro(KeepMesh, bool);
+  vtkBooleanMacro(KeepMesh, bool);
+  ///@}
+
 protected:
   vtkSingularityEnergy();
-  ~vtkSingularityEnergy() override = default;
+  ~vtkSingularityEnergy() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -106,6 +121,8 @@ private:
 
   double MeshSize = 0.0;
   double CoreRadius = 0.0;
+  bool KeepMesh = false;
+  std::unique_ptr<KeptDomain> Kept;
 };
 
 #endif

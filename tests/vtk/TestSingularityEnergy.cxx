@@ -104,6 +104,36 @@ TEST_F(SingularityEnergy, RowsAreSortedAndComplete)
   EXPECT_LT(gradient->GetComponent(4, 0) * place[0] + gradient->GetComponent(4, 1) * place[1], 0.0);
 }
 
+TEST_F(SingularityEnergy, KeepsTheMeshForSingularitiesThatMove)
+{
+  this->Filter->KeepMeshOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  // Of the circle, as above; there are no holes.
+  EXPECT_NEAR(this->Value(0, "RenormalizedEnergy"), 2.0498, 0.05);
+  EXPECT_NEAR(this->Value(0, "LogarithmCoefficient"), 4.0 * vtkMath::Pi(), 1e-9);
+  EXPECT_NEAR(this->Value(0, "EnergyAtCoreRadius"),
+    this->Value(0, "RenormalizedEnergy") -
+      this->Value(0, "LogarithmCoefficient") * std::log(this->Value(0, "CoreRadius")),
+    1e-12);
+  EXPECT_TRUE(std::isnan(this->Value(0, "Energy")));
+  EXPECT_TRUE(std::isnan(this->Value(0, "EnergyDegreeOnlyUpperBound")));
+  const auto move = [this](double distance)
+  {
+    this->Filter->RemoveAllConfigurations();
+    this->Filter->AddConfigurationData(TestInputs::Singularities(Square(distance)));
+    FilterChecks::UpdateWithoutError(this->Filter);
+    return this->Value(0, "RenormalizedEnergy");
+  };
+  // Four of index 1 at distance r: W = -4π [log(4r³) + log(1 - r⁸)] (docs/method.md §9).
+  const auto exact = [](double r)
+  { return -4.0 * vtkMath::Pi() * std::log(4.0 * std::pow(r, 3) * (1.0 - std::pow(r, 8))); };
+  EXPECT_NEAR(move(0.5) - move(0.7), exact(0.5) - exact(0.7), 0.05);
+  this->Filter->RemoveAllConfigurations();
+  this->Filter->AddConfigurationData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.05 } }));
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "(3, 0)", "outside the domain" }),
+    vtkErrorCode::UserError);
+}
+
 TEST_F(SingularityEnergy, Refusals)
 {
   this->Filter->AddConfigurationData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.05 } }));

@@ -2,11 +2,13 @@
 
 #include "BoundarySingularities.h"
 #include "ConfigurationPlacement.h"
+#include "DomainQueries.h"
 #include "EnergyMesh.h"
 #include "Error.h"
 #include "MeshForPoints.h"
 
 #include <algorithm>
+#include <functional>
 #include <tuple>
 #include <utility>
 
@@ -17,45 +19,37 @@ double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain)
   return coreRadius > 0.0 ? coreRadius : 0.01 * domain.Diagonal();
 }
 
-std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
-  const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options,
-  const Progress& progress)
+namespace
 {
-  Configuration all;
-  for (const Configuration& configuration : configurations)
-  {
-    all.insert(all.end(), configuration.begin(), configuration.end());
-  }
-  const PlanarDomain refined = InsertBoundarySingularities(domain, all);
-  const auto potential = std::make_shared<const PotentialSolver>(
-    ShareTopology(MeshForAll(domain, configurations, options.meshSize, progress.Part(0.0, 0.05))));
+/// Of a configuration that has been placed.
+using Perforate = std::function<PerforatedEnergy(const PlacedConfiguration&, const Progress&)>;
+
+std::vector<ConfigurationEnergy> Compare(const std::shared_ptr<const PotentialSolver>& potential,
+  double coreRadius, const std::vector<Configuration>& configurations,
+  const std::vector<CornerChoice>& corners, const Perforate& perforate, const Progress& progress)
+{
   const MeshTopology& topology = potential->GetTopology();
-  const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
+  const double count = static_cast<double>(configurations.size());
   std::vector<ConfigurationEnergy> energies;
   for (std::size_t i = 0; i < configurations.size(); ++i)
   {
-    const auto step = [&](double part)
-    {
-      return 0.1 +
-        0.9 * (static_cast<double>(i) + part) / static_cast<double>(configurations.size());
-    };
+    const auto index = static_cast<double>(i);
     ConfigurationEnergy energy;
     energy.configuration = static_cast<int>(i);
     try
     {
-      const PlacedConfiguration placed =
-        PlaceConfiguration(topology, configurations[i], options.corners);
+      const PlacedConfiguration placed = PlaceConfiguration(topology, configurations[i], corners);
       energy.interior = placed.interior;
       const PointPotential points(
         potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       energy.coreRadius = coreRadius;
       energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);
-      TriangleMesh drilled = DrillHoles(refined, placed.interior,
-        DrillForEnergies(domain, placed.interior, options.meshSize),
-        progress.Part(step(0.1), step(0.5)));
-      energy.perforated =
-        ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
+      if (perforate)
+      {
+        energy.perforated =
+          perforate(placed, progress.Part((index + 0.1) / count, (index + 0.5) / count));
+      }
       energy.consistent = true;
       energy.reason =
         Verdict(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
@@ -69,7 +63,7 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       energy.reason = error.what();
     }
     energies.push_back(std::move(energy));
-    progress.Report(step(1.0));
+    progress.Report((index + 1.0) / count);
   }
   std::stable_sort(energies.begin(), energies.end(),
     [](const auto& a, const auto& b)
@@ -78,5 +72,40 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
         std::make_tuple(!b.consistent, b.atCoreRadius);
     });
   return energies;
+}
+}
+
+std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
+  const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options,
+  const Progress& progress)
+{
+  Configuration all;
+  for (const Configuration& configuration : configurations)
+  {
+    all.insert(all.end(), configuration.begin(), configuration.end());
+  }
+  const PlanarDomain refined = InsertBoundarySingularities(domain, all);
+  const auto perforate = [&](const PlacedConfiguration& placed, const Progress& drilling)
+  {
+    TriangleMesh drilled = DrillHoles(refined, placed.interior,
+      DrillForEnergies(domain, placed.interior, options.meshSize), drilling);
+    return ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
+  };
+  return Compare(std::make_shared<const PotentialSolver>(ShareTopology(
+                   MeshForAll(domain, configurations, options.meshSize, progress.Part(0.0, 0.05)))),
+    ResolveCoreRadius(options.coreRadius, domain), configurations, options.corners, perforate,
+    progress.Part(0.1, 1.0));
+}
+
+std::vector<ConfigurationEnergy> CompareRenormalizedEnergies(const FactoredDomain& domain,
+  const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options,
+  const Progress& progress)
+{
+  for (const Configuration& configuration : configurations)
+  {
+    RequireInside(domain.GetDomain(), configuration);
+  }
+  return Compare(domain.GetPotential(), ResolveCoreRadius(options.coreRadius, domain.GetDomain()),
+    configurations, options.corners, nullptr, progress);
 }
 }

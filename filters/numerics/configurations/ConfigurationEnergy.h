@@ -1,8 +1,11 @@
 #pragma once
 
+#include "FactoredDomain.h"
 #include "PerforatedEnergy.h"
 #include "Progress.h"
 #include "RenormalizedEnergy.h"
+
+#include <optional>
 
 namespace crossfield
 {
@@ -12,8 +15,8 @@ struct ConfigurationEnergy
   int configuration = 0;   ///< Number in the list that was given.
   bool consistent = false; ///< Otherwise nothing else but the reason is set.
   std::string reason;      ///< Verdict of the Poincaré-Hopf theorem.
-  PerforatedEnergy
-    perforated; ///< E_ρ, with a hole at every singularity, on the mesh of EnergyMesh.h.
+  /// E_ρ, with a hole at every singularity, on the mesh of EnergyMesh.h.
+  std::optional<PerforatedEnergy> perforated;
   RenormalizedEnergyValue renormalized;
   double coreRadius = 0.0;   ///< As in the options, resolved,
   double atCoreRadius = 0.0; ///< and the energy at it.
@@ -37,6 +40,14 @@ double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 ///
 /// Throws Error when a singularity lies outside, or its hole cuts the boundary or another hole.
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
+  const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options = {},
+  const Progress& progress = {});
+
+/// The same of W alone on a domain that is factored, for a hand that moves singularities: nothing is meshed or factored but, once for
+/// the domain, the second factor that W takes. Singularities on the boundary are vertices of it; the mesh size of the options means nothing.
+///
+/// Throws Error when a singularity lies outside.
+std::vector<ConfigurationEnergy> CompareRenormalizedEnergies(const FactoredDomain& domain,
   const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options = {},
   const Progress& progress = {});
 }

@@ -1,3 +1,4 @@
+#include "ConfigurationEnergy.h"
 #include "HField.h"
 #include "PerforatedSolve.h"
 #include "SparseCholesky.h"
@@ -78,6 +79,29 @@ TEST(OneFactor, AMovedPointNeedsNone)
     last = field.renormalizedEnergy;
   }
   EXPECT_EQ(SparseCholesky::CountOfAll(), before);
+}
+
+TEST(OneFactor, EnergiesOfMovedPointsNeedNone)
+{
+  const FactoredDomain domain(Builtin("disk", 0.1), {}, 0.1);
+  CompareRenormalizedEnergies(domain, { OnCircle(4, 0.4, 0.3, 1, 0.0) });
+  const long before = SparseCholesky::CountOfAll();
+  const std::vector<Configuration> configurations = { OnCircle(4, 0.6, 0.3, 1, 0.0),
+    OnCircle(3, 0.6, 0.3, 1, 0.0), OnCircle(4, 0.8, 0.3, 1, 0.0) };
+  const auto energies = CompareRenormalizedEnergies(domain, configurations);
+  EXPECT_EQ(SparseCholesky::CountOfAll(), before);
+  ASSERT_EQ(energies.size(), 3u);
+  EXPECT_EQ(energies[0].configuration, 2);
+  EXPECT_EQ(energies[1].configuration, 0);
+  EXPECT_FALSE(energies[2].consistent);
+  EXPECT_FALSE(energies[0].perforated.has_value());
+  EXPECT_EQ(energies[1].renormalized.energy,
+    SolveHField(domain.GetPotential(), configurations[0]).renormalizedEnergy);
+  EXPECT_TRUE(Refuses(
+    [&] {
+      CompareRenormalizedEnergies(domain, { { { { 2.0, 0.0 }, 4 } } });
+    },
+    { "outside the domain" }));
 }
 }
 }
