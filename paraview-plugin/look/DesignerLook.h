@@ -1,27 +1,21 @@
 /**
- * @class   DesignerLook
- * @brief   how a Layout Designer made in the menu is shown at first
- *
- * Faces in pale colours, draft quads as thin lines, separatrices as thick ones in the colours of the handles, grey where they
- * are stale, singularities as spheres, the summary as a text below, and no legends: as in states/design.py. It acts once, when a designer that a person
- * has made is shown for the first time; what Python or a state file makes stays as it was made.
+ * How a Layout Designer is shown at first: faces in pale colours, quads as thin lines, separatrices as thick ones in the colours of
+ * the handles, grey where they are stale, singularities as spheres, the summary as a text below, and no legends: as in states/design.py.
  */
 
 #ifndef DesignerLook_h
 #define DesignerLook_h
 
-#include <QObject>
+class pqDataRepresentation;
+class pqPipelineSource;
 
-class DesignerLook : public QObject
+namespace DesignerLook
 {
-  Q_OBJECT
+/** Of the output that is a text, not a thing in the plane. */
+bool IsText(int port);
 
-public:
-  explicit DesignerLook(QObject* parent = nullptr);
-
-  /** Called by ParaView when the plugin is loaded, and at the end. */
-  void startup();
-  void shutdown();
-};
+/** Of an output that has data; a text may have none. */
+void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port);
+}
 
 #endif

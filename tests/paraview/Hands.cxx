@@ -6,7 +6,11 @@
 #include "pqCoreUtilities.h"
 #include "pqLoadDataReaction.h"
 #include "pqLoadStateReaction.h"
+#include "pqObjectBuilder.h"
+#include "pqOutputPort.h"
 #include "pqOutputWidget.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 
@@ -144,6 +148,18 @@ extern "C"
       }
     }
     return false;
+  }
+
+  /** The filter of the active source and another one that the menu makes after a dialog that asks for the second input. */
+  void hands_filter(const char* name, const char* input, const char* source)
+  {
+    pqApplicationCore* core = pqApplicationCore::instance();
+    pqActiveObjects& active = pqActiveObjects::instance();
+    auto* other = core->getServerManagerModel()->findItem<pqPipelineSource*>(source);
+    active.setActiveSource(core->getObjectBuilder()->createFilter("filters", name,
+      { { "Input", { active.activeSource()->getOutputPort(0) } },
+        { input, { other->getOutputPort(0) } } },
+      active.activeServer()));
   }
 
   /** Whether there was a list of choices with this one, for the property of this name in the panel. */

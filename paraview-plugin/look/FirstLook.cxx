@@ -1,0 +1,242 @@
+#include "FirstLook.h"
+
+#include "DesignerLook.h"
+#include "Look.h"
+
+#include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqObjectBuilder.h"
+#include "pqPipelineSource.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <QTimer>
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace
+{
+using Look::Set;
+
+//------------------------------------------------------------------------------
+void ShowOutline(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+  Set(shown, "LineWidth", 3.0);
+}
+
+//------------------------------------------------------------------------------
+void ShowSingularities(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Points");
+  Set(shown, "PointSize", 12.0);
+  Set(shown, "RenderPointsAsSpheres", 1.0);
+  Look::ColourBy(shown, vtkDataObject::POINT, "QuarterIndex", Look::SignColours(Look::Grey));
+}
+
+//------------------------------------------------------------------------------
+void ShowMesh(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Surface With Edges");
+  Look::SetColour(shown, Look::PaleBlue);
+  vtkSMPropertyHelper(shown, "EdgeColor").Set(Look::Grey.data(), 3);
+}
+
+//------------------------------------------------------------------------------
+void ShowNorm(vtkSMProxy* shown)
+{
+  // Dark where the field vanishes; black crosses are seen on the norm 1.
+  std::vector<double> points;
+  Look::AddColour(points, 0, { 0.2, 0.08, 0.3 });
+  Look::AddColour(points, 0.5, { 0.35, 0.55, 0.8 });
+  Look::AddColour(points, 1, { 0.93, 0.96, 1 });
+  Look::ColourBy(shown, vtkDataObject::POINT, "CrossNorm", points);
+}
+
+//------------------------------------------------------------------------------
+void ShowSizes(vtkSMProxy* shown)
+{
+  vtkSMPVRepresentationProxy::SetScalarColoring(shown, "SizeMap", vtkDataObject::POINT);
+  if (vtkSMProxy* colours = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy())
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(colours, "Viridis (matplotlib)");
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShowCrosses(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+  Set(shown, "LineWidth", 1.5);
+}
+
+//------------------------------------------------------------------------------
+void ShowLines(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+  Set(shown, "LineWidth", 2.0);
+}
+
+//------------------------------------------------------------------------------
+void ShowFaces(vtkSMProxy* shown)
+{
+  Look::ColourBy(shown, vtkDataObject::CELL, "FaceId", Look::PaleColours());
+}
+
+//------------------------------------------------------------------------------
+void ShowQuads(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Surface With Edges");
+  vtkSMPropertyHelper(shown, "EdgeColor").Set(Look::Grey.data(), 3);
+  Look::ColourBy(shown, vtkDataObject::CELL, "BlockId", Look::PaleColours());
+}
+
+//------------------------------------------------------------------------------
+void HideIt(vtkSMProxy* shown)
+{
+  Set(shown, "Visibility", 0.0);
+}
+
+struct Rule
+{
+  const char* proxy;
+  int port;
+  void (*show)(vtkSMProxy*);
+  bool hasLegend = false;
+};
+
+constexpr std::array<Rule, 17> Rules = { {
+  { "PlanarDomainSource", 0, ShowOutline },
+  { "PlanarDomainReader", 0, ShowOutline },
+  { "SingularitySource", 0, ShowSingularities },
+  { "SingularityHandles", 0, ShowSingularities },
+  { "ConfigurationProposal", 0, ShowSingularities },
+  { "SingularityOptimizer", 0, ShowSingularities },
+  { "CrossFieldSingularities", 0, ShowSingularities },
+  { "DrillHoles", 0, ShowMesh },
+  { "PerforatedCrossField", 0, ShowNorm, true },
+  { "GinzburgLandauCrossField", 0, ShowNorm, true },
+  { "HField", 0, ShowSizes, true },
+  { "CrossGlyphs", 0, ShowCrosses },
+  { "Separatrices", 0, ShowLines },
+  { "Separatrices", 1, ShowFaces },
+  { "QuadMesher", 0, ShowQuads },
+  { "QuadMesher", 1, HideIt }, // the blocks would lie on the quads
+  { "QuadMesher", 2, ShowOutline },
+} };
+
+bool Is(pqPipelineSource* source, const char* proxy)
+{
+  return std::strcmp(source->getProxy()->GetXMLName(), proxy) == 0;
+}
+
+//------------------------------------------------------------------------------
+void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
+{
+  if (Is(source, "LayoutDesigner"))
+  {
+    DesignerLook::Show(source, representation, port);
+    return;
+  }
+  for (const Rule& rule : Rules)
+  {
+    if (Is(source, rule.proxy) && rule.port == port)
+    {
+      vtkSMProxy* shown = representation->getProxy();
+      Look::HideLegend(representation); // of the array that ParaView has chosen
+      Look::SetFlat(shown);
+      rule.show(shown);
+      shown->UpdateVTKObjects();
+      if (!rule.hasLegend)
+      {
+        QTimer::singleShot(0, representation, [representation] { Look::HideLegend(representation); });
+      }
+      else if (representation->getView())
+      {
+        vtkSMPVRepresentationProxy::SetScalarBarVisibility(
+          shown, representation->getView()->getProxy(), true);
+      }
+      representation->renderViewEventually();
+    }
+  }
+}
+
+bool HasData(pqPipelineSource* source, int port)
+{
+  const auto output = static_cast<unsigned int>(port);
+  return source->getSourceProxy()->GetDataInformation(output)->GetNumberOfPoints() > 0;
+}
+
+//------------------------------------------------------------------------------
+void ShowAtFirst(pqPipelineSource* source)
+{
+  QObject::connect(source, &pqPipelineSource::representationAdded, source,
+    [](pqPipelineSource* made, pqDataRepresentation* added, int port)
+    {
+      const bool isText = Is(made, "LayoutDesigner") && DesignerLook::IsText(port);
+      // A spreadsheet or the like has none of this.
+      if (!isText && !vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
+      {
+        return;
+      }
+      if (isText)
+      {
+        Show(made, added, port);
+        return;
+      }
+      if (HasData(made, port))
+      {
+        // ParaView's own defaults come first.
+        QTimer::singleShot(0, added, [made, added, port] { Show(made, added, port); });
+        return;
+      }
+      // When what is wrong with the input has been mended; ParaView warns of colours by arrays that there are not.
+      const auto later = std::make_shared<QMetaObject::Connection>();
+      *later = QObject::connect(made,
+        QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), added,
+        [made, added, port, later](pqPipelineSource*)
+        {
+          if (HasData(made, port))
+          {
+            QObject::disconnect(*later);
+            Show(made, added, port);
+          }
+        });
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+FirstLook::FirstLook(QObject* parent)
+  : QObject(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+void FirstLook::startup()
+{
+  pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
+  QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ShowAtFirst);
+  QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ShowAtFirst);
+  QObject::connect(builder,
+    QOverload<pqPipelineSource*, const QString&>::of(&pqObjectBuilder::readerCreated), this,
+    [](pqPipelineSource* reader, const QString&) { ShowAtFirst(reader); });
+}
+
+//------------------------------------------------------------------------------
+void FirstLook::shutdown()
+{
+  if (pqApplicationCore* core = pqApplicationCore::instance())
+  {
+    QObject::disconnect(core->getObjectBuilder(), nullptr, this, nullptr);
+  }
+}

@@ -1,0 +1,107 @@
+#include "Look.h"
+
+#include "pqDataRepresentation.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+
+namespace
+{
+using Look::Colour;
+
+constexpr std::array<Colour, 5> Pale = { { { 0.98, 0.85, 0.8 }, { 0.82, 0.9, 0.98 },
+  { 0.85, 0.96, 0.84 }, { 0.97, 0.94, 0.76 }, { 0.91, 0.85, 0.96 } } };
+// Of more faces or blocks the last colour; a layout that is a help has fewer.
+constexpr int Numbers = 200;
+}
+
+namespace Look
+{
+//------------------------------------------------------------------------------
+void Set(vtkSMProxy* proxy, const char* name, double value)
+{
+  vtkSMPropertyHelper(proxy, name).Set(value);
+}
+
+//------------------------------------------------------------------------------
+void Set(vtkSMProxy* proxy, const char* name, const char* value)
+{
+  vtkSMPropertyHelper(proxy, name).Set(value);
+}
+
+//------------------------------------------------------------------------------
+void SetFlat(vtkSMProxy* shown)
+{
+  Set(shown, "Ambient", 1.0);
+  Set(shown, "Diffuse", 0.0);
+}
+
+//------------------------------------------------------------------------------
+void SetColour(vtkSMProxy* shown, const Colour& colour)
+{
+  vtkSMPropertyHelper(shown, "ColorArrayName").SetInputArrayToProcess(vtkDataObject::POINT, "");
+  vtkSMPropertyHelper(shown, "AmbientColor").Set(colour.data(), 3);
+  vtkSMPropertyHelper(shown, "DiffuseColor").Set(colour.data(), 3);
+}
+
+//------------------------------------------------------------------------------
+void AddColour(std::vector<double>& points, double value, const Colour& colour)
+{
+  points.push_back(value);
+  points.insert(points.end(), colour.begin(), colour.end());
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> SignColours(const Colour& ofZero)
+{
+  std::vector<double> points;
+  AddColour(points, -1, Blue);
+  AddColour(points, 0, ofZero);
+  AddColour(points, 1, Red);
+  return points;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> PaleColours()
+{
+  std::vector<double> points;
+  for (int number = 0; number < Numbers; ++number)
+  {
+    AddColour(points, number, Pale[static_cast<std::size_t>(number * 7 % 5)]);
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+void ColourBy(
+  vtkSMProxy* shown, int association, const char* array, const std::vector<double>& points)
+{
+  const vtkNew<vtkSMTransferFunctionManager> manager;
+  vtkSMProxy* colours = manager->GetColorTransferFunction(array, shown->GetSessionProxyManager());
+  vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode")
+    .Set(vtkSMTransferFunctionManager::NEVER);
+  vtkSMPropertyHelper(colours, "ColorSpace").Set("RGB");
+  vtkSMPropertyHelper(colours, "Discretize").Set(0);
+  vtkSMPropertyHelper(colours, "RGBPoints")
+    .Set(points.data(), static_cast<unsigned int>(points.size()));
+  colours->UpdateVTKObjects();
+  // Without a look at the data, which there may not be yet.
+  vtkSMPropertyHelper(shown, "ColorArrayName").SetInputArrayToProcess(association, array);
+  vtkSMPropertyHelper(shown, "LookupTable").Set(colours);
+}
+
+//------------------------------------------------------------------------------
+void HideLegend(pqDataRepresentation* representation)
+{
+  if (representation->getView() &&
+    vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation->getProxy()))
+  {
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(
+      representation->getProxy(), representation->getView()->getProxy(), false);
+  }
+}
+}

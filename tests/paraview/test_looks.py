@@ -1,0 +1,117 @@
+"""How what a person makes in the menu is shown at first, without a setting; started by run_client.py."""
+from paraview.modules.vtkRemotingViews import vtkSMPVRepresentationProxy
+from paraview.simple import *
+
+from person import check, check_equal, hands, messages, picture, run, wait
+
+BLACK, RED, BLUE = [0, 0, 0], [0.85, 0.1, 0.1], [0.1, 0.2, 0.85]
+
+
+def make(name, **inputs):
+    """What the menu makes of the active source, applied, with inputs chosen in the panel; how its first output is shown."""
+    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    return applied(name, **inputs)
+
+
+def applied(name, **inputs):
+    wait()
+    for label, choice in inputs.items():
+        check(hands.hands_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+    check(hands.hands_click(b"Apply"), "no Apply for " + name)
+    wait(400)
+    check_equal(messages(), "", "messages of " + name)
+    picture(name.replace(" ", "_").lower() + ".png", is_whole=False)
+    return GetRepresentation(GetActiveSource(), GetActiveView())
+
+
+def is_coloured(shown, array):
+    check_equal(shown.ColorArrayName[1], array, "the array that colours")
+
+
+def colours(array):
+    """Of an array's map: the colour of each value."""
+    points = list(GetColorTransferFunction(array).RGBPoints)
+    return {points[i]: [round(c, 3) for c in points[i + 1:i + 4]] for i in range(0, len(points), 4)}
+
+
+def has_legend(shown):
+    """GetScalarBar would make one."""
+    return bool(vtkSMPVRepresentationProxy.IsScalarBarVisible(shown.SMProxy, GetActiveView().SMProxy))
+
+
+def legends():
+    return sum(shown.GetXMLName() == "ScalarBarWidgetRepresentation" and bool(shown.Visibility)
+               for shown in GetActiveView().Representations)
+
+
+def test_domain():
+    shown = make("Planar Domain Source")
+    RenameSource("Domain", GetActiveSource())
+    is_coloured(shown, "")
+    check_equal((list(shown.AmbientColor), shown.LineWidth), (BLACK, 3), "the line of the boundary")
+
+
+def test_singularities():
+    shown = make("Singularity Source")
+    RenameSource("Points", GetActiveSource())
+    is_coloured(shown, "QuarterIndex")
+    check_equal((shown.Representation, shown.PointSize, shown.RenderPointsAsSpheres), ("Points", 12, 1), "spheres")
+    check_equal((colours("QuarterIndex")[-1], colours("QuarterIndex")[1]), (BLUE, RED), "colours of the signs")
+    check_equal(has_legend(shown), False, "a legend of signs")
+
+
+def test_mesh():
+    SetActiveSource(FindSource("Domain"))
+    hands.hands_filter(b"DrillHoles", b"Singularities", b"Points")
+    shown = applied("Drill Holes")
+    is_coloured(shown, "")
+    check_equal(shown.Representation, "Surface With Edges", "a mesh")
+    check_equal(legends(), 0, "legends of a mesh")
+
+
+def test_field():
+    shown = make("Perforated Cross Field")
+    is_coloured(shown, "CrossNorm")
+    check_equal(sorted(colours("CrossNorm")), [0, 0.5, 1], "the map of the norm, whatever values there are")
+    check(min(colours("CrossNorm")[1]) > 0.9 and max(colours("CrossNorm")[0]) < 0.4, "norm 1 is not pale or 0 not dark")
+    check_equal(has_legend(shown), True, "a legend of the norm")
+    shown = make("Cross Glyphs")
+    is_coloured(shown, "")
+    check_equal(list(shown.AmbientColor), BLACK, "crosses")
+
+
+def test_sizes():
+    SetActiveSource(FindSource("Domain"))
+    shown = make("H Field", Singularities="Points")
+    is_coloured(shown, "SizeMap")
+    # From dark to light, by no hue twice.
+    light = [sum(colour) for _, colour in sorted(colours("SizeMap").items())]
+    check_equal(light, sorted(light), "how light sizes are")
+    check_equal(has_legend(shown), True, "a legend of sizes")
+
+
+def test_quads():
+    SetActiveSource(FindSource("Domain"))
+    shown = make("Quad Mesher", Singularities="Points")
+    is_coloured(shown, "BlockId")
+    check_equal(shown.Representation, "Surface With Edges", "quads")
+    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 1), GetActiveView()).Visibility, 0, "blocks upon the quads")
+    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 2), GetActiveView()).LineWidth, 3, "sides of blocks")
+    check_equal(legends(), 0, "legends of blocks")
+    check(all(min(colour) > 0.7 for colour in colours("BlockId").values()), "colours of blocks are not pale")
+
+
+def test_what_scripts_make_stays():
+    shown = Show(PlanarDomainSource(registrationName="Scripted"))
+    SetProperties(shown, LineWidth=7)
+    wait(400)
+    check_equal(shown.LineWidth, 7, "the width that the script has set")
+
+
+def look(test):
+    view = GetActiveViewOrCreate("RenderView")
+    HideAll(view)
+    test()
+
+
+run("test_", globals(), look, (1000, 800, 370))
