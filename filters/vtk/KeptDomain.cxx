@@ -8,7 +8,7 @@ const DomainConversion::Domain& KeptDomain::Read(vtkDataSet* data)
   if (!this->Domain || this->Data != data || this->Time != data->GetMTime())
   {
     this->Domain.reset();
-    this->Factored.reset();
+    this->Factored = {};
     this->Domain = DomainConversion::ReadDomain(data);
     this->Data = data;
     this->Time = data->GetMTime();
@@ -21,12 +21,16 @@ const DomainConversion::Domain& KeptDomain::Read(vtkDataSet* data)
 const crossfield::FactoredDomain& KeptDomain::Factor(const crossfield::Configuration& configuration,
   double meshSize, const crossfield::Progress& progress)
 {
-  if (!this->Factored || this->MeshSize != meshSize || !this->Factored->Serves(configuration))
+  auto& [last, other] = this->Factored;
+  if (last.first != meshSize)
   {
-    this->Factored.reset();
-    this->Factored = std::make_unique<const crossfield::FactoredDomain>(
-      this->Domain.value().domain, configuration, meshSize, progress);
-    this->MeshSize = meshSize;
+    std::swap(last, other);
   }
-  return *this->Factored;
+  if (!last.second || last.first != meshSize || !last.second->Serves(configuration))
+  {
+    last = { meshSize, nullptr };
+    last.second = std::make_unique<const crossfield::FactoredDomain>(
+      this->Domain.value().domain, configuration, meshSize, progress);
+  }
+  return *last.second;
 }

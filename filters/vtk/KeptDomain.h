@@ -6,8 +6,10 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 
 /**
  * What a filter keeps of the domain on its port between updates: read once for each change of the data, meshed and factored once
@@ -26,8 +28,8 @@ public:
   int GetVersion() const { return this->Version; }
 
   /**
-   * The last domain that was read, with its mesh and factor. Singularities on the boundary have to be its vertices, so these ask for
-   * another mesh.
+   * The last domain that was read, with its mesh and factor. Those of the last two mesh sizes are kept: of a hand that drags and of
+   * what it leaves. Singularities on the boundary have to be its vertices, so these ask for another mesh.
    */
   const crossfield::FactoredDomain& Factor(const crossfield::Configuration& configuration,
     double meshSize, const crossfield::Progress& progress = {});
@@ -36,9 +38,9 @@ private:
   vtkDataSet* Data = nullptr; ///< Compared, never used.
   vtkMTimeType Time = 0;
   int Version = 0;
-  double MeshSize = 0.0;
   std::optional<DomainConversion::Domain> Domain;
-  std::unique_ptr<const crossfield::FactoredDomain> Factored;
+  /** With the mesh size that was asked for, the last one first. */
+  std::array<std::pair<double, std::unique_ptr<const crossfield::FactoredDomain>>, 2> Factored;
 };
 
 #endif

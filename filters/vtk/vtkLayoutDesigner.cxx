@@ -175,7 +175,8 @@ int vtkLayoutDesigner::RequestData(
       {
         question.start = DomainConversion::ReadConfiguration(start, input.plane);
       }
-      question.meshSize = this->MeshSize;
+      question.meshSize =
+        this->Dragging ? crossfield::LiveMeshSize(input.domain, this->MeshSize) : this->MeshSize;
       question.quadSize = this->QuadSize > 0.0
         ? this->QuadSize
         : std::sqrt(input.domain.Area() / static_cast<double>(this->QuadCount));
@@ -184,7 +185,7 @@ int vtkLayoutDesigner::RequestData(
         question.options.quads.emplace();
         question.options.quads->size = this->QuadSize;
         question.options.quads->count = this->QuadCount;
-        question.options.quads->smooth = this->Quads == QuadsSmooth;
+        question.options.quads->smooth = this->Quads == QuadsSmooth && !this->Dragging;
       }
       question.snapTolerance =
         this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * question.quadSize;
@@ -202,7 +203,7 @@ int vtkLayoutDesigner::RequestData(
         now = session.Start(question, this->Rows, progress.Part(0.0, 0.2));
         session.Obey(question, now, this->Rows, progress.Part(0.2, 0.4));
         session.design = crossfield::DesignLayout(
-          session.GetDomain().Factor(now, this->MeshSize, progress.Part(0.4, 0.6)), now,
+          session.GetDomain().Factor(now, question.meshSize, progress.Part(0.4, 0.6)), now,
           question.options, progress.Part(0.6, 0.95));
         this->StageSeconds = session.design->seconds;
         if (question.command != DesignCommand::None && std::isfinite(energyBefore))
@@ -257,6 +258,7 @@ void vtkLayoutDesigner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
+  os << indent << "Dragging: " << this->Dragging << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";

@@ -118,14 +118,24 @@ public:
 
   ///@{
   /**
-   * QuadsNone: none. QuadsDraft: where the map has them, quick enough to follow a hand. QuadsSmooth: as vtkQuadMesher makes
-   * them. Default: QuadsDraft.
+   * QuadsNone: none. QuadsDraft: where the map has them. QuadsSmooth: as vtkQuadMesher makes them, or drafts while Dragging.
+   * Default: QuadsSmooth.
    */
   vtkSetClampMacro(Quads, int, QuadsNone, QuadsSmooth);
   vtkGetMacro(Quads, int);
   void SetQuadsToNone() { this->SetQuads(QuadsNone); }
   void SetQuadsToDraft() { this->SetQuads(QuadsDraft); }
   void SetQuadsToSmooth() { this->SetQuads(QuadsSmooth); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether a hand is about to move a singularity on: then the mesh is no finer than a hand can be followed with
+   * (crossfield::LiveMeshSize), and quads are drafts. Handles set it and take it back. Default: off.
+   */
+  vtkSetMacro(Dragging, bool);
+  vtkGetMacro(Dragging, bool);
+  vtkBooleanMacro(Dragging, bool);
   ///@}
 
   ///@{
@@ -168,7 +178,8 @@ private:
   int RowToRemove = -1;
   double MeshSize = 0.0;
   bool CapCorners = true;
-  int Quads = QuadsDraft;
+  int Quads = QuadsSmooth;
+  bool Dragging = false;
   double QuadSize = 0.0;
   int QuadCount = 1000;
   double SnapTolerance = 0.0;

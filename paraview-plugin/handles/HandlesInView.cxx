@@ -9,6 +9,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMViewProxy.h"
 
 #include <QCheckBox>
@@ -110,6 +111,7 @@ void pqSingularityHandlesWidget::Detach()
 {
   this->FollowTimer.stop();
   this->IsDragging = false;
+  this->TellDragging(false);
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -206,6 +208,7 @@ void pqSingularityHandlesWidget::Follow()
     if (this->LiveBox->isChecked())
     {
       SCOPED_UNDO_EXCLUDE();
+      this->TellDragging(true);
       this->WriteProperty(this->Rows);
     }
     this->view()->forceRender();
@@ -221,9 +224,26 @@ void pqSingularityHandlesWidget::Release()
 {
   this->Follow();
   this->IsDragging = false;
+  this->TellDragging(false);
   if (this->Rows != this->RowsBeforeDrag)
   {
     this->Commit(this->RowsBeforeDrag, this->Rows, "Move Singularity");
+  }
+  else
+  {
+    this->view()->render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::TellDragging(bool isDragging)
+{
+  // A filter is asked again where that changes; undo and trace have no such step.
+  if (this->Dragging && vtkSMPropertyHelper(this->Dragging).GetAsInt() != (isDragging ? 1 : 0))
+  {
+    SCOPED_UNDO_EXCLUDE();
+    vtkSMPropertyHelper(this->Dragging).Set(isDragging ? 1 : 0);
+    this->proxy()->UpdateVTKObjects();
   }
 }
 

@@ -31,6 +31,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   : pqPropertyWidget(proxy, parent)
   , Singularities(group->GetProperty("Singularities"))
   , OutputRows(group->GetProperty("Rows"))
+  , Dragging(group->GetProperty("Dragging"))
 {
   this->setShowLabel(false);
   vtkPVXMLElement* hints = group->GetHints();
@@ -184,6 +185,7 @@ void pqSingularityHandlesWidget::TakeRows(const std::vector<SingularityRow>& row
 {
   // What was dragged may not be there any more.
   this->IsDragging = false;
+  this->TellDragging(false);
   this->Rows = rows;
   this->Chosen = std::min(this->Chosen, static_cast<int>(rows.size()) - 1);
   this->ShowRows();

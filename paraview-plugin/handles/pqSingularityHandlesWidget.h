@@ -12,6 +12,8 @@
  * of its last update. They are shown where the property of rows is empty, and become its value where a command
  * of the filter has changed them, so that undo, trace and states have them.
  *
+ * A filter that can do with less while a handle is dragged has a property of the function `Dragging`, which is 1 then.
+ *
  * The hint <WithoutRadius/> of the group hides the column of radii where they mean nothing.
  *
  * The handles are seen while the panel shows the proxy. Changes of the property by Python, undo or a state
@@ -92,10 +94,12 @@ private:
   void Press(int x, int y);
   void Follow();
   void Release();
+  void TellDragging(bool isDragging);
   void Hover(int x, int y);
 
   vtkSMProperty* Singularities = nullptr;
   vtkSMProperty* OutputRows = nullptr; ///< Maybe none.
+  vtkSMProperty* Dragging = nullptr;   ///< Maybe none.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
   bool IsWriting = false;

@@ -2,7 +2,7 @@
 
 Faces have pale colours, lines that of the index of the singularity where they start, red for 1 and blue for -1, and grey where they
 are those of an earlier place; thin lines
-are draft quads. The text says what the layout is good for, or why there is none. Move rows of the designer's singularities, or use
+are quads, drafts while a handle is dragged. The text says what the layout is good for, or why there is none. Move rows of the designer's singularities, or use
 its buttons. A ready start for a domain of your own: change the input of the designer.
 """
 from paraview.simple import *
@@ -25,7 +25,7 @@ SetProperties(
                 (0.91, 0.85, 0.96)][face * 7 % 5])])
 faces.SetScalarBarVisibility(view, False)
 SetProperties(faces, Ambient=1, Diffuse=0)
-edges = ExtractEdges(registrationName="Draft quads", Input=OutputPort(designer, 3))
+edges = ExtractEdges(registrationName="Sides of quads", Input=OutputPort(designer, 3))
 SetProperties(Show(edges, view), ColorArrayName=["POINTS", ""], AmbientColor=[0.6, 0.6, 0.6],
               DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001], Ambient=1, Diffuse=0)
 lines = Show(designer, view)

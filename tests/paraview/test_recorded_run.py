@@ -68,9 +68,11 @@ def step_drag(view):
     times, seen = [], None
     for seconds in drag(view, path):
         times.append(seconds)
+        check_equal(designer.Dragging, 1, "whether the designer knows of the hand")
         lines = vtk_to_numpy(designer.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetData()).copy()
         check(not np.array_equal(lines, seen), "the lines did not follow a move")
         seen = lines
+    check_equal(designer.Dragging, 0, "whether the designer knows that the hand is gone")
     right = int(rows_of(designer)[:, 0].argmax())
     for _ in drag(view, [rows_of(designer)[right, :2], (1.1, 0), (0.9, 0)]):
         pass
@@ -97,9 +99,12 @@ def step_snap(view):
 
 def step_quads(view):
     designer = GetActiveSource()
-    check(hands.hands_take(b"Quads", b"Smooth"), "no choice of quads in the panel")
-    check(hands.hands_click(b"Apply"), "no Apply for quads")
-    wait()
+    for choice, there_are in (b"None", False), (b"Smooth", True):
+        check(hands.hands_take(b"Quads", choice), "no choice of quads in the panel")
+        check(hands.hands_click(b"Apply"), "no Apply for quads")
+        wait()
+        quads = designer.GetClientSideObject().GetOutputDataObject(3)
+        check_equal(quads.GetNumberOfCells() > 0, there_are, "whether there are quads")
     check_summary(view, designer)
 
 

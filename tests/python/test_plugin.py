@@ -38,13 +38,13 @@ PROXIES = {
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
-    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Propose Optimise Snap AddPair Undo Quads "
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Propose Optimise Snap AddPair Undo Quads Dragging "
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "RepairHolonomy"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
-    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius"),
+    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (
         "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),

@@ -167,6 +167,37 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   EXPECT_EQ(this->Value("Stale"), 1);
 }
 
+TEST_F(LayoutDesigner, FollowsAHandOnACoarserMeshAndWithDrafts)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(
+    0, 0.5, 0.38, 1, 0.1); // lines that all but meet would do so on one mesh only
+  this->Filter->SetMeshSize(0.015);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const double energy = this->Value("RenormalizedEnergy");
+  const double angle = this->Value("LeastAngle");
+  const double arc = this->Value("ShortestArc");
+  const vtkIdType points = this->Filter->GetOutput()->GetNumberOfPoints();
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(static_cast<double>(this->Filter->GetOutput()->GetNumberOfPoints()),
+    0.7 * static_cast<double>(points))
+    << "a line has a point on every side of a triangle that it meets";
+  EXPECT_LT(this->Value("LeastAngle"), angle) << "drafts are not smoothed";
+  // All is what it was but for the error of the coarser mesh.
+  EXPECT_EQ(this->Value("Faces"), 9);
+  EXPECT_NEAR(this->Value("RenormalizedEnergy"), energy, 0.02);
+  EXPECT_NEAR(this->Value("ShortestArc"), arc, 0.02 * arc);
+  this->Filter->SetSingularity(0, 0.5, 0.3, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  this->Filter->SetSingularity(0, 0.5, 0.38, 1, 0.1);
+  this->Filter->DraggingOff();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("RenormalizedEnergy"), energy);
+  EXPECT_EQ(this->Value("LeastAngle"), angle);
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
+}
+
 TEST_F(LayoutDesigner, SaysWhyThereNeverWasALayout)
 {
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);

@@ -1,10 +1,12 @@
 #include "LayoutDesign.h"
 
 #include "DomainQueries.h"
+#include "DrillHoles.h"
 #include "Stopwatch.h"
 #include "TMeshFaces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace crossfield
@@ -48,5 +50,16 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   design.seconds = stopwatch.Lap();
   progress.Report(1.0);
   return design;
+}
+
+double LiveMeshSize(const PlanarDomain& domain, double meshSize)
+{
+  // A step on so many takes less than 50 ms on two cores (docs/speed.md): hands and eyes take that for at once.
+  constexpr double MostTriangles = 4000.0;
+  DrillOptions options;
+  options.meshSize = meshSize;
+  // Equilateral triangles of area √3/4 h² each.
+  return std::max(ResolveMeshSize(options, domain),
+    std::sqrt(4.0 * domain.Area() / (std::sqrt(3.0) * MostTriangles)));
 }
 }

@@ -38,4 +38,8 @@ struct LayoutDesign
 /// Throws Error as SolveFlatMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.
 LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
   const LayoutOptions& options = {}, const Progress& progress = {});
+
+/// The edge length with which a layout follows a hand: `meshSize` (as in DrillOptions), or a larger one where that would make
+/// too many triangles for it. Lines move by the square of it at most, which the eye does not see while they move.
+double LiveMeshSize(const PlanarDomain& domain, double meshSize);
 }

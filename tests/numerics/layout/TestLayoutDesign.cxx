@@ -47,6 +47,24 @@ TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
   }
 }
 
+TEST(LayoutDesign, OfAHandThatDragsHasAMeshThatIsNotTooFine)
+{
+  const PlanarDomain disk = Builtin("disk", 0.05);
+  EXPECT_EQ(LiveMeshSize(disk, 0.1), 0.1) << "what is coarse enough stays";
+  const double live = LiveMeshSize(disk, 0.001);
+  EXPECT_EQ(LiveMeshSize(disk, 0.002), live);
+  EXPECT_EQ(LiveMeshSize(disk, live), live);
+  const FactoredDomain factored(disk, {}, live);
+  EXPECT_GT(factored.GetPotential()->GetTopology().mesh.triangles.size(), 3000u);
+  EXPECT_LT(factored.GetPotential()->GetTopology().mesh.triangles.size(), 6000u);
+  PlanarDomain large = disk;
+  for (Point& point : large.loops[0])
+  {
+    point *= 1e6;
+  }
+  EXPECT_NEAR(LiveMeshSize(large, 1e-3), 1e6 * live, 1e-6 * live);
+}
+
 TEST(LayoutDesign, NeitherMeshesNorFactorsTheDomainAgain)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
