@@ -17,11 +17,6 @@ namespace
 /// Radians of the phase: far below what the mesh is off by, and far above rounding.
 constexpr double NoDefect = 1e-9;
 
-double Largest(const Eigen::VectorXd& defects)
-{
-  return defects.size() == 0 ? 0.0 : defects.cwiseAbs().maxCoeff();
-}
-
 std::vector<double> AsVector(const Eigen::VectorXd& values)
 {
   return { values.data(), values.data() + values.size() };
@@ -60,7 +55,7 @@ OptimizerPlace RemoveDefects(const OptimizerObjective& objective, OptimizerPlace
 {
   constexpr int MostSteps = 50;
   constexpr double LeastPart = 1e-4;
-  for (int i = 0; Largest(here.defects) > NoDefect; ++i, ++steps)
+  for (int i = 0; here.defects.lpNorm<Eigen::Infinity>() > NoDefect; ++i, ++steps)
   {
     const Eigen::VectorXd step = ShortestStep(here, -here.defects);
     double part = objective.LongestPart(here.place, step);

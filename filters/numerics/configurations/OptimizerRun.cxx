@@ -16,10 +16,6 @@ namespace
 /// Below this a defect may come from the mesh; radians.
 constexpr double NotableDefect = 0.01;
 
-double LargestDefect(const OptimizerPlace& place)
-{
-  return place.defects.size() == 0 ? 0.0 : place.defects.cwiseAbs().maxCoeff();
-}
 }
 
 OptimizerRun::OptimizerRun(
@@ -118,7 +114,7 @@ OptimizerEnd OptimizerRun::AddPairs(int most, OptimizerEnd end, const Progress& 
   constexpr double LeastDefect = 0.2; // by which crosses miss by 0.05
   for (int pair = 0; pair < most; ++pair)
   {
-    const double defect = LargestDefect(this->Here);
+    const double defect = this->Here.defects.lpNorm<Eigen::Infinity>();
     if (end == OptimizerEnd::Aborted ||
       (this->Here.sizeSpread < EvenEnough && defect < LeastDefect))
     {
@@ -148,7 +144,8 @@ OptimizerEnd OptimizerRun::AddPairs(int most, OptimizerEnd end, const Progress& 
     const OptimizerEnd reached = this->Move(part.Part(0.5, 1.0));
     const std::string gain =
       "the spread of sizes from " + Short(here.sizeSpread) + " to " + Short(this->Here.sizeSpread);
-    const bool mends = defect > LeastDefect && LargestDefect(this->Here) < 0.5 * defect;
+    const bool mends =
+      defect > LeastDefect && this->Here.defects.lpNorm<Eigen::Infinity>() < 0.5 * defect;
     if (!mends && !(this->Here.sizeSpread < (1.0 - LeastGain) * here.sizeSpread))
     {
       this->Say("A further pair of singularities would change " + gain + ", and was left out.");
@@ -170,7 +167,7 @@ void OptimizerRun::AddToFront()
   point.singularities = static_cast<int>(this->Stage.tracked.singularities.size());
   point.sizeSpread = this->Here.sizeSpread;
   point.energy = this->Here.fullEnergy;
-  point.holonomyDefect = LargestDefect(this->Here);
+  point.holonomyDefect = this->Here.defects.lpNorm<Eigen::Infinity>();
   this->Result.front.push_back(point);
 }
 

@@ -1,6 +1,7 @@
 #include "BoundaryCorners.h"
 
 #include "Error.h"
+#include "LoopTurning.h"
 
 #include <Eigen/Geometry>
 
@@ -12,13 +13,12 @@ Corner DescribeVertex(const std::vector<Loop>& loops, std::size_t loop, std::siz
 {
   const Loop& points = loops[loop];
   const Point& here = points[vertex];
-  const Point before = here - points[(vertex + points.size() - 1) % points.size()];
   const Point after = points[(vertex + 1) % points.size()] - here;
   Corner corner;
   corner.position = here;
   corner.loop = static_cast<int>(loop);
   corner.vertex = static_cast<int>(vertex);
-  corner.angle = Pi - AngleBetween(before, after);
+  corner.angle = Pi - TurningAt(points, vertex);
   // The domain lies between the direction after and, counter-clockwise, the one back.
   corner.inward = Eigen::Rotation2Dd(0.5 * corner.angle) * after.normalized();
   return corner;

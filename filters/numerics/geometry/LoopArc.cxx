@@ -1,6 +1,7 @@
 #include "LoopArc.h"
 
 #include "BoundaryCorners.h"
+#include "LoopTurning.h"
 #include "Segment.h"
 
 #include <algorithm>
@@ -117,9 +118,7 @@ std::vector<double> LoopArc::Turns() const
   std::vector<double> turns(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Point& here = this->Polyline[i];
-    turns[i] = AngleBetween(
-      here - this->Polyline[(i + count - 1) % count], this->Polyline[(i + 1) % count] - here);
+    turns[i] = TurningAt(this->Polyline, i);
   }
   return turns;
 }

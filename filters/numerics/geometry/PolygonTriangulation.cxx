@@ -1,5 +1,7 @@
 #include "PolygonTriangulation.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 constexpr double NoEar = std::numeric_limits<double>::infinity();
 
 class EarClipping

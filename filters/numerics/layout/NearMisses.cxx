@@ -1,5 +1,7 @@
 #include "NearMisses.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -8,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Where a vertex of the mesh is in the chart of one of its triangles.
 const Point& PlaceIn(const FlatMap& map, int triangle, int vertex)
 {

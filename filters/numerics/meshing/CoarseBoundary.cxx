@@ -1,6 +1,7 @@
 #include "CoarseBoundary.h"
 
 #include "Error.h"
+#include "LoopTurning.h"
 #include "MakePlanarDomain.h"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace
 /// Of what is left out from the new sides, relative to their greatest length.
 constexpr double Deviation = 1e-3;
 
-double Turning(const Loop& loop, std::size_t i)
-{
-  const Point& before = loop[(i + loop.size() - 1) % loop.size()];
-  const Point& after = loop[(i + 1) % loop.size()];
-  return AngleBetween(loop[i] - before, after - loop[i]);
-}
-
 /// Which vertices stay.
 std::vector<bool> Fixed(
   const Loop& loop, double cornerAngle, const std::vector<CornerChoice>& keep, double reach)
@@ -30,7 +24,7 @@ std::vector<bool> Fixed(
   fixed[0] = true;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (IsCorner(Turning(loop, i), cornerAngle))
+    if (IsCorner(TurningAt(loop, i), cornerAngle))
     {
       fixed[i] = fixed[(i + 1) % count] = fixed[(i + count - 1) % count] = true;
     }
@@ -70,7 +64,7 @@ Loop Coarsen(const Loop& loop, const std::vector<bool>& fixed, double length, do
     double turn = 0.0;
     while (to < loop.size() && !fixed[to])
     {
-      turn += std::abs(Turning(loop, to));
+      turn += std::abs(TurningAt(loop, to));
       if ((loop[(to + 1) % loop.size()] - loop[from]).norm() > length || turn > 0.5 * cornerAngle ||
         !IsNear(loop, from, to + 1, Deviation * length))
       {

@@ -1,5 +1,7 @@
 #include "CutGraph.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -9,11 +11,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class UnionFind
 {
 public:

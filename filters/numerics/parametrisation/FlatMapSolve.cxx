@@ -2,6 +2,7 @@
 
 #include "DomainQueries.h"
 #include "Error.h"
+#include "Index.h"
 #include "InjectivityCheck.h"
 #include "PoincareHopf.h"
 #include "SeamEquations.h"
@@ -15,11 +16,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 int VertexAt(const MeshTopology& topology, const Point& position, double reach)
 {
   int nearest = -1;

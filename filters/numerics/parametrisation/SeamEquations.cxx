@@ -1,6 +1,7 @@
 #include "SeamEquations.h"
 
 #include "Elimination.h"
+#include "Index.h"
 
 #include <algorithm>
 
@@ -8,11 +9,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Who is eliminated first where there is a choice: further copies of a vertex, then vertices, then
 /// translations; cones stay, since halves of translations would not be whole.
 enum Rank

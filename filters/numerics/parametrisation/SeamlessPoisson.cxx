@@ -2,6 +2,7 @@
 
 #include "DissectedCholesky.h"
 #include "Error.h"
+#include "Index.h"
 #include "P1Laplacian.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 using Complex = std::complex<double>;
 
 /// Values at the corners of a triangle of a function with the derivative wanted: that at the centre,

@@ -1,17 +1,11 @@
 #include "ArcPoints.h"
 
+#include "Index.h"
+
 #include <numeric>
 
 namespace crossfield
 {
-namespace
-{
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-}
-
 UnionFind::UnionFind(std::size_t count)
   : Parent(count)
 {

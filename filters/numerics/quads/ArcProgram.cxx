@@ -1,5 +1,7 @@
 #include "ArcProgram.h"
 
+#include "Index.h"
+
 #include <glpk.h>
 
 #include <algorithm>
@@ -10,11 +12,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// As GLPK's own for whole numbers.
 constexpr double NearlyWhole = 1e-5;
 

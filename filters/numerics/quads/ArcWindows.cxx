@@ -1,6 +1,7 @@
 #include "ArcWindows.h"
 
 #include "ArcImprovement.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Some faces of a T-mesh, the nearest to the first of them first, and their arcs.
 struct Window
 {

@@ -1,17 +1,11 @@
 #include "BoundaryCurves.h"
 
+#include "Index.h"
+
 #include <utility>
 
 namespace crossfield
 {
-namespace
-{
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-}
-
 BoundaryCurves::BoundaryCurves(const MeshTopology& topology)
   : Topology(topology)
   , LoopAndEdge(topology.mesh.boundary.size(), { -1, 0 })

@@ -1,6 +1,7 @@
 #include "ChartWalk.h"
 
 #include "Error.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Twice the area that a point spans with each side of a triangle: barycentric coordinates but for a factor.
 std::array<double, 3> AreasAt(const FlatMap& map, int triangle, const Point& w)
 {

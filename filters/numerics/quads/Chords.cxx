@@ -1,6 +1,7 @@
 #include "Chords.h"
 
 #include "ArcPoints.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,14 +9,6 @@
 
 namespace crossfield
 {
-namespace
-{
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-}
-
 Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
   : Coarse(std::move(coarse))
 {

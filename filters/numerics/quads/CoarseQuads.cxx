@@ -1,21 +1,14 @@
 #include "CoarseQuads.h"
 
+#include "Index.h"
+#include "QuadEnergy.h"
+
 #include <algorithm>
 
 namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-Eigen::Index First(int point)
-{
-  return 2 * static_cast<Eigen::Index>(point);
-}
-
 /// Number of a point, or cell, of a lattice with so many in a row.
 std::size_t At(int i, int j, int row)
 {
@@ -192,13 +185,13 @@ void CoarseQuads::ForEachLink(const Function& function) const
 Eigen::VectorXd CoarseQuads::Tangents(const BoundaryCurves& curves) const
 {
   Eigen::VectorXd tangents =
-    Eigen::VectorXd::Zero(First(static_cast<int>(this->mesh.points.size())));
+    Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->mesh.points.size())));
   for (int p = 0; p < static_cast<int>(this->mesh.points.size()); ++p)
   {
     const CurvePlace& curve = this->mesh.points[Index(p)].curve;
     if (curve.loop >= 0)
     {
-      tangents.segment<2>(First(p)) = curves.Tangent(curve);
+      tangents.segment<2>(FirstUnknown(p)) = curves.Tangent(curve);
     }
   }
   return tangents;
@@ -208,18 +201,19 @@ Eigen::VectorXd CoarseQuads::Prolong(
   const BoundaryCurves& curves, const Eigen::VectorXd& moves) const
 {
   const Eigen::VectorXd tangents = this->Tangents(curves);
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(First(static_cast<int>(this->Fine.points.size())));
+  Eigen::VectorXd result =
+    Eigen::VectorXd::Zero(FirstUnknown(static_cast<int>(this->Fine.points.size())));
   this->ForEachLink(
     [&](const Link& link)
     {
       const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
       for (std::size_t k = 0; k < 4; ++k)
       {
-        const Eigen::Index first = First(link.coarse[k]);
+        const Eigen::Index first = FirstUnknown(link.coarse[k]);
         const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
         const Point move = inside && onBoundary ? Point(moves[first] * tangents.segment<2>(first))
                                                 : Point(moves.segment<2>(first));
-        result.segment<2>(First(link.fine)) += link.parts[k] * move;
+        result.segment<2>(FirstUnknown(link.fine)) += link.parts[k] * move;
       }
     });
   return result;
@@ -234,10 +228,10 @@ Eigen::VectorXd CoarseQuads::Restrict(
     [&](const Link& link)
     {
       const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
-      const Point force = gradient.segment<2>(First(link.fine));
+      const Point force = gradient.segment<2>(FirstUnknown(link.fine));
       for (std::size_t k = 0; k < 4; ++k)
       {
-        const Eigen::Index first = First(link.coarse[k]);
+        const Eigen::Index first = FirstUnknown(link.coarse[k]);
         const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
         result.segment<2>(first) += link.parts[k] *
           (inside && onBoundary ? Point(force.dot(tangents.segment<2>(first)), 0.0) : force);

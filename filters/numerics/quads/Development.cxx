@@ -1,5 +1,7 @@
 #include "Development.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,11 +9,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 std::array<int, 2> Direction(int turns)
 {
   constexpr std::array<std::array<int, 2>, 4> Directions = { { { 1, 0 }, { 0, 1 }, { -1, 0 },

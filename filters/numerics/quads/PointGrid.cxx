@@ -1,5 +1,7 @@
 #include "PointGrid.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Part of a point's shortest edge within which there is no other point.
 constexpr double ReachPart = 0.4;
 }

@@ -1,5 +1,7 @@
 #include "QuadBlocks.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -7,11 +9,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Sides are numbered as in QuadMesh::Twins.
 class Cutter
 {

@@ -1,6 +1,7 @@
 #include "QuadEnergy.h"
 
 #include "BothHalves.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +14,6 @@ namespace
 {
 /// Quads from which on two threads pay: their energy takes a millisecond then.
 constexpr std::size_t FewestForTwoThreads = 20000;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-Eigen::Index First(int point)
-{
-  return 2 * static_cast<Eigen::Index>(point);
-}
 
 /// The sides of a quad over the wanted lengths: two of either direction. Corner (i, j) is between a_i and b_j.
 struct QuadFrame
@@ -38,7 +29,7 @@ struct QuadFrame
 QuadFrame FrameOf(const QuadMesh& mesh, const Eigen::VectorXd& places, std::size_t quad)
 {
   const std::array<int, 4>& points = mesh.quads[quad];
-  const auto at = [&places](int point) -> Point { return places.segment<2>(First(point)); };
+  const auto at = [&places](int point) -> Point { return places.segment<2>(FirstUnknown(point)); };
   const std::array<Point, 4> p = { at(points[0]), at(points[1]), at(points[2]), at(points[3]) };
   QuadFrame frame;
   frame.inverseA = 1.0 / mesh.wanted[quad][0];
@@ -72,7 +63,7 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
       1.0 / (mesh.wanted[q][0] * mesh.wanted[q][0]) + 1.0 / (mesh.wanted[q][1] * mesh.wanted[q][1]);
     for (const int p : mesh.quads[q])
     {
-      this->Diagonal.segment<2>(First(p)).array() += 4.0 * this->Weights[q] * curvature;
+      this->Diagonal.segment<2>(FirstUnknown(p)).array() += 4.0 * this->Weights[q] * curvature;
     }
   }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
@@ -80,12 +71,12 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
     if (!moves[Index(p)])
     {
       this->Fixed.push_back(p);
-      this->Diagonal.segment<2>(First(p)).setOnes();
+      this->Diagonal.segment<2>(FirstUnknown(p)).setOnes();
     }
     else if (mesh.points[Index(p)].curve.loop >= 0)
     {
       this->OnBoundary.push_back(p);
-      this->Diagonal[First(p) + 1] = 1.0;
+      this->Diagonal[FirstUnknown(p) + 1] = 1.0;
     }
   }
 }
@@ -95,11 +86,11 @@ Eigen::VectorXd QuadEnergy::Unknowns() const
   Eigen::VectorXd unknowns(this->Diagonal.size());
   for (int p = 0; p < static_cast<int>(this->Mesh.points.size()); ++p)
   {
-    unknowns.segment<2>(First(p)) = this->Mesh.points[Index(p)].place;
+    unknowns.segment<2>(FirstUnknown(p)) = this->Mesh.points[Index(p)].place;
   }
   for (const int p : this->OnBoundary)
   {
-    unknowns.segment<2>(First(p)) << this->Mesh.points[Index(p)].curve.at, 0.0;
+    unknowns.segment<2>(FirstUnknown(p)) << this->Mesh.points[Index(p)].curve.at, 0.0;
   }
   return unknowns;
 }
@@ -114,7 +105,7 @@ Eigen::VectorXd QuadEnergy::Masked(Eigen::VectorXd moves) const
 {
   for (const int p : this->Fixed)
   {
-    moves.segment<2>(First(p)).setZero();
+    moves.segment<2>(FirstUnknown(p)).setZero();
   }
   return moves;
 }
@@ -125,11 +116,11 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   curves.reserve(this->OnBoundary.size());
   for (const int p : this->OnBoundary)
   {
-    curves.push_back({ mesh.points[Index(p)].curve.loop, unknowns[First(p)] });
+    curves.push_back({ mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
   }
   for (int p = 0; p < static_cast<int>(mesh.points.size()); ++p)
   {
-    mesh.points[Index(p)].place = unknowns.segment<2>(First(p));
+    mesh.points[Index(p)].place = unknowns.segment<2>(FirstUnknown(p));
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
@@ -144,8 +135,8 @@ void QuadEnergy::Place(const Eigen::VectorXd& unknowns)
   this->Places = unknowns;
   for (const int p : this->OnBoundary)
   {
-    this->Places.segment<2>(First(p)) =
-      this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[First(p)] });
+    this->Places.segment<2>(FirstUnknown(p)) =
+      this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
   }
 }
 
@@ -193,10 +184,14 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
     if (forces)
     {
       const std::array<int, 4>& points = this->Mesh.quads[q];
-      force.segment<2>(First(points[0])) -= frame.inverseA * byA[0] + frame.inverseB * byB[0];
-      force.segment<2>(First(points[1])) += frame.inverseA * byA[0] - frame.inverseB * byB[1];
-      force.segment<2>(First(points[2])) += frame.inverseA * byA[1] + frame.inverseB * byB[1];
-      force.segment<2>(First(points[3])) += frame.inverseB * byB[0] - frame.inverseA * byA[1];
+      force.segment<2>(FirstUnknown(points[0])) -=
+        frame.inverseA * byA[0] + frame.inverseB * byB[0];
+      force.segment<2>(FirstUnknown(points[1])) +=
+        frame.inverseA * byA[0] - frame.inverseB * byB[1];
+      force.segment<2>(FirstUnknown(points[2])) +=
+        frame.inverseA * byA[1] + frame.inverseB * byB[1];
+      force.segment<2>(FirstUnknown(points[3])) +=
+        frame.inverseB * byB[0] - frame.inverseA * byA[1];
     }
   }
   return energy;
@@ -230,9 +225,10 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
     });
   for (const int p : this->OnBoundary)
   {
-    const Point force = gradient->segment<2>(First(p));
+    const Point force = gradient->segment<2>(FirstUnknown(p));
     const int loop = this->Mesh.points[Index(p)].curve.loop;
-    gradient->segment<2>(First(p)) << force.dot(this->Curves.Tangent({ loop, unknowns[First(p)] })),
+    gradient->segment<2>(FirstUnknown(p))
+      << force.dot(this->Curves.Tangent({ loop, unknowns[FirstUnknown(p)] })),
       0.0;
   }
   if (this->Slope.size() > 0)
@@ -241,7 +237,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   for (const int p : this->Fixed)
   {
-    gradient->segment<2>(First(p)).setZero();
+    gradient->segment<2>(FirstUnknown(p)).setZero();
   }
   return energy;
 }

@@ -8,6 +8,12 @@
 
 namespace crossfield
 {
+/// Where the two unknowns of a point begin.
+inline Eigen::Index FirstUnknown(int point)
+{
+  return 2 * static_cast<Eigen::Index>(point);
+}
+
 /// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of each quad, with
 /// J the map from the wanted rectangle and D = det J,
 ///   f = (1 − a) |J|² / χ + a (D² + 1) / χ,  χ = (D + √(D² + ε²)) / 2.

@@ -3,6 +3,7 @@
 #include "ArcPoints.h"
 #include "ChartWalk.h"
 #include "Error.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// A point on a side of a face: how far along, and where in the map.
 struct SidePoint
 {

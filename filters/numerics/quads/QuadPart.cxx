@@ -1,5 +1,6 @@
 #include "QuadPart.h"
 
+#include "Index.h"
 #include "QuadQuality.h"
 
 #include <algorithm>
@@ -8,11 +9,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Rings of quads between every point and the nearest cone or inverted quad; `rings` where there are as many.
 std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 {

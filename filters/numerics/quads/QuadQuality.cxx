@@ -1,5 +1,7 @@
 #include "QuadQuality.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +9,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 const Point& At(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
 {
   return mesh.points[Index(mesh.quads[quad][corner % 4])].place;

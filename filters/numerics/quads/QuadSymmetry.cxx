@@ -1,6 +1,7 @@
 #include "QuadSymmetry.h"
 
 #include "BoundarySymmetry.h"
+#include "Index.h"
 #include "PointGrid.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace crossfield
 namespace
 {
 using Permutation = std::vector<int>;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 class Symmetriser
 {

@@ -1,5 +1,7 @@
 #include "Separation.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -8,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 class Separator
 {
 public:

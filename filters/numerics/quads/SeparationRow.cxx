@@ -1,6 +1,7 @@
 #include "SeparationRow.h"
 
 #include "Development.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The spots where a link begins and ends, both of one face.
 struct LinkSpots
 {

@@ -1,18 +1,12 @@
 #include "LineWalk.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace crossfield
 {
-namespace
-{
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-}
-
 double LineWalk::Across(const LineSegment& segment, int corner) const
 {
   return this->Map.At(segment.triangle, corner)[segment.AlongU() ? 1 : 0];

@@ -1,5 +1,7 @@
 #include "TMeshArcs.h"
 
+#include "Index.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// A node on a line or loop.
 struct Stop
 {

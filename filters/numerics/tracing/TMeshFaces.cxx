@@ -1,6 +1,7 @@
 #include "TMeshFaces.h"
 
 #include "Error.h"
+#include "Index.h"
 #include "TMeshArcs.h"
 
 #include <algorithm>
@@ -9,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The half-edges that start at every node, by slot.
 std::vector<std::vector<int>> Stars(const TMesh& mesh)
 {

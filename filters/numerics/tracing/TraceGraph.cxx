@@ -1,6 +1,7 @@
 #include "TraceGraph.h"
 
 #include "Error.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +11,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Lines have different head starts, up to this part of the extent, so that no two are anywhere at
 /// the same time in domains that are symmetric; irregular and much larger than SameIsoline.
 constexpr double LargestDelay = 1e-6;

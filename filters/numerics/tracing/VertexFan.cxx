@@ -1,6 +1,7 @@
 #include "VertexFan.h"
 
 #include "Error.h"
+#include "Index.h"
 
 #include <algorithm>
 #include <string>
@@ -9,11 +10,6 @@ namespace crossfield
 {
 namespace
 {
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Where a direction is, in eighths of a turn: 2q on the axis i^q, 2q + 1 between it and the next.
 int Eighths(const Point& direction)
 {
