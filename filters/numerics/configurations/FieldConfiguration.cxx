@@ -125,7 +125,8 @@ FieldConfiguration ReadConfiguration(
   for (const FieldSingularity& singularity : FindFieldSingularities(field, reading))
   {
     const auto corner = std::find_if(count.corners.begin(), count.corners.end(),
-      [&](const CountedCorner& candidate) { return candidate.position == singularity.position; });
+      [&](const CountedCorner& candidate)
+      { return topology.VertexOf(candidate) == singularity.vertex; });
     if (corner != count.corners.end())
     {
       ofCorner[static_cast<std::size_t>(corner - count.corners.begin())] = singularity.quarterIndex;

@@ -83,8 +83,9 @@ struct Cluster
   std::vector<Point> zeros;     ///< Of the piecewise linear field, with the sign of quarterIndex.
   bool touchesBoundary = false; ///< Then the mean may be outside the domain, and one of these is
   std::vector<Point> places;    ///< taken: of all if all are on the boundary, else of those inside.
+  std::vector<int> vertices; ///< Which vertex each of these is; −1: the centroid of a triangle.
 
-  void Add(int index, const Point& place, const VertexRole& at, double longestEdge)
+  void Add(int index, const Point& place, int vertex, const VertexRole& at, double longestEdge)
   {
     this->edge = std::max(this->edge, longestEdge);
     this->quarterIndex += index;
@@ -94,11 +95,13 @@ struct Cluster
     if (this->onBoundary && !boundary)
     {
       this->places.clear();
+      this->vertices.clear();
     }
     this->onBoundary = this->onBoundary && boundary;
     if (this->onBoundary || !boundary)
     {
       this->places.push_back(place);
+      this->vertices.push_back(vertex);
     }
     this->touchesBoundary = this->touchesBoundary || boundary;
     this->role = at;
@@ -205,7 +208,7 @@ std::map<int, Cluster> FindClusters(
       const double edge = std::max({ longest[static_cast<std::size_t>(a)],
         longest[static_cast<std::size_t>(b)], longest[static_cast<std::size_t>(c)] });
       Cluster& cluster = clusters[sets.Find(a)];
-      cluster.Add(indices.ofTriangle[t], Centroid(mesh, t), VertexRole(), edge);
+      cluster.Add(indices.ofTriangle[t], Centroid(mesh, t), -1, VertexRole(), edge);
       cluster.touchesBoundary = cluster.touchesBoundary ||
         std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
           [&roles](int vertex)
@@ -218,7 +221,7 @@ std::map<int, Cluster> FindClusters(
     {
       const auto vertex = static_cast<std::size_t>(v);
       clusters[sets.Find(v)].Add(
-        indices.ofVertex[vertex], mesh.points[vertex], roles[vertex], longest[vertex]);
+        indices.ofVertex[vertex], mesh.points[vertex], v, roles[vertex], longest[vertex]);
     }
   }
   // Zeros are looked for in the singular triangles and around the singular vertices.
@@ -239,12 +242,13 @@ std::map<int, Cluster> FindClusters(
   return clusters;
 }
 
-/// The one of some points that is nearest to another.
-const Point& Nearest(const std::vector<Point>& points, const Point& centre)
+/// Which of some points is nearest to another.
+std::size_t Nearest(const std::vector<Point>& points, const Point& centre)
 {
-  return *std::min_element(points.begin(), points.end(),
+  const auto nearest = std::min_element(points.begin(), points.end(),
     [&centre](const Point& a, const Point& b)
     { return (a - centre).squaredNorm() < (b - centre).squaredNorm(); });
+  return static_cast<std::size_t>(nearest - points.begin());
 }
 
 FieldSingularity Describe(const Cluster& cluster)
@@ -260,11 +264,13 @@ FieldSingularity Describe(const Cluster& cluster)
   }
   if (!cluster.onBoundary && std::abs(cluster.quarterIndex) == 1 && !cluster.zeros.empty())
   {
-    singularity.position = Nearest(cluster.zeros, singularity.position);
+    singularity.position = cluster.zeros[Nearest(cluster.zeros, singularity.position)];
   }
   else if (cluster.touchesBoundary)
   {
-    singularity.position = Nearest(cluster.places, singularity.position);
+    const std::size_t nearest = Nearest(cluster.places, singularity.position);
+    singularity.position = cluster.places[nearest];
+    singularity.vertex = cluster.onBoundary ? cluster.vertices[nearest] : -1;
   }
   return singularity;
 }
@@ -337,8 +343,8 @@ std::vector<FieldSingularity> FindFieldSingularities(
       sum += merged.ofVertex[v];
       if (options.corners && merged.ofVertex[v] != 0)
       {
-        found.push_back(
-          { { mesh.points[v], merged.ofVertex[v], 0.0 }, roles[v].place, roles[v].id, 0.0 });
+        found.push_back({ { mesh.points[v], merged.ofVertex[v], 0.0 }, roles[v].place, roles[v].id,
+          static_cast<int>(v), 0.0 });
       }
     }
   }

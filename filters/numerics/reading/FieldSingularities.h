@@ -20,6 +20,8 @@ struct FieldSingularity : Singularity
   Place place = Place::Inside;
   /// Loop number on the boundary, row of the configuration for holes, −1 inside.
   int id = -1;
+  /// The vertex of the mesh that it is at on an outer or inner loop, else −1.
+  int vertex = -1;
   /// Longest edge at the vertices of its triangles: how well its place is known.
   double edge = 0.0;
 };

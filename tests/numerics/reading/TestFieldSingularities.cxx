@@ -216,11 +216,15 @@ TEST(FieldSingularities, SingularityInTheBoundaryIsSaidToBeThere)
       atOne += singularity.quarterIndex;
       EXPECT_EQ(singularity.place, Place::OuterLoop);
       EXPECT_EQ(singularity.id, 0);
+      ASSERT_GE(singularity.vertex, 0);
+      EXPECT_EQ(
+        disk.mesh.points[static_cast<std::size_t>(singularity.vertex)], singularity.position);
     }
     else
     {
       EXPECT_EQ(singularity.quarterIndex, 1);
       EXPECT_EQ(singularity.place, Place::Inside);
+      EXPECT_EQ(singularity.vertex, -1);
     }
   }
   EXPECT_EQ(atOne, 1);
@@ -245,6 +249,8 @@ TEST(FieldSingularities, CornersAreReportedWhenAskedFor)
   for (const FieldSingularity& corner : found)
   {
     EXPECT_EQ(corner.place, Place::OuterLoop);
+    ASSERT_GE(corner.vertex, 0);
+    EXPECT_EQ(mesh.points[static_cast<std::size_t>(corner.vertex)], corner.position);
   }
 }
 
