@@ -10,7 +10,7 @@
 
 namespace crossfield::test
 {
-/// φ and Φ of §11.2 are the imaginary and the real part of Σ k_j (log(z − b_j) + log(1 − b̄_j z)). When b comes to
+/// φ and Φ (docs/method.md §11.2) are the imaginary and the real part of Σ k_j (log(z − b_j) + log(1 − b̄_j z)). When b comes to
 /// the circle, the two logarithms become one: Φ = 2k log|z − b| still has the flux k through the circle,
 /// and 2πk leaves b into the half plane, the jump of the phase. So Poincaré-Hopf is Σ k = 4 over those
 /// inside and on the circle.

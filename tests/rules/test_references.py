@@ -2,10 +2,11 @@
 
     python3 test_references.py
 
-- A reference `docs/method.md §3.1`, or §3, has a heading of that number there.
+- A reference `docs/method.md §3.1` has a heading of that number there, and every section sign follows its document.
 - A relative link of a .md page has its file, and its #anchor a heading.
 - A source or a page that is named in a comment or a page is in the tree.
 - Documents that are not in the tree are not cited.
+- The README is a page that is read at one go; what needs more room belongs into docs.
 
 The tree is what git tracks and what is new in it; where there is no git, all files.
 """
@@ -17,6 +18,7 @@ import unittest
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 METHOD_PAGE = "docs/method.md"
+README_LINES = 150
 # Broken up, because this file is checked as well.
 ELSEWHERE = re.compile(
     r"(?<!\w)(?:MET" r"HOD|DES" r"IGN|STY" r"LE(?= ?§|\.md)|QUA" r"DS|\.\./sha" r"red)(?!\w)")
@@ -28,7 +30,8 @@ FOREIGN = re.compile(r"(?:vtk\w*|CGAL/.*|Eigen/.*|cholmod|cblas|lapacke?)\.h$|Fi
                      r"|(?:PAGE\.md|SCRIPT\.py|STATE\.py|DRAW_H\.py)$")
 # A break of the line inside a comment.
 GAP = r"(?:[ \t`)\]]|\n[ \t]*(?:///?|#|\*)?[ \t]*)*"
-SECTION = re.compile(r"method\.md" + GAP + r"((?:(?:,|;|and|to|–)?" + GAP + r"§\d+(?:\.\d+)?)+)")
+SECTION = re.compile(r"method\.md" + GAP + r",?" + GAP + r"(§\d+(?:\.\d+)?(?:(?:,|;|–| and| to| or)?" + GAP +
+                     r"§\d+(?:\.\d+)?)*)")
 LITERAL = r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])*'"
 COMMENTS = {
     "cxx": re.compile(r"(?P<comment>//[^\n]*|/\*.*?\*/)|" + LITERAL, re.DOTALL),
@@ -122,6 +125,23 @@ def section_findings(texts):
     return found
 
 
+def bare_findings(texts):
+    found = []
+    for name, text in texts.items():
+        # A list of sections may go on in the next comment.
+        cited = [match.span() for match in SECTION.finditer(text or "")]
+        for place, comment in comments(name, text) if text and name != METHOD_PAGE else ():
+            found += ["%s:%d cites %s of no document" % (name, line_of(text, place + match.start()), match.group())
+                      for match in re.finditer(r"§\d+(?:\.\d+)?", comment)
+                      if not any(first <= place + match.start() < last for first, last in cited)]
+    return found
+
+
+def length_findings(texts):
+    lines = (texts.get("README.md") or "").count("\n")
+    return [] if lines <= README_LINES else ["README.md has %d lines, more than %d" % (lines, README_LINES)]
+
+
 def link_findings(texts):
     folders = {os.path.dirname(name) for name in texts}
     while "" not in folders or any(os.path.dirname(folder) not in folders for folder in folders):
@@ -190,6 +210,17 @@ class References(unittest.TestCase):
         self.assertEqual(len(section_findings({METHOD_PAGE: SAMPLE + "§5"})), 1)
         self.assertEqual(len(section_findings({"a.h": ""})), 1)
 
+    def test_finds_a_section_of_no_document(self):
+        self.check(bare_findings, {"a.h": "// docs/method.md §1 and §2.1, Φ\n// there\n"}, [])
+        self.check(bare_findings, {"a.h": "// docs/method.md §1\n// Φ of §2.1\nf(\"§3\");"},
+                   ["a.h:2 cites §2.1 of no document"])
+        self.check(bare_findings, {"a.md": "[Method](method.md) §1, [paper](paper.md) §4"},
+                   ["a.md:1 cites §4 of no document"])
+
+    def test_finds_a_long_readme(self):
+        self.check(length_findings, {"README.md": "\n" * README_LINES}, [])
+        self.assertEqual(len(length_findings({"README.md": "\n" * (README_LINES + 1)})), 1)
+
     def test_finds_a_broken_link(self):
         page = "[a](docs/method.md#21-p1) [b](docs) [c](https://x.y/z) `[d](e)` [f](#up)\n\n# Up\n"
         self.check(link_findings, {"a.md": page}, [])
@@ -229,8 +260,8 @@ class References(unittest.TestCase):
     def test_the_tree(self):
         texts = read(ROOT)
         self.assertGreater(len(texts), 100, "the files")
-        found = [finding for function in (section_findings, link_findings, mention_findings,
-                                          document_findings) for finding in function(texts)]
+        found = [finding for function in (section_findings, bare_findings, length_findings, link_findings,
+                                          mention_findings, document_findings) for finding in function(texts)]
         self.assertFalse(found, "\n" + "\n".join(found))
 
 
