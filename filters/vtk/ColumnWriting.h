@@ -10,14 +10,30 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
-/** Writes arrays with one value per item. */
+/** Makes arrays, most with one value per item. */
 namespace ColumnWriting
 {
+/** An array with so many tuples, all of one value. */
+template <class Array>
+vtkSmartPointer<Array> NewArray(vtkFieldData* data, const char* name, int components,
+  vtkIdType tuples, typename Array::ValueType value = 0)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  std::fill_n(array->GetPointer(0), tuples * components, value);
+  data->AddArray(array);
+  return array;
+}
+
 /** An array with one value per item. */
 template <class Array, class Items, class Value>
 void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value value)

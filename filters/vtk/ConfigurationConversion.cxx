@@ -1,4 +1,4 @@
-#include "DomainConversion.h"
+#include "ConfigurationConversion.h"
 
 #include "ColumnWriting.h"
 #include "Error.h"
@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <string>
 
-namespace DomainConversion
+namespace ConfigurationConversion
 {
 using crossfield::Error;
 

@@ -14,7 +14,6 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -25,20 +24,8 @@ namespace
 {
 using ColumnWriting::AddIntegers;
 using ColumnWriting::AddNumbers;
+using ColumnWriting::NewArray; // zero, which points that no cell uses keep
 using crossfield::Complex;
-
-template <class Array>
-vtkSmartPointer<Array> NewArray(
-  vtkFieldData* data, const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  std::fill_n(array->GetPointer(0), tuples * components, 0); // what points that no cell uses keep
-  data->AddArray(array);
-  return array;
-}
 
 /** The arrays that show one value of u per tuple. */
 class ShownField
@@ -102,7 +89,7 @@ private:
 namespace CrossFieldArrays
 {
 //------------------------------------------------------------------------------
-void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
+void AddField(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::CrossField& field,
   int arrays, vtkUnstructuredGrid* output)
 {
   const crossfield::CrossSamples samples =
@@ -147,7 +134,7 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
 
 //------------------------------------------------------------------------------
 crossfield::CrossField ReadField(
-  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input)
+  const DrilledMeshConversion::DrilledMesh& cells, vtkUnstructuredGrid* input)
 {
   vtkDataArray* exact = input->GetCellData()->GetArray(vtkCrossFieldArrayNames::CrossFieldCR);
   if (exact == nullptr || exact->GetNumberOfComponents() != 6)
@@ -223,7 +210,7 @@ void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output)
 }
 
 //------------------------------------------------------------------------------
-void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
+void AddH(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::HField& field,
   const crossfield::Configuration& configuration, int arrays, vtkUnstructuredGrid* output)
 {
   namespace names = vtkCrossFieldArrayNames;
@@ -257,8 +244,8 @@ void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& 
 }
 
 //------------------------------------------------------------------------------
-Eigen::VectorXd ReadOnTriangles(
-  const DomainConversion::DrilledMesh& cells, const std::string& name, vtkUnstructuredGrid* input)
+Eigen::VectorXd ReadOnTriangles(const DrilledMeshConversion::DrilledMesh& cells,
+  const std::string& name, vtkUnstructuredGrid* input)
 {
   Eigen::VectorXd values;
   if (name.empty())

@@ -1,7 +1,7 @@
 #ifndef CrossFieldArrays_h
 #define CrossFieldArrays_h
 
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "HField.h"
 #include "SolvedField.h"
 
@@ -19,7 +19,7 @@ namespace CrossFieldArrays
  * `CrossNorm` those of one of vtkCrossFieldArraySets, in single precision. Those of another field that the
  * mesh carried before are removed.
  */
-void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::CrossField& field,
+void AddField(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::CrossField& field,
   int arrays, vtkUnstructuredGrid* output);
 
 /**
@@ -27,7 +27,7 @@ void AddField(const DomainConversion::DrilledMesh& cells, const crossfield::Cros
  * when the array is missing or does not have 6 components.
  */
 crossfield::CrossField ReadField(
-  const DomainConversion::DrilledMesh& cells, vtkUnstructuredGrid* input);
+  const DrilledMeshConversion::DrilledMesh& cells, vtkUnstructuredGrid* input);
 
 /** The report as field data; see vtkPerforatedCrossField. */
 void AddReport(const crossfield::SolvedField& field, vtkUnstructuredGrid* output);
@@ -39,15 +39,15 @@ void AddConvexifiedSteps(int steps, vtkUnstructuredGrid* output);
  * Point arrays `H` and, unless only exact ones are wanted, `SizeMap` in single precision; and the field data `RenormalizedEnergy` and `PointSingularities`, the
  * configuration where it is one of points; see vtkHField.
  */
-void AddH(const DomainConversion::DrilledMesh& cells, const crossfield::HField& field,
+void AddH(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::HField& field,
   const crossfield::Configuration& configuration, int arrays, vtkUnstructuredGrid* output);
 
 /**
  * The values of a cell array on the triangles; none for an empty name. Throws crossfield::Error when
  * the array is missing or does not have one component.
  */
-Eigen::VectorXd ReadOnTriangles(
-  const DomainConversion::DrilledMesh& cells, const std::string& name, vtkUnstructuredGrid* input);
+Eigen::VectorXd ReadOnTriangles(const DrilledMeshConversion::DrilledMesh& cells,
+  const std::string& name, vtkUnstructuredGrid* input);
 }
 
 #endif

@@ -1,4 +1,4 @@
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 
 #include "CellLoop.h"
 #include "Error.h"
@@ -79,7 +79,7 @@ void WriteCells(const std::vector<std::array<int, 3>>& triangles,
 }
 }
 
-namespace DomainConversion
+namespace DrilledMeshConversion
 {
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* AsDrilledMesh(vtkDataSet* input)

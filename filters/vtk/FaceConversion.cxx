@@ -1,6 +1,7 @@
-#include "MapConversion.h"
+#include "FaceConversion.h"
 
 #include "ColumnWriting.h"
+#include "Index.h"
 #include "PolygonTriangulation.h"
 #include "TMesh.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -16,12 +17,8 @@ namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
+using crossfield::Index;
 using crossfield::Point;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /** A point of the outline of a face. */
 struct OutlinePoint
@@ -96,10 +93,11 @@ private:
 };
 }
 
-namespace MapConversion
+namespace FaceConversion
 {
 //------------------------------------------------------------------------------
-void WriteFaces(const Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output)
+void WriteFaces(
+  const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

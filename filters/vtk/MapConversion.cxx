@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "Index.h"
 #include "InputCheck.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -18,25 +19,9 @@ namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
+using ColumnWriting::NewArray;
+using crossfield::Index;
 using crossfield::Point;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-template <class Array>
-vtkSmartPointer<Array> NewArray(
-  vtkFieldData* data, const char* name, int components, vtkIdType tuples, double value)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  array->Fill(value);
-  data->AddArray(array);
-  return array;
-}
 
 vtkDataArray* RequireArray(vtkFieldData* data, const char* name, int components)
 {
@@ -76,10 +61,10 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   points->SetNumberOfPoints(pointCount);
   output->SetPoints(points);
   vtkPointData* pointData = output->GetPointData();
-  const auto uv = NewArray<vtkDoubleArray>(pointData, names::UV, 2, pointCount, 0.0);
-  const auto vertices = NewArray<vtkIntArray>(pointData, names::VertexId, 1, pointCount, 0.0);
-  const auto quarters = NewArray<vtkIntArray>(pointData, names::QuarterIndex, 1, pointCount, 0.0);
-  const auto cones = NewArray<vtkIntArray>(pointData, names::Cone, 1, pointCount, -1.0);
+  const auto uv = NewArray<vtkDoubleArray>(pointData, names::UV, 2, pointCount);
+  const auto vertices = NewArray<vtkIntArray>(pointData, names::VertexId, 1, pointCount);
+  const auto quarters = NewArray<vtkIntArray>(pointData, names::QuarterIndex, 1, pointCount);
+  const auto cones = NewArray<vtkIntArray>(pointData, names::Cone, 1, pointCount, -1);
   std::vector<int> coneAt(mesh.points.size(), -1);
   for (std::size_t c = 0; c < map.cones.size(); ++c)
   {
@@ -101,10 +86,10 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   const auto cells = triangles + static_cast<vtkIdType>(mesh.boundary.size());
   output->Allocate(cells);
   vtkCellData* cellData = output->GetCellData();
-  const auto kind = NewArray<vtkIntArray>(cellData, names::BoundaryKind, 1, cells, 0.0);
-  const auto id = NewArray<vtkIntArray>(cellData, names::BoundaryId, 1, cells, -1.0);
-  const auto seams = NewArray<vtkIntArray>(cellData, names::Seam, 3, cells, 0.0);
-  const auto directions = NewArray<vtkIntArray>(cellData, names::Direction, 1, cells, -1.0);
+  const auto kind = NewArray<vtkIntArray>(cellData, names::BoundaryKind, 1, cells);
+  const auto id = NewArray<vtkIntArray>(cellData, names::BoundaryId, 1, cells, -1);
+  const auto seams = NewArray<vtkIntArray>(cellData, names::Seam, 3, cells);
+  const auto directions = NewArray<vtkIntArray>(cellData, names::Direction, 1, cells, -1);
   for (vtkIdType t = 0; t < triangles; ++t)
   {
     const auto& corners = map.corners[static_cast<std::size_t>(t)];
@@ -133,8 +118,8 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
 
   vtkFieldData* field = output->GetFieldData();
   const auto count = static_cast<vtkIdType>(map.transitions.size());
-  const auto rotations = NewArray<vtkIntArray>(field, names::SeamRotation, 1, count, 0.0);
-  const auto translations = NewArray<vtkDoubleArray>(field, names::SeamTranslation, 2, count, 0.0);
+  const auto rotations = NewArray<vtkIntArray>(field, names::SeamRotation, 1, count);
+  const auto translations = NewArray<vtkDoubleArray>(field, names::SeamTranslation, 2, count);
   for (vtkIdType k = 0; k < count; ++k)
   {
     const crossfield::SeamTransition& seam = map.transitions[static_cast<std::size_t>(k)];

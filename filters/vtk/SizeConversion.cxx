@@ -1,6 +1,6 @@
 #include "SizeConversion.h"
 
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "Error.h"
 #include "SizeExtension.h"
 
@@ -160,7 +160,7 @@ Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::D
   result.mean = crossfield::EquivalentSize(mesh, sizes);
   sizes /= result.mean;
   vtkNew<vtkUnstructuredGrid> grid;
-  DomainConversion::WriteDrilledMesh(mesh, plane, grid);
+  DrilledMeshConversion::WriteDrilledMesh(mesh, plane, grid);
   const auto sampler =
     std::make_shared<Sampler>(grid, std::vector<double>(sizes.data(), sizes.data() + sizes.size()));
   result.relative = [sampler, plane](const crossfield::Point& place)

@@ -1,7 +1,8 @@
-#include "MapConversion.h"
+#include "TMeshConversion.h"
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "Index.h"
 #include "TraceGraph.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -16,12 +17,8 @@ namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
+using crossfield::Index;
 using crossfield::Point;
-
-std::size_t Index(int i)
-{
-  return static_cast<std::size_t>(i);
-}
 
 /** What is said of a line. */
 struct LineRow
@@ -109,10 +106,10 @@ int Locate(const crossfield::FlatMap& map, const Point& place, Point& w)
 }
 }
 
-namespace MapConversion
+namespace TMeshConversion
 {
 //------------------------------------------------------------------------------
-void WriteTraces(const Map& traced, const crossfield::TraceGraph& graph,
+void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph& graph,
   const std::vector<Point>& seeds, double longest, vtkPolyData* output)
 {
   const crossfield::FlatMap& map = traced.map;

@@ -1,5 +1,6 @@
 #include "vtkBoundaryCornerClassifier.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "FilterPorts.h"
@@ -144,7 +145,7 @@ int vtkBoundaryCornerClassifier::RequestData(
       CornerConversion::WriteCorners(
         classification, input.plane, vtkPolyData::GetData(outputVector, 0));
       CornerConversion::WriteScenarios(classification, vtkTable::GetData(outputVector, 1));
-      DomainConversion::WriteConfiguration(
+      ConfigurationConversion::WriteConfiguration(
         classification.split, input.plane, vtkPolyData::GetData(outputVector, 2));
     });
 }

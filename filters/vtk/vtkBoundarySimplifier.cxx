@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
@@ -143,7 +144,7 @@ int vtkBoundarySimplifier::RequestData(
     {
       InputCheck::Require(input);
       const bool isAsked = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
-      if (DomainConversion::AsDrilledMesh(input) != nullptr ||
+      if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
         (!isAsked && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
       {
         PassOn(input, output);

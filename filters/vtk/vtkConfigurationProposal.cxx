@@ -1,6 +1,7 @@
 #include "vtkConfigurationProposal.h"
 
 #include "AutomaticConfiguration.h"
+#include "ConfigurationConversion.h"
 #include "ConfigurationEnergy.h"
 #include "ConfigurationProposal.h"
 #include "CornerConversion.h"
@@ -64,7 +65,7 @@ int vtkConfigurationProposal::RequestData(
         crossfield::CapCorners(input.domain, automatic);
       }
       options.cancelFlatCorners = this->CancelFlatCorners;
-      options.given = DomainConversion::ReadConfiguration(singularities, input.plane);
+      options.given = ConfigurationConversion::ReadConfiguration(singularities, input.plane);
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
       vtkPolyData* chosen = vtkPolyData::GetData(outputVector, 1);
       if (!this->Automatic)
@@ -76,7 +77,8 @@ int vtkConfigurationProposal::RequestData(
           crossfield::ProposeConfigurations(input.domain, options, progress);
         const auto most = static_cast<std::size_t>(this->Alternatives) + 1;
         proposals.resize(std::min(proposals.size(), most));
-        DomainConversion::WriteConfiguration(proposals[0].singularities, input.plane, output);
+        ConfigurationConversion::WriteConfiguration(
+          proposals[0].singularities, input.plane, output);
         CornerConversion::WriteChoices(proposals[0].corners, input.plane, chosen);
         ProposalConversion::WriteTable(proposals,
           crossfield::ResolveCoreRadius(this->CoreRadius, input.domain),
@@ -93,7 +95,7 @@ int vtkConfigurationProposal::RequestData(
       {
         vtkWarningMacro(<< result.reason);
       }
-      DomainConversion::WriteConfiguration(choice.singularities, input.plane, output);
+      ConfigurationConversion::WriteConfiguration(choice.singularities, input.plane, output);
       CornerConversion::WriteChoices(choice.corners, input.plane, chosen);
       EnergyConversion::WriteOptimizerReport(result, output);
       EnergyConversion::WriteEvents(choice.events, output);

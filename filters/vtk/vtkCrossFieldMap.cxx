@@ -1,7 +1,9 @@
 #include "vtkCrossFieldMap.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
@@ -51,7 +53,7 @@ int vtkCrossFieldMap::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Stopwatch stopwatch;
-      vtkUnstructuredGrid* given = DomainConversion::AsDrilledMesh(domain);
+      vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
       MapConversion::Map result;
       crossfield::SharedTopology topology;
       crossfield::Configuration configuration;
@@ -66,17 +68,18 @@ int vtkCrossFieldMap::RequestData(
             "Singularities at vertices of a mesh cannot be moved to repair the "
             "holonomy; give the domain instead.");
         }
-        const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(given);
+        const DrilledMeshConversion::DrilledMesh cells =
+          DrilledMeshConversion::ReadDrilledMesh(given);
         result.plane = cells.plane;
         topology = cells.topology;
-        configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+        configuration = ConfigurationConversion::ReadConfiguration(singularities, result.plane);
         options.corners = CornerConversion::ReadCorners(corners, result.plane);
       }
       else
       {
         const DomainConversion::Domain& input = this->Kept->Read(domain);
         result.plane = input.plane;
-        configuration = DomainConversion::ReadConfiguration(singularities, result.plane);
+        configuration = ConfigurationConversion::ReadConfiguration(singularities, result.plane);
         options.corners = CornerConversion::ReadCorners(corners, result.plane);
         if (this->RepairHolonomy)
         {

@@ -1,7 +1,8 @@
 #include "vtkCrossFieldSingularities.h"
 
+#include "ConfigurationConversion.h"
 #include "CrossFieldArrays.h"
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FieldSingularities.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
@@ -34,7 +35,7 @@ void WriteSingularities(const std::vector<crossfield::FieldSingularity>& singula
     kinds->InsertNextValue(static_cast<int>(singularity.place));
     ids->InsertNextValue(singularity.id);
   }
-  DomainConversion::WriteConfiguration(configuration, plane, output);
+  ConfigurationConversion::WriteConfiguration(configuration, plane, output);
   output->GetPointData()->AddArray(kinds);
   output->GetPointData()->AddArray(ids);
 }
@@ -57,7 +58,8 @@ int vtkCrossFieldSingularities::RequestData(
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress&)
     {
-      const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
+      const DrilledMeshConversion::DrilledMesh cells =
+        DrilledMeshConversion::ReadDrilledMesh(input);
       crossfield::FieldSingularityOptions options;
       options.corners = this->IncludeCorners;
       options.holes = this->IncludeHoles;

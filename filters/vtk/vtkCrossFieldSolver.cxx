@@ -1,7 +1,7 @@
 #include "vtkCrossFieldSolver.h"
 
 #include "CrossFieldArrays.h"
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FilterRun.h"
 
 #include "vtkInformation.h"
@@ -15,12 +15,13 @@ int vtkCrossFieldSolver::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return FilterRun::Run(this, this->ErrorCode, input,
-    [&](const crossfield::Progress& progress)
-    { this->Compute(DomainConversion::ReadDrilledMesh(input), inputVector, progress, output); });
+    [&](const crossfield::Progress& progress) {
+      this->Compute(DrilledMeshConversion::ReadDrilledMesh(input), inputVector, progress, output);
+    });
 }
 
 //------------------------------------------------------------------------------
-void vtkCrossFieldSolver::Publish(const DomainConversion::DrilledMesh& cells,
+void vtkCrossFieldSolver::Publish(const DrilledMeshConversion::DrilledMesh& cells,
   const crossfield::SolvedField& field, const char* advice, vtkUnstructuredGrid* input,
   vtkUnstructuredGrid* output)
 {

@@ -20,7 +20,7 @@ namespace crossfield
 struct SolvedField;
 class Progress;
 }
-namespace DomainConversion
+namespace DrilledMeshConversion
 {
 struct DrilledMesh;
 }
@@ -79,7 +79,7 @@ protected:
 
 #ifndef __VTK_WRAP__
   /** Computes the field and ends with Publish. Errors may be thrown. */
-  virtual void Compute(const DomainConversion::DrilledMesh& cells,
+  virtual void Compute(const DrilledMeshConversion::DrilledMesh& cells,
     vtkInformationVector** inputVector, const crossfield::Progress& progress,
     vtkUnstructuredGrid* output) = 0;
 
@@ -87,8 +87,9 @@ protected:
    * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
    * converge.
    */
-  void Publish(const DomainConversion::DrilledMesh& cells, const crossfield::SolvedField& field,
-    const char* advice, vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+  void Publish(const DrilledMeshConversion::DrilledMesh& cells,
+    const crossfield::SolvedField& field, const char* advice, vtkUnstructuredGrid* input,
+    vtkUnstructuredGrid* output);
 #endif
 
 private:

@@ -1,8 +1,10 @@
 #include "vtkDrillHoles.h"
 
 #include "BoundarySingularities.h"
+#include "ConfigurationConversion.h"
 #include "DomainConversion.h"
 #include "DrillHoles.h"
+#include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "SingularityRecord.h"
@@ -45,7 +47,7 @@ int vtkDrillHoles::RequestData(
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
       const crossfield::Configuration configuration =
-        DomainConversion::ReadConfiguration(singularities, input.plane);
+        ConfigurationConversion::ReadConfiguration(singularities, input.plane);
       crossfield::DrillOptions options;
       options.mode = static_cast<crossfield::DrillMode>(this->Mode);
       options.meshSize = this->MeshSize;
@@ -53,7 +55,7 @@ int vtkDrillHoles::RequestData(
       options.gradation = this->Gradation;
       const crossfield::TriangleMesh mesh =
         crossfield::DrillHoles(input.domain, configuration, options, progress);
-      DomainConversion::WriteDrilledMesh(mesh, input.plane, output);
+      DrilledMeshConversion::WriteDrilledMesh(mesh, input.plane, output);
       crossfield::Configuration onBoundary;
       std::copy_if(configuration.begin(), configuration.end(), std::back_inserter(onBoundary),
         [&input](const crossfield::Singularity& singularity)

@@ -1,7 +1,7 @@
 #include "vtkGinzburgLandauCrossField.h"
 
 #include "CrossFieldArrays.h"
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "GinzburgLandau.h"
 
@@ -28,7 +28,7 @@ int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-void vtkGinzburgLandauCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+void vtkGinzburgLandauCrossField::Compute(const DrilledMeshConversion::DrilledMesh& cells,
   vtkInformationVector** inputVector, const crossfield::Progress& progress,
   vtkUnstructuredGrid* output)
 {

@@ -115,7 +115,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 #ifndef __VTK_WRAP__
-  void Compute(const DomainConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
+  void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
     const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
 #endif
 

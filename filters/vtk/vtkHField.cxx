@@ -1,8 +1,10 @@
 #include "vtkHField.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
@@ -48,28 +50,28 @@ int vtkHField::RequestData(
     [&](const crossfield::Progress& progress)
     {
       crossfield::Stopwatch stopwatch;
-      vtkUnstructuredGrid* given = DomainConversion::AsDrilledMesh(domain);
+      vtkUnstructuredGrid* given = DrilledMeshConversion::AsDrilledMesh(domain);
       crossfield::Configuration configuration;
-      DomainConversion::DrilledMesh cells;
+      DrilledMeshConversion::DrilledMesh cells;
       std::shared_ptr<const crossfield::PotentialSolver> potential;
       if (given != nullptr)
       {
-        cells = DomainConversion::ReadDrilledMesh(given);
-        configuration = DomainConversion::ReadConfiguration(singularities, cells.plane);
+        cells = DrilledMeshConversion::ReadDrilledMesh(given);
+        configuration = ConfigurationConversion::ReadConfiguration(singularities, cells.plane);
       }
       else if (this->KeepMesh)
       {
         const DomainConversion::Domain& input = this->Kept->Read(domain);
-        configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
+        configuration = ConfigurationConversion::ReadConfiguration(singularities, input.plane);
         potential =
           this->Kept->Factor(configuration, this->MeshSize, progress.Part(0.0, 0.4)).GetPotential();
-        cells = DomainConversion::NumberCells(potential->ShareTopology(), input.plane);
+        cells = DrilledMeshConversion::NumberCells(potential->ShareTopology(), input.plane);
       }
       else
       {
         const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-        configuration = DomainConversion::ReadConfiguration(singularities, input.plane);
-        cells = DomainConversion::NumberCells(
+        configuration = ConfigurationConversion::ReadConfiguration(singularities, input.plane);
+        cells = DrilledMeshConversion::NumberCells(
           crossfield::ShareTopology(crossfield::MeshForPoints(
             input.domain, configuration, this->MeshSize, progress.Part(0.0, 0.4))),
           input.plane);
@@ -97,7 +99,7 @@ int vtkHField::RequestData(
       }
       else
       {
-        DomainConversion::WriteDrilledMesh(cells.topology->mesh, cells.plane, output);
+        DrilledMeshConversion::WriteDrilledMesh(cells.topology->mesh, cells.plane, output);
       }
       CrossFieldArrays::AddField(cells, field.field, this->Arrays, output);
       CrossFieldArrays::AddReport(field.field, output);

@@ -1,13 +1,16 @@
 #include "vtkLayoutDesigner.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DesignSession.h"
 #include "EnergyConversion.h"
+#include "FaceConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "LayoutConversion.h"
 #include "MapConversion.h"
 #include "QuadConversion.h"
+#include "TMeshConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -173,7 +176,7 @@ int vtkLayoutDesigner::RequestData(
       question.options.map.capCorners = this->CapCorners;
       if (start != nullptr)
       {
-        question.start = DomainConversion::ReadConfiguration(start, input.plane);
+        question.start = ConfigurationConversion::ReadConfiguration(start, input.plane);
       }
       question.meshSize =
         this->Dragging ? crossfield::LiveMeshSize(input.domain, this->MeshSize) : this->MeshSize;
@@ -224,15 +227,15 @@ int vtkLayoutDesigner::RequestData(
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
-      DomainConversion::WriteConfiguration(now, input.plane, points);
+      ConfigurationConversion::WriteConfiguration(now, input.plane, points);
       const crossfield::LayoutDesign* design = session.design ? &*session.design : nullptr;
       if (design != nullptr)
       {
         const MapConversion::Map map{ design->map, input.plane };
-        MapConversion::WriteTraces(map, design->lines, {}, 0.0, lines);
+        TMeshConversion::WriteTraces(map, design->lines, {}, 0.0, lines);
         LayoutConversion::AddShade(!report.refusal.empty(), lines);
-        MapConversion::WriteFaces(map, design->mesh, faces);
-        MapConversion::AddCounts(design->mesh, faces->GetFieldData());
+        FaceConversion::WriteFaces(map, design->mesh, faces);
+        TMeshConversion::AddCounts(design->mesh, faces->GetFieldData());
         if (design->quads)
         {
           QuadConversion::WriteQuads(*design->quads, input.plane, quads);

@@ -1,7 +1,7 @@
 #include "vtkPerforatedCrossField.h"
 
 #include "CornerConversion.h"
-#include "DomainConversion.h"
+#include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "PerforatedSolve.h"
 #include "SingularityRecord.h"
@@ -53,7 +53,7 @@ int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
-void vtkPerforatedCrossField::Compute(const DomainConversion::DrilledMesh& cells,
+void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& cells,
   vtkInformationVector** inputVector, const crossfield::Progress& progress,
   vtkUnstructuredGrid* output)
 {

@@ -2,11 +2,13 @@
 
 #include "BoundarySingularities.h"
 #include "ColumnWriting.h"
+#include "ConfigurationConversion.h"
 #include "ConfigurationPlacement.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
 #include "DomainConversion.h"
 #include "DomainQueries.h"
+#include "DrilledMeshConversion.h"
 #include "FieldCheck.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
@@ -54,7 +56,7 @@ struct Findings
 
 vtkUnstructuredGrid* AsField(vtkDataSet* domain)
 {
-  vtkUnstructuredGrid* grid = DomainConversion::AsDrilledMesh(domain);
+  vtkUnstructuredGrid* grid = DrilledMeshConversion::AsDrilledMesh(domain);
   return grid != nullptr && grid->GetCellData()->GetArray(names::CrossFieldCR) != nullptr ? grid
                                                                                           : nullptr;
 }
@@ -68,7 +70,7 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
     CornerConversion::ReadCorners(corners, plane);
   progress.Report(0.1);
   const crossfield::Configuration configuration =
-    DomainConversion::ReadConfiguration(singularities, plane);
+    ConfigurationConversion::ReadConfiguration(singularities, plane);
   crossfield::RequireInside(domain, configuration);
   result.plane = plane;
   std::vector<crossfield::CornerChoice> chosen = choices;
@@ -95,7 +97,7 @@ Findings CheckField(
   vtkUnstructuredGrid* input, vtkDataSet* corners, const crossfield::Progress& progress)
 {
   Findings result;
-  const DomainConversion::DrilledMesh cells = DomainConversion::ReadDrilledMesh(input);
+  const DrilledMeshConversion::DrilledMesh cells = DrilledMeshConversion::ReadDrilledMesh(input);
   progress.Report(0.5);
   std::vector<crossfield::CornerChoice> choices =
     CornerConversion::ReadCorners(corners, cells.plane);

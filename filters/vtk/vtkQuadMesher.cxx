@@ -2,6 +2,7 @@
 
 #include "AutomaticConfiguration.h"
 #include "ColumnWriting.h"
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
@@ -71,7 +72,7 @@ int vtkQuadMesher::RequestData(
       mapOptions.corners = CornerConversion::ReadCorners(corners, input.plane);
       mapOptions.capCorners = this->CapCorners;
       crossfield::Configuration configuration =
-        DomainConversion::ReadConfiguration(singularities, input.plane);
+        ConfigurationConversion::ReadConfiguration(singularities, input.plane);
       std::vector<std::string> events;
       if (singularities == nullptr)
       {

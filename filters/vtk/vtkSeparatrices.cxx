@@ -1,11 +1,13 @@
 #include "vtkSeparatrices.h"
 
+#include "FaceConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
 #include "MapConversion.h"
 #include "PlanarDomain.h"
 #include "Stopwatch.h"
+#include "TMeshConversion.h"
 #include "TMeshFaces.h"
 
 #include "vtkDataSet.h"
@@ -70,10 +72,10 @@ int vtkSeparatrices::RequestData(
       const crossfield::TraceGraph graph = crossfield::TraceLines(map.map, progress.Part(0.2, 0.8));
       const crossfield::TMesh mesh = crossfield::MakeTMesh(map.map, graph);
       this->StageSeconds = stopwatch.Lap();
-      MapConversion::WriteTraces(map, graph, places, longest, lines);
-      MapConversion::WriteFaces(map, mesh, faces);
-      MapConversion::AddCounts(mesh, lines->GetFieldData());
-      MapConversion::AddCounts(mesh, faces->GetFieldData());
+      TMeshConversion::WriteTraces(map, graph, places, longest, lines);
+      FaceConversion::WriteFaces(map, mesh, faces);
+      TMeshConversion::AddCounts(mesh, lines->GetFieldData());
+      TMeshConversion::AddCounts(mesh, faces->GetFieldData());
     });
 }
 

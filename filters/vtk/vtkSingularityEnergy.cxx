@@ -1,5 +1,6 @@
 #include "vtkSingularityEnergy.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
@@ -60,8 +61,8 @@ int vtkSingularityEnergy::RequestData(
       configurations.reserve(static_cast<std::size_t>(count));
       for (int i = 0; i < count; ++i)
       {
-        configurations.push_back(
-          DomainConversion::ReadConfiguration(vtkDataSet::GetData(inputVector[1], i), input.plane));
+        configurations.push_back(ConfigurationConversion::ReadConfiguration(
+          vtkDataSet::GetData(inputVector[1], i), input.plane));
         all.insert(all.end(), configurations.back().begin(), configurations.back().end());
       }
       crossfield::ConfigurationEnergyOptions options;

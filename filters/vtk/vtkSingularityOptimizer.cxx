@@ -1,5 +1,6 @@
 #include "vtkSingularityOptimizer.h"
 
+#include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
@@ -56,13 +57,13 @@ int vtkSingularityOptimizer::RequestData(
       options.evenSizes = this->EvenSizes;
       options.pairs = this->Pairs;
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
-        DomainConversion::ReadConfiguration(singularities, input.plane), options, progress);
+        ConfigurationConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
       {
         vtkWarningMacro(<< result.reason);
       }
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-      DomainConversion::WriteConfiguration(result.configuration, input.plane, output);
+      ConfigurationConversion::WriteConfiguration(result.configuration, input.plane, output);
       EnergyConversion::WriteOptimizerReport(result, output);
       EnergyConversion::WriteHistory(result, vtkTable::GetData(outputVector, 1));
       if (result.aborted)

@@ -1,6 +1,6 @@
 #include "vtkSingularitySource.h"
 
-#include "DomainConversion.h"
+#include "ConfigurationConversion.h"
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
@@ -89,7 +89,7 @@ RowTable ReadRows(const std::string& fileName)
 /** The points of Start. */
 RowTable ReadStart(vtkDataSet* start)
 {
-  vtkDataArray* quarters = DomainConversion::RequireQuarterIndices(start);
+  vtkDataArray* quarters = ConfigurationConversion::RequireQuarterIndices(start);
   vtkDataArray* radii = start->GetPointData()->GetArray(vtkCrossFieldArrayNames::Radius);
   RowTable table;
   table.hasRadius = radii != nullptr;
