@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "Index.h"
 #include "InputCheck.h"
+#include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -155,21 +156,19 @@ Map ReadMap(vtkUnstructuredGrid* input)
   vtkDataArray* translations = RequireArray(input->GetFieldData(), names::SeamTranslation, 2);
   vtkDataArray* rows = RequireArray(input->GetFieldData(), names::ConeRow, 1);
 
-  Eigen::Matrix3Xd places(3, input->GetNumberOfPoints());
-  for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
-  {
-    input->GetPoint(p, places.col(p).data());
-  }
-  result.plane = crossfield::DomainPlane::Find(places);
+  const UsedPoints used(input);
+  result.plane = used.FindPlane(input);
   crossfield::TriangleMesh mesh;
   const auto pointCount = static_cast<int>(input->GetNumberOfPoints());
   const auto coneCount = static_cast<int>(rows->GetNumberOfTuples());
   map.cones.resize(Index(coneCount));
-  for (vtkIdType p = 0; p < pointCount; ++p)
+  for (const vtkIdType p : used.GetIds())
   {
     const int vertex = RequireInteger(vertices, p, 0, 0, pointCount - 1);
     mesh.points.resize(std::max(mesh.points.size(), Index(vertex) + 1));
-    mesh.points[Index(vertex)] = result.plane.ToPlane(places.col(p));
+    Eigen::Vector3d place;
+    input->GetPoint(p, place.data());
+    mesh.points[Index(vertex)] = result.plane.ToPlane(place);
     map.original.push_back(vertex);
     map.points.emplace_back(uv->GetComponent(p, 0), uv->GetComponent(p, 1));
     const int cone = RequireInteger(cones, p, 0, -1, coneCount - 1);
@@ -192,7 +191,7 @@ Map ReadMap(vtkUnstructuredGrid* input)
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, ids);
-    const auto corner = [&ids](vtkIdType i) { return static_cast<int>(ids->GetId(i)); };
+    const auto corner = [&](vtkIdType i) { return used.NumberOf(ids->GetId(i)); };
     const auto vertex = [&](vtkIdType i) { return map.original[Index(corner(i))]; };
     if (input->GetCellType(cell) == VTK_TRIANGLE)
     {

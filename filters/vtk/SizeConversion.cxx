@@ -1,19 +1,17 @@
 #include "SizeConversion.h"
 
+#include "CellLoop.h"
 #include "DrilledMeshConversion.h"
 #include "Error.h"
 #include "SizeExtension.h"
+#include "UsedPoints.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -64,7 +62,9 @@ private:
   std::vector<double> Weights;
 };
 
-std::vector<double> RequireSizes(vtkDataSet* domain, const std::string& name)
+/** At the used points. */
+std::vector<double> RequireSizes(
+  vtkDataSet* domain, const UsedPoints& used, const std::string& name)
 {
   vtkDataArray* array = domain->GetPointData()->GetArray(name.c_str());
   if (array == nullptr || array->GetNumberOfComponents() != 1)
@@ -73,7 +73,7 @@ std::vector<double> RequireSizes(vtkDataSet* domain, const std::string& name)
       "' with one component; name one with the wanted length of quads at each point.");
   }
   std::vector<double> sizes;
-  for (vtkIdType point = 0; point < array->GetNumberOfTuples(); ++point)
+  for (const vtkIdType point : used.GetIds())
   {
     sizes.push_back(array->GetTuple1(point));
     if (!(sizes.back() > 0.0) || !std::isfinite(sizes.back()))
@@ -85,46 +85,47 @@ std::vector<double> RequireSizes(vtkDataSet* domain, const std::string& name)
   return sizes;
 }
 
-bool HasSurface(vtkDataSet* domain)
+bool IsSurface(int type)
 {
-  vtkNew<vtkCellTypes> types;
-  domain->GetCellTypes(types);
-  for (const int type : { VTK_TRIANGLE, VTK_QUAD, VTK_PIXEL, VTK_POLYGON })
-  {
-    if (types->IsType(static_cast<unsigned char>(type)) != 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_PIXEL || type == VTK_POLYGON;
 }
 
-/** The segments of all lines: VTK gives no weights along a polyline. */
-vtkSmartPointer<vtkPolyData> SegmentsOf(vtkDataSet* curves)
+/**
+ * The cells of a surface, or else the segments of all lines, as VTK gives no weights along a polyline; with the used points
+ * alone, as a locator goes by the bounds of all points.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
+  vtkDataSet* domain, const UsedPoints& used, bool hasSurface)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (vtkIdType point = 0; point < curves->GetNumberOfPoints(); ++point)
+  for (const vtkIdType point : used.GetIds())
   {
-    points->InsertNextPoint(curves->GetPoint(point));
+    points->InsertNextPoint(domain->GetPoint(point));
   }
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < curves->GetNumberOfCells(); ++cell)
-  {
-    if (curves->GetCellType(cell) == VTK_LINE || curves->GetCellType(cell) == VTK_POLY_LINE)
+  auto cells = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  cells->SetPoints(points);
+  cells->Allocate(domain->GetNumberOfCells());
+  std::vector<vtkIdType> ids;
+  CellLoop::OfData(domain,
+    [&](vtkIdType, int type, const auto& cell)
     {
-      curves->GetCellPoints(cell, ids);
-      for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+      ids.clear();
+      for (const auto point : cell)
       {
-        lines->InsertNextCell({ ids->GetId(i - 1), ids->GetId(i) });
+        ids.push_back(used.NumberOf(static_cast<vtkIdType>(point)));
       }
-    }
-  }
-  auto segments = vtkSmartPointer<vtkPolyData>::New();
-  segments->SetPoints(points);
-  segments->SetLines(lines);
-  return segments;
+      if (hasSurface && IsSurface(type))
+      {
+        cells->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+      }
+      const bool isLine = type == VTK_LINE || type == VTK_POLY_LINE;
+      for (std::size_t i = 1; !hasSurface && isLine && i < ids.size(); ++i)
+      {
+        cells->InsertNextCell(VTK_LINE, 2, &ids[i - 1]);
+      }
+    });
+  return cells;
 }
 }
 
@@ -134,25 +135,28 @@ namespace SizeConversion
 Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::DomainPlane& plane,
   const crossfield::MeshTopology& topology)
 {
-  std::vector<double> given = RequireSizes(domain, name);
+  const UsedPoints used(domain);
+  bool hasSurface = false;
+  CellLoop::OfData(domain,
+    [&hasSurface](vtkIdType, int type, const auto&)
+    { hasSurface = hasSurface || IsSurface(type); });
+  const auto cells = CellsToSample(domain, used, hasSurface);
+  Sampler given(cells, RequireSizes(domain, used, name));
   const crossfield::TriangleMesh& mesh = topology.mesh;
   Eigen::VectorXd sizes(static_cast<Eigen::Index>(mesh.points.size()));
-  if (HasSurface(domain))
+  if (hasSurface)
   {
-    Sampler sampler(domain, std::move(given));
     for (Eigen::Index v = 0; v < sizes.size(); ++v)
     {
-      sizes[v] = sampler.At(plane.ToSpace(mesh.points[static_cast<std::size_t>(v)]));
+      sizes[v] = given.At(plane.ToSpace(mesh.points[static_cast<std::size_t>(v)]));
     }
   }
   else
   {
-    const vtkSmartPointer<vtkPolyData> segments = SegmentsOf(domain);
-    Sampler sampler(segments, std::move(given));
     for (const crossfield::BoundaryEdge& edge : mesh.boundary)
     {
       const int vertex = edge.vertices[0];
-      sizes[vertex] = sampler.At(plane.ToSpace(topology.PointAt(vertex)));
+      sizes[vertex] = given.At(plane.ToSpace(topology.PointAt(vertex)));
     }
     sizes = crossfield::ExtendSizes(topology, sizes);
   }

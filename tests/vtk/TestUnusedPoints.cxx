@@ -4,19 +4,25 @@
 #include "FilterChecks.h"
 #include "TestInputs.h"
 #include "vtkBoundaryCornerClassifier.h"
+#include "vtkBoundarySimplifier.h"
 #include "vtkConfigurationProposal.h"
+#include "vtkCrossFieldMap.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkCrossGlyphs.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
 #include "vtkHField.h"
+#include "vtkLayoutDesigner.h"
 #include "vtkPerforatedCrossField.h"
 #include "vtkPoincareHopfCheck.h"
+#include "vtkQuadMesher.h"
+#include "vtkSeparatrices.h"
 #include "vtkSingularityEnergy.h"
 #include "vtkSingularityOptimizer.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -130,6 +136,18 @@ void ExpectIgnored(vtkAlgorithm* filter, vtkDataSet* input)
   }
 }
 
+/** The array `Size`, the wanted length of quads: longer to the right. */
+void AddSizes(vtkDataSet* domain)
+{
+  vtkNew<vtkDoubleArray> sizes;
+  sizes->SetName("Size");
+  for (vtkIdType i = 0; i < domain->GetNumberOfPoints(); ++i)
+  {
+    sizes->InsertNextValue(0.5 + 0.05 * domain->GetPoint(i)[0]);
+  }
+  domain->GetPointData()->AddArray(sizes);
+}
+
 /** A square with a square hole, as loops, as triangles and as cells of a grid. */
 class UnusedPointsOfDomain : public testing::TestWithParam<int>
 {
@@ -143,7 +161,10 @@ public:
   vtkSmartPointer<vtkPolyData> Pair =
     TestInputs::Singularities({ { 1.0, 1.1, 1.0, 0.3 }, { 5.0, 4.8, -1.0, 0.3 } });
 
-private:
+  /** A pair near each other on a line of symmetry: crosses are aligned with the hole without a defect. */
+  vtkSmartPointer<vtkPolyData> NearPair =
+    TestInputs::Singularities({ { 0.6, 0.6, 1.0, 0.1 }, { 1.4, 1.4, -1.0, 0.1 } });
+
   vtkSmartPointer<vtkDataSet> Input() const
   {
     if (GetParam() == 0)
@@ -197,6 +218,47 @@ TEST_P(UnusedPointsOfDomain, Energy)
   this->Expect(filter.Get());
 }
 
+TEST_P(UnusedPointsOfDomain, Simplifier)
+{
+  vtkNew<vtkBoundarySimplifier> filter;
+  filter->SetThinningLength(0.0); // nothing is done
+  this->Expect(filter.Get());
+  filter->SetSmoothingLength(0.5);
+  this->Expect(filter.Get());
+}
+
+TEST_P(UnusedPointsOfDomain, Map)
+{
+  vtkNew<vtkCrossFieldMap> filter;
+  filter->SetSingularitiesData(this->NearPair);
+  filter->SetMeshSize(0.3);
+  this->Expect(filter.Get());
+  filter->KeepMeshOn();
+  this->Expect(filter.Get());
+}
+
+TEST_P(UnusedPointsOfDomain, Quads)
+{
+  vtkNew<vtkQuadMesher> filter;
+  filter->SetSingularitiesData(this->NearPair);
+  filter->SetMeshSize(0.3);
+  filter->SetQuadCount(100);
+  this->Expect(filter.Get());
+  filter->SetSizing(vtkQuadMesher::SizingField);
+  filter->SetSizeArray("Size");
+  const auto input = this->Input();
+  AddSizes(input);
+  ExpectIgnored(filter, input);
+}
+
+TEST_P(UnusedPointsOfDomain, Designer)
+{
+  vtkNew<vtkLayoutDesigner> filter;
+  filter->SetSingularitiesData(this->NearPair);
+  filter->SetMeshSize(0.3);
+  this->Expect(filter.Get());
+}
+
 TEST_P(UnusedPointsOfDomain, Optimizer)
 {
   vtkNew<vtkSingularityOptimizer> filter;
@@ -246,6 +308,18 @@ TEST(UnusedPointsOfMesh, H)
   vtkNew<vtkHField> filter;
   ExpectIgnored(filter, TestInputs::DrilledDisk());
   ExpectIgnored(filter, TiltedDisk());
+}
+
+TEST(UnusedPointsOfMesh, Map)
+{
+  vtkNew<vtkCrossFieldMap> map;
+  map->SetInputData(TestInputs::Loops({ TestInputs::Circle(40, 1.0) }));
+  map->SetSingularitiesData(TestInputs::Singularities({ { 0.4, 0.4, 1.0, 0.1 },
+    { -0.4, 0.4, 1.0, 0.1 }, { -0.4, -0.4, 1.0, 0.1 }, { 0.4, -0.4, 1.0, 0.1 } }));
+  map->SetMeshSize(0.1);
+  FilterChecks::UpdateWithoutError(map);
+  vtkNew<vtkSeparatrices> lines;
+  ExpectIgnored(lines, map->GetOutput());
 }
 
 TEST(UnusedPointsOfMesh, ReadersOfAField)
