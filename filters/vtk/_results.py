@@ -1,8 +1,10 @@
 """What the functions give back: numpy arrays, and the VTK data that they were taken from."""
 from __future__ import annotations
 
+import contextlib
 import os
 import re
+import shutil
 from dataclasses import dataclass
 from typing import Any, Optional, Sequence, Union
 
@@ -68,8 +70,28 @@ def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) 
     writer.SetDataModeToBinary()
     writer.WriteToOutputStringOn()
     Pipeline().update_one(writer)
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(writer.GetOutputString())
+    replace_file(writer.GetOutputString(), path)
+
+
+def replace_file(text: str, path: Union[str, "os.PathLike[str]"]) -> None:
+    """Puts a file into its place when it is complete, as the program does: until then what was there stays."""
+    place = os.path.realpath(path)
+    is_file = os.path.isfile(place)
+    if os.path.exists(place) and not is_file:  # a device or a pipe, of which nothing can take the place
+        with open(place, "w", encoding="utf-8") as file:
+            file.write(text)
+        return
+    part = "%s.part%d" % (place, os.getpid())
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            file.write(text)
+        if is_file:
+            shutil.copymode(place, part)
+        os.replace(part, place)
+    except BaseException:  # also Ctrl-C
+        with contextlib.suppress(OSError):
+            os.remove(part)
+        raise
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ Their numbers are those of the program, and their arrays fit together, in every 
 """
 import json
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -194,7 +195,39 @@ def test_planes():
     expect_error("not planar", crossfield.solve, bent, PAIR)
 
 
+def test_a_file_is_replaced_when_the_new_one_is_complete():
+    field = crossfield.solve(SQUARE, PAIR)
+    folder = os.path.join(FOLDER, "written")
+    os.mkdir(folder)
+    name, link = os.path.join(folder, "field.vtu"), os.path.join(folder, "link.vtu")
+    with open(name, "w", encoding="utf-8") as file:
+        file.write("before")
+    os.chmod(name, 0o640)
+    os.symlink("field.vtu", link)
+    limit = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limit[1]))  # a disk that is full after so many bytes
+    try:
+        field.write(link)
+    except OSError:
+        pass
+    else:
+        check(False, "more than the limit was written")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+    with open(name, encoding="utf-8") as file:
+        check_equal(file.read(), "before", "the file after a failure")
+    check_equal(sorted(os.listdir(folder)), ["field.vtu", "link.vtu"], "the folder after a failure")
+
+    field.write(link)
+    check(os.path.islink(link), "the link was replaced")
+    check_equal(os.stat(name).st_mode & 0o777, 0o640, "the permissions")
+    check_equal(crossfield.read(name).GetNumberOfPoints(), len(field.points), "the points of the file")
+    field.write(os.devnull)
+    check(not os.path.isfile(os.devnull), "the device was replaced")
+
+
 with tempfile.TemporaryDirectory() as FOLDER:
-    for test in (test_solve_is_the_program, test_arrays, test_check_and_corners_are_the_program, test_planes):
+    for test in (test_solve_is_the_program, test_arrays, test_check_and_corners_are_the_program, test_planes,
+                 test_a_file_is_replaced_when_the_new_one_is_complete):
         test()
         print(test.__name__, "passed")
