@@ -149,10 +149,4 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   }
   return distinct;
 }
-
-Configuration ProposeConfiguration(
-  const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
-{
-  return ProposeConfigurations(domain, options, progress).front().singularities;
-}
 }

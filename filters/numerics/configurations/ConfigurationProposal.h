@@ -20,10 +20,6 @@ namespace crossfield
 std::vector<ProposedConfiguration> ProposeConfigurations(
   const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
 
-/// The singularities of the best one.
-Configuration ProposeConfiguration(
-  const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
-
 /// Σ π k² over singularities + 16 Σ e(α, k) over corners (CornerEnergy.h): what log(1/ρ) is multiplied
 /// with in the energy of an aligned field (docs/method.md §5.3, §6.4).
 double LogarithmCoefficient(const PlanarDomain& domain, const Configuration& configuration,

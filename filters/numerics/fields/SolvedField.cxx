@@ -4,6 +4,14 @@
 
 namespace crossfield
 {
+namespace
+{
+bool IsFlawless(const SolvedField& field)
+{
+  return field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
+}
+}
+
 void SolvedField::Read(const Configuration& points)
 {
   static_cast<FieldReading&>(*this) =
@@ -19,11 +27,6 @@ bool IsBetter(const SolvedField& field, const SolvedField& other)
   return shortcomings(field) != shortcomings(other)
     ? shortcomings(field) < shortcomings(other)
     : field.energy < other.energy * (1.0 - SameEnergy);
-}
-
-bool IsFlawless(const SolvedField& field)
-{
-  return field.converged && field.wrongDegrees == 0 && field.unwantedSingularities == 0;
 }
 
 SolvedField BestOfTwo(

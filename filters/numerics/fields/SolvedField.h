@@ -47,10 +47,7 @@ struct SolvedField : CrossField, SolveReport, FieldReading
 /// singularities, less energy; the first that differs decides.
 bool IsBetter(const SolvedField& field, const SolvedField& other);
 
-/// Whether nothing is left to wish for: converged, all degrees, no unwanted singularity.
-bool IsFlawless(const SolvedField& field);
-
-/// The first answer if it is flawless, else the better of it and the second.
+/// The first answer if it is flawless: converged, with all degrees and no unwanted singularity; else the better of it and the second.
 SolvedField BestOfTwo(
   const std::function<SolvedField()>& first, const std::function<SolvedField()>& second);
 }

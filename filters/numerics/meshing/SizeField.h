@@ -30,7 +30,6 @@ public:
   double operator()(const Point& point) const;
 
   double GetMaximum() const { return this->Maximum; }
-  double GetGradation() const { return this->Gradation; }
 
   /// A part of the box, half-open towards the upper right, in which few sources matter.
   class Leaf

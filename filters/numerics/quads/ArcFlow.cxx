@@ -35,7 +35,7 @@ public:
   DoubleCover(
     const ArcProblem& problem, const std::vector<int>& lower, const std::vector<int>& upper)
     : Problem(problem)
-    , Ground(static_cast<int>(2) * problem.rows)
+    , Ground(2 * problem.rows)
   {
     for (int i = 0; i <= this->Ground; ++i)
     {
@@ -150,8 +150,16 @@ std::vector<int> Halve(std::vector<int> doubled)
   }
   return doubled;
 }
-}
 
+/// The optimum of an ArcProblem over half-integers, which is that over the reals.
+struct RelaxedCounts
+{
+  bool feasible = false;
+  std::vector<int> doubled; ///< 2 n_a.
+  double cost = 0.0;
+};
+
+/// One minimum cost flow in the double cover (docs/method.md §14.2). `upper` −1 stands for no bound.
 RelaxedCounts SolveRelaxedCounts(
   const ArcProblem& problem, const std::vector<int>& lower, const std::vector<int>& upper)
 {
@@ -175,6 +183,7 @@ RelaxedCounts SolveRelaxedCounts(
     result.cost += 0.5 * (problem.Cost(a, half) + problem.Cost(a, result.doubled[a] - half));
   }
   return result;
+}
 }
 
 IntegerCounts SolveArcFlow(const ArcProblem& problem)

@@ -23,6 +23,12 @@ int Required(const PlanarDomain& domain, const std::vector<CornerChoice>& corner
   return CountQuarters(domain.loops, 0, DefaultCornerAngle, corners).requiredInteriorQuarters;
 }
 
+/// The singularities of the best proposal.
+Configuration ProposeConfiguration(const PlanarDomain& domain, const ProposalOptions& options = {})
+{
+  return ProposeConfigurations(domain, options).front().singularities;
+}
+
 Loop Rectangle(double width, double height)
 {
   return { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
