@@ -1,9 +1,14 @@
-"""The rooms of filters/numerics: docs/architecture.md and the build name the same rooms and arrows, and no
-two units of the numerics include each other, however many others are between them."""
+"""The rooms of filters/numerics: docs/architecture.md and the build name the same rooms and arrows, libraries of
+others are included in their rooms alone, and no two units of the numerics include each other, however many
+others are between them. Everywhere a function is defined in the unit whose header declares it."""
 
 import pathlib
 import re
+import sys
 import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import messages  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMERICS = ROOT / "filters" / "numerics"
@@ -31,6 +36,94 @@ def rooms_of_the_page(text):
         if len(cells) == 5 and re.fullmatch(r"`\w+`", cells[1]):
             rooms[cells[1].strip("`")] = set(re.findall(r"`(\w+)`", cells[3]))
     return rooms
+
+
+# What headers of a library are called; a room has the libraries that the page says it has.
+LIBRARIES = {"CGAL": r"CGAL/", "CHOLMOD": r"cholmod\.h", "LAPACK": r"(cblas|lapacke?|openblas\w*)\.h|OpenBLAS's functions",
+             "OpenMP": r"omp\.h", "LEMON": r"lemon/", "GLPK": r"glpk\.h"}
+# Headers that every room may include: of the language, of Eigen, and of the system for what it says of memory.
+EVERYWHERE = r"[a-z_]+$|Eigen/|unistd\.h$|sys/resource\.h$"
+
+
+def libraries_of_the_page(text):
+    """Library -> the room that is said to be the only one with it."""
+    found = {}
+    for room, said in re.findall(r"^\| `(\w+)` \|.*the only room with ([^|]*?) \|", text, re.MULTILINE):
+        for library in re.split(r", | and ", said):
+            found[library] = room
+    return found
+
+
+def foreign_includes(files, rooms):
+    """What no room, or another, may include; files: (room, name) -> text."""
+    found = []
+    for (room, name), text in files.items():
+        included = re.findall(r"^ *# *include *<([^>]+)>", text, re.MULTILINE)
+        if re.search(r'^extern "C"', text, re.MULTILINE):
+            included.append("OpenBLAS's functions")  # their headers cannot be included next to another cblas.h
+        for header in included:
+            owners = [rooms.get(library) for library, like in LIBRARIES.items() if re.match(like, header)]
+            if room not in owners and not (re.match(EVERYWHERE, header) and not owners):
+                found.append("%s/%s includes %s" % (room, name, header))
+    return found
+
+
+def functions(text):
+    """(declared, defined): functions of a file as namespace::name, without those of namespaces that have no name and
+    of classes."""
+    tokens = messages.tokens_of(re.sub(r"^ *#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE))
+    declared, defined = set(), set()
+    spaces = []  # of the namespaces that are open here
+    i = 0
+    while i < len(tokens):
+        if tokens[i] == "namespace":
+            opening = next(j for j in range(i, len(tokens)) if tokens[j] in ("{", ";", "="))
+            if tokens[opening] == "{":
+                spaces.append("".join(tokens[i + 1:opening]))
+                i = opening + 1
+                continue
+        if tokens[i] == "}":
+            spaces.pop()
+            i += 1
+            continue
+        # A statement, or a definition with what is in its braces.
+        end = i
+        while end < len(tokens) and tokens[end] not in (";", "{", "}"):
+            end = messages.closing(tokens, end) + 1 if tokens[end] in ("(", "[") else end + 1
+        statement = tokens[i:end]
+        if end < len(tokens) and tokens[end] == "{":
+            has_body = True
+            i = messages.closing(tokens, end) + 1
+        else:
+            has_body = False
+            i = end + 1 if end < len(tokens) and tokens[end] == ";" else max(end, i + 1)
+        if "(" not in statement or {"class", "struct", "enum", "using", "extern"} & set(statement[:2]) or "" in spaces:
+            continue
+        bracket = statement.index("(")
+        if "=" in statement[:bracket] or not messages.is_name(statement[bracket - 1]) or bracket < 2:
+            continue
+        first = bracket - 1
+        while first >= 2 and statement[first - 1] == "::":
+            first -= 2
+        name = "::".join(spaces + ["".join(statement[first:bracket])])
+        (defined if has_body else declared).add(name)
+    return declared, defined
+
+
+def strays(files):
+    """Functions that one header declares and another unit defines; files: name -> text."""
+    owner = {}
+    for name, text in files.items():
+        if name.endswith(".h"):
+            for function in functions(text)[0]:
+                owner.setdefault(function, set()).add(name)
+    found = []
+    for name, text in files.items():
+        for function in functions(text)[1] if name.endswith(".cxx") else ():
+            units_of = {header.rsplit(".", 1)[0] for header in owner.get(function, ())}
+            if units_of and name.rsplit(".", 1)[0] not in units_of:
+                found.append("%s defines %s of %s" % (name, function, ", ".join(sorted(owner[function]))))
+    return sorted(found)
 
 
 def units(files):
@@ -84,6 +177,40 @@ class Rooms(unittest.TestCase):
         self.assertEqual(rooms_of_the_build(build), rooms_of_the_page(page))
         self.assertNotEqual(rooms_of_the_build(build), rooms_of_the_page(page.replace("`base` |\n", "|\n")))
 
+    def test_a_stranger_is_found(self):
+        page = "| `meshing` | meshes; the only room with CGAL | `mesh` |\n| `algebra` | the only room with LAPACK and OpenMP | |"
+        rooms = libraries_of_the_page(page)
+        self.assertEqual(rooms, {"CGAL": "meshing", "LAPACK": "algebra", "OpenMP": "algebra"})
+        files = {("meshing", "A.h"): "#include <CGAL/a.h>\n#include <vector>", ("algebra", "B.cxx"): 'extern "C"\n{\n}'}
+        self.assertEqual(foreign_includes(files, rooms), [])
+        files = {("mesh", "A.h"): "#include <CGAL/a.h>", ("mesh", "B.h"): "#include <boost/b.hpp>",
+                 ("mesh", "C.cxx"): 'extern "C" void dgemm_();', ("meshing", "D.h"): "#include <glpk.h>"}
+        self.assertEqual(len(foreign_includes(files, rooms)), 4)
+
+    def test_a_function_in_another_unit_is_found(self):
+        header = ("#define F(x) \\\n  G(x)\nnamespace n\n{\nclass C { void M(); };\nint F(int a = 1);\nconstexpr int N = F(2);\n"
+                  "template <class T>\nT K(T t) { return H(t); }\nstd::vector<int> G(const C& c);\n}\n")
+        here = "namespace n\n{\nnamespace\n{\nint G(int) { return 1; }\n}\nint F(int a)\n{\n  return G(a);\n}\nvoid C::M() {}\n}\n"
+        there = "std::vector<int> n::G(const C& c)\n{\n  return {};\n}\n"
+        self.assertEqual(functions(header)[0], {"n::F", "n::G"})
+        self.assertEqual(functions(here)[1], {"n::F", "n::C::M"})
+        self.assertEqual(strays({"A.h": header, "A.cxx": here + there}), [])
+        self.assertEqual(strays({"A.h": header, "B.cxx": here, "A.cxx": there}), ["B.cxx defines n::F of A.h"])
+
+    def test_libraries_of_others_stay_in_their_rooms(self):
+        rooms = libraries_of_the_page((ROOT / "docs" / "architecture.md").read_text())
+        self.assertEqual(set(rooms), set(LIBRARIES))
+        files = {(path.parent.name, path.name): path.read_text()
+                 for suffix in ("h", "cxx") for path in NUMERICS.glob(f"*/*.{suffix}")}
+        self.assertEqual(foreign_includes(files, rooms), [])
+
+    def test_functions_live_where_they_are_declared(self):
+        for folder in (*NUMERICS.iterdir(), ROOT / "filters" / "vtk", ROOT / "pipelines"):
+            if folder.is_dir():
+                files = {path.name: path.read_text() for suffix in ("h", "cxx") for path in folder.glob(f"*.{suffix}")
+                         if path.name != "CommandLine.h"}  # the list of the commands
+                self.assertEqual(strays(files), [], folder)
+
     def test_page_build_and_folders_agree(self):
         build = rooms_of_the_build((NUMERICS / "CMakeLists.txt").read_text())
         page = rooms_of_the_page((ROOT / "docs" / "architecture.md").read_text())
@@ -93,8 +220,20 @@ class Rooms(unittest.TestCase):
         self.assertEqual(list(NUMERICS.glob("*.h")) + list(NUMERICS.glob("*.cxx")), [])
 
     def test_tests_mirror_the_rooms(self):
+        rooms = rooms_of_the_build((NUMERICS / "CMakeLists.txt").read_text())
+        room_of = {path.stem: path.parent.name for path in NUMERICS.glob("*/*.h")}
         for test in (ROOT / "tests" / "numerics").glob("*/Test*.cxx"):
-            self.assertIn(test.parent.name, rooms_of_the_build((NUMERICS / "CMakeLists.txt").read_text()))
+            self.assertIn(test.parent.name, rooms)
+            # That of a unit is where the unit is; others test what several do together.
+            unit = test.stem[len("Test"):]
+            self.assertEqual(test.parent.name, room_of.get(unit, test.parent.name), unit)
+
+    def test_every_filter_has_its_tests(self):
+        filters = ROOT / "filters" / "vtk"
+        listed = re.search(r"set\(classes\s([^)]*)\)", (filters / "CMakeLists.txt").read_text()).group(1).split()
+        self.assertEqual(set(listed), {path.stem for path in filters.glob("vtk*.cxx")})
+        for name in set(listed) - {"vtkCrossFieldSolver"}:  # abstract
+            self.assertTrue((ROOT / "tests" / "vtk" / f"Test{name[len('vtk'):]}.cxx").exists(), name)
 
     def test_no_two_units_need_each_other(self):
         files = {path.name: path.read_text() for suffix in ("h", "cxx") for path in NUMERICS.glob(f"*/*.{suffix}")}
