@@ -117,8 +117,10 @@ Findings CheckField(
     points = std::move(placed.interior);
     choices = std::move(placed.corners);
   }
+  // What vtkGinzburgLandauCrossField alone reports: its field was asked for nothing.
+  const bool byItself = data->GetArray(names::ConvexifiedSteps) != nullptr;
   const crossfield::FieldCheck check =
-    crossfield::CheckField(CrossFieldArrays::ReadField(cells, input), choices, points);
+    crossfield::CheckField(CrossFieldArrays::ReadField(cells, input), choices, points, byItself);
   result.count = check.count;
   result.consistent = check.asPrescribed;
   result.reason = check.verdict;

@@ -3,7 +3,9 @@
 #include "SolverTest.h"
 #include "TestInputs.h"
 #include "Written.h"
+#include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
+#include "vtkPoincareHopfCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -147,6 +150,33 @@ TEST_F(GinzburgLandauCrossField, EpsilonIsTheMeanEdgeLengthByDefault)
   this->Solve(Disk());
   EXPECT_GT(this->Value("Epsilon"), 0.6 * MeshSize);
   EXPECT_LT(this->Value("Epsilon"), 1.2 * MeshSize);
+}
+
+TEST_F(GinzburgLandauCrossField, ImprintedCirclesAskForNothingAndTheCheckKnows)
+{
+  this->Filter->SetEpsilon(0.05);
+  vtkUnstructuredGrid* field = this->Solve(TestInputs::Drill(TestInputs::Loops({ Circle(60, 1.0) }),
+    { { 0.42, 0.42, 1.0, 0.1 }, { -0.42, 0.42, 1.0, 0.1 }, { -0.42, -0.42, 1.0, 0.1 },
+      { 0.42, -0.42, 1.0, 0.1 } },
+    0.1, vtkDrillHoles::ModeImprint));
+  EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
+  EXPECT_EQ(this->Value("DegreesReached"), 1.0);
+  vtkNew<vtkPoincareHopfCheck> check;
+  check->SetInputData(field);
+  FilterChecks::UpdateWithoutError(check);
+  vtkFieldData* found = check->GetOutput()->GetFieldData();
+  for (const char* name : { "HoleDegree", "HoleDegreeReliable", "UnwantedSingularities" })
+  {
+    vtkDataArray* stated = FilterChecks::RequireArray(field->GetFieldData(), name);
+    vtkDataArray* read = FilterChecks::RequireArray(found, name);
+    ASSERT_EQ(read->GetNumberOfTuples(), stated->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < read->GetNumberOfTuples(); ++i)
+    {
+      EXPECT_EQ(read->GetTuple1(i), stated->GetTuple1(i)) << name;
+      EXPECT_TRUE(name != std::string("HoleDegree") || read->GetTuple1(i) == 0.0) << "elsewhere";
+    }
+  }
+  EXPECT_EQ(FilterChecks::RequireArray(found, "Consistent")->GetTuple1(0), 1.0);
 }
 
 TEST_F(GinzburgLandauCrossField, StartsLeadToDifferentMinimaOnARing)

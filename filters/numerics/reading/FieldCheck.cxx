@@ -57,7 +57,7 @@ std::string Describe(const FieldCheck& check, int otherCorners)
 {
   std::string wrong;
   int wrongHoles = 0;
-  for (std::size_t i = 0; i < check.holes.size(); ++i)
+  for (std::size_t i = 0; i < check.prescribedDegrees.size(); ++i)
   {
     if (check.holes[i].degree != check.prescribedDegrees[i])
     {
@@ -82,7 +82,7 @@ std::string Describe(const FieldCheck& check, int otherCorners)
       std::string(" other quarter indices than chosen at ") + std::to_string(otherCorners) +
       " corners";
   }
-  if (wrong.empty() && check.holes.empty())
+  if (wrong.empty() && check.prescribedDegrees.empty())
   {
     return "The field has interior quarter indices of total " +
       std::to_string(check.interiorQuarters) +
@@ -94,8 +94,8 @@ std::string Describe(const FieldCheck& check, int otherCorners)
 }
 }
 
-FieldCheck CheckField(
-  const CrossField& field, const std::vector<CornerChoice>& choices, const Configuration& points)
+FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices,
+  const Configuration& points, bool byItself)
 {
   if (!field.u.allFinite())
   {
@@ -103,23 +103,28 @@ FieldCheck CheckField(
   }
   const MeshTopology& topology = *field.topology;
   const PoincareHopfCount asked = CountMeshQuarters(topology, choices);
-  const FieldReading reading = ReadField(field, { asked, points, false });
+  const FieldReading reading = ReadField(field, { asked, points, false, byItself });
 
   FieldCheck check;
   check.holes = reading.holes;
   check.unwantedSingularities = reading.unwantedSingularities;
   int given = 0;
+  std::size_t hole = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
     if (loop.kind == BoundaryKind::Hole)
     {
-      given += check.holes[check.prescribedDegrees.size()].degree;
+      given += check.holes[hole++].degree;
       check.prescribedDegrees.push_back(loop.quarterIndex);
     }
   }
   for (const BoundaryLoop& circle : topology.imprinted)
   {
     check.prescribedDegrees.push_back(circle.quarterIndex); // what is inside is counted there
+  }
+  if (byItself)
+  {
+    check.prescribedDegrees.clear();
   }
   FieldIndices indices = ReadIndices(topology, field.u);
   const std::vector<bool> counted = MarkCounted(topology, asked);

@@ -10,9 +10,9 @@ namespace crossfield
 {
 namespace
 {
-/// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones;
+/// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones, if any are;
 /// returns the sum over the holes, which the indices inside do not contain.
-int ReadDegrees(const CrossField& field, bool onlyTheSum, FieldReading& reading)
+int ReadDegrees(const CrossField& field, const FieldQuestion& question, FieldReading& reading)
 {
   int excess = 0;
   int ofHoles = 0;
@@ -20,8 +20,9 @@ int ReadDegrees(const CrossField& field, bool onlyTheSum, FieldReading& reading)
   {
     reading.holes.push_back(ReadHole(loop, field.topology->edges, field.u));
     const int degree = reading.holes.back().degree;
-    reading.wrongDegrees += degree != loop.quarterIndex ? 1 : 0;
-    excess += degree - loop.quarterIndex;
+    const int asked = question.byItself ? degree : loop.quarterIndex;
+    reading.wrongDegrees += degree != asked ? 1 : 0;
+    excess += degree - asked;
     return degree;
   };
   for (const BoundaryLoop& loop : field.topology->loops)
@@ -32,7 +33,7 @@ int ReadDegrees(const CrossField& field, bool onlyTheSum, FieldReading& reading)
   {
     read(loop);
   }
-  reading.degreesReached = onlyTheSum ? excess == 0 : reading.wrongDegrees == 0;
+  reading.degreesReached = question.onlyTheSum ? excess == 0 : reading.wrongDegrees == 0;
   return ofHoles;
 }
 }
@@ -42,7 +43,7 @@ FieldReading ReadField(const CrossField& field, const FieldQuestion& question)
   const MeshTopology& topology = *field.topology;
   FieldReading reading;
   reading.count = question.count;
-  const int degrees = ReadDegrees(field, question.onlyTheSum, reading);
+  const int degrees = ReadDegrees(field, question, reading);
   const FieldIndices indices = ReadIndices(topology, field.u);
   const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
     std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
