@@ -18,8 +18,8 @@ def check_counts(data, mesh, boundary, indices, given, report):
         rotation = boundary.angle[fixed] - 0.5 * np.pi * quarters[fixed]
         return rotation.sum() / (2.0 * np.pi), boundary.angle[~fixed].sum() / (2.0 * np.pi)
 
-    chosen = np.zeros(len(boundary.angle), bool)
-    found = count(boundary.corner, boundary.smallest)
+    chosen, quarters = recorded(data, mesh, boundary)
+    found = count(boundary.corner | chosen, quarters)
     if abs(found[0] - stated[0]) > rounding or abs(found[1] - stated[1]) > rounding:
         # Somebody chose indices: the field shows which, wherever it was held to them.
         taken = taken_indices(mesh, boundary, indices)
@@ -41,6 +41,19 @@ def check_counts(data, mesh, boundary, indices, given, report):
     report.equal("Consistent", data.value("Consistent"),
                  int(required == data.value("GivenInteriorQuarters")))
     return chosen
+
+
+def recorded(data, mesh, boundary):
+    """The vertices of the boundary that are singularities of the configuration, and the quarter indices of all of its
+    vertices with these: the file says where they are. The field need not take them where its norm is free."""
+    chosen = np.zeros(len(boundary.angle), bool)
+    quarters = np.where(boundary.corner, boundary.smallest, 0)
+    for x, y, z, quarter in data.field.get("BoundarySingularities", np.zeros((0, 4))):
+        distance = np.linalg.norm(data.points[boundary.vertex] - [x, y, z], axis=1)
+        if distance.min() <= mesh.frame.exactness * mesh.frame.size:
+            chosen[distance.argmin()] = True
+            quarters[distance.argmin()] = quarter
+    return chosen, quarters
 
 
 def taken_indices(mesh, boundary, indices):
