@@ -22,13 +22,11 @@ fi
 if [[ ${1:-} != --check ]]; then
   exec "$formatter" -i "${files[@]}"
 fi
-differ=()
-for file in "${files[@]}"; do
-  "$formatter" "$file" | cmp --silent - "$file" || differ+=("$file")
-done
-if [[ ${#differ[@]} -gt 0 ]]; then
+# One process for all of them: one for each takes forty times as long.
+said=$("$formatter" --dry-run "${files[@]}" 2>&1)
+if [[ -n $said ]]; then
   echo "$formatter would change:"
-  printf '  %s\n' "${differ[@]}"
+  grep -oP '^\S+(?=:\d+:\d+: warning: code should be clang-formatted)' <<<"$said" | sort -u | sed 's/^/  /' || echo "$said"
   echo "Run scripts/format.sh and commit what it changes."
   exit 1
 fi
