@@ -45,12 +45,23 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
   , Started(configuration)
   , Length(domain.Diagonal())
   , Barrier(domain, configuration, options.clearance)
-  , Symmetry(options.keepSymmetry ? FindKeptSymmetry(*this->Points, domain, configuration)
-                                  : NoSymmetry(*this->Points, configuration))
-  , Evenness(options.goal == OptimizerGoal::EvenSizes
-        ? std::make_shared<const SizeEvenness>(*this->Points)
+  , Sizes(options.goal == OptimizerGoal::EvenSizes
+        ? std::make_shared<const SizeEvenness>(*this->Points, options.wantedSize)
         : nullptr)
+  , Symmetry(options.keepSymmetry
+        ? FindKeptSymmetry(*this->Points, domain, configuration, this->SymmetryTest())
+        : NoSymmetry(*this->Points, configuration))
 {
+}
+
+IsometryTest OptimizerObjective::SymmetryTest() const
+{
+  if (!this->Sizes)
+  {
+    return {};
+  }
+  return [sizes = this->Sizes, potential = this->Points](const Isometry& map)
+  { return sizes->IsKeptBy(*potential, map); };
 }
 
 OptimizerObjective OptimizerObjective::WithoutSymmetry() const
@@ -107,9 +118,9 @@ OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& asked) const
   result.fullEnergy = value.energy;
   Eigen::VectorXd gradient =
     Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
-  if (this->Evenness)
+  if (this->Sizes)
   {
-    const SizeEvenness::Value evenness = this->Evenness->Evaluate(*this->Points, solution);
+    const SizeEvenness::Value evenness = this->Sizes->Evaluate(*this->Points, solution);
     result.energy += EvennessWeight * evenness.energy;
     result.sizeSpread = evenness.Spread();
     gradient += EvennessWeight * evenness.gradient;

@@ -38,6 +38,9 @@ struct ObjectiveOptions
   /// Whether places are as symmetric as those of the start (OptimizerSymmetry.h).
   bool keepSymmetry = true;
   OptimizerGoal goal = OptimizerGoal::Energy;
+  /// Wanted sizes, to which those of EvenSizes are in proportion; empty: the same everywhere. Symmetries of the
+  /// domain that they have not are not kept.
+  SizeFunction wantedSize;
 };
 
 /// What the optimiser minimises on one mesh, as a function of the places of interior singularities.
@@ -76,6 +79,10 @@ public:
   /// In units of the diagonal.
   double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
   const PointPotential& Potential() const { return *this->Points; }
+  /// J, if it is minimised.
+  const std::shared_ptr<const SizeEvenness>& Evenness() const { return this->Sizes; }
+  /// Whether what is minimised is the same under a symmetry of the domain.
+  IsometryTest SymmetryTest() const;
 
 private:
   Eigen::VectorXd PlaceOfAll(const Configuration& configuration) const;
@@ -85,7 +92,7 @@ private:
   Configuration Started;
   double Length;
   ClearanceBarrier Barrier;
+  std::shared_ptr<const SizeEvenness> Sizes; ///< Null if only W is minimised.
   OptimizerSymmetry Symmetry;
-  std::shared_ptr<const SizeEvenness> Evenness; ///< Null if only W is minimised.
 };
 }

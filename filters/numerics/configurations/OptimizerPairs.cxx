@@ -32,7 +32,7 @@ std::optional<TrackedConfiguration> FindBestPair(const PlanarDomain& domain,
   search.count = 10;
   search.clearance = 2.0 * options.objective.clearance;
   const std::vector<SingularityPair> pairs =
-    FindPairs(potential, SizeEvenness(potential), stage.objective->At(here.place), search);
+    FindPairs(potential, *stage.objective->Evenness(), stage.objective->At(here.place), search);
   std::optional<TrackedConfiguration> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < pairs.size(); ++i)

@@ -7,7 +7,7 @@
 namespace crossfield
 {
 std::string ReasonOf(
-  OptimizerEnd end, OptimizerGoal goal, std::size_t singularities, int iterations)
+  OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations)
 {
   switch (end)
   {
@@ -16,9 +16,13 @@ std::string ReasonOf(
     {
       return "No singularity lies inside that could move.";
     }
-    return goal == OptimizerGoal::EvenSizes
-      ? "The singularities are where sizes are most even."
-      : "The singularities are at a stationary point of the renormalised energy.";
+    if (objective.goal == OptimizerGoal::Energy)
+    {
+      return "The singularities are at a stationary point of the renormalised energy.";
+    }
+    return objective.wantedSize
+      ? "The singularities are where sizes are nearest to the wanted ones."
+      : "The singularities are where sizes are most even.";
   case OptimizerEnd::Aborted:
     return "The iteration was aborted; this is the best configuration so far.";
   case OptimizerEnd::Limit:

@@ -11,7 +11,7 @@ namespace crossfield
 {
 /// Why a run ended, in one sentence.
 std::string ReasonOf(
-  OptimizerEnd end, OptimizerGoal goal, std::size_t singularities, int iterations);
+  OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations);
 
 /// A given hole that leaves less than a quarter of the way to the boundary, or of half of that to
 /// another one, has no room for a mesh in between: it becomes smaller. Returns a sentence for each.

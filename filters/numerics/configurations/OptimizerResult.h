@@ -2,6 +2,7 @@
 
 #include "BoundaryCorners.h"
 #include "OptimizerIteration.h"
+#include "WantedSize.h"
 
 #include <array>
 #include <optional>
@@ -26,6 +27,8 @@ struct OptimizerOptions
   /// After the least W, move on to where the sizes of quads are most even: the least W + 10,000 J
   /// (SizeEvenness.h), with the singularities that there are and as many iterations again.
   bool evenSizes = false;
+  /// Of quads, to which even sizes are in proportion (docs/method.md §5.7); empty: the same everywhere.
+  SizeFunction wantedSize;
   /// Then add up to so many pairs of quarter indices 1 and −1, where they make sizes most even (docs/method.md §5.8),
   /// while one brings 15 % of the spread or halves a holonomy defect. More than 0 is with evenSizes.
   int pairs = 0;
@@ -34,13 +37,14 @@ struct OptimizerOptions
 /// What evenness costs: a point of the front of numbers of singularities against spreads of sizes.
 struct FrontPoint
 {
-  int singularities = 0;       ///< Those on the boundary included.
-  double sizeSpread = 0.0;     ///< Standard deviation of log size over the area.
+  int singularities = 0; ///< Those on the boundary included.
+  double sizeSpread =
+    0.0; ///< Standard deviation of log size, or of size over wanted size, over the area.
   double energy = 0.0;         ///< W.
   double holonomyDefect = 0.0; ///< Largest, radians.
 };
 
-/// Standard deviations of log size over the area.
+/// Standard deviations of log size, or of the logarithm of size over wanted size, over the area.
 struct SizeSpreads
 {
   double before = 0.0; ///< Where W is least,

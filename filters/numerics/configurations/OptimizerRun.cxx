@@ -34,6 +34,7 @@ OptimizerRun::OptimizerRun(
   this->Stages.corners = options.corners;
   this->Stages.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
+  this->Stages.objective.wantedSize = options.wantedSize;
   this->Iteration.tolerance = options.tolerance;
   this->Iteration.maximumIterations = options.maximumIterations;
 }
@@ -187,7 +188,7 @@ void OptimizerRun::Finish(OptimizerEnd end)
   result.converged = end == OptimizerEnd::Rest;
   result.aborted = end == OptimizerEnd::Aborted;
   result.reason =
-    ReasonOf(end, this->Stages.objective.goal, this->Stage.objective->Count(), result.iterations);
+    ReasonOf(end, this->Stages.objective, this->Stage.objective->Count(), result.iterations);
   for (const std::size_t i : HeldSingularities(this->Stage, this->Here))
   {
     this->Say("The clearance holds " + last.Name(this->Stage.placed.rows[i]) + " at " +

@@ -53,8 +53,9 @@ bool OptimizerRun::RestoreSymmetry()
   }
   this->Restored = true;
   Configuration interior = this->Stage.objective->At(this->Here.place);
-  const ConfigurationSymmetry symmetry = MatchWithBoundary(*this->Stage.potential,
-    FindSymmetries(this->Domain), interior, this->Stages.objective.clearance);
+  const ConfigurationSymmetry symmetry =
+    MatchWithBoundary(*this->Stage.potential, FindSymmetries(this->Domain), interior,
+      this->Stages.objective.clearance, this->Stage.objective->SymmetryTest());
   if (symmetry.IsTrivial())
   {
     return false;

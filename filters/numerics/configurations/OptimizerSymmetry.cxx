@@ -59,7 +59,7 @@ Eigen::MatrixXd DefectProjection(
 }
 
 ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const SymmetryGroup& group,
-  const Configuration& interior, double distance)
+  const Configuration& interior, double distance, const IsometryTest& keeps)
 {
   Configuration all = interior;
   const MeshTopology& topology = potential.GetProblem().Topology();
@@ -67,7 +67,7 @@ ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const S
   {
     all.push_back({ topology.PointAt(vertex), quarters, 0.0 });
   }
-  ConfigurationSymmetry symmetry = MatchSymmetry(all, group, distance);
+  ConfigurationSymmetry symmetry = MatchSymmetry(all, group, distance, keeps);
   for (std::vector<std::size_t>& images : symmetry.images)
   {
     images.resize(interior.size()); // at the clearance none is the image of one on the boundary
@@ -82,8 +82,8 @@ OptimizerSymmetry NoSymmetry(const PointPotential& potential, const Configuratio
     Eigen::MatrixXd::Identity(islands, islands) };
 }
 
-OptimizerSymmetry FindKeptSymmetry(
-  const PointPotential& potential, const PlanarDomain& domain, const Configuration& interior)
+OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const PlanarDomain& domain,
+  const Configuration& interior, const IsometryTest& keeps)
 {
   if (interior.empty())
   {
@@ -92,7 +92,7 @@ OptimizerSymmetry FindKeptSymmetry(
   const double distance = Rounding * domain.Diagonal();
   SymmetryGroup group = FindSymmetries(domain);
   OptimizerSymmetry symmetry;
-  symmetry.places = MatchWithBoundary(potential, group, interior, distance);
+  symmetry.places = MatchWithBoundary(potential, group, interior, distance, keeps);
   if (!symmetry.IsTrivial() && group.reflects)
   {
     const std::vector<double> defects = potential.Solve(interior).holonomyDefect;
@@ -100,7 +100,7 @@ OptimizerSymmetry FindKeptSymmetry(
           [](double defect) { return std::abs(defect) > HalfTurn * Pi; }))
     {
       group.reflects = false;
-      symmetry.places = MatchWithBoundary(potential, group, interior, distance);
+      symmetry.places = MatchWithBoundary(potential, group, interior, distance, keeps);
     }
   }
   symmetry.defects = DefectProjection(

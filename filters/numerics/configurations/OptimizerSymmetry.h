@@ -20,15 +20,16 @@ struct OptimizerSymmetry
 
 /// Reflections are left out where a defect is near half a turn: half a turn is its own opposite, so that of
 /// an island on the axis would stay.
-OptimizerSymmetry FindKeptSymmetry(
-  const PointPotential& potential, const PlanarDomain& domain, const Configuration& interior);
+/// `keeps`: as for MatchSymmetry.
+OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const PlanarDomain& domain,
+  const Configuration& interior, const IsometryTest& keeps = {});
 
 /// None but the identity.
 OptimizerSymmetry NoSymmetry(const PointPotential& potential, const Configuration& interior);
 
 /// The largest group of symmetries of a domain that a configuration keeps within a distance, those on
 /// the boundary in the places where they are. The vertices to which a quarter index was given by
-/// anything else than the configuration count as part of it.
+/// anything else than the configuration count as part of it. `keeps`: as for MatchSymmetry.
 ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const SymmetryGroup& group,
-  const Configuration& interior, double distance);
+  const Configuration& interior, double distance, const IsometryTest& keeps = {});
 }

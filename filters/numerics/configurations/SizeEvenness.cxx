@@ -18,7 +18,8 @@ double SizeEvenness::Value::Spread() const
   return std::sqrt(2.0 * this->energy);
 }
 
-SizeEvenness::SizeEvenness(const PointPotential& potential)
+SizeEvenness::SizeEvenness(const PointPotential& potential, const SizeFunction& wanted)
+  : Wanted(wanted)
 {
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   this->Masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
@@ -35,23 +36,46 @@ SizeEvenness::SizeEvenness(const PointPotential& potential)
   this->SquaredCore =
     Core * Core * 4.0 / std::sqrt(3.0) * area / static_cast<double>(mesh.triangles.size());
   this->Masses /= area;
+  this->LogWanted = Eigen::VectorXd::Zero(this->Masses.size());
+  for (Eigen::Index v = 0; wanted && v < this->LogWanted.size(); ++v)
+  {
+    this->LogWanted[v] = std::log(WantedSize(wanted, mesh.points[static_cast<std::size_t>(v)]));
+  }
+}
+
+bool SizeEvenness::IsKeptBy(const PointPotential& potential, const Isometry& map) const
+{
+  constexpr double MostDifference = 0.01;
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  double squares = 0.0;
+  for (Eigen::Index v = 0; this->Wanted && v < this->LogWanted.size(); ++v)
+  {
+    const Point image = map(mesh.points[static_cast<std::size_t>(v)]);
+    const double difference = std::log(WantedSize(this->Wanted, image)) - this->LogWanted[v];
+    squares += this->Masses[v] * difference * difference;
+    if (squares > MostDifference * MostDifference)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Eigen::VectorXd SizeEvenness::SizesOf(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
-  Eigen::VectorXd h = 0.25 * solution.regular.head(this->Masses.size());
-  for (Eigen::Index v = 0; v < h.size(); ++v)
+  Eigen::VectorXd d = 0.25 * solution.regular.head(this->Masses.size()) - this->LogWanted;
+  for (Eigen::Index v = 0; v < d.size(); ++v)
   {
     const Point& x = mesh.points[static_cast<std::size_t>(v)];
     for (const LogSource& log : solution.logs)
     {
-      h[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
+      d[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
     }
   }
-  h.array() -= this->Masses.dot(h);
-  return h;
+  d.array() -= this->Masses.dot(d);
+  return d;
 }
 
 SizeEvenness::Value SizeEvenness::Evaluate(
@@ -62,11 +86,11 @@ SizeEvenness::Value SizeEvenness::Evaluate(
   const auto inside =
     static_cast<Eigen::Index>(solution.logs.size() - potential.GetBoundaryLogs().size());
 
-  // 1. H, and J.
-  const Eigen::VectorXd h = this->SizesOf(potential, solution);
+  // 1. D, and J.
+  const Eigen::VectorXd d = this->SizesOf(potential, solution);
   Value result;
-  const Eigen::VectorXd weighted = this->Masses.cwiseProduct(h);
-  result.energy = 0.5 * weighted.dot(h);
+  const Eigen::VectorXd weighted = this->Masses.cwiseProduct(d);
+  result.energy = 0.5 * weighted.dot(d);
 
   // 2. The logarithms move, and the sources of R: its operator is symmetric, so one solution is enough.
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(solution.sources.size());

@@ -143,15 +143,17 @@ Eigen::VectorXd ConfigurationSymmetry::ProjectDirections(const Eigen::VectorXd& 
   return means / static_cast<double>(this->elements.size());
 }
 
-ConfigurationSymmetry MatchSymmetry(
-  const Configuration& configuration, const SymmetryGroup& group, double distance)
+ConfigurationSymmetry MatchSymmetry(const Configuration& configuration, const SymmetryGroup& group,
+  double distance, const IsometryTest& keeps)
 {
   // One at the centre is alone, any other has as many images as there are rotations.
   const int mostRotations =
     configuration.size() < 2 ? group.order : static_cast<int>(configuration.size());
   for (const SymmetryGroup& subgroup : Subgroups(group, mostRotations))
   {
-    if (const auto symmetry = Match(configuration, subgroup, distance))
+    const auto symmetry = Match(configuration, subgroup, distance);
+    if (symmetry &&
+      (!keeps || std::all_of(symmetry->elements.begin(), symmetry->elements.end(), keeps)))
     {
       return *symmetry;
     }

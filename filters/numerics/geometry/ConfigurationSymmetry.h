@@ -3,6 +3,8 @@
 #include "BoundarySymmetry.h"
 #include "Singularity.h"
 
+#include <functional>
+
 namespace crossfield
 {
 /// Symmetries of a domain under which a configuration is about the same.
@@ -22,9 +24,13 @@ struct ConfigurationSymmetry
   Eigen::VectorXd ProjectDirections(const Eigen::VectorXd& directions) const;
 };
 
+/// Whether something else than the configuration is the same under a symmetry of the domain.
+using IsometryTest = std::function<bool(const Isometry&)>;
+
 /// The largest subgroup under which places are moved by at most a distance when they are projected.
 /// Circles have more symmetries than any four singularities: so subgroups are tried, the largest first,
 /// and of these with rotations by 2π / d only those where d is at most the number of singularities.
-ConfigurationSymmetry MatchSymmetry(
-  const Configuration& configuration, const SymmetryGroup& group, double distance);
+/// All elements have to pass the test, if there is one.
+ConfigurationSymmetry MatchSymmetry(const Configuration& configuration, const SymmetryGroup& group,
+  double distance, const IsometryTest& keeps = {});
 }

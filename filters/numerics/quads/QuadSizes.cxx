@@ -1,7 +1,5 @@
 #include "QuadSizes.h"
 
-#include "Error.h"
-
 #include <cmath>
 
 namespace crossfield
@@ -10,17 +8,7 @@ namespace
 {
 double SizeAt(const SizeRequest& request, const Point& place)
 {
-  if (request.sizing != QuadSizing::Field)
-  {
-    return 1.0;
-  }
-  const double size = request.field(place);
-  if (!(size > 0.0) || !std::isfinite(size))
-  {
-    throw Error("The wanted size at " + Describe(place) +
-      " is not a positive number; give a size field that is positive in the whole domain.");
-  }
-  return size;
+  return request.sizing == QuadSizing::Field ? WantedSize(request.field, place) : 1.0;
 }
 }
 

@@ -2,8 +2,7 @@
 
 #include "QuadMesh.h"
 #include "TMesh.h"
-
-#include <functional>
+#include "WantedSize.h"
 
 namespace crossfield
 {
@@ -14,9 +13,6 @@ enum class QuadSizing
   Uniform,   ///< The same everywhere.
   Field      ///< As a function says.
 };
-
-/// Wanted size at a point of the plane.
-using SizeFunction = std::function<double(const Point&)>;
 
 struct SizeRequest
 {
