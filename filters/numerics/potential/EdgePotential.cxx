@@ -26,6 +26,11 @@ Eigen::MatrixXd EdgePotential::AroundIslands(const Eigen::MatrixXd& sources) con
   return sums;
 }
 
+Eigen::MatrixXd EdgePotential::CouplingOfIslands() const
+{
+  return this->AroundIslands(this->Inside.IslandSources());
+}
+
 Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
@@ -36,8 +41,7 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
   if (constants.cols() > 0)
   {
     sources -= constants *
-      Eigen::LLT<Eigen::MatrixXd>(this->AroundIslands(constants))
-        .solve(this->AroundIslands(sources));
+      Eigen::LLT<Eigen::MatrixXd>(this->CouplingOfIslands()).solve(this->AroundIslands(sources));
   }
 
   // 2. Its conjugate changes by the source of a vertex on the way past it, and by that of a period along its strip; the

@@ -23,6 +23,10 @@ public:
   /// single-valued, and 0 on the first edge of the outer loop. Fluxes add up to zero but for rounding.
   Eigen::VectorXd Solve(const Eigen::VectorXd& fluxes) const;
 
+  /// ∫ ∇φ_k · ∇φ_l, φ_k the harmonic phase that is 1 on inner loop k and 0 on the other loops: an upper bound of what the
+  /// inverse of the Schur complement on the periods bounds from below (docs/method.md §2.3).
+  Eigen::MatrixXd CouplingOfIslands() const;
+
 private:
   /// Sums over the vertices of every inner loop: what the conjugate grows along it.
   Eigen::MatrixXd AroundIslands(const Eigen::MatrixXd& sources) const;

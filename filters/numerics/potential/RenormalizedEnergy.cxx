@@ -38,14 +38,15 @@ std::vector<HalfFlow> FlowsOf(
 }
 
 /// R at the midpoints of boundary edges, in the Crouzeix-Raviart space.
-Eigen::VectorXd SolveOnEdges(const PointPotential& potential, const std::vector<HalfFlow>& flows)
+Eigen::VectorXd SolveOnEdges(
+  const PointPotential& potential, const EdgePotential& onEdges, const std::vector<HalfFlow>& flows)
 {
   Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(flows.size() / 2));
   for (std::size_t h = 0; h < flows.size(); ++h)
   {
     fluxes[static_cast<Eigen::Index>(h / 2)] += potential.GetHalves()[h].growth - flows[h].flux;
   }
-  return EdgePotential(*potential.GetProblem().potential).Solve(fluxes);
+  return onEdges.Solve(fluxes);
 }
 }
 
@@ -84,7 +85,8 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
 
   // 2. On the boundary: ½ ∮ R ∂R/∂ν + ∮ Λ ∂R/∂ν + ½ ∮ Λ ∂Λ/∂ν with ∂R/∂ν = s − ∂Λ/∂ν.
   const std::vector<HalfFlow> flows = FlowsOf(potential, solution);
-  const Eigen::VectorXd atEdges = SolveOnEdges(potential, flows);
+  const EdgePotential onEdges(*potential.GetProblem().potential);
+  const Eigen::VectorXd atEdges = SolveOnEdges(potential, onEdges, flows);
   std::vector<Eigen::Matrix2Xd> carriedGradient(
     static_cast<std::size_t>(periods), Eigen::Matrix2Xd::Zero(2, count));
   for (std::size_t h = 0; h < flows.size(); ++h)
@@ -117,6 +119,9 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   result.singleValuedGradient = gradient;
 
   // 3. The harmonic field that the holonomy defects leave, and how the defects change.
+  // Its energy is bounded by those of a potential and of a phase, too.
+  const Eigen::VectorXd periodsOfBoth =
+    0.5 * (solution.periods + onEdges.CouplingOfIslands() * solution.offsets);
   const Eigen::MatrixXd schur = potential.GetPeriodBasis().bottomRows(periods).inverse();
   result.holonomyDefect = solution.holonomyDefect;
   for (Eigen::Index k = 0; k < periods; ++k)
@@ -135,9 +140,9 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
           LogSource::TurnDerivative(last, log.position));
     }
     result.defectGradient.push_back(derivative);
-    gradient += solution.periods[k] * derivative;
+    gradient += periodsOfBoth[k] * derivative;
   }
-  result.energy = energy + 0.5 * solution.offsets.dot(solution.periods);
+  result.energy = energy + 0.5 * solution.offsets.dot(periodsOfBoth);
   result.gradient = gradient;
   return result;
 }

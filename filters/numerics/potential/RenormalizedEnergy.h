@@ -33,7 +33,7 @@ struct RenormalizedEnergyValue
 ///   W = −½ Σ_{m≠n} ω_m a_m a_n log|x_m − x_n| + ½ ∮ R ∂R/∂ν + ∮ Λ ∂R/∂ν + ½ ∮ Λ ∂Λ/∂ν,
 /// plus ½ offsetᵀ S⁻¹ offset for inner loops that are off by an offset. The integrals are sums over
 /// halves of boundary edges, the logarithms of the boundary as means. R is the mean of two solutions, with values at vertices and on edges, whose
-/// energies are bounds on either side; both are quadratic in the sources, so that the discrete W is a smooth function of the
+/// energies are bounds on either side, and so is the last term; both are quadratic in the sources, so that the discrete W is a smooth function of the
 /// positions wherever they are in the mesh, and its gradient is exact and needs no further solve.
 RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const PointPotential& potential, const PointPotential::Solution& solution);

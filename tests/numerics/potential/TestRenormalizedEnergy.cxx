@@ -172,6 +172,30 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
   }
 }
 
+TEST(RenormalizedEnergy, OfADefectIsTheMiddleOfItsBounds)
+{
+  // ½ δ² 2π / log(1 / a) in a ring of the inner radius a, which long triangles around a small polygon miss by P1 alone.
+  const double inner = 0.02;
+  const PlanarDomain ring =
+    MakePlanarDomain({ RegularPolygon(256, 1.0), RegularPolygon(24, inner) });
+  const Configuration pair = { { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } };
+  const PointPotential potential = PointPotentialOn(Mesh(ring, 0.2), {}, 0);
+  const PointPotential::Solution solution = potential.Solve(pair);
+  const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(potential, solution);
+  const double offset = solution.offsets[0];
+  ASSERT_GT(std::abs(offset), 0.5);
+  // From outside a regular polygon is a circle of its capacity, Γ(1/n) / (2^(1 + 2/n) π^½ Γ(½ + 1/n)) of a side. The
+  // outer one is the unit circle within 1e-4.
+  const double part = 1.0 / 24.0;
+  const double radius = inner * 2.0 * std::sin(Pi * part) * std::tgamma(part) /
+    (std::pow(2.0, 1.0 + 2.0 * part) * std::sqrt(Pi) * std::tgamma(0.5 + part));
+  const double exact = Pi * offset * offset / std::log(1.0 / radius);
+  const double ofBoth = value.energy - value.singleValuedEnergy;
+  const double ofVertices = 0.5 * offset * solution.periods[0];
+  EXPECT_LT(ofVertices, 0.995 * exact);
+  EXPECT_LT(std::abs(ofBoth - exact), 0.2 * (exact - ofVertices));
+}
+
 TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
 {
   // On the disk, and on a ring with a holonomy defect, whose harmonic field belongs to both.
