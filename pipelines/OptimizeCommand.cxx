@@ -26,6 +26,8 @@
 
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -39,8 +41,26 @@ struct OptimizeOptions : MeshOptions
   double clearance = 0.0;
   bool keepAll = false;
   bool even = false;
+  std::vector<std::string> sizing = { "uniform" };
   int pairs = 0;
 };
+
+/** Why the words after --sizing make no sense; empty if they do. */
+std::string CheckSizing(const OptimizeOptions& options)
+{
+  const std::string& sizing = options.sizing[0];
+  if (sizing != "uniform" && sizing != "field")
+  {
+    return "--sizing: there is no '" + sizing + "'; give uniform or field NAME";
+  }
+  if (options.sizing.size() != (sizing == "field" ? 2U : 1U))
+  {
+    return "--sizing: give uniform, or field and the name of a point array of the domain";
+  }
+  return options.even || options.pairs > 0
+    ? ""
+    : "--sizing says which sizes are even; give it with --even or --pairs";
+}
 
 /** What evenness costs: a line for each point of the front. */
 void PrintFront(vtkPolyData* moved)
@@ -88,6 +108,11 @@ int Optimize(const OptimizeOptions& options)
   optimizer->SetKeepAll(options.keepAll);
   optimizer->SetEvenSizes(options.even);
   optimizer->SetPairs(options.pairs);
+  if (options.sizing[0] == "field")
+  {
+    optimizer->SetSizingToField();
+    optimizer->SetSizeArray(options.sizing[1]);
+  }
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
   BoundaryInput::Keep(domain, options.corners);
 
@@ -113,8 +138,9 @@ int Optimize(const OptimizeOptions& options)
               << "\n";
     if (options.even || options.pairs > 0)
     {
-      std::cout << "spread of sizes (standard deviation of their logarithm) from "
-                << FieldValue(moved, names::SizeSpreadBefore) << " to "
+      std::cout << "spread of sizes (standard deviation of "
+                << (options.sizing[0] == "field" ? "log size over wanted size" : "their logarithm")
+                << ") from " << FieldValue(moved, names::SizeSpreadBefore) << " to "
                 << FieldValue(moved, names::SizeSpreadAfter) << "\n";
       PrintFront(moved);
     }
@@ -156,10 +182,26 @@ void AddOptimizeCommand(CLI::App& app, int& status)
     "no singularity moves into the boundary or out of it, none that meet are taken out");
   command->add_flag("--even", options->even,
     "then move on to where the sizes of quads that follow the field are most even");
+  CLI::Option* sizing =
+    command
+      ->add_option("--sizing", options->sizing,
+        "with --even or --pairs, uniform: the same sizes everywhere; field NAME: in proportion to those of a point array of "
+        "the domain")
+      ->expected(1, 2)
+      ->type_name("WORD");
   command
     ->add_option("--pairs", options->pairs,
       "with --even, and then with up to so many pairs of quarter indices 1 and -1 more, while they bring something")
     ->check(CLI::Range(0, 100));
   AddJsonTo(*command, options->json);
-  command->callback([options, &status] { status = Optimize(*options); });
+  command->callback(
+    [options, sizing, &status]
+    {
+      const std::string problem = sizing->count() > 0 ? CheckSizing(*options) : "";
+      if (!problem.empty())
+      {
+        throw CLI::ValidationError(problem);
+      }
+      status = Optimize(*options);
+    });
 }

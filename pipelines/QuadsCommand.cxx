@@ -157,9 +157,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetRepairHolonomy(options.repairHolonomy);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
   singularities.SetCapCorners(options.capCorners);
-  const bool factor =
-    options.sizing[0] == "field" && !options.countIsGiven; // of the array's lengths
-  singularities.SetQuads(options.clearance, options.size, factor ? 0 : options.quads);
+  singularities.SetQuads(options.clearance, mesher);
   singularities.Update();
   mesher->SetSingularitiesConnection(singularities.GetOutputPort());
   singularities.ConnectCorners(mesher.Get());

@@ -6,6 +6,7 @@
 #include "PipelineRun.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkQuadMesher.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -63,13 +64,15 @@ void SingularityInput::SetCapCorners(bool cap)
   }
 }
 
-void SingularityInput::SetQuads(double clearance, double quadSize, int quadCount)
+void SingularityInput::SetQuads(double clearance, vtkQuadMesher* mesher)
 {
   if (this->AreChosen())
   {
     this->Proposal->SetClearance(clearance);
-    this->Proposal->SetQuadSize(quadSize);
-    this->Proposal->SetQuadCount(quadCount);
+    this->Proposal->SetQuadSize(mesher->GetQuadSize());
+    this->Proposal->SetQuadCount(mesher->GetQuadCount());
+    this->Proposal->SetSizing(mesher->GetSizing());
+    this->Proposal->SetSizeArray(mesher->GetSizeArray());
   }
 }
 

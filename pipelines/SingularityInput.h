@@ -12,6 +12,7 @@ class vtkConfigurationProposal;
 class vtkDataSet;
 class vtkFieldData;
 class vtkPointSet;
+class vtkQuadMesher;
 
 /**
  * The singularities of a command: those of its option -s or, where that is left out, those that
@@ -30,8 +31,8 @@ public:
   /** Whether sharp corners of quarter index 2 get 1 where singularities are chosen. */
   void SetCapCorners(bool cap);
 
-  /** What singularities are chosen for, as the properties of vtkConfigurationProposal with these names. */
-  void SetQuads(double clearance, double quadSize, int quadCount);
+  /** What singularities are chosen for: quads as they are asked for. */
+  void SetQuads(double clearance, vtkQuadMesher* mesher);
 
   /** Reads or chooses; throws PipelineRun::Error. */
   void Update();

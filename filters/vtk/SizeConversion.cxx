@@ -3,8 +3,10 @@
 #include "CellLoop.h"
 #include "DrilledMeshConversion.h"
 #include "Error.h"
+#include "MeshForPoints.h"
 #include "SizeExtension.h"
 #include "UsedPoints.h"
+#include "vtkQuadMesher.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -170,5 +172,29 @@ Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::D
   result.relative = [sampler, plane](const crossfield::Point& place)
   { return sampler->At(plane.ToSpace(place)); };
   return result;
+}
+
+//------------------------------------------------------------------------------
+Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const DomainConversion::Domain& input,
+  double meshSize)
+{
+  const crossfield::SharedTopology topology =
+    crossfield::ShareTopology(crossfield::MeshOnPoints(input.domain, {}, meshSize));
+  return ReadSizes(domain, name, input.plane, *topology);
+}
+
+//------------------------------------------------------------------------------
+void ChooseForQuads(vtkDataSet* domain, const DomainConversion::Domain& input,
+  const QuadRequest& request, crossfield::AutomaticOptions& automatic)
+{
+  automatic.quadSize = request.quadSize;
+  automatic.quadCount = request.quadCount;
+  automatic.optimizer.evenSizes = request.sizing != vtkQuadMesher::SizingConformal;
+  if (request.sizing == vtkQuadMesher::SizingField)
+  {
+    const Sizes sizes = ReadSizes(domain, request.sizeArray, input, automatic.optimizer.meshSize);
+    automatic.optimizer.wantedSize = sizes.relative;
+    automatic.quadSize *= sizes.mean; // a factor of the array's lengths
+  }
 }
 }

@@ -96,8 +96,8 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
 
 def optimize(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
              corners: Union[Corners, Singularities] = None, iterations: int = 200,
-             even: bool = False, pairs: int = 0, clearance: Optional[float] = None,
-             keep_all: bool = False) -> Configuration:
+             even: bool = False, pairs: int = 0, size_array: Optional[str] = None,
+             clearance: Optional[float] = None, keep_all: bool = False) -> Configuration:
     """Moves singularities to where the renormalised energy of their field is least.
 
     `clearance` is their least distance to the boundary and to each other, 1/400 of the diagonal if it is
@@ -108,6 +108,8 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     up to so many pairs of indices 1 and -1 are added after that, while they bring something; the lists
     report["front_singularities"], ["front_size_spread"], ["front_renormalized_energy"] and
     ["front_holonomy_defect"] have an entry for the least energy, for even sizes, and for each pair.
+    `size_array`, with `even` or `pairs`, is the name of a point array of the domain with wanted sizes, as for `quads`:
+    sizes are then to be in proportion to these, and the spread is that of log(size / wanted size).
 
     The arguments are those of `solve`; it starts from a proposal if no singularities are given. Where
     they do not come to rest there is a RuntimeWarning, and report["converged"] is False.
@@ -116,6 +118,8 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     >>> better.report["converged"], better.points.shape
     (True, (4, 3))
     """
+    if size_array is not None and not (even or pairs > 0):
+        raise Error("A size_array says which sizes are even; give it with even or pairs.")
     pipeline = Pipeline()
     data = as_domain(domain, size)
     if singularities is None:
@@ -129,6 +133,9 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     optimizer.SetMaximumIterations(iterations)
     optimizer.SetEvenSizes(even)
     optimizer.SetPairs(pairs)
+    if size_array is not None:
+        optimizer.SetSizingToField()
+        optimizer.SetSizeArray(size_array)
     optimizer.SetClearance(checked(clearance))
     optimizer.SetKeepAll(keep_all)
     if corners is not None:

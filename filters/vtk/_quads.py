@@ -147,7 +147,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     cap_corners    sharp corners of quarter index 2, which have no angle in a flat map, get 1
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
                    singularities may move; "field": the lengths of a point array of the domain, in
-                   these proportions if `count` is given
+                   these proportions if `count` is given; with both, chosen singularities are where sizes are
+                   most like that
     size_array     the name of this array
     coarse         the fewest blocks that are sound
     repair_holonomy
@@ -189,11 +190,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # of the array's lengths
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
-    relative = mesher.GetSizing() == vtkQuadMesher.SizingField  # QuadSize is then a factor
     chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, {
         "CapCorners": cap_corners, "Clearance": checked(clearance),
-        "QuadSize": 0.0 if relative else mesher.GetQuadSize(),
-        "QuadCount": 0 if relative and mesher.GetQuadSize() > 0 else mesher.GetQuadCount()})
+        "QuadSize": mesher.GetQuadSize(), "QuadCount": mesher.GetQuadCount(),
+        "Sizing": mesher.GetSizing(), "SizeArray": mesher.GetSizeArray()})
     mesh = _mesh_of(pipeline.update(mesher))
     report_choice(mesh.report, chosen, mesh.points)
     return mesh

@@ -10,6 +10,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "ProposalConversion.h"
+#include "SizeConversion.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -55,8 +56,6 @@ int vtkConfigurationProposal::RequestData(
       crossfield::AutomaticOptions automatic;
       automatic.optimizer.clearance = this->Clearance;
       automatic.optimizer.keepAll = this->KeepAll;
-      automatic.quadSize = this->QuadSize;
-      automatic.quadCount = this->QuadCount;
       crossfield::ProposalOptions& options = automatic.proposal;
       options.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
@@ -88,6 +87,8 @@ int vtkConfigurationProposal::RequestData(
         return;
       }
       automatic.optimizer.meshSize = this->MeshSize;
+      SizeConversion::ChooseForQuads(domain, input,
+        { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount }, automatic);
       const crossfield::AutomaticConfiguration choice =
         crossfield::ChooseConfiguration(input.domain, automatic, progress);
       const crossfield::OptimizerResult& result = choice.optimum;
@@ -120,5 +121,7 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";
+  os << indent << "Sizing: " << this->Sizing << "\n";
+  os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "KeepAll: " << (this->KeepAll ? "on" : "off") << "\n";
 }

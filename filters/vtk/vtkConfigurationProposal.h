@@ -46,6 +46,8 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for SizeArray
+
 class VTKCROSSFIELDFILTERS_EXPORT vtkConfigurationProposal : public vtkPolyDataAlgorithm
 {
 public:
@@ -131,6 +133,20 @@ public:
   ///@}
 
   ///@{
+  /**
+   * With Automatic, which sizes the quads to come are to have, as of vtkQuadMesher: 0, conformal; 1, uniform; 2, those of
+   * the point array SizeArray of the domain, of which QuadSize is then a factor. With 1 and 2 the singularities move
+   * on to where sizes are so, as with EvenSizes of vtkSingularityOptimizer. Default: 0, none.
+   */
+  vtkSetClampMacro(Sizing, int, 0, 2);
+  vtkGetMacro(Sizing, int);
+  vtkSetMacro(SizeArray, std::string);
+  vtkGetMacro(SizeArray, std::string);
+  ///@}
+  /** As above; what ParaView calls. */
+  void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
+
+  ///@{
   /** With Automatic, every singularity stays what it is, as of vtkSingularityOptimizer. Default: off. */
   vtkSetMacro(KeepAll, bool);
   vtkGetMacro(KeepAll, bool);
@@ -166,6 +182,8 @@ private:
   double Clearance = 0.0;
   double QuadSize = 0.0;
   int QuadCount = 0;
+  int Sizing = 0;
+  std::string SizeArray;
   bool KeepAll = false;
   int Alternatives = 0;
   double CoreRadius = 0.0;

@@ -85,10 +85,8 @@ int vtkQuadMesher::RequestData(
         }
         automatic.optimizer.meshSize = this->MeshSize;
         automatic.optimizer.clearance = this->Clearance;
-        const bool relative =
-          this->Sizing == SizingField; // QuadSize is then a factor of the array's lengths
-        automatic.quadSize = relative ? 0.0 : this->QuadSize;
-        automatic.quadCount = relative && this->QuadSize > 0.0 ? 0 : this->QuadCount;
+        SizeConversion::ChooseForQuads(domain, input,
+          { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount }, automatic);
         const crossfield::AutomaticConfiguration choice =
           crossfield::ChooseConfiguration(input.domain, automatic, progress.Part(0.0, 0.5));
         configuration = choice.singularities;

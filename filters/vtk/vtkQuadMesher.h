@@ -92,7 +92,9 @@ public:
   /**
    * SizingConformal: sizes are those of the map, larger where its field spreads, which gives the best shapes.
    * SizingUniform: the same everywhere as far as the lines allow; singularities may move (`Moved`).
-   * SizingField: likewise, with the lengths of the point array SizeArray of the domain. Default: SizingConformal.
+   * SizingField: likewise, with the lengths of the point array SizeArray of the domain. With these two, singularities that
+   * are chosen are where sizes of the map are most like that, as with EvenSizes of vtkSingularityOptimizer.
+   * Default: SizingConformal.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);
   vtkGetMacro(Sizing, int);

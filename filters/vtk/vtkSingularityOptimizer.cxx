@@ -6,6 +6,7 @@
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "SizeConversion.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -56,6 +57,11 @@ int vtkSingularityOptimizer::RequestData(
       options.keepAll = this->KeepAll;
       options.evenSizes = this->EvenSizes;
       options.pairs = this->Pairs;
+      if (this->Sizing == SizingField && (this->EvenSizes || this->Pairs > 0))
+      {
+        options.wantedSize =
+          SizeConversion::ReadSizes(domain, this->SizeArray, input, this->MeshSize).relative;
+      }
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         ConfigurationConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
@@ -87,5 +93,7 @@ void vtkSingularityOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "KeepAll: " << this->KeepAll << "\n";
   os << indent << "EvenSizes: " << this->EvenSizes << "\n";
+  os << indent << "Sizing: " << this->Sizing << "\n";
+  os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
 }

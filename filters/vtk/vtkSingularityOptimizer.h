@@ -18,7 +18,8 @@
  * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
  * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
  * besides moving). With EvenSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
- * of log size, H, over the area, where W is least and of the result; and the front, one value each where W is least,
+ * of log size, H, over the area, where W is least and of the result (with SizingField of the logarithm of size over
+ * wanted size); and the front, one value each where W is least,
  * with even sizes, and with every pair that was added: `FrontSingularities` (int), `FrontSizeSpread`,
  * `FrontRenormalizedEnergy`, `FrontHolonomyDefect` (largest, radians).
  * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
@@ -34,7 +35,7 @@
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles
  * refuses; a singularity outside; quarter indices that violate the Poincaré-Hopf theorem
- * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); missing arrays.
+ * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); missing arrays; wanted sizes that are not positive.
  *
  * Paper: "The unifying renormalized Ginzburg-Landau energy", whose minimisation it leaves open.
  *
@@ -47,6 +48,8 @@
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkPolyDataAlgorithm.h"
+
+#include <string> // for SizeArray
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityOptimizer : public vtkPolyDataAlgorithm
 {
@@ -114,6 +117,35 @@ public:
   vtkBooleanMacro(EvenSizes, bool);
   ///@}
 
+  /** Which sizes are even: the values that vtkQuadMesher has for them. */
+  enum SizingType
+  {
+    SizingUniform = 1,
+    SizingField = 2
+  };
+
+  ///@{
+  /**
+   * With EvenSizes or Pairs. SizingUniform: sizes are to be the same everywhere. SizingField: in proportion to the
+   * point array SizeArray of the domain. Default: SizingUniform.
+   */
+  vtkSetClampMacro(Sizing, int, SizingUniform, SizingField);
+  vtkGetMacro(Sizing, int);
+  void SetSizingToUniform() { this->SetSizing(SizingUniform); }
+  void SetSizingToField() { this->SetSizing(SizingField); }
+  ///@}
+
+  ///@{
+  /**
+   * Point array of the domain with the wanted length of quads for SizingField, of which only proportions count: linear on
+   * surface cells and along curves, of which it is continued inside, as vtkQuadMesher takes it. Default: none.
+   */
+  vtkSetMacro(SizeArray, std::string);
+  vtkGetMacro(SizeArray, std::string);
+  ///@}
+  /** As above; what ParaView calls. */
+  void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
+
   ///@{
   /**
    * Then add up to so many pairs of quarter indices 1 and -1 where they make sizes most even, while a pair brings 15 %
@@ -141,6 +173,8 @@ private:
   double Clearance = 0.0;
   bool KeepAll = false;
   bool EvenSizes = false;
+  int Sizing = SizingUniform;
+  std::string SizeArray;
   int Pairs = 0;
 };
 

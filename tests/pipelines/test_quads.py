@@ -76,6 +76,28 @@ LOOKUP_TABLE default
         self.refuse(*common, "even", says=("no 'even'", "conformal"))
         self.refuse(*common, "field", "Length", "--size", "0.1", says=("leave --size out",))
 
+    def test_the_optimiser_follows_the_same_array(self):
+        (self.folder / "channel.vtk").write_text(
+            self.STRIP.replace("3 0 0  3 0.3 0  0 0.3 0", "3 0 0  3 0.8 0  0 0.8 0"))
+        write_configuration(self.folder / "none.csv", [])
+        common = ("optimize", "channel.vtk", "-s", "none.csv", "--sizing")
+
+        def optimized(*options):
+            return json.loads(self.succeed(*common, *options, "--json", "-"))
+
+        report = optimized( "field", "Length", "--even", "--pairs", "1")
+        # Linear between 0.1 and 0.2, whose logarithm has this standard deviation; H of a channel is 0.
+        self.assertAlmostEqual(report["size_spread_before"], 0.1983, delta=0.002)
+        self.assertLess(report["size_spread_after"], 0.6 * report["size_spread_before"])
+        self.assertEqual(sorted(s["quarter_index"] for s in report["singularities"]), [-1, 1])
+        self.assertLess(optimized("uniform", "--even")["size_spread_before"], 1e-9)
+        self.assertIn("log size over wanted size",
+                      self.succeed(*common, "field", "Length", "--even"))
+        self.refuse(*common, "field", "Length", says=("give it with --even or --pairs",))
+        self.refuse(*common, "field", "--even", says=("--sizing: give", "name of a point array"))
+        self.refuse(*common, "conformal", "--even", says=("no 'conformal'", "uniform or field"))
+        self.refuse(*common, "field", "Width", "--even", says=("no point array 'Width'",))
+
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):
             self.succeed("quads", "builtin:disk", "-s", "four.csv", "-o", f"{name}.vtu")

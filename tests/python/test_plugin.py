@@ -46,7 +46,7 @@ PROXIES = {
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (
-        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance"),
+        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance EvenSizes Sizing SizeArray Pairs"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 
@@ -184,6 +184,26 @@ def test_energies():
                 "the order of the configurations")
     energies.Configurations = [better]
     check_equal(fetch(energies).GetNumberOfRows(), 1, "the number of configurations that are left")
+
+
+def test_size_arrays():
+    """Domains need no array, as every domain of the source has none; where there is one it is in the list."""
+    bare = PlanarDomainSource()
+    sized = Calculator(Input=bare, ResultArrayName="Length", Function="1 + coordsX * coordsX")
+    sized.UpdatePipeline()  # or nobody knows its arrays
+    for make in (QuadMesher, SingularityOptimizer):
+        for domain, arrays in ((bare, {"None"}), (sized, {"None", "Length"})):
+            proxy = make(Input=domain, Singularities=SingularitySource(), Sizing="Field").SMProxy
+            given = proxy.GetProperty("Input")
+            check(given.FindDomain("vtkSMInputArrayDomain").IsInDomain(given), "%s refuses it" % proxy.GetXMLName())
+            choice = proxy.GetProperty("SizeArray").FindDomain("vtkSMArrayListDomain")
+            choice.Update(given)
+            check_equal({choice.GetString(i) for i in range(choice.GetNumberOfStrings())}, arrays, "the arrays")
+    optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), EvenSizes=1,
+                                     Sizing="Field", SizeArray="Length")
+    moved = fetch(optimizer)
+    check_equal(value(moved, "Converged"), 1, "Converged")
+    check(value(moved, "SizeSpreadAfter") < 0.95 * value(moved, "SizeSpreadBefore"), "the sizes that are wanted")
 
 
 def test_default_chain():
@@ -403,7 +423,7 @@ def test_input_untouched():
 
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_menus, test_default_chain, test_h_field, test_layout_designer, test_separatrices,
-             test_energies, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
+             test_energies, test_size_arrays, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
              test_handles, test_handles_of_a_proposal, test_verdict,
              test_changed_input, test_input_untouched):
     test()

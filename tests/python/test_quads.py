@@ -79,20 +79,44 @@ class Quads(unittest.TestCase):
             self.assertGreater(np.cross(along, across)[2], 0)
         self.assertEqual(len(mesh.blocks), mesh.report["blocks"])
 
-    def test_sizes_follow_an_array(self):
-        """A strip with 0.1 at the left and 0.2 at the right: columns twice as wide there."""
-        strip = vtkPolyData()
+    @staticmethod
+    def channel(width):
+        """A channel of length 3, with the sizes 0.1 at the left and 0.2 at the right."""
+        channel = vtkPolyData()
         points, lines = vtkPoints(), vtkCellArray()
-        for place in ((0, 0, 0), (3, 0, 0), (3, 0.3, 0), (0, 0.3, 0)):
+        for place in ((0, 0, 0), (3, 0, 0), (3, width, 0), (0, width, 0)):
             points.InsertNextPoint(place)
         lines.InsertNextCell(5)
         for point in (0, 1, 2, 3, 0):
             lines.InsertCellPoint(point)
-        strip.SetPoints(points)
-        strip.SetLines(lines)
+        channel.SetPoints(points)
+        channel.SetLines(lines)
         lengths = numpy_to_vtk(np.array([0.1, 0.2, 0.2, 0.1]), deep=True)
         lengths.SetName("Length")
-        strip.GetPointData().AddArray(lengths)
+        channel.GetPointData().AddArray(lengths)
+        return channel
+
+    def test_the_optimiser_follows_the_same_array(self):
+        channel = self.channel(0.8)
+        found = crossfield.optimize(channel, [], pairs=1, size_array="Length")
+        self.assertEqual(sorted(found.quarter_index.tolist()), [-1, 1])
+        self.assertLess(found.report["size_spread_after"], 0.6 * found.report["size_spread_before"])
+        # The quads that follow it come nearer to the sizes than those without it.
+        deviations = []
+        for rows in (found, []):
+            mesh = crossfield.quads(channel, rows, sizing="field", size_array="Length", count=500)
+            corners = mesh.points[mesh.quads]
+            across = corners[:, 2:, :] - corners[:, :2, :]
+            areas = 0.5 * np.abs(across[:, 0, 0] * across[:, 1, 1] - across[:, 0, 1] * across[:, 1, 0])
+            deviations.append(np.std(0.5 * np.log(areas) - np.log(0.1 + corners[:, :, 0].mean(axis=1) / 30)))
+        self.assertLess(deviations[0], 0.7 * deviations[1])
+        for options, word in (({}, "with even or pairs"), ({"even": True}, "no point array 'Width'")):
+            with self.assertRaisesRegex(crossfield.Error, word):
+                crossfield.optimize(channel, [], size_array="Width", **options)
+
+    def test_sizes_follow_an_array(self):
+        """Columns twice as wide at the right."""
+        strip = self.channel(0.3)
         mesh = crossfield.quads(strip, [], sizing="field", size_array="Length")
         x = np.sort(mesh.points[mesh.points[:, 1] == 0, 0])
         self.assertAlmostEqual(len(x) - 1, 30 * np.log(2), delta=1)

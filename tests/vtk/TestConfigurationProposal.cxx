@@ -43,8 +43,9 @@ TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
     [this] { this->Source->SetDomainName("star"); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter, false);
-  FilterChecks::CheckPrintSelf(
-    this->Filter, { "CornerAngle", "CancelFlatCorners", "CapCorners", "Automatic", "MeshSize" });
+  FilterChecks::CheckPrintSelf(this->Filter,
+    { "CornerAngle", "CancelFlatCorners", "CapCorners", "Automatic", "MeshSize", "Sizing",
+      "SizeArray" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

@@ -268,26 +268,46 @@ TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
 TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
 {
   const auto domain = TestInputs::Loops({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.4, 0.9 } } });
-  vtkNew<vtkConfigurationProposal> proposal;
-  proposal->SetInputData(domain);
-  proposal->AutomaticOn();
-  proposal->SetMeshSize(0.15);
-  proposal->SetQuadSize(0.1);
-  this->Filter->SetInputData(domain);
-  this->Filter->SetMeshSize(0.15);
-  this->Filter->SetSingularitiesConnection(proposal->GetOutputPort());
-  this->Filter->SetCornersConnection(proposal->GetOutputPort(1));
-  FilterChecks::UpdateWithoutError(this->Filter);
-  EXPECT_EQ(FieldStrings(this->Filter, "Events"), 0);
-
-  vtkNew<vtkQuadMesher> alone;
-  alone->SetInputData(domain);
-  alone->SetMeshSize(0.15);
-  alone->SetQuadSize(0.1);
-  FilterChecks::UpdateWithoutError(alone);
-  EXPECT_GT(FieldStrings(alone, "Events"), 0);
-  alone->GetOutput()->GetFieldData()->RemoveArray("Events");
-  this->Filter->GetOutput()->GetFieldData()->RemoveArray("Events");
-  EXPECT_EQ(FilterChecks::Fingerprint(alone->GetOutput()),
-    FilterChecks::Fingerprint(this->Filter->GetOutput()));
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("Length");
+  for (const double length : { 0.6, 1.5, 1.0 })
+  {
+    lengths->InsertNextValue(length);
+  }
+  domain->GetPointData()->AddArray(lengths);
+  std::set<double> places;
+  for (const int sizing :
+    { vtkQuadMesher::SizingConformal, vtkQuadMesher::SizingUniform, vtkQuadMesher::SizingField })
+  {
+    vtkNew<vtkConfigurationProposal> proposal;
+    proposal->SetInputData(domain);
+    proposal->AutomaticOn();
+    proposal->SetMeshSize(0.15);
+    proposal->SetQuadSize(0.1);
+    proposal->SetSizing(sizing);
+    proposal->SetSizeArray("Length");
+    vtkNew<vtkQuadMesher> given;
+    given->SetInputData(domain);
+    given->SetSingularitiesConnection(proposal->GetOutputPort());
+    given->SetCornersConnection(proposal->GetOutputPort(1));
+    vtkNew<vtkQuadMesher> alone;
+    alone->SetInputData(domain);
+    for (vtkQuadMesher* mesher : { given.Get(), alone.Get() })
+    {
+      mesher->SetMeshSize(0.15);
+      mesher->SetQuadSize(0.1);
+      mesher->SetSizing(sizing);
+      mesher->SetSizeArray("Length");
+      FilterChecks::UpdateWithoutError(mesher);
+    }
+    EXPECT_EQ(FieldStrings(given, "Events"), 0);
+    EXPECT_GT(FieldStrings(alone, "Events"), 0);
+    alone->GetOutput()->GetFieldData()->RemoveArray("Events");
+    given->GetOutput()->GetFieldData()->RemoveArray("Events");
+    EXPECT_EQ(
+      FilterChecks::Fingerprint(alone->GetOutput()), FilterChecks::Fingerprint(given->GetOutput()));
+    ASSERT_GT(proposal->GetOutput()->GetNumberOfPoints(), 0);
+    places.insert(proposal->GetOutput()->GetPoint(0)[0]);
+  }
+  EXPECT_EQ(places.size(), 3U); // for each of the sizings where it is best
 }

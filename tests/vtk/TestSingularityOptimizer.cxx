@@ -9,6 +9,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -21,6 +22,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -63,7 +65,8 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "EvenSizes" });
+    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "EvenSizes", "Sizing",
+      "SizeArray", "Pairs" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
@@ -130,6 +133,72 @@ TEST_F(SingularityOptimizer, AddsPairsAndTellsTheFront)
   EXPECT_LT(data->GetArray("FrontSizeSpread")->GetTuple1(2),
     0.5 * data->GetArray("FrontSizeSpread")->GetTuple1(1));
   EXPECT_EQ(data->GetArray("FrontSizeSpread")->GetTuple1(2), this->Value("SizeSpreadAfter"));
+}
+
+TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
+{
+  // In a straight channel no singularity is needed, and sizes are even.
+  const auto channel =
+    TestInputs::Loops({ { { 0.0, 0.0 }, { 6.0, 0.0 }, { 6.0, 1.5 }, { 0.0, 1.5 } } });
+  const auto want = [&](const std::vector<double>& lengths)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("Length");
+    for (const double length : lengths)
+    {
+      array->InsertNextValue(length);
+    }
+    channel->GetPointData()->AddArray(array);
+    this->Filter->SetInputData(channel);
+    this->Filter->Modified();
+  };
+  want({ 3.0, 3.0, 3.0, 3.0 });
+  this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
+  this->Filter->EvenSizesOn();
+  this->Filter->SetSizingToField();
+  this->Filter->SetSizeArray("Length");
+  FilterChecks::MessageRecorder messages(this->Filter);
+  this->Filter->Update();
+  EXPECT_LT(this->Value("SizeSpreadAfter"), 1e-9);
+
+  // To be twice as large at the right they need a pair: log s is linear along the channel with a slope of
+  // 1/6 log 2, of which the standard deviation is log 2 / sqrt(12).
+  want({ 0.1, 0.2, 0.2, 0.1 });
+  this->Filter->SetPairs(1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_NEAR(this->Value("SizeSpreadBefore"), std::log(2.0) / std::sqrt(12.0), 0.01);
+  EXPECT_LT(this->Value("SizeSpreadAfter"), 0.5 * this->Value("SizeSpreadBefore"));
+  vtkPolyData* output = this->Filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), 2);
+  EXPECT_NE(this->Reason().find("nearest to the wanted ones"), std::string::npos);
+  const auto x = [output](double quarters)
+  {
+    const vtkIdType i =
+      output->GetPointData()->GetArray("QuarterIndex")->GetTuple1(0) == quarters ? 0 : 1;
+    return output->GetPoint(i)[0];
+  };
+  EXPECT_LT(x(1.0), x(-1.0)); // rows end where quads are to be large: of index -1 is the large end
+
+  this->Filter->SetSizingToUniform();
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_LT(this->Value("SizeSpreadAfter"), 1e-9);
+
+  EXPECT_TRUE(messages.errors.empty());
+  EXPECT_TRUE(messages.warnings.empty());
+
+  this->Filter->SetSizingToField();
+  this->Filter->SetSizeArray("Width");
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "no point array 'Width'", "name one" }),
+    vtkErrorCode::UserError);
+  this->Filter->SetSizeArray(std::string());
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "no point array ''", "name one" }),
+    vtkErrorCode::UserError);
+  this->Filter->SetSizeArray("Length");
+  want({ 0.1, 0.0, 0.2, 0.1 });
+  EXPECT_EQ(
+    FilterChecks::CaptureError(this->Filter, { "wanted size at point 1", "not a positive number" }),
+    vtkErrorCode::UserError);
 }
 
 TEST_F(SingularityOptimizer, SaysWhatHappened)

@@ -44,7 +44,13 @@ std::string DescribeOptimum(const OptimizerResult& optimum)
 {
   std::ostringstream text;
   text << "The renormalised energy went from " << optimum.energyBefore << " to "
-       << optimum.energyAfter << " in " << optimum.iterations << " steps. " << optimum.reason;
+       << optimum.energyAfter << " in " << optimum.iterations << " steps";
+  if (optimum.sizeSpreads)
+  {
+    text << ", the spread of sizes from " << optimum.sizeSpreads->before << " to "
+         << optimum.sizeSpreads->after;
+  }
+  text << ". " << optimum.reason;
   return text.str();
 }
 
@@ -112,15 +118,15 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
-/// From the least energy on to the least one at a larger clearance.
-void MoveApart(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
+/// From the least energy on to the least one at a larger clearance, and to even sizes if they are asked for.
+void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
   const Progress& progress, AutomaticConfiguration& result)
 {
-  OptimizerOptions apart = options.optimizer;
-  apart.corners = result.corners;
-  apart.clearance = clearance;
-  apart.keepAll = true;
-  result.optimum = OptimizeSingularities(domain, result.singularities, apart, progress);
+  OptimizerOptions fit = options.optimizer;
+  fit.corners = result.corners;
+  fit.clearance = clearance;
+  fit.keepAll = true;
+  result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
   result.singularities = result.optimum.configuration;
   Tell(result);
 }
@@ -150,18 +156,19 @@ AutomaticConfiguration ChooseConfiguration(
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
 
   // What the singularities are is decided by the energy, where they may go next to the boundary: only then the
-  // size of quads keeps them off it.
+  // size of quads keeps them off it, and sizes are made even.
   const double clearance = AskedClearance(domain, options);
-  const bool movesApart = clearance > CoreRadius(domain);
+  const bool fits = clearance > CoreRadius(domain) || options.optimizer.evenSizes;
   AutomaticOptions least = options;
-  least.optimizer.clearance = movesApart ? 0.0 : clearance;
+  least.optimizer.clearance = fits ? 0.0 : clearance;
+  least.optimizer.evenSizes = false;
 
   const std::vector<ProposedConfiguration> starts =
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
   for (std::size_t i = 0; i < starts.size() && !Arrived(best.optimum); ++i)
   {
-    const double share = (movesApart ? 0.4 : 0.6) / static_cast<double>(starts.size());
+    const double share = (fits ? 0.4 : 0.6) / static_cast<double>(starts.size());
     const double begin = 0.4 + share * static_cast<double>(i);
     AutomaticConfiguration tried =
       Optimize(domain, starts[i], least, progress.Part(begin, begin + share));
@@ -174,9 +181,9 @@ AutomaticConfiguration ChooseConfiguration(
       break;
     }
   }
-  if (movesApart && !best.optimum.aborted)
+  if (fits && !best.optimum.aborted)
   {
-    MoveApart(domain, options, clearance, progress.Part(0.8, 1.0), best);
+    FitToQuads(domain, options, clearance, progress.Part(0.8, 1.0), best);
   }
   return best;
 }

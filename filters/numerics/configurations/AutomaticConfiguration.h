@@ -7,8 +7,10 @@ namespace crossfield
 {
 struct AutomaticOptions
 {
-  ProposalOptions proposal;   ///< What is given and what is asked of the corners.
-  OptimizerOptions optimizer; ///< Its corners are those of the proposal.
+  ProposalOptions proposal; ///< What is given and what is asked of the corners.
+  /// Its corners are those of the proposal. Even sizes are those of the quads to come: what singularities are
+  /// is decided before.
+  OptimizerOptions optimizer;
   /// Of the quads to come, if there are any: the length of their sides, or else their number, from which it follows.
   /// Where the optimiser's clearance is not given it is 0.7 of that length (docs/method.md §5.6).
   double quadSize = 0.0;
@@ -37,7 +39,7 @@ struct AutomaticConfiguration
 /// (ConfigurationProposal.h) and moves what is inside to where the renormalised energy is least
 /// (SingularityOptimizer.h). From the best proposal on, until one comes to rest without a holonomy
 /// defect; if none does, that with the least defect is taken, which is no error: optimum.converged
-/// says so, and the last event why.
+/// says so, and the last event why. Then on to the clearance for quads and to even sizes, if either is asked for.
 ///
 /// Throws Error as the two do.
 AutomaticConfiguration ChooseConfiguration(

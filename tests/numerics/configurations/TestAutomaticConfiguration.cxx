@@ -155,6 +155,25 @@ TEST(AutomaticConfiguration, KeepsAClearanceByTheSizeOfQuads)
   EXPECT_LT(LeastDistance(disk, ChooseConfiguration(disk, options).singularities), clearance);
 }
 
+TEST(AutomaticConfiguration, MovesOnToEvenSizesForQuads)
+{
+  const PlanarDomain plate =
+    MakePlanarDomain({ Box(3.0, 1.4), RegularPolygon(32, 0.3, { 1.0, 0.6 }) });
+  AutomaticOptions options;
+  options.quadCount = 300;
+  const AutomaticConfiguration least = ChooseConfiguration(plate, options);
+  EXPECT_FALSE(least.optimum.sizeSpreads);
+  options.optimizer.evenSizes = true;
+  const AutomaticConfiguration even = ChooseConfiguration(plate, options);
+  ASSERT_TRUE(even.optimum.sizeSpreads);
+  EXPECT_LT(even.optimum.sizeSpreads->after, even.optimum.sizeSpreads->before);
+  // What the singularities are is decided by the energy, as without.
+  EXPECT_EQ(even.singularities.size(), least.singularities.size());
+  EXPECT_GT(
+    LeastDistance(plate, even.singularities), 0.7 * std::sqrt(plate.Area() / options.quadCount));
+  EXPECT_NE(even.events.back().find("the spread of sizes from"), std::string::npos);
+}
+
 TEST(AutomaticConfiguration, NothingIsNeededWhereCornersDoIt)
 {
   const AutomaticConfiguration chosen = ChooseConfiguration(LShape());
