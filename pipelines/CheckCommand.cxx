@@ -84,11 +84,12 @@ vtkSmartPointer<vtkPolyData> AlternativePoints(vtkConfigurationProposal* proposa
 void PrintAlternatives(vtkTable* table)
 {
   std::cout << "alternative singularities logarithm_coefficient renormalized_energy "
-               "energy_at_core_radius holonomy_defect origin\n";
+               "energy_at_core_radius holonomy_defect size_spread origin\n";
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     for (const char* name : { names::Alternative, names::Singularities, names::LogarithmCoefficient,
-           names::RenormalizedEnergy, names::EnergyAtCoreRadius, names::HolonomyDefect })
+           names::RenormalizedEnergy, names::EnergyAtCoreRadius, names::HolonomyDefect,
+           names::SizeSpread })
     {
       std::cout << table->GetValueByName(row, name).ToDouble() << " ";
     }

@@ -44,6 +44,7 @@ void WriteTable(
   add(names::CoreRadius, [coreRadius](const Proposal&) { return coreRadius; });
   add(names::EnergyAtCoreRadius, [](const Proposal& p) { return p.energy; });
   add(names::HolonomyDefect, [](const Proposal& p) { return p.holonomyDefect; });
+  add(names::SizeSpread, [](const Proposal& p) { return p.sizeSpread; });
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,8 @@
  * Output port 1 (vtkPolyData): the corners of which a quarter index is chosen, with `QuarterIndex`.
  * Output port 2 (vtkTable): the proposal and the Alternatives, the best first, with `Alternative` (int),
  * `Origin` (text), `Singularities` (int), `LogarithmCoefficient`, `RenormalizedEnergy`, `CoreRadius`,
- * `EnergyAtCoreRadius`, which alone compares them, and `HolonomyDefect` (largest, radians).
+ * `EnergyAtCoreRadius`, which alone compares them, `HolonomyDefect` (largest, radians) and `SizeSpread`
+ * (standard deviation of log size, H, over the area).
  * Without Automatic only.
  * Output port 3 (vtkPolyData): the points of all of them, with `Alternative` and `QuarterIndex`; corners
  * with another index than the smallest rotation are points, too.
@@ -96,8 +97,8 @@ public:
 
   ///@{
   /**
-   * How many alternatives there are besides: other starts, other quarter indices of corners, one of ±2
-   * instead of two of ±1, a pair more. Default: 0. Range: 0 to 100.
+   * How many alternatives there are besides: other starts, other quarter indices of undecided corners, one by one and
+   * together, with what they leave inside, one of ±2 instead of two of ±1, a pair more. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Alternatives, int, 0, 100);
   vtkGetMacro(Alternatives, int);

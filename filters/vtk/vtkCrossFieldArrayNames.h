@@ -66,6 +66,7 @@ constexpr const char* Gradient = "Gradient";
 // Field data and history: vtkSingularityOptimizer; Events also: vtkConfigurationProposal.
 constexpr const char* RenormalizedEnergyBefore = "RenormalizedEnergyBefore";
 constexpr const char* RenormalizedEnergyAfter = "RenormalizedEnergyAfter";
+constexpr const char* SizeSpread = "SizeSpread";
 constexpr const char* SizeSpreadBefore = "SizeSpreadBefore";
 constexpr const char* SizeSpreadAfter = "SizeSpreadAfter";
 constexpr const char* FrontSingularities = "FrontSingularities";

@@ -165,6 +165,8 @@ TEST_F(ConfigurationProposalFilter, ListsAlternatives)
       table->GetValueByName(row, "RenormalizedEnergy").ToDouble() -
         table->GetValueByName(row, "LogarithmCoefficient").ToDouble() * std::log(radius),
       1e-9);
+    EXPECT_GT(table->GetValueByName(row, "SizeSpread").ToDouble(), 0.05);
+    EXPECT_LT(table->GetValueByName(row, "SizeSpread").ToDouble(), 1.0);
     double sum = 0.0;
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
     {

@@ -58,10 +58,21 @@ void Try(const PlanarDomain& domain, const SymmetryGroup& symmetries,
   proposal.logarithmCoefficient =
     LogarithmCoefficient(domain, proposal.singularities, proposal.corners, options.cornerAngle);
   proposal.energy = proposal.renormalized - proposal.logarithmCoefficient * std::log(coreRadius);
+  proposal.sizeSpread = trial.sizeSpread;
   for (const double defect : trial.holonomyDefect)
   {
     proposal.holonomyDefect = std::max(proposal.holonomyDefect, std::abs(defect));
   }
+}
+
+Configuration AsPoints(const std::vector<CornerChoice>& corners)
+{
+  Configuration points;
+  for (const CornerChoice& corner : corners)
+  {
+    points.push_back({ corner.position, corner.quarterIndex, 0.0 });
+  }
+  return points;
 }
 
 /// Whether two configurations are the same within a distance, in whatever order.
@@ -135,7 +146,10 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   {
     const bool repeated = std::any_of(distinct.begin(), distinct.end(),
       [&](const ProposedConfiguration& better)
-      { return Same(better.singularities, proposal.singularities, 0.01 * diagonal); });
+      {
+        return Same(better.singularities, proposal.singularities, 0.01 * diagonal) &&
+          Same(AsPoints(better.corners), AsPoints(proposal.corners), 0.0);
+      });
     if (!repeated)
     {
       // Where given ones go without, so do the others: a radius of 0 could not be drilled.

@@ -2,6 +2,7 @@
 
 #include "ConfigurationPairs.h"
 #include "CornerClassification.h"
+#include "CornerSets.h"
 #include "FieldConfiguration.h"
 
 #include <algorithm>
@@ -187,6 +188,15 @@ std::vector<ProposedConfiguration> FindStarts(
       if (cheapest.size() > options.corners.size())
       {
         collection.AddField(coarse, cheapest, ", cheapest corners");
+      }
+      CornerSetOptions sets;
+      sets.cornerAngle = options.cornerAngle;
+      sets.given = options.corners;
+      sets.ofField = ofField;
+      sets.known = { ofField, cheapest };
+      for (const std::vector<CornerChoice>& corners : FindCornerSets(domain, sets))
+      {
+        collection.AddField(coarse, corners, ", other corners");
       }
     }
   }

@@ -70,6 +70,8 @@ struct OptimizerResult
   /// Rows of the start that met with opposite signs and were taken out, or merged to one of the sum.
   std::vector<std::array<int, 2>> annihilations;
   std::vector<double> holonomyDefect;
+  /// Standard deviation of log size over the area, of the result.
+  double sizeSpread = 0.0;
   std::vector<OptimizerStep> history; ///< From the start on.
 };
 }

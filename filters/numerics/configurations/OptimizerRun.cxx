@@ -183,6 +183,9 @@ void OptimizerRun::Finish(OptimizerEnd end)
     result.sizeSpreads->after = this->Here.sizeSpread;
   }
   result.holonomyDefect.assign(this->Here.defects.begin(), this->Here.defects.end());
+  const PointPotential& potential = *this->Stage.potential;
+  result.sizeSpread = SizeEvenness(potential).SpreadOf(
+    potential, potential.Solve(this->Stage.objective->At(this->Here.place)));
   result.iterations = this->Iteration.iterations;
   result.history = this->Iteration.history;
   result.converged = end == OptimizerEnd::Rest;

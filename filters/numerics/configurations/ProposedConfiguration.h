@@ -31,6 +31,7 @@ struct ProposedConfiguration
   /// W + coefficient × log(1 / core radius): comparable between configurations of different Σ k².
   double energy = 0.0;
   double holonomyDefect = 0.0; ///< Largest, radians.
+  double sizeSpread = 0.0;     ///< Standard deviation of log size over the area: how flat H is.
 };
 
 /// Each singularity has two coordinates to make one holonomy defect vanish with each: fewer than half as

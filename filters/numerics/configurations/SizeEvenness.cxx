@@ -78,6 +78,12 @@ Eigen::VectorXd SizeEvenness::SizesOf(
   return d;
 }
 
+double SizeEvenness::SpreadOf(
+  const PointPotential& potential, const PointPotential::Solution& solution) const
+{
+  return std::sqrt(this->Masses.dot(this->SizesOf(potential, solution).cwiseAbs2()));
+}
+
 SizeEvenness::Value SizeEvenness::Evaluate(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {

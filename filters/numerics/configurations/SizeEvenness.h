@@ -31,6 +31,9 @@ public:
   /// root mean square of 0.01 of the logarithm: symmetry costs no more than that.
   bool IsKeptBy(const PointPotential& potential, const Isometry& map) const;
 
+  /// √(2J).
+  double SpreadOf(const PointPotential& potential, const PointPotential::Solution& solution) const;
+
   /// Exact derivatives of the discrete J: one more back-substitution.
   Value Evaluate(const PointPotential& potential, const PointPotential::Solution& solution) const;
 
