@@ -28,7 +28,7 @@ public:
 
   /// κ is 1/10 of the product of the two quarter indices, or of their square at the boundary: forces of
   /// singularities are about π/δ, so that minima of W at 1.5 δ move by 0.04 δ. Opposite signs attract and
-  /// have none there: κ is their product, which holds them at 1.1 δ and the iteration well conditioned.
+  /// have none there: κ is their product, which holds them at 1.22 δ and the iteration well conditioned.
   ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance);
 
   /// `places`: two coordinates per singularity, lengths in those of the domain.

@@ -15,6 +15,9 @@ namespace
 {
 /// Nearer than this times the clearance is held by the barrier, whose slope begins at 2.
 constexpr double Held = 1.25;
+/// Nearer than this two of opposite sign have met. The barrier holds them at 1.22 clearances, and those that others
+/// pull at a little farther apart (docs/method.md §5.5).
+constexpr double Met = 1.5;
 /// A corner within this times the clearance is where a held singularity goes, if it relieves it.
 constexpr double CornerReach = 20.0;
 /// How far it may go along the boundary otherwise.
@@ -112,7 +115,7 @@ std::optional<ConfigurationChange> FindMeeting(
       const int sum = interior[i].quarterIndex + interior[j].quarterIndex;
       const std::size_t left = interior.size() - (sum == 0 ? 2 : 1);
       if (interior[i].quarterIndex * interior[j].quarterIndex >= 0 ||
-        (PlaceOf(here, i) - PlaceOf(here, j)).norm() > Held * stage.objective->Clearance() ||
+        (PlaceOf(here, i) - PlaceOf(here, j)).norm() > Met * stage.objective->Clearance() ||
         2 * left < static_cast<std::size_t>(here.defects.size()))
       {
         continue;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace crossfield::test
@@ -74,6 +76,69 @@ TEST(OptimizerMinima, OnDiskImagesTheyAreThoseOfTheExactEnergy)
       EXPECT_NEAR(result.energyAfter, energy(least), 0.05);
       EXPECT_LT(energy(places), energy(Minimise(energy, PlacesOf(start))) + 5e-3);
     }
+  }
+}
+
+/// Three to five singularities of sum 4, their preimages at least 0.1 apart, as near to the circle as 0.01.
+Configuration RandomPreimages(Random& random)
+{
+  const std::vector<std::vector<int>> quarters = { { 1, 1, 1, 1 }, { 2, 1, 1 }, { 3, 2, -1 },
+    { 1, 1, 1, 2, -1 }, { 2, 2, 1, -1 } };
+  const auto last = static_cast<int>(quarters.size()) - 1;
+  Configuration preimages;
+  for (const int quarter : quarters[static_cast<std::size_t>(random.Integer(0, last))])
+  {
+    Point place;
+    do
+    {
+      const Complex z = std::sqrt(random.Uniform(0.0, 0.98)) * random.UnitComplex();
+      place = Point(z.real(), z.imag());
+    } while (std::any_of(preimages.begin(), preimages.end(),
+      [&](const Singularity& other) { return (other.position - place).norm() < 0.1; }));
+    preimages.push_back({ place, quarter, 0.0 });
+  }
+  return preimages;
+}
+
+TEST(OptimizerMinima, TheBoundaryOfADiskImageTakesAndHoldsNone)
+{
+  // W of docs/method.md §5.3 has −πk² log(1 − |b|²): at a curve it repels every singularity, whatever its sign.
+  const double size = 0.06;
+  const DiskImage image{ { 0.2, 0.1 }, 2 };
+  const PlanarDomain domain =
+    MakePlanarDomain({ image.Polygon(static_cast<int>(2.0 * Pi / size)) });
+  OptimizerOptions options;
+  options.meshSize = size;
+  Random random(17);
+  for (int trial = 0; trial < 16; ++trial)
+  {
+    const Configuration start = RandomPreimages(random);
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const OptimizerResult result = OptimizeSingularities(domain, image(start), options);
+    EXPECT_TRUE(result.converged) << result.reason;
+    for (const std::string& event : result.events)
+    {
+      EXPECT_EQ(event.find("pressed"), std::string::npos) << event;
+      EXPECT_EQ(event.find("clearance holds"), std::string::npos) << event;
+    }
+    EXPECT_EQ(TotalQuarters(result.configuration), 4);
+    Configuration found = result.configuration;
+    for (Singularity& singularity : found)
+    {
+      const std::complex<double> z = image.Preimage(singularity.position);
+      singularity.position = Point(z.real(), z.imag());
+      EXPECT_GT(singularity.quarterIndex, 0); // unlike signs attract
+    }
+    const auto energy = [&](const Eigen::VectorXd& places)
+    { return ExactEnergy(image, found, places); };
+    const Eigen::VectorXd places = PlacesOf(found);
+    const Eigen::VectorXd least = Minimise(energy, places);
+    EXPECT_GT(
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Differentiate(energy, least, 1e-4).hessian)
+        .eigenvalues()[0],
+      0.1);
+    EXPECT_LT((places - least).cwiseAbs().maxCoeff(), 0.02);
+    EXPECT_NEAR(result.energyAfter, energy(least), 0.1);
   }
 }
 
