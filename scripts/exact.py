@@ -2,6 +2,7 @@
 
     python3 scripts/exact.py build/bin/crossfield > docs/exact.md
 """
+import cmath
 import json
 import math
 import pathlib
@@ -9,10 +10,14 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests/corpus"))
+import verified  # noqa: E402
+
 PAGE = """# Exact values and what is computed
 
 Made by `scripts/exact.py build/bin/crossfield`. `Program.Exact` makes the table again and compares: the exact
-values, what is found, and that the errors fall with the mesh size. Sources: [the method](method.md), §5 and §7.
+values, what is found, and that the errors fall with the mesh size. Sources: [the method](method.md), §5, §7 and §11,
+and `tests/numerics/ExactFields.h` for images of the disk.
 
 | what | exact | found for h = 0.1, 0.05, 0.025, unless it says others |
 | --- | --- | --- |
@@ -38,6 +43,20 @@ def exact_energy(rows):
     return total
 
 
+def image(place, factor=complex(0.2, 0.1)):
+    """z + a z², which is injective on the disk for 2 |a| < 1."""
+    return place + factor * place ** 2
+
+
+def exact_image_energy(rows, factor=complex(0.2, 0.1)):
+    """W on the image of the disk under z + a z², of the images of these (tests/numerics/ExactFields.h)."""
+    total = exact_energy(rows) - 8 * math.pi * math.log(1 - abs(2 * factor) ** 2)
+    for x, y, k, _ in rows:
+        own = 2 if math.hypot(x, y) > 1 - 1e-9 else 1
+        total += math.pi * (own * k * k - 8 * k) * math.log(abs(1 + 2 * factor * complex(x, y)))
+    return total
+
+
 class Run:
     """The program in a folder of its own."""
 
@@ -60,6 +79,25 @@ class Run:
             scale * math.cos(2 * math.pi * i / count), scale * math.sin(2 * math.pi * i / count))
             for i in range(count)), encoding="utf-8")
         return count
+
+    def loops(self, name, *loops):
+        """Closed curves of complex numbers as a domain."""
+        (self.folder / name).write_text("x,y,loop\n" + "".join(
+            "%.17g,%.17g,%d\n" % (place.real, place.imag, i)
+            for i, loop in enumerate(loops) for place in loop), encoding="utf-8")
+
+    def error_of_h(self, given, size):
+        """The largest one over the vertices of the mesh; H has the area mean 0 (docs/method.md §11.2)."""
+        self("hfield", "builtin:disk", given, "--size", size, "-o", "h.vtu")
+        arrays = verified.read(self.folder / "h.vtu")
+        largest = 0.0
+        for (x, y, _), found in zip(arrays["Points", "Points"], arrays["PointData", "H"]):
+            z = complex(x, y)
+            exact = sum(k / 4 * (math.log(abs(z - b)) + math.log(abs(1 - b.conjugate() * z))
+                                 - (abs(b) ** 2 - 1) / 2)
+                        for k, b in ((k, complex(v, w)) for v, w, k, _ in given))
+            largest = max(largest, abs(found - exact))
+        return largest
 
     def energy(self, domain, rows, *more):
         return self("energy", domain, rows, *more)["configurations"][0]
@@ -103,16 +141,50 @@ def rows(run):
                   [exact + value["renormalized_energy"] - own for value, own in found])
         yield row("its coefficient of log(1/ρ), 5π", 5 * math.pi,
                   [value["logarithm_coefficient"] for value, _ in found], 8)
+    # On the same polygon, of 126 sides; the first two are one configuration, turned by half a side.
+    polygon = 2 * math.pi / run.polygon(0.05)
+    for radius, part, place in ((0.7, 0.0, "at a vertex"), (0.7, 0.5, "on a side"), (0.2, 0.0, "at a vertex")):
+        angle = part * polygon
+        three = [on(radius, angle + turn * math.pi / 2, 1, 0.02) for turn in (1, 2, 3)]
+        found = run.on_circle(0.05, part, three, [(angle, 1)])
+        yield row("W, disk, one k = 1 on the circle, %s, three at radius %.1f, h = 0.05" % (place, radius),
+                  found[1], [found[0]["renormalized_energy"]])
     mixed = [on(0.5, 1.0, 2), on(0.4, 3.3, -1)]
     quarters = [(0.3, 1), (1.6, -1), (2.5, 1), (4.4, 2)]
     found = [run.on_circle(size, 0.0, mixed, quarters) for size in SIZES]
     yield row("W, disk, k = 2, −1 inside, 1, −1, 1, 2 on the circle", found[-1][1],
               [found[-1][1] + value["renormalized_energy"] - own for value, own in found])
+    five = [(0.31, 0.42, 2, 0.05), (-0.52, 0.18, 1, 0.05), (-0.11, -0.61, 1, 0.05), (0.47, -0.33, 1, 0.05),
+            (0.08, 0.05, -1, 0.05)]
+    yield row("largest error of H at vertices, disk, k = 2, 1, 1, 1, −1 inside, h = 0.08, 0.056, 0.04, 0.028", 0.0,
+              [run.error_of_h(five, size) for size in (0.08, 0.056, 0.04, 0.028)], 6)
+
+    def circle(radius, size):
+        count = round(2 * math.pi * radius / size)
+        return [cmath.rect(radius, 2 * math.pi * i / count) for i in range(count)]
+
+    def moved(rows):
+        return [(image(complex(x, y)).real, image(complex(x, y)).imag, k, r) for x, y, k, r in rows]
+
+    # Both on the circle are vertices of all three polygons.
+    on_image = [(0.31, 0.42, 3, 0.05), (-0.52, 0.18, -2, 0.05), (-0.11, -0.61, 4, 0.05),
+                on(1, math.pi, 1), on(1, 1.5 * math.pi, -2)]
+    values = []
+    for count in (64, 128, 256):
+        run.loops("image.csv", [image(cmath.rect(1, 2 * math.pi * i / count)) for i in range(count)])
+        values.append(run.energy("image.csv", moved(on_image), "--size", 2 * math.pi / count)["renormalized_energy"])
+    yield row("W, image of the disk under z + (0.2 + 0.1 i) z², images of k = 3, −2, 4 inside, 1, −2 on the circle",
+              exact_image_energy(on_image), values)
     pair = [(0.75, 0.05, 1, 0.05), (-0.1, 0.65, -1, 0.05)]
     exact = math.remainder(math.atan2(0.05, 0.75) - math.atan2(0.65, -0.1), 2 * math.pi)
     yield row("holonomy defect of a ring, Σ k arg b", exact,
               [run("hfield", "builtin:ring", pair, "--size", size)["holonomy_defect"][0]
                for size in SIZES], 5, True)
+    values = []
+    for size in SIZES:
+        run.loops("ring.csv", *([image(place) for place in circle(radius, size)] for radius in (1, 0.4)))
+        values.append(run("hfield", "ring.csv", moved(pair), "--size", size)["holonomy_defect"][0])
+    yield row("and of the image of a ring under the same", exact, values, 5, True)
     values = []
     for size in SIZES:
         run.polygon(size)
@@ -132,11 +204,16 @@ def rows(run):
     for size in (0.06, 0.03):
         run.polygon(size)
         bounds.append(run.energy("disk.csv", centre, "--size", size))
+    gaps = []
+    for size in (0.025, 0.0125, 0.00625):
+        found = run.energy("builtin:square", [(0.25, 0.25, 1, 0.1), (0.75, 0.75, -1, 0.1)], "--size", size)
+        gaps.append(found["energy_upper_bound"] - found["energy_lower_bound"])
     exact = 16 * math.pi * math.log(1 / 0.3)
     name = "E of a hole ρ = 0.3 of k = 4 in the centre, 16π log(1/ρ), h = 0.06, 0.03"
     yield row(name, exact, [value["energy"] for value in bounds])
     yield row("and the gap between its bounds", 0.0,
               [value["energy_upper_bound"] - value["energy_lower_bound"] for value in bounds])
+    yield row("gap of the bounds on a square, k = ±1 of ρ = 0.1, h = 0.025, 0.0125, 0.00625", 0.0, gaps)
 
 
 def table(program):
