@@ -118,14 +118,27 @@ class Geometry(CorpusTest):
         self.refuses("long.vtp", says="count as one")
 
     def test_a_hundred_thousand_points(self):
+        """With four at radius 0.6, W = 2.0498, and at the radius of their minimum: docs/method.md §9."""
         self.verify_all = False
-        count = 100000
-        circle = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count))
-                  for i in range(count)]
-        domain_files.write_loop(self.folder / "circle.vtp", circle)
-        domain_files.write_csv(self.folder / "circle.csv", circle)
-        self.solves("circle.vtp", "four.csv", commands=("check", "corners"))
-        self.solves("circle.csv", "four.csv", commands=("unit-norm",))
+        for count in (40000, 100000):
+            circle = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count))
+                      for i in range(count)]
+            domain_files.write_loop(self.folder / f"{count}.vtp", circle)
+            domain_files.write_csv(self.folder / f"{count}.csv", circle)
+        side = 0.6 * math.sqrt(0.5)
+        rows = [(x, y, 1, 0.1) for x in (side, -side) for y in (side, -side)]
+        self.solves("100000.vtp", rows, commands=("check", "corners"))
+        reports = self.solves("100000.csv", rows, commands=("unit-norm", "hfield", "energy", "optimize"))
+        row, = reports["energy"]["configurations"]
+        every = ("--thin-boundary", "0")  # all of the points
+        all_of_them = self.solves("40000.vtp", rows, commands=("hfield",), more=every)["hfield"]
+        for found in (reports["hfield"], row, all_of_them):
+            self.assertAlmostEqual(found["renormalized_energy"], 2.04984, delta=1e-4)
+        self.assertAlmostEqual(reports["optimize"]["renormalized_energy_after"], -7.29615, delta=1e-4)
+        for point in reports["optimize"]["singularities"]:
+            self.assertAlmostEqual(
+                math.hypot(point["x"], point["y"]), (3 / 11) ** 0.125, delta=1e-4)
+        self.solves("40000.csv", [], commands=("drill",), more=every)
 
     def test_points_as_near_as_forty_thousand_of_a_circle(self):
         """Flat triangles of neighbours on a circle are no gaps. Exact values: docs/method.md §9."""
