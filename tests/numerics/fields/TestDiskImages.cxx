@@ -127,12 +127,19 @@ TEST(DiskImages, HThetaAndWConvergeAtSecondOrder)
         }
         SCOPED_TRACE("z + a z^" + std::to_string(image.n) + ", " + std::to_string(part) +
           " along a side, " + std::to_string(preimages.size()));
+        double squares = 0.0;
+        for (const Singularity& singularity : preimages)
+        {
+          squares += singularity.quarterIndex * singularity.quarterIndex;
+        }
         std::vector<double> sizes;
         std::vector<Errors> errors;
-        for (const int count : { 100, 200 })
+        for (const int count : { 80, 160, 320 })
         {
           sizes.push_back(2.0 * Pi / count);
           errors.push_back(ErrorsOf(image, preimages, count, part));
+          // Its sign may change from mesh to mesh: a bound of second order, and the rate of all of them below.
+          EXPECT_LT(errors.back().energy, 4.0 * squares * sizes.back() * sizes.back());
         }
         const auto rate = [&](double Errors::*what)
         {
@@ -145,16 +152,14 @@ TEST(DiskImages, HThetaAndWConvergeAtSecondOrder)
         };
         EXPECT_GE(rate(&Errors::h), 1.8);
         EXPECT_GE(rate(&Errors::cross), 1.8);
-        EXPECT_GE(rate(&Errors::energy), 1.5);
-        EXPECT_LT(errors.back().h, 5e-4);
-        EXPECT_LT(errors.back().cross, 1.5e-3);
-        EXPECT_LT(errors.back().energy, 0.05);
+        EXPECT_LT(errors.back().h, 2e-4);
+        EXPECT_LT(errors.back().cross, 6e-4);
         coarse += errors.front().energy;
         fine += errors.back().energy;
       }
     }
   }
-  EXPECT_GE(std::log2(coarse / fine), 1.8); // of all W
+  EXPECT_GE(0.5 * std::log2(coarse / fine), 1.8); // of all W
 }
 }
 }
