@@ -120,4 +120,59 @@ double DiskImage::Energy(const Configuration& preimages) const
   }
   return energy;
 }
+
+namespace
+{
+/// log|P(x)|.
+double LogTheta(Complex x, double q)
+{
+  double value = std::log(std::abs(1.0 - x));
+  for (double power = q; power > 1e-18; power *= q)
+  {
+    value += std::log(std::abs((1.0 - power * x) * (1.0 - power / x)));
+  }
+  return value;
+}
+}
+
+double ExactRing::Defect(const Configuration& configuration) const
+{
+  double sum = 0.0;
+  for (const Singularity& singularity : configuration)
+  {
+    sum += singularity.quarterIndex * std::arg(ToComplex(singularity.position));
+  }
+  return std::remainder(sum, 2.0 * Pi);
+}
+
+double ExactRing::SingleValuedEnergy(const Configuration& configuration) const
+{
+  const double q = this->inner * this->inner;
+  double products = 0.0;
+  for (double power = q; power > 1e-18; power *= q)
+  {
+    products += std::log(1.0 - power);
+  }
+  double energy = -16.0 * Pi * std::log(this->inner);
+  for (std::size_t j = 0; j < configuration.size(); ++j)
+  {
+    const Complex b = ToComplex(configuration[j].position);
+    const double k = configuration[j].quarterIndex;
+    double regular = (4.0 - k) * std::log(std::abs(b)) + 2.0 * k * products;
+    for (std::size_t i = 0; i < configuration.size(); ++i)
+    {
+      const Complex c = ToComplex(configuration[i].position);
+      regular += configuration[i].quarterIndex *
+        (LogTheta(b * std::conj(c), q) + (i == j ? 0.0 : LogTheta(b / c, q)));
+    }
+    energy -= 4.0 * Pi * k * std::log(std::abs(b)) + Pi * k * regular;
+  }
+  return energy;
+}
+
+double ExactRing::Energy(const Configuration& configuration) const
+{
+  const double defect = this->Defect(configuration);
+  return this->SingleValuedEnergy(configuration) - Pi * defect * defect / std::log(this->inner);
+}
 }

@@ -51,4 +51,27 @@ struct DiskImage
   /// W + Σ (π k² − 8πk) log|f′(b)| − 8π (n−1) log(1 − |na|²).
   double Energy(const Configuration& preimages) const;
 };
+
+/// The ring inner ≤ |z| ≤ 1, with singularities of sum 0 inside.
+///
+/// Put q = inner² and P(x) = (1 − x) Π_{n ≥ 1} (1 − qⁿx)(1 − qⁿ/x), a theta function: P(1/x) = P(qx) = −P(x)/x. Then
+/// F_b = log|P(z/b)| + log|P(z b̄)| is log|z − b| and its images in both circles: F_b(1/z̄) = F_b(z) − 2 log|z| and
+/// F_b(q/z̄) = F_b(z), so ∂F_b/∂r is 1 on the outer circle and 0 on the inner one. The tangents ask for 4/r on both, hence
+/// Φ = 4 log|z| + Σ k_j F_{b_j}.
+struct ExactRing
+{
+  double inner = 0.4;
+
+  /// Σ k_j arg b_j, modulo 2π (TestHolonomyCheck.cxx).
+  double Defect(const Configuration& configuration) const;
+
+  /// W without the field of the defect. ½ ∮ Φ ∂Φ/∂ν is 4π (mean of Φ on the outer circle − that on the inner one); the mean of F_b
+  /// is −log|b| and 0. A hole has −πk_j (Φ − k_j log|z − b_j|) at b_j, in which P(z/b) is (1 − z/b) Π (1 − qⁿ)² at z = b:
+  /// 16π log(1/inner) − 4π Σ k_j log|b_j| − π Σ_j k_j [4 log|b_j| + Σ_i k_i log|P(b_j b̄_i)| + Σ_{i≠j} k_i log|P(b_j/b_i)|
+  /// − k_j log|b_j| + 2k_j Σ_n log(1 − qⁿ)].
+  double SingleValuedEnergy(const Configuration& configuration) const;
+
+  /// With it: a phase that grows by the defect δ from circle to circle has the energy π δ²/log(1/inner).
+  double Energy(const Configuration& configuration) const;
+};
 }

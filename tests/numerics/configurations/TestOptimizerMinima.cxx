@@ -142,6 +142,65 @@ TEST(OptimizerMinima, TheBoundaryOfADiskImageTakesAndHoldsNone)
   }
 }
 
+/// The configuration at places of the ring in polar coordinates, the last angle of which follows from the others: no
+/// holonomy defect. Its quarter index is −1.
+Configuration WithoutDefect(Configuration configuration, const Eigen::VectorXd& polar)
+{
+  double turns = 0.0;
+  const std::size_t last = configuration.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    const double angle = i < last ? polar[row + 1] : turns;
+    turns += configuration[i].quarterIndex * angle;
+    configuration[i].position = polar[row] * Point(std::cos(angle), std::sin(angle));
+  }
+  return configuration;
+}
+
+TEST(OptimizerMinima, OnARingTheyAreThoseOfTheExactEnergyAmongFieldsWithoutDefect)
+{
+  const ExactRing ring;
+  Configuration eight = OnCircle(4, 0.85, 0.25 * Pi, 1, 0.0);
+  const Configuration inner = OnCircle(4, 0.5, 0.25 * Pi, -1, 0.0);
+  eight.insert(eight.end(), inner.begin(), inner.end());
+  eight[1].position = { -0.55, 0.65 };
+  for (const Configuration& start :
+    { Configuration{ { { 0.75, 0.05 }, 1, 0.0 }, { { -0.1, 0.65 }, -1, 0.0 } }, eight })
+  {
+    OptimizerOptions options;
+    options.meshSize = 0.03;
+    const OptimizerResult result = OptimizeSingularities(Builtin("ring", 0.03), start, options);
+    EXPECT_TRUE(result.converged) << result.reason;
+    ASSERT_EQ(result.configuration.size(), start.size());
+    Eigen::VectorXd polar(2 * static_cast<Eigen::Index>(start.size()) - 1);
+    for (std::size_t i = 0; i < start.size(); ++i)
+    {
+      const Point& place = result.configuration[i].position;
+      polar[static_cast<Eigen::Index>(2 * i)] = place.norm();
+      if (i + 1 < start.size())
+      {
+        polar[static_cast<Eigen::Index>(2 * i + 1)] = std::atan2(place.y(), place.x());
+      }
+    }
+    const auto energy = [&](const Eigen::VectorXd& at)
+    {
+      const Configuration there = WithoutDefect(start, at);
+      const bool inside = std::all_of(there.begin(), there.end(),
+        [&](const Singularity& s)
+        { return s.position.norm() > ring.inner && s.position.norm() < 1.0; });
+      return inside ? ring.SingleValuedEnergy(there) : std::numeric_limits<double>::infinity();
+    };
+    EXPECT_NEAR(ring.Defect(result.configuration), 0.0, 2e-3);
+    const Configuration least = WithoutDefect(start, Minimise(energy, polar));
+    for (std::size_t i = 0; i < start.size(); ++i)
+    {
+      EXPECT_NEAR(result.configuration[i].position.norm(), least[i].position.norm(), 3e-3);
+    }
+    EXPECT_NEAR(result.energyAfter, ring.SingleValuedEnergy(least), 0.1);
+  }
+}
+
 TEST(OptimizerMinima, ASaddleIsNone)
 {
   // Four in a row are pushed off it by each other.

@@ -121,6 +121,41 @@ TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
   }
 }
 
+TEST(RenormalizedEnergy, OnRingsItIsThatOfThetaFunctions)
+{
+  const ExactRing ring;
+  EXPECT_NEAR(ring.Energy({}), 16.0 * Pi * std::log(1.0 / ring.inner), 1e-12);
+  const std::vector<Configuration> cases = { { { { 0.75, 0.05 }, 1, 0.0 },
+                                               { { -0.1, 0.65 }, -1, 0.0 } },
+    { { { 0.0, 0.8 }, 2, 0.0 }, { { 0.55, 0.1 }, -1, 0.0 }, { { -0.5, -0.2 }, -1, 0.0 } },
+    { { { -0.6, 0.4 }, 3, 0.0 }, { { 0.1, -0.55 }, -2, 0.0 }, { { 0.7, 0.3 }, 1, 0.0 },
+      { { -0.8, -0.3 }, -2, 0.0 } } };
+  const std::vector<double> sizes = { 0.1, 0.05, 0.025 };
+  std::vector<double> errors(sizes.size(), 0.0);
+  for (std::size_t c = 0; c < cases.size(); ++c)
+  {
+    double squares = 4.0; // for what the circles cost without any
+    for (const Singularity& singularity : cases[c])
+    {
+      squares += singularity.quarterIndex * singularity.quarterIndex;
+    }
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+    {
+      SCOPED_TRACE(std::to_string(c) + ", " + std::to_string(sizes[i]));
+      const double square = sizes[i] * sizes[i];
+      const TriangleMesh mesh = Mesh(Builtin("ring", sizes[i]), sizes[i]);
+      const RenormalizedEnergyValue value = Evaluate(PointPotentialOn(mesh, {}, 0), cases[c]);
+      const double tolerance = 6.0 * squares * square;
+      EXPECT_NEAR(value.energy, ring.Energy(cases[c]), tolerance);
+      EXPECT_NEAR(value.singleValuedEnergy, ring.SingleValuedEnergy(cases[c]), tolerance);
+      EXPECT_NEAR(
+        std::remainder(value.holonomyDefect.at(0) - ring.Defect(cases[c]), 2.0 * Pi), 0.0, square);
+      errors[i] += std::abs(value.energy - ring.Energy(cases[c]));
+    }
+  }
+  EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
+}
+
 struct GradientCase
 {
   const char* name;
