@@ -2,6 +2,7 @@
 
 import json
 import math
+import pathlib
 import re
 
 from program import FOUR, ProgramTest, write_configuration
@@ -196,3 +197,86 @@ class Compare(ProgramTest):
         triangle, unit_norm = json.loads(result.stdout)["methods"]
         self.assertIn("1 or -1 only", triangle["note"])
         self.assertEqual((unit_norm["reached"], unit_norm["unwanted"]), (4, 0))
+
+
+class Page(ProgramTest):
+    """docs/variants.md says what the program gives: the energies of its tables, by the first cell of a row."""
+
+    def setUp(self):
+        super().setUp()
+        text = (pathlib.Path(__file__).resolve().parents[2] / "docs/variants.md").read_text(encoding="utf-8")
+        self.rows = {}
+        for line in (line for line in text.splitlines() if line.startswith("| ")):
+            cells = [cell.strip() for cell in line.strip("| ").split(" | ")]
+            self.rows.setdefault(cells[0], cells[1:])
+        self.printed = {words[0]: words for words in map(str.split, text.splitlines()) if len(words) == 7}
+
+    def check(self, written, found):
+        """But for what other kernels of OpenBLAS round otherwise."""
+        self.assertAlmostEqual(float(written) / found, 1, delta=0.005)
+
+    def energy(self, domain, rows, *options, method="constrained", status=0):
+        write_configuration(self.folder / "rows.csv", rows)
+        result = self.run_program("solve", domain, "-s", "rows.csv", "--method", method, *options, "--json", "-")
+        self.assertEqual(result.returncode, status, result.stderr)
+        return json.loads(result.stdout)["energy"]
+
+    def compare(self, domain, rows, *options):
+        write_configuration(self.folder / "rows.csv", rows)
+        result = self.run_program("compare", domain, "-s", "rows.csv", *options, "--json", "-")
+        return {row["method"]: row for row in json.loads(result.stdout)["methods"]}
+
+    def test_the_methods(self):
+        for name, row in self.compare("builtin:disk", FOUR).items():
+            words = self.printed[name]
+            self.check(words[1], row["energy"])
+            for written, key in ((words[2], "norm_minimum"), (words[4], "norm_maximum")):
+                self.assertAlmostEqual(float(written), row[key], delta=0.002)
+            self.assertEqual(words[5:], [f"{row['reached']}/{row['wanted']}", str(row["unwanted"])])
+
+    def test_imprinted_circles(self):
+        for radius in ("0.06", "0.2"):
+            self.check(self.rows[radius][-1], self.energy(
+                "builtin:quarter-disk", [(0.42, 0.42, -1, radius)], "--mode", "imprint", "--unit-holes",
+                "--size", 0.02))
+
+    def test_single_triangles(self):
+        for name in ("0.85 (the reference's own place)", "0.7", "0.5", "0.3"):
+            distance = float(name.split()[0])
+            rows = [(distance * math.cos(a), distance * math.sin(a), 1, 0.1) for a in ON_CIRCLE]
+            self.check(self.rows[name][-1], self.energy(
+                "builtin:disk", rows, "--mode", "triangle", "--epsilon", 0.05, "--size", 0.05))
+
+    def test_rings(self):
+        for column, ratio in enumerate((0.4, 0.46)):
+            ring = f"ring-{ratio}.vtp"
+            self.succeed("domain", "ring", "--inner-radius", ratio, "--size", 0.02, "-o", ring)
+            for start in ("harmonic", "constant"):
+                report = json.loads(self.succeed(
+                    "solve", ring, "--method", "ginzburg-landau", "--epsilon", 0.01, "--size", 0.02,
+                    "--start", start, "--json", "-"))
+                self.check(self.rows[f"reference, {start} start"][column], report["energy"])
+            eight = [(one["x"], one["y"], one["quarter_index"], 0.02) for one in report["singularities"]]
+            table = self.compare(ring, eight, "--size", 0.02, "--epsilon", 0.01, "--in-place",
+                                 "--methods", "constrained,unit-holes,unit-norm,penalty")
+            for name, method in (("penalty", "penalty"), ("\\|u\\| = 1", "unit-norm"),
+                                 ("unit holes", "unit-holes"), ("one constraint each", "constrained")):
+                self.check(self.rows[f"the eight imposed, {name}"][column], table[method]["energy"])
+
+    def test_the_flat_ellipse(self):
+        self.succeed("domain", "ellipse", "--width", 6, "--height", 1.2, "--size", 0.06, "-o", "ellipse.vtp")
+        rectangle = [(x, y, 1, 0.06) for x in (-2.1, 2.1) for y in (-0.2, 0.2)]
+        table = self.compare("ellipse.vtp", rectangle, "--size", 0.06, "--epsilon", 0.06, "--in-place",
+                             "--methods", "ginzburg-landau,constrained,unit-norm,penalty")
+        for name, method in (("reference, ε = 0.06", "ginzburg-landau"), ("constrained", "constrained"),
+                             ("penalty, ε = 0.06", "penalty"), ("unit norm", "unit-norm")):
+            self.check(self.rows[name][0], table[method]["energy"])
+
+    def test_wrong_sums(self):
+        five = [(0.6 * math.cos(a), 0.6 * math.sin(a), 1, 0.1)
+                for a in (math.radians(17 + 72 * i) for i in range(5))]
+        seven = [(-0.6, 0.6, 1, 0.1), (-0.6, -0.6, 1, 0.1), (0.6, -0.35, 1, 0.1), (-0.2, 0.2, -1, 0.1),
+                 (-0.2, -0.2, -1, 0.1), (0.5, -0.62, -1, 0.05), (0.6, 0.6, -1, 0.1)]
+        for name, rows in (("five +1 at r = 0.6", five), ("three +1, four −1, as the paper's figure", seven)):
+            self.check(self.rows[name][-1], self.energy(
+                "builtin:disk", rows, "--epsilon", 0.05, "--size", 0.05))
