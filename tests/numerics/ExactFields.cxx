@@ -123,16 +123,47 @@ double DiskImage::Energy(const Configuration& preimages) const
 
 namespace
 {
-/// log|P(x)|.
-double LogTheta(Complex x, double q)
+Complex Theta(Complex x, double q)
 {
-  double value = std::log(std::abs(1.0 - x));
+  Complex value = 1.0 - x;
   for (double power = q; power > 1e-18; power *= q)
   {
-    value += std::log(std::abs((1.0 - power * x) * (1.0 - power / x)));
+    value *= (1.0 - power * x) * (1.0 - power / x);
   }
   return value;
 }
+
+double LogTheta(Complex x, double q)
+{
+  return std::log(std::abs(Theta(x, q)));
+}
+}
+
+double ExactRing::PhiAt(const Configuration& configuration, const Point& point) const
+{
+  const double q = this->inner * this->inner;
+  const Complex z = ToComplex(point);
+  double value = 4.0 * std::log(std::abs(z));
+  for (const Singularity& singularity : configuration)
+  {
+    const Complex b = ToComplex(singularity.position);
+    value += singularity.quarterIndex * (LogTheta(z / b, q) + LogTheta(z * std::conj(b), q));
+  }
+  return value;
+}
+
+Complex ExactRing::CrossAt(const Configuration& configuration, const Point& point) const
+{
+  const double q = this->inner * this->inner;
+  const Complex z = ToComplex(point);
+  Complex u = std::pow(z / std::abs(z), 4);
+  for (const Singularity& singularity : configuration)
+  {
+    const Complex b = ToComplex(singularity.position);
+    const Complex turn = Theta(z / b, q) * Theta(z * std::conj(b), q);
+    u *= std::pow(turn / std::abs(turn), singularity.quarterIndex);
+  }
+  return u;
 }
 
 double ExactRing::Defect(const Configuration& configuration) const

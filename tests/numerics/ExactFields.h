@@ -62,6 +62,11 @@ struct ExactRing
 {
   double inner = 0.4;
 
+  double PhiAt(const Configuration& configuration, const Point& point) const;
+  /// u where there is no defect. On the outer circle P(z/b) P(z b̄) is −|P(z/b)|² z/b but for a positive factor, so
+  /// it is z⁴ there, aligned.
+  std::complex<double> CrossAt(const Configuration& configuration, const Point& point) const;
+
   /// Σ k_j arg b_j, modulo 2π (TestHolonomyCheck.cxx).
   double Defect(const Configuration& configuration) const;
 

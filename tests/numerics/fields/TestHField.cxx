@@ -113,6 +113,53 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
   EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
 }
 
+TEST(HField, OnARingIsThatOfThetaFunctions)
+{
+  const auto at = [](double radius, double angle, int quarter)
+  { return Singularity{ radius * Point(std::cos(angle), std::sin(angle)), quarter, 0.0 }; };
+  const ExactRing ring;
+  for (const Configuration& configuration :
+    { Configuration{ at(0.8, 0.3, 1), at(0.55, 0.3, -1) },
+      Configuration{ at(0.8, 2.0, 2), at(0.6, 1.5, -1), at(0.6, 2.5, -1) } })
+  {
+    ASSERT_NEAR(ring.Defect(configuration), 0.0, 1e-12);
+    std::vector<double> sizes;
+    std::vector<double> errors;
+    std::vector<double> crossErrors;
+    for (const double size : { 0.08, 0.04, 0.02 })
+    {
+      const TriangleMesh mesh = Mesh(Builtin("ring", size), size);
+      const HField field = SolveHField(ShareTopology(mesh), configuration);
+      Eigen::ArrayXd off = field.h;
+      for (Eigen::Index v = 0; v < off.size(); ++v)
+      {
+        off[v] -= 0.25 * ring.PhiAt(configuration, mesh.points[static_cast<std::size_t>(v)]);
+      }
+      const EdgeNumbering& edges = field.field.topology->edges;
+      double crossError = 0.0;
+      int count = 0;
+      for (int e = 0; e < edges.Count(); ++e)
+      {
+        const Point middle = Midpoint(mesh, edges, e);
+        const bool away = std::all_of(configuration.begin(), configuration.end(),
+          [&](const Singularity& s) { return (s.position - middle).norm() > 0.1; });
+        if (away && edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
+        {
+          crossError += std::norm(field.field.u[e] - ring.CrossAt(configuration, middle));
+          ++count;
+        }
+      }
+      sizes.push_back(size);
+      errors.push_back(std::sqrt((off - off.mean()).square().mean()));
+      crossErrors.push_back(std::sqrt(crossError / count));
+    }
+    EXPECT_LT(errors.back(), 2e-4);
+    EXPECT_LT(crossErrors.back(), 1e-3);
+    EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
+    EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
+  }
+}
+
 TEST(HField, OfSingularitiesOnACircleIsExactToSecondOrderUpToThem)
 {
   // k (log|z − b| + log|1 − b̄z|) of docs/method.md §11.2 is 2k log|z − b| at a point b of the circle,
