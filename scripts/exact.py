@@ -57,6 +57,25 @@ def exact_image_energy(rows, factor=complex(0.2, 0.1)):
     return total
 
 
+def exact_ring_energy(rows, inner=0.4):
+    """W on the ring of outer radius 1, with the field of the holonomy defect (docs/method.md §5.3)."""
+    powers = [inner ** (2 * n) for n in range(1, 40)]
+
+    def theta(x):
+        return math.log(abs(1 - x)) + sum(math.log(abs((1 - q * x) * (1 - q / x))) for q in powers)
+
+    places = [complex(x, y) for x, y, _, _ in rows]
+    quarters = [k for _, _, k, _ in rows]
+    total = -16 * math.pi * math.log(inner)
+    for i, (b, k) in enumerate(zip(places, quarters)):
+        regular = (4 - k) * math.log(abs(b)) + 2 * k * sum(math.log(1 - q) for q in powers)
+        for j, (c, m) in enumerate(zip(places, quarters)):
+            regular += m * (theta(b * c.conjugate()) + (theta(b / c) if i != j else 0))
+        total -= 4 * math.pi * k * math.log(abs(b)) + math.pi * k * regular
+    defect = math.remainder(sum(k * cmath.phase(b) for b, k in zip(places, quarters)), 2 * math.pi)
+    return total - math.pi * defect ** 2 / math.log(inner)
+
+
 class Run:
     """The program in a folder of its own."""
 
@@ -185,6 +204,10 @@ def rows(run):
         run.loops("ring.csv", *([image(place) for place in circle(radius, size)] for radius in (1, 0.4)))
         values.append(run("hfield", "ring.csv", moved(pair), "--size", size)["holonomy_defect"][0])
     yield row("and of the image of a ring under the same", exact, values, 5, True)
+    three = [(0.0, 0.8, 2, 0.05), (0.55, 0.1, -1, 0.05), (-0.5, -0.2, -1, 0.05)]
+    for given, quarters in ((pair, "1, −1"), (three, "2, −1, −1")):
+        yield row("W, ring, k = %s, with the field of the defect" % quarters, exact_ring_energy(given),
+                  [run("hfield", "builtin:ring", given, "--size", size)["renormalized_energy"] for size in SIZES])
     values = []
     for size in SIZES:
         run.polygon(size)

@@ -115,12 +115,12 @@ TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
 
 TEST(HField, OnARingIsThatOfThetaFunctions)
 {
-  const auto at = [](double radius, double angle, int quarter)
-  { return Singularity{ radius * Point(std::cos(angle), std::sin(angle)), quarter, 0.0 }; };
+  const auto at = [](double radius, double angle, int quarter) {
+    return Singularity{ radius * Point(std::cos(angle), std::sin(angle)), quarter, 0.0 };
+  };
   const ExactRing ring;
-  for (const Configuration& configuration :
-    { Configuration{ at(0.8, 0.3, 1), at(0.55, 0.3, -1) },
-      Configuration{ at(0.8, 2.0, 2), at(0.6, 1.5, -1), at(0.6, 2.5, -1) } })
+  for (const Configuration& configuration : { Configuration{ at(0.8, 0.3, 1), at(0.55, 0.3, -1) },
+         Configuration{ at(0.8, 2.0, 2), at(0.6, 1.5, -1), at(0.6, 2.5, -1) } })
   {
     ASSERT_NEAR(ring.Defect(configuration), 0.0, 1e-12);
     std::vector<double> sizes;
