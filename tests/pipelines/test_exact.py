@@ -1,8 +1,10 @@
-"""docs/exact.md is what scripts/exact.py makes of this program, and errors fall with the mesh size."""
+"""Pages whose numbers scripts make of this program: docs/exact.md, and the memory of docs/limits.md."""
 
 import importlib.util
+import os
 import pathlib
 import re
+import unittest
 
 from program import PROGRAM, ProgramTest
 
@@ -10,8 +12,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMBER = re.compile(r"-?[0-9]+\.[0-9]+")
 
 
-def script():
-    spec = importlib.util.spec_from_file_location("exact", ROOT / "scripts/exact.py")
+def script(name):
+    spec = importlib.util.spec_from_file_location(name, ROOT / f"scripts/{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -19,7 +21,7 @@ def script():
 
 class Exact(ProgramTest):
     def test_the_page_and_the_errors(self):
-        exact = script()
+        exact = script("exact")
         table = exact.table(PROGRAM)
         page = exact.PAGE + "\n".join("| %s | %s | %s |" % entry[:3] for entry in table) + "\n"
         written = (ROOT / "docs/exact.md").read_text(encoding="utf-8")
@@ -31,3 +33,19 @@ class Exact(ProgramTest):
                 self.assertLess(max(errors), 0.01)
             else:  # of second order, but for what is exact at once
                 self.assertLess(errors[-1], max(0.4 * errors[0], 2e-4), what)
+
+
+class WholeRuns(ProgramTest):
+    @unittest.skipIf("CROSSFIELD_SECONDS" in os.environ, "sanitizers take memory of their own")
+    def test_the_memory_is_what_the_page_says(self):
+        limits = script("limits")
+        page = (ROOT / "docs/limits.md").read_text(encoding="utf-8")
+        self.assertIn(limits.HEAD, page)
+        row, = limits.table(PROGRAM, [100000])
+        name = row.split(" | ", maxsplit=1)[0]
+        written, = (line for line in page.partition(limits.HEAD)[2].splitlines() if line.startswith(name + " | "))
+        # Seconds depend on the machine.
+        memory = re.compile(r"([0-9.]+) GiB")
+        self.assertEqual(len(memory.findall(row)), len(limits.COMMANDS))
+        for found, old in zip(memory.findall(row), memory.findall(written)):
+            self.assertAlmostEqual(float(found) / float(old), 1, delta=0.25)
