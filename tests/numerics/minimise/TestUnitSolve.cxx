@@ -1,9 +1,13 @@
 #include "DirectPerforatedSolve.h"
+#include "DrillHoles.h"
+#include "PotentialReduction.h"
 #include "ReducedProblem.h"
 #include "Support.h"
+#include "UnitNormField.h"
 #include "UnitSolve.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -137,6 +141,58 @@ TEST(UnitSolve, NoPhasesAreBetterThanThoseFound)
       0.5 * found.x.dot(problem.matrix * found.x).real() - problem.load.dot(found.x).real();
     const double lowest = Torus(problem).Lowest();
     EXPECT_LE(value, lowest + 1e-9 * (1.0 + std::abs(lowest)));
+  }
+}
+
+/// Four holes of the disk, of sum 4 and one of another sign in every second case, apart from each other and the circle.
+Configuration RandomHoles(Random& random, int trial)
+{
+  const std::array<int, 4> quarters =
+    trial % 2 == 0 ? std::array<int, 4>{ 1, 1, 1, 1 } : std::array<int, 4>{ 3, 1, -1, 1 };
+  Configuration holes;
+  for (const int quarter : quarters)
+  {
+    const double radius = random.Uniform(0.08, 0.2);
+    Point place;
+    do
+    {
+      const Complex z = random.Uniform(0.0, 0.95 - radius) * random.UnitComplex();
+      place = Point(z.real(), z.imag());
+    } while (std::any_of(holes.begin(), holes.end(),
+      [&](const Singularity& other)
+      { return (other.position - place).norm() < other.radius + radius + 0.05; }));
+    holes.push_back({ place, quarter, radius });
+  }
+  return holes;
+}
+
+TEST(UnitSolve, SixtyStartsFindNoBetterPhasesOnHolesOfADisk)
+{
+  constexpr int Starts = 60;
+  for (int trial = 0; trial < 30; ++trial)
+  {
+    SCOPED_TRACE(trial);
+    Random random(static_cast<std::uint32_t>(700 + trial));
+    DrillOptions options;
+    options.meshSize = 0.2;
+    const TriangleMesh mesh = DrillHoles(Builtin("disk", 0.2), RandomHoles(random, trial), options);
+    const PotentialProblem onMesh = ProblemOn(mesh);
+    const PotentialReduction reduction(onMesh, PotentialSolver::Periods::IslandsAndHoles);
+    const ReducedProblem& problem = reduction.GetReducedProblem();
+    const MinimiserResult found =
+      SolveReducedUnit(problem, reduction.ValuesOf(SolveUnitNorm(onMesh).u));
+    EXPECT_TRUE(found.converged);
+    const double value =
+      0.5 * found.x.dot(problem.matrix * found.x).real() - problem.load.dot(found.x).real();
+    const Torus torus(problem);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int start = 0; start < Starts; ++start)
+    {
+      lowest = std::min(lowest,
+        torus.Refine(
+          ComplexVector::NullaryExpr(torus.load.size(), [&] { return random.UnitComplex(); })));
+    }
+    EXPECT_LE(value, lowest + 1e-7 * (1.0 + std::abs(lowest)));
   }
 }
 
