@@ -90,7 +90,7 @@ BENCHMARK(DragField)
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 BENCHMARK(DragLayout)
-  ->ArgsProduct({ { 2000, 10000, 30000 }, { 0, 1, 2 } })
+  ->ArgsProduct({ { 2000, 4000, 10000, 30000 }, { 0, 1, 2 } })
   ->Unit(benchmark::kMillisecond)
   ->UseRealTime();
 }
