@@ -9,11 +9,13 @@
 #include "pqPipelineSource.h"
 #include "pqView.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
 #include <QTimer>
@@ -76,7 +78,6 @@ void ShowSizes(vtkSMProxy* shown)
 void ShowCrosses(vtkSMProxy* shown)
 {
   Look::SetColour(shown, Look::Black);
-  Set(shown, "LineWidth", 1.5);
 }
 
 //------------------------------------------------------------------------------
@@ -152,18 +153,18 @@ void Show(pqPipelineSource* source, pqDataRepresentation* representation, int po
     if (Is(source, rule.proxy) && rule.port == port)
     {
       vtkSMProxy* shown = representation->getProxy();
-      Look::HideLegend(representation); // of the array that ParaView has chosen
+      vtkSMProxy* view = representation->getView() ? representation->getView()->getProxy() : nullptr;
+      vtkSMProxy* chosen = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // by ParaView
       Look::SetFlat(shown);
       rule.show(shown);
       shown->UpdateVTKObjects();
-      if (!rule.hasLegend)
+      if (chosen && view)
       {
-        QTimer::singleShot(0, representation, [representation] { Look::HideLegend(representation); });
+        vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(chosen, view);
       }
-      else if (representation->getView())
+      if (view && vtkSMPVRepresentationProxy::GetUsingScalarColoring(shown))
       {
-        vtkSMPVRepresentationProxy::SetScalarBarVisibility(
-          shown, representation->getView()->getProxy(), true);
+        vtkSMPVRepresentationProxy::SetScalarBarVisibility(shown, view, rule.hasLegend);
       }
       representation->renderViewEventually();
     }

@@ -78,6 +78,7 @@ def test_field():
     shown = make("Cross Glyphs")
     is_coloured(shown, "")
     check_equal(list(shown.AmbientColor), BLACK, "crosses")
+    check_equal(legends(), 1, "the legend of the norm beside crosses")
 
 
 def test_sizes():
