@@ -75,6 +75,22 @@ Configuration AsPoints(const std::vector<CornerChoice>& corners)
   return points;
 }
 
+/// Whether cores of this radius overlap: then the energy at it means nothing, and is the lower the nearer they are.
+bool CoresOverlap(const Configuration& configuration, double radius)
+{
+  for (std::size_t i = 0; i < configuration.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if ((configuration[i].position - configuration[j].position).norm() < 2.0 * radius)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Whether two configurations are the same within a distance, in whatever order.
 bool Same(const Configuration& a, Configuration b, double distance)
 {
@@ -144,6 +160,10 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   std::vector<ProposedConfiguration> distinct;
   for (ProposedConfiguration& proposal : proposals)
   {
+    if (proposal.variation && CoresOverlap(proposal.singularities, coreRadius))
+    {
+      continue; // a pair that has all but met
+    }
     const bool repeated = std::any_of(distinct.begin(), distinct.end(),
       [&](const ProposedConfiguration& better)
       {

@@ -10,7 +10,7 @@ namespace crossfield
 /// (ConfigurationSpread.h); each after a few steps of the optimiser, and sorted by the energy at the core
 /// radius. Those with too few singularities for the inner loops (TooFewForHolonomy) come with pairs as
 /// well, and are not the first if a defect stays, nor are variations. All but the first are sorted by the
-/// energy alone. Equal ones are given once.
+/// energy alone. Equal ones are given once, and variations whose cores overlap, which have no energy at that radius, not at all.
 ///
 /// Where a domain has symmetries (BoundarySymmetry.h), places that are about symmetric are so to rounding.
 ///

@@ -75,6 +75,28 @@ TEST(ConfigurationProposal, IsConsistentWithItsCorners)
   }
 }
 
+TEST(ConfigurationProposal, HasNoPairThatHasMet)
+{
+  // Where none is needed a pair more runs into itself: at a hundredth of the L its energy at the core radius was below that of none.
+  const PlanarDomain domain = Builtin("l-shape");
+  ProposalOptions options;
+  options.variations = true;
+  const std::vector<ProposedConfiguration> proposals = ProposeConfigurations(domain, options);
+  EXPECT_TRUE(proposals.at(0).singularities.empty());
+  for (const ProposedConfiguration& proposal : proposals)
+  {
+    for (std::size_t i = 0; i < proposal.singularities.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        EXPECT_GE((proposal.singularities[i].position - proposal.singularities[j].position).norm(),
+          0.02 * domain.Diagonal())
+          << proposal.origin;
+      }
+    }
+  }
+}
+
 TEST(ConfigurationProposal, StartsFarBelowWhatIsSpread)
 {
   // Around a hole four of −1, as near to it as they are drawn: 80 instead of 278 was measured.
