@@ -126,29 +126,14 @@ private:
   std::vector<ProposedConfiguration> Starts;
 };
 
-bool IsAt(const CornerChoice& choice, const Point& position, const PlanarDomain& domain)
-{
-  return (choice.position - position).norm() <= BoundaryReach * domain.Diagonal();
-}
-
 /// The chosen corners of a classification, beside those already chosen.
 std::vector<CornerChoice> ClassifiedChoices(
   const PlanarDomain& domain, const ProposalOptions& options)
 {
-  ClassificationOptions classification;
-  classification.cornerAngle = options.cornerAngle;
+  ClassificationOptions classification =
+    ClassifyBeside(options.corners, domain, options.cornerAngle);
   classification.splitHalves = true;
   std::vector<CornerChoice> choices = options.corners;
-  for (const Corner& corner : FindCorners(domain.loops, options.cornerAngle))
-  {
-    // The classifier gives an override to the nearest corner, and chosen vertices may be none.
-    const auto chosen = std::find_if(options.corners.begin(), options.corners.end(),
-      [&](const CornerChoice& choice) { return IsAt(choice, corner.position, domain); });
-    if (chosen != options.corners.end())
-    {
-      classification.overrides.push_back(*chosen);
-    }
-  }
   for (const ClassifiedCorner& corner : ClassifyCorners(domain, classification).corners)
   {
     if (!corner.overridden && corner.quarterIndex != corner.conventional)
@@ -174,8 +159,7 @@ std::vector<ProposedConfiguration> FindStarts(
       std::vector<CornerChoice> ofField = options.corners;
       for (const CornerChoice& corner : ReadConfiguration(domain, coarse, reading).otherCorners)
       {
-        if (std::none_of(options.corners.begin(), options.corners.end(),
-              [&](const CornerChoice& chosen) { return IsAt(chosen, corner.position, domain); }))
+        if (FindChoice(options.corners, corner.position, domain) == nullptr)
         {
           ofField.push_back(corner);
         }

@@ -1,7 +1,6 @@
 #include "CornerSets.h"
 
 #include "BoundarySymmetry.h"
-#include "CornerClassification.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,14 +34,6 @@ struct OpenCorner
   std::vector<Option> options;
 };
 
-const CornerChoice* FindChoice(
-  const std::vector<CornerChoice>& choices, const Point& place, double reach)
-{
-  const auto found = std::find_if(choices.begin(), choices.end(),
-    [&](const CornerChoice& choice) { return (choice.position - place).norm() <= reach; });
-  return found == choices.end() ? nullptr : &*found;
-}
-
 void AddOnce(OpenCorner& corner, int index, double cost)
 {
   constexpr int LeastIndex = -2; // a slit
@@ -57,17 +48,8 @@ void AddOnce(OpenCorner& corner, int index, double cost)
 
 std::vector<OpenCorner> OpenCorners(const PlanarDomain& domain, const CornerSetOptions& options)
 {
-  const double reach = BoundaryReach * domain.Diagonal();
-  ClassificationOptions classification;
-  classification.cornerAngle = options.cornerAngle;
-  for (const Corner& corner : FindCorners(domain.loops, options.cornerAngle))
-  {
-    // The classifier gives an override to the nearest corner, and chosen vertices may be none.
-    if (const CornerChoice* given = FindChoice(options.given, corner.position, reach))
-    {
-      classification.overrides.push_back(*given);
-    }
-  }
+  const ClassificationOptions classification =
+    ClassifyBeside(options.given, domain, options.cornerAngle);
   std::vector<OpenCorner> open;
   for (const ClassifiedCorner& corner : ClassifyCorners(domain, classification).corners)
   {
@@ -78,7 +60,7 @@ std::vector<OpenCorner> OpenCorners(const PlanarDomain& domain, const CornerSetO
     {
       continue;
     }
-    if (const CornerChoice* seen = FindChoice(options.ofField, corner.position, reach))
+    if (const CornerChoice* seen = FindChoice(options.ofField, corner.position, domain))
     {
       AddOnce(open.back(), seen->quarterIndex, energy(decided));
     }
@@ -194,6 +176,31 @@ bool AreSymmetric(
 }
 }
 
+const CornerChoice* FindChoice(
+  const std::vector<CornerChoice>& choices, const Point& vertex, const PlanarDomain& domain)
+{
+  const double reach = BoundaryReach * domain.Diagonal();
+  const auto found = std::find_if(choices.begin(), choices.end(),
+    [&](const CornerChoice& choice) { return (choice.position - vertex).norm() <= reach; });
+  return found == choices.end() ? nullptr : &*found;
+}
+
+ClassificationOptions ClassifyBeside(
+  const std::vector<CornerChoice>& given, const PlanarDomain& domain, double cornerAngle)
+{
+  ClassificationOptions classification;
+  classification.cornerAngle = cornerAngle;
+  for (const Corner& corner : FindCorners(domain.loops, cornerAngle))
+  {
+    // The classifier gives an override to the nearest corner, and chosen vertices may be none.
+    if (const CornerChoice* choice = FindChoice(given, corner.position, domain))
+    {
+      classification.overrides.push_back(*choice);
+    }
+  }
+  return classification;
+}
+
 std::vector<std::vector<CornerChoice>> FindCornerSets(
   const PlanarDomain& domain, const CornerSetOptions& options)
 {
@@ -209,8 +216,7 @@ std::vector<std::vector<CornerChoice>> FindCornerSets(
     kept.emplace_back();
     for (const OpenCorner& corner : corners)
     {
-      const CornerChoice* choice =
-        FindChoice(known, corner.position, BoundaryReach * domain.Diagonal());
+      const CornerChoice* choice = FindChoice(known, corner.position, domain);
       kept.back().push_back(choice ? choice->quarterIndex : corner.options[0].index);
     }
   }

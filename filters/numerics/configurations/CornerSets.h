@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoundaryCorners.h"
+#include "CornerClassification.h"
 
 #include <cstddef>
 
@@ -19,6 +20,14 @@ struct CornerSetOptions
   /// How many sets to return, at most.
   std::size_t count = 6;
 };
+
+/// What is chosen for a vertex, if anything is; null otherwise.
+const CornerChoice* FindChoice(
+  const std::vector<CornerChoice>& choices, const Point& vertex, const PlanarDomain& domain);
+
+/// How the classifier is asked where some corners are decided.
+ClassificationOptions ClassifyBeside(
+  const std::vector<CornerChoice>& given, const PlanarDomain& domain, double cornerAngle);
 
 /// Quarter indices for all undecided corners at once (docs/method.md §5.6): of a corner the smallest rotation, what the classifier
 /// (CornerClassification.h) and a field take, and where it is tied its neighbour of less energy. Of their
