@@ -26,11 +26,6 @@ Eigen::MatrixXd EdgePotential::AroundIslands(const Eigen::MatrixXd& sources) con
   return sums;
 }
 
-Eigen::MatrixXd EdgePotential::CouplingOfIslands() const
-{
-  return this->AroundIslands(this->Inside.IslandSources());
-}
-
 Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
@@ -40,8 +35,8 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
   const Eigen::MatrixXd& constants = this->Inside.IslandSources();
   if (constants.cols() > 0)
   {
-    sources -= constants *
-      Eigen::LLT<Eigen::MatrixXd>(this->CouplingOfIslands()).solve(this->AroundIslands(sources));
+    sources -=
+      constants * Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->AroundIslands(sources));
   }
 
   // 2. Its conjugate changes by the source of a vertex on the way past it, and by that of a period along its strip; the

@@ -16,6 +16,7 @@ public:
   explicit EdgePotential(const PotentialSolver& potential)
     : Potential(potential)
     , Inside(potential.OfGivenBoundary())
+    , Coupling(this->AroundIslands(this->Inside.IslandSources()))
   {
   }
 
@@ -25,7 +26,7 @@ public:
 
   /// ∫ ∇φ_k · ∇φ_l, φ_k the harmonic phase that is 1 on inner loop k and 0 on the other loops: an upper bound of what the
   /// inverse of the Schur complement on the periods bounds from below (docs/method.md §2.3).
-  Eigen::MatrixXd CouplingOfIslands() const;
+  const Eigen::MatrixXd& CouplingOfIslands() const { return this->Coupling; }
 
 private:
   /// Sums over the vertices of every inner loop: what the conjugate grows along it.
@@ -33,5 +34,6 @@ private:
 
   const PotentialSolver& Potential;
   const PotentialSolver& Inside; ///< Of the inner vertices.
+  Eigen::MatrixXd Coupling;      ///< See CouplingOfIslands.
 };
 }
