@@ -90,14 +90,11 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::ColourBy(shown, vtkDataObject::CELL, "Shade", Look::SignColours(Look::PaleGrey));
     break;
   case 1:
-    Look::ColourBy(shown, vtkDataObject::CELL, "FaceId", Look::PaleColours());
+    Look::ShowFaces(shown);
     break;
   case 2:
-    Set(shown, "Representation", "Points");
-    Set(shown, "PointSize", 12.0);
-    Set(shown, "RenderPointsAsSpheres", 1.0);
+    Look::ShowSingularities(shown);
     lift(0.001);
-    Look::ColourBy(shown, vtkDataObject::POINT, "QuarterIndex", Look::SignColours(Look::Grey));
     break;
   default:
     Set(shown, "Representation", "Wireframe");

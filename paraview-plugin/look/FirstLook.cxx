@@ -37,15 +37,6 @@ void ShowOutline(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void ShowSingularities(vtkSMProxy* shown)
-{
-  Set(shown, "Representation", "Points");
-  Set(shown, "PointSize", 12.0);
-  Set(shown, "RenderPointsAsSpheres", 1.0);
-  Look::ColourBy(shown, vtkDataObject::POINT, "QuarterIndex", Look::SignColours(Look::Grey));
-}
-
-//------------------------------------------------------------------------------
 void ShowMesh(vtkSMProxy* shown)
 {
   Set(shown, "Representation", "Surface With Edges");
@@ -88,12 +79,6 @@ void ShowLines(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void ShowFaces(vtkSMProxy* shown)
-{
-  Look::ColourBy(shown, vtkDataObject::CELL, "FaceId", Look::PaleColours());
-}
-
-//------------------------------------------------------------------------------
 void ShowQuads(vtkSMProxy* shown)
 {
   Set(shown, "Representation", "Surface With Edges");
@@ -118,18 +103,18 @@ struct Rule
 constexpr std::array<Rule, 17> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
-  { "SingularitySource", 0, ShowSingularities },
-  { "SingularityHandles", 0, ShowSingularities },
-  { "ConfigurationProposal", 0, ShowSingularities },
-  { "SingularityOptimizer", 0, ShowSingularities },
-  { "CrossFieldSingularities", 0, ShowSingularities },
+  { "SingularitySource", 0, Look::ShowSingularities },
+  { "SingularityHandles", 0, Look::ShowSingularities },
+  { "ConfigurationProposal", 0, Look::ShowSingularities },
+  { "SingularityOptimizer", 0, Look::ShowSingularities },
+  { "CrossFieldSingularities", 0, Look::ShowSingularities },
   { "DrillHoles", 0, ShowMesh },
   { "PerforatedCrossField", 0, ShowNorm, true },
   { "GinzburgLandauCrossField", 0, ShowNorm, true },
   { "HField", 0, ShowSizes, true },
   { "CrossGlyphs", 0, ShowCrosses },
   { "Separatrices", 0, ShowLines },
-  { "Separatrices", 1, ShowFaces },
+  { "Separatrices", 1, Look::ShowFaces },
   { "QuadMesher", 0, ShowQuads },
   { "QuadMesher", 1, HideIt }, // the blocks would lie on the quads
   { "QuadMesher", 2, ShowOutline },

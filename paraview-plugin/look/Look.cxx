@@ -95,6 +95,21 @@ void ColourBy(
 }
 
 //------------------------------------------------------------------------------
+void ShowSingularities(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Points");
+  Set(shown, "PointSize", 12.0);
+  Set(shown, "RenderPointsAsSpheres", 1.0);
+  ColourBy(shown, vtkDataObject::POINT, "QuarterIndex", SignColours(Grey));
+}
+
+//------------------------------------------------------------------------------
+void ShowFaces(vtkSMProxy* shown)
+{
+  ColourBy(shown, vtkDataObject::CELL, "FaceId", PaleColours());
+}
+
+//------------------------------------------------------------------------------
 void HideLegend(pqDataRepresentation* representation)
 {
   if (representation->getView() &&

@@ -40,6 +40,11 @@ std::vector<double> PaleColours();
 /** Colours by an array, whatever data there are yet, with a map that stays. */
 void ColourBy(
   vtkSMProxy* shown, int association, const char* array, const std::vector<double>& points);
+/** Places with a quarter index: red and blue spheres. */
+void ShowSingularities(vtkSMProxy* shown);
+/** Faces of a T-mesh. */
+void ShowFaces(vtkSMProxy* shown);
+
 /** That of the array by which it is coloured now. ParaView shows one after a representation was added. */
 void HideLegend(pqDataRepresentation* representation);
 }
