@@ -1,4 +1,5 @@
 #include "FilterChecks.h"
+#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldMap.h"
 #include "vtkPlanarDomainSource.h"
@@ -19,21 +20,7 @@
 
 namespace
 {
-class CrossFieldMap : public testing::Test
-{
-public:
-  void SetUp() override
-  {
-    this->Domain->SetEdgeLength(0.1);
-    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
-    this->Filter->SetSingularitiesConnection(this->Singularities->GetOutputPort());
-    this->Filter->SetMeshSize(0.1);
-  }
-
-  vtkNew<vtkPlanarDomainSource> Domain;
-  vtkNew<vtkSingularitySource> Singularities;
-  vtkNew<vtkCrossFieldMap> Filter;
-};
+using CrossFieldMap = OnTheDisk<vtkCrossFieldMap>;
 }
 
 TEST_F(CrossFieldMap, KeepsTheRulesOfAFilter)

@@ -1,5 +1,6 @@
 #include "FieldReading.h"
 #include "FilterChecks.h"
+#include "OnTheDisk.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
 #include "Written.h"
@@ -19,27 +20,7 @@
 
 namespace
 {
-class HField : public testing::Test
-{
-public:
-  void SetUp() override
-  {
-    this->Domain->SetEdgeLength(0.1);
-    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
-    this->Filter->SetSingularitiesConnection(this->Singularities->GetOutputPort());
-    this->Filter->SetMeshSize(0.1);
-  }
-
-  double Value(const char* name)
-  {
-    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
-      ->GetComponent(0, 0);
-  }
-
-  vtkNew<vtkPlanarDomainSource> Domain;
-  vtkNew<vtkSingularitySource> Singularities;
-  vtkNew<vtkHField> Filter;
-};
+using HField = OnTheDisk<vtkHField>;
 }
 
 TEST_F(HField, KeepsTheRulesOfAFilter)

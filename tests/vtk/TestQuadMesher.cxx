@@ -1,4 +1,5 @@
 #include "FilterChecks.h"
+#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldErrorCodes.h"
@@ -63,21 +64,14 @@ std::vector<Place> PointsOfSide(vtkMultiBlockDataSet* blocks, int block, int sid
   return places;
 }
 
-class QuadMesher : public testing::Test
+class QuadMesher : public OnTheDisk<vtkQuadMesher>
 {
 public:
   void SetUp() override
   {
-    this->Domain->SetEdgeLength(0.1);
-    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
-    this->Filter->SetSingularitiesConnection(this->Singularities->GetOutputPort());
-    this->Filter->SetMeshSize(0.1);
+    OnTheDisk::SetUp();
     this->Filter->SetQuadSize(0.1);
   }
-
-  vtkNew<vtkPlanarDomainSource> Domain;
-  vtkNew<vtkSingularitySource> Singularities;
-  vtkNew<vtkQuadMesher> Filter;
 };
 }
 

@@ -1,4 +1,5 @@
 #include "FilterChecks.h"
+#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkPerforatedCrossField.h"
@@ -26,22 +27,9 @@
 
 namespace
 {
-class SingularityOptimizer : public testing::Test
+class SingularityOptimizer : public OnTheDisk<vtkSingularityOptimizer>
 {
 public:
-  void SetUp() override
-  {
-    this->Domain->SetEdgeLength(0.1);
-    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
-    this->Filter->SetSingularitiesConnection(this->Singularities->GetOutputPort());
-    this->Filter->SetMeshSize(0.1);
-  }
-
-  double Value(const char* name)
-  {
-    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
-      ->GetComponent(0, 0);
-  }
   std::string Reason()
   {
     return vtkStringArray::SafeDownCast(
@@ -49,10 +37,6 @@ public:
       ->GetValue(0);
   }
   vtkTable* History() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
-
-  vtkNew<vtkPlanarDomainSource> Domain;
-  vtkNew<vtkSingularitySource> Singularities;
-  vtkNew<vtkSingularityOptimizer> Filter;
 };
 }
 

@@ -44,6 +44,28 @@ Configuration AroundTheIslands()
     { { 0.1, 0.05 }, 1, 0.0 }, { { 0.1, -0.5 }, -1, 0.0 } };
 }
 
+/// The gradient of J is that of its values.
+void ExpectGradientOfJ(
+  const PointPotential& potential, const SizeEvenness& evenness, const Configuration& around)
+{
+  const auto value = [&](const Configuration& at)
+  { return evenness.Evaluate(potential, potential.Solve(at)); };
+  const Eigen::VectorXd gradient = value(around).gradient;
+  Eigen::VectorXd differences(gradient.size());
+  const double step = 1e-5;
+  for (Eigen::Index i = 0; i < gradient.size(); ++i)
+  {
+    Configuration moved = around;
+    double& coordinate = moved[static_cast<std::size_t>(i / 2)].position[i % 2];
+    coordinate += step;
+    const double above = value(moved).energy;
+    coordinate -= 2.0 * step;
+    differences[i] = (above - value(moved).energy) / (2.0 * step);
+  }
+  EXPECT_GT(gradient.norm(), 1e-3);
+  EXPECT_LT((differences - gradient).norm(), 1e-6 * gradient.norm());
+}
+
 /// The mean over the unit disk of a function on a polar grid, by midpoints.
 template <class F>
 double DiskMean(const F& f)
@@ -104,23 +126,7 @@ TEST(SizeEvenness, ItsGradientIsThatOfTheDiscreteJ)
       around[3].position = point + Point(1e-3, 2e-3);
     }
   }
-  const SizeEvenness evenness(potential);
-  const auto value = [&](const Configuration& at)
-  { return evenness.Evaluate(potential, potential.Solve(at)); };
-  const Eigen::VectorXd gradient = value(around).gradient;
-  Eigen::VectorXd differences(gradient.size());
-  const double step = 1e-5;
-  for (Eigen::Index i = 0; i < gradient.size(); ++i)
-  {
-    Configuration moved = around;
-    double& coordinate = moved[static_cast<std::size_t>(i / 2)].position[i % 2];
-    coordinate += step;
-    const double above = value(moved).energy;
-    coordinate -= 2.0 * step;
-    differences[i] = (above - value(moved).energy) / (2.0 * step);
-  }
-  EXPECT_GT(gradient.norm(), 1e-3);
-  EXPECT_LT((differences - gradient).norm(), 1e-6 * gradient.norm());
+  ExpectGradientOfJ(potential, SizeEvenness(potential), around);
 }
 
 /// Four of index 1 in the disk.
@@ -192,22 +198,7 @@ TEST(SizeEvenness, ItsGradientIsThatOfTheDiscreteJOfWantedSizes)
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
   const SizeEvenness evenness(
     potential, [](const Point& x) { return 0.3 + std::exp(x.x() - 2.0 * x.y()); });
-  const auto value = [&](const Configuration& at)
-  { return evenness.Evaluate(potential, potential.Solve(at)); };
-  const Configuration around = AroundTheIslands();
-  const Eigen::VectorXd gradient = value(around).gradient;
-  Eigen::VectorXd differences(gradient.size());
-  const double step = 1e-5;
-  for (Eigen::Index i = 0; i < gradient.size(); ++i)
-  {
-    Configuration moved = around;
-    double& coordinate = moved[static_cast<std::size_t>(i / 2)].position[i % 2];
-    coordinate += step;
-    const double above = value(moved).energy;
-    coordinate -= 2.0 * step;
-    differences[i] = (above - value(moved).energy) / (2.0 * step);
-  }
-  EXPECT_LT((differences - gradient).norm(), 1e-6 * gradient.norm());
+  ExpectGradientOfJ(potential, evenness, AroundTheIslands());
 }
 
 TEST(SizeEvenness, IsZeroWhereTheSizesOfTheFieldAreWanted)

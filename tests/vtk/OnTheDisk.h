@@ -1,0 +1,38 @@
+#ifndef OnTheDisk_h
+#define OnTheDisk_h
+
+#include "FilterChecks.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkSingularitySource.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+/** A filter of a domain and singularities, with the defaults of their sources: four on the unit disk. */
+template <class Algorithm>
+class OnTheDisk : public testing::Test
+{
+public:
+  void SetUp() override
+  {
+    this->Domain->SetEdgeLength(0.1);
+    this->Filter->SetInputConnection(this->Domain->GetOutputPort());
+    this->Filter->SetSingularitiesConnection(this->Singularities->GetOutputPort());
+    this->Filter->SetMeshSize(0.1);
+  }
+
+  double Value(const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  }
+
+  vtkNew<vtkPlanarDomainSource> Domain;
+  vtkNew<vtkSingularitySource> Singularities;
+  vtkNew<Algorithm> Filter;
+};
+
+#endif
