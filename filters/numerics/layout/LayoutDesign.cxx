@@ -54,7 +54,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
 
 double LiveMeshSize(const PlanarDomain& domain, double meshSize)
 {
-  // A step on so many takes less than 50 ms on two cores (docs/speed.md): hands and eyes take that for at once.
+  // A step on so many takes 20 ms on two cores (docs/speed.md), which leaves more than that for the picture at 20 a second.
   constexpr double MostTriangles = 4000.0;
   DrillOptions options;
   options.meshSize = meshSize;

@@ -40,6 +40,6 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   const LayoutOptions& options = {}, const Progress& progress = {});
 
 /// The edge length with which a layout follows a hand: `meshSize` (as in DrillOptions), or a larger one where that would make
-/// too many triangles for it. Lines move by the square of it at most, which the eye does not see while they move.
+/// too many triangles for it. Lines are off by O(h²), and exact when the hand lets go.
 double LiveMeshSize(const PlanarDomain& domain, double meshSize);
 }
