@@ -44,11 +44,7 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
         // From the midpoint of edge i to that of edge `other`.
         const Point start = 0.5 * (point(i) + point(i + 1));
         const Point end = 0.5 * (point(other) + point(other + 1));
-        double turn = 0.0;
-        for (const LogSource& log : logs)
-        {
-          turn += log.strength * log.Turn(start, end);
-        }
+        const double turn = SumOfTurns(logs.data(), logs.data() + logs.size(), start, end);
         for (Eigen::Index c = 0; c < functions; ++c)
         {
           // rot g · Δ = g × Δ

@@ -54,6 +54,41 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
   return sum;
 }
 
+double SumOfTurns(const LogSource* begin, const LogSource* end, const Point& from, const Point& to)
+{
+  double sum = 0.0;
+  double real = 1.0;
+  double imaginary = 0.0;
+  for (const LogSource* log = begin; log != end; ++log)
+  {
+    const Point start = from - log->position;
+    const Point finish = to - log->position;
+    const double along = start.dot(finish);
+    const double across = Cross(start, finish);
+    const int power = static_cast<int>(std::abs(log->strength));
+    if (!(along > 0.0) || static_cast<double>(power) != std::abs(log->strength))
+    {
+      sum += log->strength * std::atan2(across, along);
+      continue;
+    }
+    const double turned = log->strength < 0.0 ? -across : across;
+    for (int i = 0; i < power; ++i)
+    {
+      // Of two numbers with positive real parts the angles add up to less than π.
+      const double before = real;
+      real = before * along - imaginary * turned;
+      imaginary = before * turned + imaginary * along;
+      if (MustBeTaken(real))
+      {
+        sum += std::atan2(imaginary, real);
+        real = 1.0;
+        imaginary = 0.0;
+      }
+    }
+  }
+  return sum + std::atan2(imaginary, real);
+}
+
 std::complex<double> UnitOfTurns(
   const std::vector<LogSource>& logs, std::size_t count, const Point& x)
 {

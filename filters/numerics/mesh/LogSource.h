@@ -45,6 +45,10 @@ struct LogSource
 /// is one logarithm for several sources.
 double SumOfLogs(const std::vector<LogSource>& logs, const Point& x);
 
+/// Σ strength · Turn(from, to) of the sources of a range. Whole strengths are taken as powers, so that there is one angle for
+/// several sources that see the way under less than a right angle.
+double SumOfTurns(const LogSource* begin, const LogSource* end, const Point& from, const Point& to);
+
 /// e^{i Σ strength · arg(x − position)} of the first `count` sources, whose strengths are whole numbers;
 /// a source at x counts for nothing.
 std::complex<double> UnitOfTurns(

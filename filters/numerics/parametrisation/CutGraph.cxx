@@ -40,7 +40,7 @@ private:
   std::vector<int> Parent;
 };
 
-/// Shortest ways along edges from the boundary to all vertices.
+/// Shortest ways along edges from the boundary to vertices.
 struct ShortestWays
 {
   std::vector<double> length;
@@ -48,7 +48,8 @@ struct ShortestWays
   std::vector<int> loop; ///< Where it starts.
 };
 
-ShortestWays WalkInwards(const MeshTopology& topology)
+/// The ways to `goals`; to all vertices where there are loops to join.
+ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<int>& goals)
 {
   const std::size_t count = topology.mesh.points.size();
   const EdgeNumbering& edges = topology.edges;
@@ -84,13 +85,23 @@ ShortestWays WalkInwards(const MeshTopology& topology)
       queue.emplace(0.0, v);
     }
   }
-  while (!queue.empty())
+  std::vector<bool> isGoal(count, false);
+  for (const int v : goals)
+  {
+    isGoal[Index(v)] = true;
+  }
+  auto left = topology.loops.size() > 1 ? count : goals.size();
+  while (!queue.empty() && left > 0)
   {
     const auto [length, v] = queue.top();
     queue.pop();
     if (length > ways.length[Index(v)])
     {
       continue;
+    }
+    if (topology.loops.size() > 1 || isGoal[Index(v)])
+    {
+      --left;
     }
     for (int i = start[Index(v)]; i < start[Index(v) + 1]; ++i)
     {
@@ -207,10 +218,18 @@ std::vector<CutGraph::Chain> FindChains(
   return chains;
 }
 
-/// Joins the corners of triangles on both sides of the edges that are not cut.
+/// Joins the corners of triangles on both sides of the edges that are not cut. Only vertices on the cut have several copies.
 void NumberCorners(const MeshTopology& topology, CutGraph& cut)
 {
   const auto& triangles = topology.mesh.triangles;
+  std::vector<bool> isOnCut(topology.mesh.points.size(), false);
+  for (const CutGraph::Chain& chain : cut.chains)
+  {
+    for (const int v : chain.vertices)
+    {
+      isOnCut[Index(v)] = true;
+    }
+  }
   UnionFind same(3 * triangles.size());
   const auto cornerAt = [&triangles](int t, int vertex)
   {
@@ -224,7 +243,10 @@ void NumberCorners(const MeshTopology& topology, CutGraph& cut)
     {
       for (const int v : topology.edges.vertices[Index(e)])
       {
-        same.Join(cornerAt(t, v), cornerAt(other, v));
+        if (isOnCut[Index(v)])
+        {
+          same.Join(cornerAt(t, v), cornerAt(other, v));
+        }
       }
     }
   }
@@ -238,8 +260,13 @@ void NumberCorners(const MeshTopology& topology, CutGraph& cut)
   {
     for (int i = 0; i < 3; ++i)
     {
-      int& mine = number[Index(same.Find(3 * t + i))];
       const int v = triangles[Index(t)][Index(i)];
+      if (!isOnCut[Index(v)])
+      {
+        cut.corners[Index(t)][Index(i)] = v;
+        continue;
+      }
+      int& mine = number[Index(same.Find(3 * t + i))];
       if (mine < 0)
       {
         mine = v;
@@ -260,7 +287,7 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
 {
   CutGraph cut;
   cut.isCut.assign(Index(topology.edges.Count()), false);
-  const ShortestWays ways = WalkInwards(topology);
+  const ShortestWays ways = WalkInwards(topology, singular);
   for (const int vertex : singular)
   {
     MarkWay(topology, ways, vertex, cut.isCut);

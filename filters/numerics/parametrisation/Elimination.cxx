@@ -104,8 +104,14 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()
     }
   }
   std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(this->Rank.size());
   for (int unknown = 0; unknown < count; ++unknown)
   {
+    if (this->IsFree(unknown))
+    {
+      entries.emplace_back(unknown, column[static_cast<std::size_t>(unknown)], 1.0);
+      continue;
+    }
     for (const auto& [other, factor] : this->Resolve({ { unknown, 1.0 } }))
     {
       entries.emplace_back(unknown, column[static_cast<std::size_t>(other)], factor);

@@ -6,7 +6,7 @@
 #include "InjectivityCheck.h"
 #include "PoincareHopf.h"
 #include "SeamEquations.h"
-#include "SeamlessPoisson.h"
+#include "SeamlessSolve.h"
 #include "TriangleFrames.h"
 
 #include <algorithm>
@@ -79,6 +79,21 @@ std::vector<Cone> FindCones(
     }
   }
   return cones;
+}
+
+/// H and the crosses. Their factor is gone when that of the map is made, which takes twice as much memory.
+TriangleFrames SolveFrames(
+  Alignment alignment, const Configuration& interior, FlatMap& map, const Progress& progress)
+{
+  const PointPotential potential(std::make_shared<const PotentialSolver>(map.topology,
+                                   PotentialSolver::Boundary::Natural, progress.Part(0.0, 0.7)),
+    std::move(alignment));
+  const PointPotential::Solution solution = potential.Solve(interior);
+  map.holonomyDefect = solution.holonomyDefect;
+  TriangleFrames frames = FrameTriangles(potential, solution);
+  frames.h.array() -= frames.h.mean();
+  progress.Report(1.0);
+  return frames;
 }
 
 /// Branches that are continuous but across the cut: shifts the frames.
@@ -240,14 +255,8 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
   map.topology = topology;
   map.cones = FindCones(*topology, placed, alignment.count);
   progress.Report(0.05);
-  const PointPotential potential(std::make_shared<const PotentialSolver>(topology,
-                                   PotentialSolver::Boundary::Natural, progress.Part(0.05, 0.3)),
-    std::move(alignment));
-  const PointPotential::Solution solution = potential.Solve(placed.interior);
-  map.holonomyDefect = solution.holonomyDefect;
-  TriangleFrames frames = FrameTriangles(potential, solution);
-  frames.h.array() -= frames.h.mean();
-  progress.Report(0.4);
+  TriangleFrames frames =
+    SolveFrames(std::move(alignment), placed.interior, map, progress.Part(0.05, 0.4));
 
   std::vector<int> singular;
   for (const Cone& cone : map.cones)
@@ -264,11 +273,11 @@ FlatMap SolveFlatMap(const SharedTopology& topology, const Configuration& config
   CollectTransitions(cut, frames, map);
   const auto prolongation =
     EliminateSeams(*topology, cut, map.transitions, map.directions, map.cones);
-  const SeamlessPoisson poisson = AssemblePoisson(map, frames);
+  const SeamlessPoisson poisson = WantedGradients(map, frames);
   progress.Report(0.5);
   const Eigen::VectorXd w = SolveSeamless(map, poisson, prolongation, progress.Part(0.5, 0.95));
 
-  SetPoints(w, poisson.Misfit(w), map);
+  SetPoints(w, poisson.Misfit(map, w), map);
   RequireInjective(map);
   progress.Report(1.0);
   return map;

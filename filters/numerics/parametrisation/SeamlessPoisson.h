@@ -1,10 +1,7 @@
 #pragma once
 
 #include "FlatMap.h"
-#include "Progress.h"
 #include "TriangleFrames.h"
-
-#include <Eigen/SparseCore>
 
 #include <vector>
 
@@ -14,9 +11,6 @@ namespace crossfield
 /// (docs/method.md §12.3).
 struct SeamlessPoisson
 {
-  Eigen::SparseMatrix<double> matrix; ///< Of u, and of v.
-  Eigen::MatrixX2d sources;
-  double constant = 0.0;
   std::vector<double> weights; ///< Per triangle, e^{2H}.
   std::vector<Eigen::Matrix<double, 3, 2>>
     wanted; ///< Per triangle, w at its corners but for a constant.
@@ -26,13 +20,14 @@ struct SeamlessPoisson
   Eigen::MatrixX2d Residual(const FlatMap& map, const Eigen::VectorXd& unknowns) const;
 
   /// The sum for unknowns as in EliminateSeams.
-  double Misfit(const Eigen::VectorXd& unknowns) const;
+  double Misfit(const FlatMap& map, const Eigen::VectorXd& unknowns) const;
+
+private:
+  /// What is wanted less what is there of w at the corners of a triangle, but for a constant.
+  Eigen::Matrix<double, 3, 2> Off(
+    const FlatMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const;
 };
 
-SeamlessPoisson AssemblePoisson(const FlatMap& map, const TriangleFrames& frames);
-
-/// The unknowns u and v of every vertex, then the translations, in terms of the free ones of
-/// EliminateSeams: one Cholesky factorisation.
-Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
-  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const Progress& progress = {});
+/// The weights, and what is wanted of the gradients, of the frames; near a logarithm by its local primitive.
+SeamlessPoisson WantedGradients(const FlatMap& map, const TriangleFrames& frames);
 }

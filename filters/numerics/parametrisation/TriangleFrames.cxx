@@ -12,12 +12,6 @@ namespace crossfield
 {
 namespace
 {
-/// Triangles of either half, first and behind the last.
-std::pair<int, int> HalfOf(int count, std::size_t half)
-{
-  return half == 0 ? std::pair(0, count / 2) : std::pair(count / 2, count);
-}
-
 /// The phase 4θ along straight steps inside of triangles: its increase is that of the conjugate of R
 /// and the angles at which the logarithms' places see the step.
 class PhaseWalk
@@ -56,14 +50,13 @@ public:
   {
     const Point from = this->Centre(triangle);
     const Point to = this->Topology.Midpoint(edge);
-    double sum = Cross(this->Gradient.block<2, 1>(0, triangle), to - from);
-    for (std::size_t m = 0; m < this->Logs.size(); ++m)
-    {
-      const Point& seen =
-        this->IsOnCurve(m) ? this->SeenFromCurves[static_cast<std::size_t>(edge)] : to;
-      sum += this->Logs[m].strength * this->Logs[m].Turn(from, seen);
-    }
-    return sum;
+    const Point& seen = this->SeenFromCurves[static_cast<std::size_t>(edge)];
+    const LogSource* const logs = this->Logs.data();
+    const LogSource* const onCurve = logs + this->FirstOnCurve;
+    const LogSource* const atCorner = logs + this->FirstAtCorner;
+    return Cross(this->Gradient.block<2, 1>(0, triangle), to - from) +
+      SumOfTurns(logs, onCurve, from, to) + SumOfTurns(onCurve, atCorner, from, seen) +
+      SumOfTurns(atCorner, logs + this->Logs.size(), from, to);
   }
 
   /// Whether a logarithm is that of a singularity of a curve: it need not be at a vertex.

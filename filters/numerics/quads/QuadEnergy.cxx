@@ -142,15 +142,14 @@ void QuadEnergy::Place(const Eigen::VectorXd& unknowns)
 
 double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
 {
-  const std::size_t count = this->Mesh.quads.size();
-  const std::size_t end = half == 0 ? count / 2 : count;
+  const auto [begin, end] = HalfOf(static_cast<int>(this->Mesh.quads.size()), half);
   Eigen::VectorXd& force = this->Forces[half];
   if (forces)
   {
     force.setZero(this->Places.size());
   }
   double energy = 0.0;
-  for (std::size_t q = half == 0 ? 0 : count / 2; q < end; ++q)
+  for (std::size_t q = Index(begin); q < Index(end); ++q)
   {
     const QuadFrame frame = FrameOf(this->Mesh, this->Places, q);
     const double weight = this->Weights[q];

@@ -50,6 +50,36 @@ TEST(LogSource, SumsAreThoseOfSingleLogarithmsAtAllExtents)
   }
 }
 
+TEST(LogSource, SumOfTurnsIsThatOfSingleTurnsAtAllExtents)
+{
+  for (const double size : { 1e-60, 1e-40, 1e-20, 1.0, 1e20, 1e40, 1e60 })
+  {
+    SCOPED_TRACE(size);
+    Random random(6);
+    for (const int count : { 0, 1, 2, 5, 40, 300 })
+    {
+      std::vector<LogSource> logs = RandomSources(random, count, size);
+      logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // of a corner
+      for (const double step : { 1e-8, 0.1, 1.0 }) // seen under small angles, and under obtuse ones
+      {
+        const auto place = [&]
+        { return Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0)); };
+        const Point from = size * place();
+        const Point to = from + step * size * place();
+        double sum = 0.0;
+        double most = 1.0;
+        for (const LogSource& log : logs)
+        {
+          sum += log.strength * log.Turn(from, to);
+          most += std::abs(log.strength);
+        }
+        EXPECT_NEAR(
+          SumOfTurns(logs.data(), logs.data() + logs.size(), from, to), sum, 1e-14 * most);
+      }
+    }
+  }
+}
+
 TEST(LogSource, SumsAreInfiniteAtASourceAndTurnsLeaveItOut)
 {
   const std::vector<LogSource> logs = { { { 0.3, 0.4 }, 2.0, 2.0 * Pi },

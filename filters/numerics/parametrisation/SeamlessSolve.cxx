@@ -1,0 +1,197 @@
+#include "SeamlessSolve.h"
+
+#include "DissectedCholesky.h"
+#include "Error.h"
+#include "Index.h"
+#include "P1Laplacian.h"
+#include "SymmetricAssembly.h"
+
+#include <limits>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+using Prolongation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// c |w_a − w_b|² in the sum: of an edge between two vertices of the mesh that is cut open.
+struct Coupling
+{
+  int a;
+  int b;
+  double value;
+};
+
+/// The sum without its linear part, edge by edge. Both sides of a cut edge count for themselves.
+std::vector<Coupling> CoupleCorners(const FlatMap& map, const std::vector<double>& weights)
+{
+  const MeshTopology& topology = *map.topology;
+  std::vector<Coupling> couplings(Index(topology.edges.Count()), { -1, -1, 0.0 });
+  for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)
+  {
+    const Eigen::Matrix3d element = weights[t] * P1ElementStiffness(topology.mesh, t);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t next = (i + 1) % 3;
+      const int a = map.corners[t][i];
+      const int b = map.corners[t][next];
+      const double value = -element(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(next));
+      Coupling& coupling = couplings[Index(topology.edges.ofTriangle[t][i])];
+      if (coupling.a < 0)
+      {
+        coupling = { a, b, value };
+      }
+      else if (coupling.a == b && coupling.b == a)
+      {
+        coupling.value += value;
+      }
+      else
+      {
+        couplings.push_back({ a, b, value });
+      }
+    }
+  }
+  return couplings;
+}
+
+/// The matrix of the sum for u and v in turn, in terms of the free unknowns.
+Eigen::SparseMatrix<double> FreeMatrix(
+  const std::vector<Coupling>& couplings, const Prolongation& prolongation)
+{
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(prolongation.cols());
+  std::vector<SymmetricEntry> offDiagonal;
+  offDiagonal.reserve(2 * couplings.size());
+  std::vector<std::pair<int, double>> difference; // w_a − w_b
+  for (const Coupling& coupling : couplings)
+  {
+    for (int part = 0; part < 2; ++part)
+    {
+      difference.clear();
+      for (const auto& [vertex, sign] : { std::pair(coupling.a, 1.0), std::pair(coupling.b, -1.0) })
+      {
+        for (Prolongation::InnerIterator term(prolongation, 2 * vertex + part); term; ++term)
+        {
+          difference.emplace_back(static_cast<int>(term.col()), sign * term.value());
+        }
+      }
+      for (std::size_t i = 0; i < difference.size(); ++i)
+      {
+        const auto& [row, left] = difference[i];
+        diagonal[row] += coupling.value * left * left;
+        for (std::size_t j = 0; j < i; ++j)
+        {
+          const auto& [column, right] = difference[j];
+          const double value = coupling.value * left * right;
+          if (row == column)
+          {
+            diagonal[row] += 2.0 * value;
+          }
+          else
+          {
+            offDiagonal.push_back({ row, column, value });
+          }
+        }
+      }
+    }
+  }
+  return AssembleSymmetric(diagonal, offDiagonal);
+}
+}
+
+Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
+  const Prolongation& prolongation, const Progress& progress)
+{
+  const Eigen::Index freeCount = prolongation.cols();
+  const Eigen::SparseMatrix<double> matrix =
+    FreeMatrix(CoupleCorners(map, poisson.weights), prolongation);
+
+  // 1. Unknowns that many others depend on come last. The two of one vertex that none depends on are
+  // the origin, which is free.
+  std::vector<Point> places(static_cast<std::size_t>(freeCount), Point::Zero());
+  std::vector<int> dependents(static_cast<std::size_t>(freeCount), 0);
+  for (Eigen::Index row = prolongation.rows(); row-- > 0;)
+  {
+    const auto vertex = static_cast<std::size_t>(row) / 2;
+    for (Prolongation::InnerIterator term(prolongation, row); term; ++term)
+    {
+      ++dependents[Index(static_cast<int>(term.col()))];
+      if (vertex < map.original.size()) // the first one's place
+      {
+        places[Index(static_cast<int>(term.col()))] = map.topology->PointAt(map.original[vertex]);
+      }
+    }
+  }
+  // A vertex in a chain has its copy beside it.
+  constexpr int ManyDependents = 4;
+  std::vector<int> trailing;
+  for (int j = 0; j < static_cast<int>(freeCount); ++j)
+  {
+    if (dependents[Index(j)] > ManyDependents)
+    {
+      trailing.push_back(j);
+    }
+  }
+  // u and v of a vertex, where each is an unknown of its own.
+  std::vector<int> ground;
+  std::vector<int> partners(static_cast<std::size_t>(freeCount), -1);
+  const auto own = [&](std::size_t row)
+  {
+    const Prolongation::InnerIterator term(prolongation, static_cast<Eigen::Index>(row));
+    return term && dependents[Index(static_cast<int>(term.col()))] == 1
+      ? static_cast<int>(term.col())
+      : -1;
+  };
+  for (std::size_t vertex = 0; vertex < map.original.size(); ++vertex)
+  {
+    const int u = own(2 * vertex);
+    const int v = own(2 * vertex + 1);
+    if (u >= 0 && v >= 0)
+    {
+      partners[Index(u)] = v;
+      partners[Index(v)] = u;
+      if (ground.empty())
+      {
+        ground = { u, v };
+      }
+    }
+  }
+  if (ground.empty())
+  {
+    throw Error("The mesh is too coarse for a flat map: no vertex is off the seams and the "
+                "boundary; use a finer mesh.");
+  }
+  const DissectedCholesky factor(matrix, places, trailing, ground, progress, partners);
+
+  // 2. The first is off by rounding times the range of the weights, 1e-2 of the extent for hundreds
+  // of random singularities: iterative refinement. A correction by the part c leaves an error of about c² (docs/method.md §12.3).
+  constexpr double NegligibleSquared = 1e-8;
+  constexpr int MostCorrections = 5;
+  Eigen::VectorXd w = Eigen::VectorXd::Zero(prolongation.rows());
+  double largest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= MostCorrections; ++i)
+  {
+    const Eigen::MatrixX2d residual = poisson.Residual(map, w);
+    Eigen::VectorXd full = Eigen::VectorXd::Zero(prolongation.rows());
+    for (Eigen::Index vertex = 0; vertex < residual.rows(); ++vertex)
+    {
+      full.segment<2>(2 * vertex) = residual.row(vertex).transpose();
+    }
+    const Eigen::VectorXd correction =
+      prolongation * factor.Substitute(factor.Eliminate(prolongation.transpose() * full)).col(0);
+    const double part =
+      i == 0 ? 1.0 : correction.lpNorm<Eigen::Infinity>() / w.lpNorm<Eigen::Infinity>();
+    if (!(part < largest))
+    {
+      break; // rounding is reached, or the map is told not to be injective
+    }
+    w += correction;
+    largest = part;
+    if (part <= NegligibleSquared)
+    {
+      break;
+    }
+  }
+  return w;
+}
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Progress.h"
+#include "SeamlessPoisson.h"
+
+#include <Eigen/SparseCore>
+
+namespace crossfield
+{
+/// The unknowns u and v of every vertex, then the translations, in terms of the free ones of
+/// EliminateSeams: one Cholesky factorisation.
+Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const Progress& progress = {});
+}
