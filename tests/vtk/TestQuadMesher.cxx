@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -261,13 +262,18 @@ TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
 
 TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
 {
-  const auto domain = TestInputs::Loops({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.4, 0.9 } } });
+  // An ellipse: sizes at the least energy are not far from even.
+  constexpr int Count = 40;
+  TestInputs::Curve ellipse;
   vtkNew<vtkDoubleArray> lengths;
   lengths->SetName("Length");
-  for (const double length : { 0.6, 1.5, 1.0 })
+  for (int i = 0; i < Count; ++i)
   {
-    lengths->InsertNextValue(length);
+    const double angle = 2.0 * vtkMath::Pi() * i / Count;
+    ellipse.push_back({ 0.8 * std::cos(angle), 0.5 * std::sin(angle) });
+    lengths->InsertNextValue(1.0 + 0.4 * std::cos(angle));
   }
+  const auto domain = TestInputs::Loops({ ellipse });
   domain->GetPointData()->AddArray(lengths);
   std::set<double> places;
   for (const int sizing :

@@ -118,7 +118,7 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
-/// From the least energy on to the least one at a larger clearance, and to even sizes if they are asked for.
+/// From the least energy on to the least one at a larger clearance, and to even sizes if they are asked for or far from even.
 void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
   const Progress& progress, AutomaticConfiguration& result)
 {
@@ -126,6 +126,10 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.corners = result.corners;
   fit.clearance = clearance;
   fit.keepAll = true;
+  // At 1/4 the largest twentieth of the sizes and the smallest differ by more than e. Below, evening them may cost more shape
+  // than it brings (docs/method.md §5.7).
+  constexpr double FarFromEven = 0.25;
+  fit.evenSizes |= result.optimum.sizeSpread > FarFromEven;
   result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
   result.singularities = result.optimum.configuration;
   Tell(result);

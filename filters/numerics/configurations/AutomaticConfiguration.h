@@ -39,7 +39,8 @@ struct AutomaticConfiguration
 /// (ConfigurationProposal.h) and moves what is inside to where the renormalised energy is least
 /// (SingularityOptimizer.h). From the best proposal on, until one comes to rest without a holonomy
 /// defect; if none does, that with the least defect is taken, which is no error: optimum.converged
-/// says so, and the last event why. Then on to the clearance for quads and to even sizes, if either is asked for.
+/// says so, and the last event why. Then on to the clearance for quads, if quads are to come, and to even sizes, if they are asked
+/// for or sizes are far from even.
 ///
 /// Throws Error as the two do.
 AutomaticConfiguration ChooseConfiguration(

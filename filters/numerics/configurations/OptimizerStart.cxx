@@ -28,66 +28,112 @@ Point FromBoundary(const PlanarDomain& domain, const Point& place)
   return nearest;
 }
 
-/// ClearStart without regard to symmetries.
-double MoveApart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+/// Moves singularities inside apart.
+class Spreading
 {
-  constexpr double Enough = 1.2;
-  constexpr double Target = 1.3; // a little more, so that it ends
-  constexpr int MostSweeps = 100;
-  const double reach = BoundaryReach * domain.Diagonal();
-  std::vector<std::size_t> inside;
-  for (std::size_t i = 0; i < configuration.size(); ++i)
+public:
+  Spreading(const PlanarDomain& domain, const Configuration& configuration)
+    : Places(configuration)
+    , Domain(domain)
+    , Reach(BoundaryReach * domain.Diagonal())
   {
-    if (configuration[i].position.allFinite() &&
-      SignedDistance(configuration[i].position, domain) > reach)
+    for (std::size_t i = 0; i < configuration.size(); ++i)
     {
-      inside.push_back(i);
+      if (configuration[i].position.allFinite() &&
+        SignedDistance(configuration[i].position, domain) > this->Reach)
+      {
+        this->Inside.push_back(i);
+      }
+    }
+    for (const std::size_t i : this->Inside)
+    {
+      this->Least = std::min(this->Least, FromBoundary(domain, configuration[i].position).norm());
+      for (const std::size_t j : this->Inside)
+      {
+        const double apart = (configuration[i].position - configuration[j].position).norm();
+        this->Least = j < i && apart > this->Reach ? std::min(this->Least, apart) : this->Least;
+      }
     }
   }
-  Configuration moved = configuration;
-  double least = std::numeric_limits<double>::infinity();
-  for (int sweep = 0; sweep < MostSweeps; ++sweep)
+
+  /// The least distance at the start.
+  double GetLeast() const { return this->Least; }
+
+  /// Pushes what is nearer than the clearance until nothing is; whether it succeeded.
+  bool To(double clearance)
   {
-    bool clear = true;
-    for (const std::size_t i : inside)
+    constexpr int MostSweeps = 100;
+    for (int sweep = 0; sweep < MostSweeps; ++sweep)
     {
-      Point& here = moved[i].position;
-      const Point apart = FromBoundary(domain, here);
-      least = sweep == 0 ? std::min(least, apart.norm()) : least;
+      if (!this->Sweep(clearance))
+      {
+        return std::all_of(this->Inside.begin(), this->Inside.end(),
+          [&](std::size_t i)
+          { return SignedDistance(this->Places[i].position, this->Domain) > 0.0; });
+      }
+    }
+    return false;
+  }
+
+  Configuration Places;
+
+  static constexpr double Enough = 1.2;
+
+private:
+  /// Whether anything moved.
+  bool Sweep(double clearance)
+  {
+    constexpr double Target = 1.3; // a little more than enough, so that it ends
+    bool moved = false;
+    for (const std::size_t i : this->Inside)
+    {
+      Point& here = this->Places[i].position;
+      const Point apart = FromBoundary(this->Domain, here);
       if (apart.norm() < Enough * clearance)
       {
         here += (Target * clearance - apart.norm()) * apart.normalized();
-        clear = false;
+        moved = true;
       }
-      for (const std::size_t j : inside)
+      for (const std::size_t j : this->Inside)
       {
-        const Point between = here - moved[j].position;
-        if (j < i && between.norm() > reach)
+        const Point between = here - this->Places[j].position;
+        if (j < i && between.norm() > this->Reach && between.norm() < Enough * clearance)
         {
-          least = sweep == 0 ? std::min(least, between.norm()) : least;
-          if (between.norm() < Enough * clearance)
-          {
-            const Point way = 0.5 * (Target * clearance - between.norm()) * between.normalized();
-            here += way;
-            moved[j].position -= way;
-            clear = false;
-          }
+          const Point way = 0.5 * (Target * clearance - between.norm()) * between.normalized();
+          here += way;
+          this->Places[j].position -= way;
+          moved = true;
         }
       }
     }
-    if (clear)
+    return moved;
+  }
+
+  const PlanarDomain& Domain;
+  double Reach;
+  std::vector<std::size_t> Inside;
+  double Least = std::numeric_limits<double>::infinity();
+};
+
+/// ClearStart without regard to symmetries.
+double MoveApart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+{
+  // The clearance grows by so much at a time that a push is smaller than the distances that there are: in a sharp corner one
+  // push by all of it would go through the other side.
+  constexpr double Growth = 1.2;
+  Spreading spreading(domain, configuration);
+  const double least = spreading.GetLeast();
+  double reached = std::min(clearance, least / Spreading::Enough);
+  while (reached < clearance)
+  {
+    reached = std::min(clearance, Growth * reached);
+    if (!spreading.To(reached))
     {
-      const bool allInside = std::all_of(inside.begin(), inside.end(),
-        [&](std::size_t i) { return SignedDistance(moved[i].position, domain) > 0.0; });
-      if (allInside)
-      {
-        configuration = moved;
-        return clearance;
-      }
-      break;
+      return std::min(clearance, 0.5 * least);
     }
   }
-  return std::min(clearance, 0.5 * least);
+  configuration = spreading.Places;
+  return clearance;
 }
 }
 

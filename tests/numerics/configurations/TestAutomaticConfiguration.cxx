@@ -174,6 +174,24 @@ TEST(AutomaticConfiguration, MovesOnToEvenSizesForQuads)
   EXPECT_NE(even.events.back().find("the spread of sizes from"), std::string::npos);
 }
 
+TEST(AutomaticConfiguration, EvensSizesForQuadsThatAreFarFromEven)
+{
+  // The energy draws the one that a triangle needs into its corner of 45 degrees, whose index would be 3/2 by itself.
+  const PlanarDomain triangle = MakePlanarDomain({ { { 0.0, 0.0 }, { 4.0, 0.0 }, { 1.0, 3.0 } } });
+  AutomaticOptions options;
+  options.quadCount = 1000;
+  const AutomaticConfiguration chosen = ChooseConfiguration(triangle, options);
+  ASSERT_EQ(chosen.singularities.size(), 1U);
+  ASSERT_TRUE(chosen.optimum.sizeSpreads);
+  EXPECT_GT(chosen.optimum.sizeSpreads->before, 0.5);
+  EXPECT_LT(chosen.optimum.sizeSpreads->after, 0.35);
+  EXPECT_GT(
+    LeastDistance(triangle, chosen.singularities), 0.7 * std::sqrt(triangle.Area() / 1000.0));
+  // Sizes on the disk are even enough at the least energy; and where no quads are to come it is all that counts.
+  EXPECT_FALSE(ChooseConfiguration(DiskOfEdges(0.1), options).optimum.sizeSpreads);
+  EXPECT_FALSE(ChooseConfiguration(triangle).optimum.sizeSpreads);
+}
+
 TEST(AutomaticConfiguration, NothingIsNeededWhereCornersDoIt)
 {
   const AutomaticConfiguration chosen = ChooseConfiguration(LShape());
