@@ -50,6 +50,7 @@ struct QuadsOptions
   std::vector<std::string> sizing = { "conformal" };
   bool coarse = false;
   double clearance = 0.0;
+  int pairs = 0;
   bool capCorners = true;
   bool repairHolonomy = false;
 };
@@ -155,6 +156,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetRepairHolonomy(options.repairHolonomy);
+  mesher->SetPairs(options.pairs);
   SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
   singularities.SetCapCorners(options.capCorners);
   singularities.SetQuads(options.clearance, mesher);
@@ -241,6 +243,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "where singularities are chosen, their least distance to the boundary and to each other; default: 0.7 of "
       "the size of quads")
     ->check(CLI::PositiveNumber);
+  command
+    ->add_option("--pairs", options->pairs,
+      "where singularities are chosen, up to so many pairs of quarter indices 1 and -1 more than needed, while they make "
+      "sizes more even")
+    ->check(CLI::Range(0, 100));
   command->add_flag("--cap-corners,!--no-cap-corners", options->capCorners,
     "give sharp corners of quarter index 2 index 1; the rest must be among the singularities; default: on");
   command->add_flag("--repair-holonomy", options->repairHolonomy,

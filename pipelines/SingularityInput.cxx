@@ -73,6 +73,7 @@ void SingularityInput::SetQuads(double clearance, vtkQuadMesher* mesher)
     this->Proposal->SetQuadCount(mesher->GetQuadCount());
     this->Proposal->SetSizing(mesher->GetSizing());
     this->Proposal->SetSizeArray(mesher->GetSizeArray());
+    this->Proposal->SetPairs(mesher->GetPairs());
   }
 }
 

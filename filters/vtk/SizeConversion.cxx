@@ -189,6 +189,7 @@ void ChooseForQuads(vtkDataSet* domain, const DomainConversion::Domain& input,
 {
   automatic.quadSize = request.quadSize;
   automatic.quadCount = request.quadCount;
+  automatic.optimizer.pairs = request.pairs;
   automatic.optimizer.evenSizes = request.sizing != vtkQuadMesher::SizingConformal;
   if (request.sizing == vtkQuadMesher::SizingField)
   {

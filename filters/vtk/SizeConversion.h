@@ -39,6 +39,7 @@ struct QuadRequest
   std::string sizeArray;
   double quadSize = 0.0;
   int quadCount = 0;
+  int pairs = 0;
 };
 
 /** Asks for singularities of which such quads can be made, on meshes as the options have them. */

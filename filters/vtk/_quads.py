@@ -135,7 +135,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
-          repair_holonomy: bool = False, clearance: Optional[float] = None) -> QuadMesh:
+          repair_holonomy: bool = False, clearance: Optional[float] = None,
+          pairs: int = 0) -> QuadMesh:
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -155,6 +156,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    moves singularities the least way to where no inner loop has a holonomy defect
     clearance      where singularities are chosen, their least distance to the boundary and to each other;
                    default: 0.7 of the size of quads
+    pairs          where singularities are chosen, up to so many pairs of quarter indices 1 and -1 more than
+                   needed, while they make sizes more even
 
     Quads that are turned over are a RuntimeWarning, and report["inverted"] counts them.
 
@@ -193,7 +196,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, {
         "CapCorners": cap_corners, "Clearance": checked(clearance),
         "QuadSize": mesher.GetQuadSize(), "QuadCount": mesher.GetQuadCount(),
-        "Sizing": mesher.GetSizing(), "SizeArray": mesher.GetSizeArray()})
+        "Sizing": mesher.GetSizing(), "SizeArray": mesher.GetSizeArray(), "Pairs": pairs})
     mesh = _mesh_of(pipeline.update(mesher))
     report_choice(mesh.report, chosen, mesh.points)
     return mesh

@@ -88,7 +88,7 @@ int vtkConfigurationProposal::RequestData(
       }
       automatic.optimizer.meshSize = this->MeshSize;
       SizeConversion::ChooseForQuads(domain, input,
-        { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount }, automatic);
+        { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount, this->Pairs }, automatic);
       const crossfield::AutomaticConfiguration choice =
         crossfield::ChooseConfiguration(input.domain, automatic, progress);
       const crossfield::OptimizerResult& result = choice.optimum;
@@ -123,5 +123,6 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
+  os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "KeepAll: " << (this->KeepAll ? "on" : "off") << "\n";
 }

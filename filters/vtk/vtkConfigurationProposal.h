@@ -144,6 +144,14 @@ public:
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
   ///@}
+  ///@{
+  /**
+   * With Automatic, up to so many pairs of quarter indices 1 and -1 more than needed, for more even sizes, as of
+   * vtkSingularityOptimizer. Default: 0. Range: 0 to 100.
+   */
+  vtkSetClampMacro(Pairs, int, 0, 100);
+  vtkGetMacro(Pairs, int);
+  ///@}
   /** As above; what ParaView calls. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
@@ -185,6 +193,7 @@ private:
   int QuadCount = 0;
   int Sizing = 0;
   std::string SizeArray;
+  int Pairs = 0;
   bool KeepAll = false;
   int Alternatives = 0;
   double CoreRadius = 0.0;

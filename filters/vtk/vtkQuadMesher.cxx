@@ -86,7 +86,8 @@ int vtkQuadMesher::RequestData(
         automatic.optimizer.meshSize = this->MeshSize;
         automatic.optimizer.clearance = this->Clearance;
         SizeConversion::ChooseForQuads(domain, input,
-          { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount }, automatic);
+          { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount, this->Pairs },
+          automatic);
         const crossfield::AutomaticConfiguration choice =
           crossfield::ChooseConfiguration(input.domain, automatic, progress.Part(0.0, 0.5));
         configuration = choice.singularities;
@@ -165,6 +166,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
+  os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "Coarse: " << this->Coarse << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";

@@ -42,6 +42,17 @@ class Quads(ProgramTest):
         self.refuse("quads", "builtin:star", "-o", "quads.vtu", "--no-cap-corners",
                     says=("quarter index 2", "cap corners"))
 
+    def test_pairs_even_the_sizes(self):
+        """A trapezium of which the small end is a quarter as long as the other: no node is needed."""
+        (self.folder / "wedge.csv").write_text("x,y\n0,0\n4,1.5\n4,2.5\n0,4\n")
+        needed = self.report("wedge.csv")
+        self.assertEqual(needed["irregular"], {})
+        self.assertIn("pairs of singularities would even them", needed["events"][-1])
+        more = self.report("wedge.csv", "--pairs", "1")
+        self.assertEqual(more["irregular"], {"3": 1, "5": 1})
+        self.assertLess(more["size_variation"], 0.5 * needed["size_variation"])
+        self.refuse("quads", "wedge.csv", "-o", "quads.vtu", "--pairs", "101", says=("--pairs",))
+
     def test_a_count_is_reached(self):
         for count in (1000, 4000):
             report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))

@@ -45,7 +45,7 @@ TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
   FilterChecks::CheckProgressAndAbort(this->Filter, false);
   FilterChecks::CheckPrintSelf(this->Filter,
     { "CornerAngle", "CancelFlatCorners", "CapCorners", "Automatic", "MeshSize", "Sizing",
-      "SizeArray" });
+      "SizeArray", "Pairs" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

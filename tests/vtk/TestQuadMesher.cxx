@@ -82,7 +82,7 @@ TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance",
+    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance", "Pairs",
       "CapCorners", "RepairHolonomy", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }

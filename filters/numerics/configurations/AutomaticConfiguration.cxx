@@ -3,6 +3,7 @@
 #include "DrillHoles.h"
 #include "MeshBudget.h"
 #include "OptimizerStage.h"
+#include "OptimizerStart.h"
 #include "PoincareHopf.h"
 
 #include <algorithm>
@@ -133,6 +134,12 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
   result.singularities = result.optimum.configuration;
   Tell(result);
+  if (!fit.wantedSize && fit.pairs == 0 && result.optimum.sizeSpread > FarFromEven)
+  {
+    result.events.push_back(
+      "Sizes are far from even, the standard deviation of their logarithm is " +
+      Short(result.optimum.sizeSpread) + "; pairs of singularities would even them.");
+  }
 }
 }
 
@@ -162,10 +169,12 @@ AutomaticConfiguration ChooseConfiguration(
   // What the singularities are is decided by the energy, where they may go next to the boundary: only then the
   // size of quads keeps them off it, and sizes are made even.
   const double clearance = AskedClearance(domain, options);
-  const bool fits = clearance > CoreRadius(domain) || options.optimizer.evenSizes;
+  const bool fits =
+    clearance > CoreRadius(domain) || options.optimizer.evenSizes || options.optimizer.pairs > 0;
   AutomaticOptions least = options;
   least.optimizer.clearance = fits ? 0.0 : clearance;
   least.optimizer.evenSizes = false;
+  least.optimizer.pairs = 0;
 
   const std::vector<ProposedConfiguration> starts =
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));

@@ -8,7 +8,7 @@ namespace crossfield
 struct AutomaticOptions
 {
   ProposalOptions proposal; ///< What is given and what is asked of the corners.
-  /// Its corners are those of the proposal. Even sizes are those of the quads to come: what singularities are
+  /// Its corners are those of the proposal. Even sizes and pairs are for the quads to come: what singularities are needed
   /// is decided before.
   OptimizerOptions optimizer;
   /// Of the quads to come, if there are any: the length of their sides, or else their number, from which it follows.

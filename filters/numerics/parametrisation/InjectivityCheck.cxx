@@ -29,7 +29,8 @@ std::string Mend(const FlatMap& map)
       " radians of the cross, repair the holonomy (RepairHolonomy, --repair-holonomy): it moves the "
       "singularities.";
   }
-  return "use a finer mesh, or move singularities away from each other and from the boundary.";
+  return "use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities away from each other and "
+         "from the boundary.";
 }
 }
 

@@ -192,6 +192,24 @@ TEST(AutomaticConfiguration, EvensSizesForQuadsThatAreFarFromEven)
   EXPECT_FALSE(ChooseConfiguration(triangle).optimum.sizeSpreads);
 }
 
+TEST(AutomaticConfiguration, AddsPairsForQuadsWhereTheyAreAllowed)
+{
+  // A ring whose gap is seven times as wide on one side: a map without singularities has such sizes.
+  const PlanarDomain ring =
+    MakePlanarDomain({ RegularPolygon(80), RegularPolygon(50, 0.4, { 0.45, 0.0 }) });
+  AutomaticOptions options;
+  options.quadCount = 1000;
+  const AutomaticConfiguration needed = ChooseConfiguration(ring, options);
+  EXPECT_NE(needed.events.back().find("pairs of singularities would even them"), std::string::npos);
+  options.optimizer.pairs = 2;
+  const AutomaticConfiguration more = ChooseConfiguration(ring, options);
+  EXPECT_EQ(TotalQuarters(more.singularities), TotalQuarters(needed.singularities));
+  EXPECT_GT(more.singularities.size(), needed.singularities.size());
+  EXPECT_LE(more.singularities.size(), needed.singularities.size() + 4);
+  EXPECT_LT(more.optimum.sizeSpread, 0.5 * needed.optimum.sizeSpread);
+  EXPECT_GT(LeastDistance(ring, more.singularities), 0.7 * std::sqrt(ring.Area() / 1000.0));
+}
+
 TEST(AutomaticConfiguration, NothingIsNeededWhereCornersDoIt)
 {
   const AutomaticConfiguration chosen = ChooseConfiguration(LShape());
