@@ -26,9 +26,8 @@ Derivatives OfDual(const DualPoint& point)
 
 /// How far Newton's model of q alone would rise. Where q is close to a maximum inside, that is what it is
 /// below the maximum; on the way to the border the model does not see that there is an end.
-double RiseOfModel(const DualPoint& point)
+double RiseOfModel(const Derivatives& derivatives)
 {
-  const Derivatives derivatives = OfDual(point);
   const double rise = 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
   return rise > 0.0 ? rise
                     : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
@@ -81,14 +80,35 @@ BlockCholesky<Complex> FactorDual(
   return { blocks, problem.matrix.coupled, problem.matrix.coupling.cast<Complex>() };
 }
 
-/// Whether a Newton step raises q + μ log det H by the usual share of what its slope promises. Close to
-/// the maximum the value no longer resolves the progress that the gradient of q still shows.
-bool Helps(const DualPoint& from, const DualPoint& to, double barrier, double promised)
+/// The usual share of what the slope of a step promises.
+constexpr double Share = 1e-4;
+
+bool GradientHalves(const DualPoint& from, const DualPoint& to)
 {
-  constexpr double Share = 1e-4;
-  const double rise = to.value - from.value + barrier * (to.logDeterminant - from.logDeterminant);
+  return to.gradient.norm() <= 0.5 * from.gradient.norm();
+}
+
+/// Whether a Newton step raises q by its share. Close to the maximum the value no longer resolves the progress that the
+/// gradient still shows.
+bool Helps(const DualPoint& from, const DualPoint& to, double promised)
+{
   return to.positiveDefinite &&
-    (rise >= Share * promised || to.gradient.norm() <= 0.5 * from.gradient.norm());
+    (to.value - from.value >= Share * promised || GradientHalves(from, to));
+}
+
+/// Whether a step raises q + μ log det H by its share. ∇q may decide only where rounding hides that: next to the border
+/// it grows and falls by any factor.
+bool Rises(const DualPoint& from, const DualPoint& to, double barrier, double promised)
+{
+  if (!to.positiveDefinite)
+  {
+    return false;
+  }
+  constexpr double Rounding = 1e-12; // of sums over all holes
+  const double rise = to.value - from.value + barrier * (to.logDeterminant - from.logDeterminant);
+  const double hidden =
+    Rounding * (std::abs(from.value) + barrier * std::abs(from.logDeterminant));
+  return rise >= Share * promised || (rise >= -hidden && GradientHalves(from, to));
 }
 }
 
@@ -150,7 +170,7 @@ DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
     const Eigen::VectorXd step = derivatives.NewtonStep();
     DualPoint next = EvaluateDual(problem, point.multipliers + step);
     ++iterations;
-    stalled = !Helps(point, next, 0.0, derivatives.gradient.dot(step));
+    stalled = !Helps(point, next, derivatives.gradient.dot(step));
     if (!stalled)
     {
       point = std::move(next);
@@ -163,51 +183,56 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& o
   const Progress& progress, int& iterations)
 {
   DualPoint point = EvaluateDual(problem, Eigen::VectorXd::Zero(problem.targets.size()));
-  // λ has the size of S and the barrier that of one. In units of the mean of S a tenth is where the
-  // barrier still leads; the last is above where rounding in H hides it. On 200 random hard cases this
-  // start and the rates below took the fewest steps. There the rise of Newton's model was below the gap
-  // on all late parts of paths to a maximum inside, and above 100 times the gap on the others.
-  constexpr double First = 0.1;
-  constexpr double Late = 1e-6;
-  constexpr double Last = 1e-11;
+  // λ has the size of S and the barrier that of one. In units of the mean of S, one is where the path has hardly left λ = 0,
+  // which is its beginning; the last is above where rounding in H hides the barrier. On random hard cases the rise of
+  // Newton's model was below the gap on all late parts of paths to a maximum inside, and above 100 times the
+  // gap on the others.
+  constexpr double Late = 1e-7;
+  constexpr double Last = 1e-12;
   const double unit = problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows());
   double relative = 1.0;
+  double reach = 1.0; // of a tangent, as a part of the fall that is wanted
   bool stalled = !point.positiveDefinite;
-  while (!stalled && !point.onBorder && relative > Last && point.residual > options.tolerance &&
+  while (!stalled && relative > Last && point.residual > options.tolerance &&
     iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
-    const double barrier = First * unit * relative;
-    const double gap = barrier * static_cast<double>(point.x.size());
-    Derivatives derivatives = OfDual(point);
+    const Derivatives ofDual = OfDual(point);
     const Derivatives ofBarrier = OfLogDeterminant(problem, point);
-    derivatives.gradient += barrier * ofBarrier.gradient;
-    derivatives.curvature += barrier * ofBarrier.curvature;
-    const Eigen::VectorXd step = derivatives.NewtonStep();
-    const double slope = derivatives.gradient.dot(step);
+    const double barrier = unit * relative;
+    const Eigen::LDLT<Eigen::MatrixXd> curvature(ofDual.curvature + barrier * ofBarrier.curvature);
+    const Eigen::VectorXd gradient = ofDual.gradient + barrier * ofBarrier.gradient;
+    // In units of the barrier the slope of Newton's step is the square of its decrement. From below one Newton's method
+    // comes to the path. With a smaller barrier from farther away it gets next to the border and goes on along it.
+    const bool centred = gradient.dot(curvature.solve(gradient)) <= barrier;
+    if (centred && relative < Late &&
+      RiseOfModel(ofDual) > 10.0 * barrier * static_cast<double>(point.x.size()))
+    {
+      point.onBorder = true;
+      return point;
+    }
+    const double wanted = std::min(0.1 * relative, std::pow(relative, 1.2));
     stalled = true;
     // 40 halvings span the range of a double's mantissa that a step can still be told apart in.
-    double length = 1.0;
+    double length = centred ? reach : 1.0;
     for (int halving = 0; stalled && halving < 40; ++halving)
     {
-      DualPoint trial = EvaluateDual(problem, point.multipliers + length * step);
-      stalled = !Helps(point, trial, barrier, length * slope);
+      // On the path, along its tangent: with the curvature of this barrier to the place for a smaller one. Else towards it.
+      const double next = centred ? relative - length * (relative - wanted) : relative;
+      const Eigen::VectorXd towards = ofDual.gradient + unit * next * ofBarrier.gradient;
+      const Eigen::VectorXd step = (centred ? 1.0 : length) * curvature.solve(towards);
+      DualPoint trial = EvaluateDual(problem, point.multipliers + step);
+      stalled = !Rises(point, trial, unit * next, towards.dot(step));
       if (!stalled)
       {
         point = std::move(trial);
-        // In units of the barrier, slope is the square of the Newton decrement: from a few times one a
-        // whole step comes to the path. Elsewhere the point is still on its way there.
-        if (length == 1.0 && slope <= 10.0 * barrier)
-        {
-          point.onBorder = relative < Late && RiseOfModel(point) > 10.0 * gap;
-          relative = std::min(0.1 * relative, std::pow(relative, 1.5));
-        }
+        relative = next;
+        reach = centred ? std::min(1.0, 2.0 * length) : reach;
       }
       length *= 0.5;
     }
     ++iterations;
   }
-  return point.onBorder ? point
-                        : MaximiseNearby(problem, std::move(point), options, progress, iterations);
+  return MaximiseNearby(problem, std::move(point), options, progress, iterations);
 }
 }
