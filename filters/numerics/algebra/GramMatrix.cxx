@@ -1,7 +1,11 @@
 #include "GramMatrix.h"
 
+#include "BothHalves.h"
 #include "DenseProduct.h"
+#include "SerialBlas.h"
 
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -223,9 +227,7 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
       column += this->Size(block);
     }
   }
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(this->Rows());
-  Eigen::MatrixXd before; // the rows of a block in the columns of those before it
-  for (int block = 0; block < this->BlockCount(); ++block)
+  const auto add = [&](int block, Eigen::MatrixXd& before, Eigen::VectorXd& squares)
   {
     before.setZero(this->Size(block), this->First(block));
     for (const Place& place : places[static_cast<std::size_t>(block)])
@@ -247,7 +249,22 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
     }
     squares.segment(this->First(block), this->Size(block)) += before.rowwise().squaredNorm();
     squares.head(this->First(block)) += before.colwise().squaredNorm().transpose();
-  }
-  return squares;
+  };
+  // Two halves of the pairs.
+  const SerialBlas serial;
+  const int count = this->BlockCount();
+  const std::array<int, 3> ends = { 0, static_cast<int>(count * std::sqrt(0.5)), count };
+  std::array<Eigen::VectorXd, 2> squares;
+  ForBothHalves(count > 1,
+    [&](std::size_t half)
+    {
+      squares[half] = Eigen::VectorXd::Zero(this->Rows());
+      Eigen::MatrixXd before; // the rows of a block in the columns of those before it
+      for (int block = ends[half]; block < ends[half + 1]; ++block)
+      {
+        add(block, before, squares[half]);
+      }
+    });
+  return squares[0] + squares[1];
 }
 }

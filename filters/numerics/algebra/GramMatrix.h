@@ -55,7 +55,7 @@ public:
   /// Qᵀ M Q with Q_i in block i and zero elsewhere.
   GramMatrix Congruence(const std::vector<Eigen::MatrixXd>& ofBlocks) const;
 
-  /// Of every column, the sum of the squares of its entries outside its block. Only one block of rows is made at a time.
+  /// Of every column, the sum of the squares of its entries outside its block. Only two blocks of rows are made at a time.
   Eigen::VectorXd SquaredCouplings() const;
 
 private:

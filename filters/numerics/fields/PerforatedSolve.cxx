@@ -52,9 +52,11 @@ public:
     }
     const PotentialReduction reduction(this->Problem);
     this->Report.Report(0.2);
-    double newton = 0.0;
-    const auto harmonic = [&] { return this->FromHarmonic(reduction, newton); };
-    const auto unitNorm = [&] { return this->FromUnitNorm(reduction); };
+    Stopwatch stopwatch;
+    const HoleBases bases(reduction.GetReducedProblem());
+    double newton = stopwatch.Lap();
+    const auto harmonic = [&] { return this->FromHarmonic(reduction, bases, newton); };
+    const auto unitNorm = [&] { return this->FromUnitNorm(reduction, bases); };
     SolvedField field;
     switch (this->Options.start)
     {
@@ -77,21 +79,21 @@ public:
   }
 
 private:
-  SolvedField FromHarmonic(const PotentialReduction& reduction, double& newton) const
+  SolvedField FromHarmonic(
+    const PotentialReduction& reduction, const HoleBases& bases, double& newton) const
   {
     Stopwatch stopwatch;
-    const MinimiserResult solution = SolveReduced(
-      reduction.GetReducedProblem(), this->Options.reduced, this->Report.Part(0.2, 0.5));
-    newton = stopwatch.Lap();
+    const MinimiserResult solution =
+      SolveReduced(bases, this->Options.reduced, this->Report.Part(0.2, 0.5));
+    newton += stopwatch.Lap();
     return this->Finish(reduction, solution);
   }
 
-  SolvedField FromUnitNorm(const PotentialReduction& reduction) const
+  SolvedField FromUnitNorm(const PotentialReduction& reduction, const HoleBases& bases) const
   {
     const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(this->Problem).u);
     SolvedField field = this->Finish(reduction,
-      SolveReducedFrom(
-        reduction.GetReducedProblem(), start, this->Options.reduced, this->Report.Part(0.5, 0.8)));
+      SolveReducedFrom(bases, start, this->Options.reduced, this->Report.Part(0.5, 0.8)));
     field.startedFromUnitNorm = true;
     return field;
   }

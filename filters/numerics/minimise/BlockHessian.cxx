@@ -23,8 +23,8 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix)
   return real;
 }
 
-BlockHessian::BlockHessian(const HoleBases& bases, double leftOut)
-  : Blocks(bases.InBlocks(leftOut))
+BlockHessian::BlockHessian(DualProblem blocks)
+  : Blocks(std::move(blocks))
   , Coupling(OnParts(this->Blocks.matrix.coupling.cast<Complex>()))
 {
   for (std::size_t i = 0; i < this->Blocks.unknowns.size(); ++i)

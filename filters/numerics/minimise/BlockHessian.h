@@ -2,7 +2,7 @@
 
 #include "BlockCholesky.h"
 #include "ConstrainedMinimiser.h"
-#include "HoleBases.h"
+#include "DualProblem.h"
 
 #include <utility>
 #include <vector>
@@ -20,8 +20,7 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix);
 class BlockHessian
 {
 public:
-  /// `leftOut` as in HoleBases.
-  BlockHessian(const HoleBases& bases, double leftOut);
+  explicit BlockHessian(DualProblem blocks);
 
   /// The factor of (1 + shift) (S + margin × M) + Σ λ_i A_i + weight × N Nᵀ, M the bound of what is left out of S
   /// (DualProblem::MarginOfLeftOut). Constraint i is that of hole i.

@@ -1,7 +1,6 @@
 #include "DualSolve.h"
 
 #include "DualMaximum.h"
-#include "HoleBases.h"
 #include "SerialBlas.h"
 
 #include <algorithm>
@@ -11,16 +10,10 @@ namespace crossfield
 {
 namespace
 {
-// Couplings between holes that are left out of a factor, as a part of the mean of the diagonal of S. A step costs the
-// cube of the number of those that are kept, which grows with the logarithm of these.
-constexpr double Strong = 1e-4;
+// Couplings between holes that are left out of a factor, beside HoleBases::Strong. A step costs the cube of the number of
+// those that are kept, which grows with the logarithm of these.
 constexpr double Weak = 1e-8;
 constexpr double Rounding = 1e-13;
-
-/// The path takes dozens of factors. Where it leads to asks for no more members in all than this, or four of every hole: those
-/// that turn once and twice around it.
-constexpr Eigen::Index MembersOnPath = 1200;
-constexpr Eigen::Index FewestMembers = 4;
 
 /// A path by the strong couplings that ends on the border with a residual above this ends there with all of them.
 constexpr double WhatWeakOnesChange = 1e-2;
@@ -29,6 +22,13 @@ constexpr double WhatWeakOnesChange = 1e-2;
 MinimiserResult SolveReduced(
   const ReducedProblem& problem, const MinimiserOptions& options, const Progress& progress)
 {
+  return SolveReduced(HoleBases(problem), options, progress);
+}
+
+MinimiserResult SolveReduced(
+  const HoleBases& bases, const MinimiserOptions& options, const Progress& progress)
+{
+  const ReducedProblem& problem = bases.GetProblem();
   MinimiserResult solution;
   if (problem.constraints.empty())
   {
@@ -40,16 +40,14 @@ MinimiserResult SolveReduced(
   // 1. With the strong couplings between holes only, where a step costs next to nothing.
   MinimiserOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the others change is larger
-  const HoleBases bases(problem);
-  const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
-  DualProblem dual = bases.InBlocks(Strong, std::max(FewestMembers, MembersOnPath / holes));
+  DualProblem dual = bases.InFewBlocks();
   DualPoint point = MaximiseFromZero(dual, rough, progress.Part(0.0, 0.3), solution.iterations);
   const bool nowhere = point.onBorder && point.residual > WhatWeakOnesChange;
 
   // 2. With all of them from there: x(λ) is refined until nothing is left out of it. The factor lacks some; where
   // refinement does not make up for that, or they decide whether H is positive definite, once more with fewer left out, and
   // then the whole way if that was not close enough.
-  for (const double leftOut : { Strong, Weak, Rounding })
+  for (const double leftOut : { HoleBases::Strong, Weak, Rounding })
   {
     if (!nowhere)
     {
@@ -63,13 +61,13 @@ MinimiserResult SolveReduced(
     }
     point =
       MaximiseNearby(dual, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
-    if (leftOut < Strong && point.residual > options.tolerance &&
+    if (leftOut < HoleBases::Strong && point.residual > options.tolerance &&
       solution.iterations < options.maximumIterations)
     {
       point = MaximiseFromZero(dual, options, progress.Part(0.5, 1.0), solution.iterations);
     }
     solution.converged = point.residual <= options.tolerance && IsCertain(dual, point);
-    if (solution.converged || (point.onBorder && leftOut < Strong) ||
+    if (solution.converged || (point.onBorder && leftOut < HoleBases::Strong) ||
       solution.iterations >= options.maximumIterations)
     {
       break;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "HoleBases.h"
 #include "Minimisation.h"
 #include "Progress.h"
-#include "ReducedProblem.h"
 
 namespace crossfield
 {
@@ -11,6 +11,8 @@ namespace crossfield
 /// steps are taken in the low Fourier modes of the holes only, which carry most of the field. Where the
 /// dual has its maximum on the border of the region in which that matrix is positive definite, no
 /// solution of this kind exists: reported by `converged`, not an error.
+MinimiserResult SolveReduced(
+  const HoleBases& bases, const MinimiserOptions& options = {}, const Progress& progress = {});
 MinimiserResult SolveReduced(const ReducedProblem& problem, const MinimiserOptions& options = {},
   const Progress& progress = {});
 }

@@ -34,7 +34,8 @@ Eigen::MatrixXcd HessianOf(DegreeConstraint constraint)
 }
 
 HoleBases::HoleBases(const ReducedProblem& problem)
-  : MeanDiagonal(problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows()))
+  : Problem(problem)
+  , MeanDiagonal(problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows()))
 {
   const GramMatrix& matrix = problem.matrix;
   const auto holes = static_cast<Eigen::Index>(problem.constraints.size());
@@ -74,6 +75,14 @@ HoleBases::HoleBases(const ReducedProblem& problem)
   this->InBases = matrix.Congruence(dual.bases);
   this->Couplings = this->InBases.SquaredCouplings().cwiseSqrt();
   dual.load = dual.InBases(problem.load);
+}
+
+DualProblem HoleBases::InFewBlocks() const
+{
+  constexpr Eigen::Index MembersInAll = 1200;
+  constexpr Eigen::Index FewestMembers = 4;
+  const Eigen::Index holes = std::max<Eigen::Index>(1, this->InBases.BlockCount());
+  return this->InBlocks(Strong, std::max(FewestMembers, MembersInAll / holes));
 }
 
 DualProblem HoleBases::InBlocks(double tolerance, Eigen::Index most) const

@@ -102,10 +102,11 @@ private:
 class BlockFunctional final : public Quadratic
 {
 public:
-  explicit BlockFunctional(const ReducedProblem& problem)
-    : Quadratic(problem.load, problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows()))
-    , Problem(problem)
-    , Bases(problem)
+  explicit BlockFunctional(const HoleBases& bases)
+    : Quadratic(bases.GetProblem().load,
+        bases.GetProblem().matrix.Trace() / static_cast<double>(bases.GetProblem().matrix.Rows()))
+    , Problem(bases.GetProblem())
+    , Bases(bases)
   {
   }
 
@@ -116,7 +117,8 @@ public:
     {
       if (level == this->Levels.size())
       {
-        this->Levels.emplace_back(this->Bases, LeftOut[level]);
+        this->Levels.emplace_back(
+          level == 0 ? this->Bases.InFewBlocks() : this->Bases.InBlocks(LeftOut[level]));
       }
       this->Used = &this->Levels[level];
       // What is left out may change every eigenvalue by its bound: with less of it where that decides.
@@ -145,12 +147,12 @@ public:
 
 private:
   /// As parts of the mean of the diagonal of S; the last is rounding.
-  static constexpr std::array<double, 5> LeftOut = { 1e-4, 1e-5, 1e-7, 1e-10, 1e-13 };
+  static constexpr std::array<double, 5> LeftOut = { HoleBases::Strong, 1e-5, 1e-7, 1e-10, 1e-13 };
 
   ComplexVector Times(const ComplexVector& x) const override { return this->Problem.matrix * x; }
 
   const ReducedProblem& Problem;
-  HoleBases Bases;
+  const HoleBases& Bases;
   std::deque<BlockHessian> Levels; ///< Each made when it is first needed.
   const BlockHessian* Used = nullptr;
   BlockCholesky<double> LastFactor;
@@ -167,12 +169,18 @@ MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVec
 MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
+  return SolveReducedFrom(HoleBases(problem), start, options, progress);
+}
+
+MinimiserResult SolveReducedFrom(const HoleBases& bases, const ComplexVector& start,
+  const MinimiserOptions& options, const Progress& progress)
+{
   std::vector<QuadraticConstraint> constraints;
-  for (const DegreeConstraint& constraint : problem.constraints)
+  for (const DegreeConstraint& constraint : bases.GetProblem().constraints)
   {
     constraints.push_back(SumOfDegrees({ constraint }));
   }
-  BlockFunctional functional(problem);
+  BlockFunctional functional(bases);
   return MinimiseConstrained(functional, constraints, start, options, progress);
 }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ConstrainedMinimiser.h"
-#include "ReducedProblem.h"
+#include "HoleBases.h"
 
 namespace crossfield
 {
@@ -19,6 +19,8 @@ MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVec
 
 /// A local minimiser of the reduced problem near a given point, for example near the values of the
 /// unit-norm field; its degrees can be right where those of the global minimiser are not.
+MinimiserResult SolveReducedFrom(const HoleBases& bases, const ComplexVector& start,
+  const MinimiserOptions& options = {}, const Progress& progress = {});
 MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});
 }

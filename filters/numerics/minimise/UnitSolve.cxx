@@ -1,5 +1,7 @@
 #include "UnitSolve.h"
 
+#include "DenseCholesky.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -48,6 +50,35 @@ struct Descent
   bool converged = false;
 };
 
+/// Newton's step for a matrix of second derivatives, and whether a point without a slope is a minimum there.
+struct PhaseStep
+{
+  Eigen::VectorXd step;
+  bool minimum;
+};
+
+PhaseStep StepOf(const Eigen::MatrixXd& hessian, const PhasePoint& point, double stiffness)
+{
+  // Directions of negative curvature are followed downhill; flat ones not to infinity.
+  constexpr double Flat = 1e-8;
+  // Where no curvature is that small, which a Cholesky factorisation says for a tenth of the price of the spectrum.
+  const double largest = std::max(stiffness, hessian.cwiseAbs().rowwise().sum().maxCoeff());
+  Eigen::MatrixXd lessFlat = hessian;
+  lessFlat.diagonal().array() -= Flat * largest;
+  if (DenseCholesky<double>(std::move(lessFlat)).IsPositiveDefinite())
+  {
+    return { -DenseCholesky<double>(hessian).Solve(point.tangential), true };
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
+  const Eigen::VectorXd& curvatures = spectrum.eigenvalues();
+  const double flat = Flat * std::max(stiffness, curvatures.lpNorm<Eigen::Infinity>());
+  return { -(spectrum.eigenvectors() *
+             curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
+             spectrum.eigenvectors().transpose() * point.tangential),
+    // Without a load all holes may turn together: a curvature of zero, but for rounding.
+    curvatures[0] >= -1e-13 * stiffness };
+}
+
 /// Newton's method with a line search.
 Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOptions& options,
   const Progress& progress)
@@ -64,21 +95,15 @@ Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOpt
                                       .real();
     Eigen::MatrixXd hessian = elastic;
     hessian.diagonal() -= descent.point.radial;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(hessian);
-    const Eigen::VectorXd& curvatures = spectrum.eigenvalues();
-    // Without a load all holes may turn together: a curvature of zero, but for rounding.
-    const double stiffness = elastic.size() > 0 ? elastic.diagonal().maxCoeff() : 0.0;
-    minimum = curvatures.size() == 0 || curvatures[0] >= -1e-13 * stiffness;
+    const double stiffness = elastic.diagonal().maxCoeff();
+    const PhaseStep newton = StepOf(hessian, descent.point, stiffness);
+    minimum = newton.minimum;
     if (minimum && descent.point.residual <= options.tolerance)
     {
       break;
     }
     ++descent.iterations;
-    // Directions of negative curvature are followed downhill; flat ones not to infinity.
-    const double flat = 1e-8 * std::max(stiffness, curvatures.lpNorm<Eigen::Infinity>());
-    const Eigen::VectorXd step =
-      -(spectrum.eigenvectors() * curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
-        spectrum.eigenvectors().transpose() * descent.point.tangential);
+    const Eigen::VectorXd& step = newton.step;
     const double slope = descent.point.tangential.dot(step);
     stalled = true;
     for (double length = 1.0; stalled && length > 1e-10; length *= 0.5)
@@ -100,20 +125,28 @@ Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOpt
 }
 
 /// Gives each factor in turn the value that is best for the others as they are, beginning after that of
-/// a hole; in the first sweep this one is kept, so that the others follow it.
+/// a hole; in the first sweep this one is kept, so that the others follow it. Ends when none has to turn noticeably.
 ComplexVector Relax(
   const PhaseProblem& phases, ComplexVector factors, Eigen::Index hole, int sweeps)
 {
+  // Radians. What is left of the objective is of the size of its square; Newton's method does the rest. So a hole costs
+  // something only while it turns, and most are far from the one that was turned.
+  constexpr double Noticeable = 1e-3;
   ComplexVector product = phases.matrix * factors;
-  for (Eigen::Index step = 1; step <= sweeps * factors.size(); ++step)
+  Eigen::Index still = 0;
+  for (Eigen::Index step = 1; step <= sweeps * factors.size() && still < factors.size(); ++step)
   {
     const Eigen::Index i = (hole + step) % factors.size();
     const Complex pull = phases.load[i] - product[i] + phases.matrix(i, i) * factors[i];
-    if (step != factors.size() && std::abs(pull) > 0.0)
+    const Complex change = std::abs(pull) > 0.0 && step != factors.size()
+      ? pull / std::abs(pull) - factors[i]
+      : Complex(0.0);
+    ++still;
+    if (std::abs(change) > Noticeable)
     {
-      const Complex change = pull / std::abs(pull) - factors[i];
       product += change * phases.matrix.col(i);
       factors[i] += change;
+      still = 0;
     }
   }
   return factors;
