@@ -1,5 +1,8 @@
 #include "BlockCholesky.h"
 
+#include "BothHalves.h"
+#include "DenseHalves.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -84,35 +87,52 @@ typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Solve(
 }
 
 template <typename Scalar>
-typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Forms(const Vector& vector) const
+typename BlockCholesky<Scalar>::Separate BlockCholesky<Scalar>::EliminateSeparately(
+  const Vector& vector) const
 {
-  const auto count = static_cast<Eigen::Index>(this->Blocks.size());
-  Matrix columns = Matrix::Zero(this->Coupled.GetLower().rows(), count);
-  Matrix forms = Matrix::Zero(count, count);
-  for (Eigen::Index i = 0; i < count; ++i)
+  Separate result{ Vector(this->Coupled.GetLower().rows()),
+    Eigen::VectorXd(static_cast<Eigen::Index>(this->Blocks.size())) };
+  Eigen::Index i = 0;
+  for (const Block& block : this->Blocks)
   {
-    const Block& block = this->Blocks[static_cast<std::size_t>(i)];
     const Vector inner = block.inner.template triangularView<Eigen::Lower>().solve(
       vector.segment(block.row, block.inner.rows()));
-    forms(i, i) = inner.squaredNorm();
-    columns.col(i).segment(block.place, block.across.rows()) =
+    result.squares[i++] = inner.squaredNorm();
+    result.ofCoupled.segment(block.place, block.across.rows()) =
       vector.segment(block.row + block.inner.rows(), block.across.rows()) - block.across * inner;
   }
-  forms += this->Coupled.Form(std::move(columns));
+  return result;
+}
+
+template <typename Scalar>
+typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Forms(const Vector& vector) const
+{
+  const Separate separate = this->EliminateSeparately(vector);
+  Matrix columns = Matrix::Zero(separate.ofCoupled.size(), separate.squares.size());
+  Eigen::Index i = 0;
+  for (const Block& block : this->Blocks)
+  {
+    columns.col(i++).segment(block.place, block.across.rows()) =
+      separate.ofCoupled.segment(block.place, block.across.rows());
+  }
+  Matrix forms = this->Coupled.Form(std::move(columns));
+  forms.diagonal() += separate.squares;
   return forms;
 }
 
 template <typename Scalar>
 typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
-  const std::vector<Matrix>& changes) const
+  const std::vector<Matrix>& changes, const Vector& vector) const
 {
   // (M⁻¹)_ij is T_i G_ij T_jᴴ, G the inverse on the coupled unknowns and T_i = [ −L⁻ᴴ acrossᴴ ; 1 ], beside what the
   // inner unknowns of a block have by themselves.
   const auto count = static_cast<Eigen::Index>(this->Blocks.size());
   const Matrix inverse = this->Coupled.Inverse();
   Matrix product(inverse.rows(), inverse.cols()); // G_ij Tᴴ A_j T
-  Traces traces{ Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count) };
-  for (Eigen::Index j = 0; j < count; ++j)
+  const Separate separate = this->EliminateSeparately(vector);
+  Traces traces{ Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count),
+    Matrix(count, count) };
+  const auto add = [&](Eigen::Index j)
   {
     const Block& block = this->Blocks[static_cast<std::size_t>(j)];
     const Matrix& change = changes[static_cast<std::size_t>(j)];
@@ -131,7 +151,26 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
     traces.second(j, j) = std::real(ofOwn.cwiseProduct(ofOwn.transpose()).sum());
     product.middleCols(block.place, last) =
       inverse.middleCols(block.place, last) * (extension.adjoint() * change * extension);
-  }
+    const Vector response =
+      inverse.middleCols(block.place, last) * separate.ofCoupled.segment(block.place, last);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      const Block& other = this->Blocks[static_cast<std::size_t>(i)];
+      const Eigen::Index size = other.across.rows();
+      traces.forms(i, j) =
+        separate.ofCoupled.segment(other.place, size).dot(response.segment(other.place, size));
+    }
+    traces.forms(j, j) += separate.squares[j];
+  };
+  ForBothHalves(inverse.rows() >= FewestRowsForHalves,
+    [&](std::size_t half)
+    {
+      const Eigen::Index end = half == 0 ? count / 2 : count;
+      for (Eigen::Index j = half == 0 ? 0 : count / 2; j < end; ++j)
+      {
+        add(j);
+      }
+    });
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const Block& right = this->Blocks[static_cast<std::size_t>(j)];

@@ -39,13 +39,14 @@ public:
   Matrix Forms(const Vector& vector) const;
 
   /// What a change of M by t_i A_i in every block i does to log det M: its first derivatives tr((M⁻¹)_ii A_i), and
-  /// minus its second ones, tr((M⁻¹)_ij A_j (M⁻¹)_ji A_i).
+  /// minus its second ones, tr((M⁻¹)_ij A_j (M⁻¹)_ji A_i). And the forms of a vector, which cost nothing beside them.
   struct Traces
   {
     Eigen::VectorXd first;
     Eigen::MatrixXd second;
+    Matrix forms;
   };
-  Traces TracesOf(const std::vector<Matrix>& changes) const;
+  Traces TracesOf(const std::vector<Matrix>& changes, const Vector& vector) const;
 
 private:
   /// L of one block: [ inner 0 ; across . ]; the coupled unknowns come with those of the others.
@@ -60,6 +61,15 @@ private:
   /// The part of the columns that belongs to the coupled unknowns after the others are eliminated, and in `inner` what
   /// is left of these: L⁻¹ B without its last step.
   Matrix Eliminate(Matrix& columns) const;
+
+  /// The parts of a vector, each as if it were alone: what is left of it on the coupled unknowns of its block, and the sum
+  /// of the squares on the others.
+  struct Separate
+  {
+    Vector ofCoupled;
+    Eigen::VectorXd squares;
+  };
+  Separate EliminateSeparately(const Vector& vector) const;
 
   std::vector<Block> Blocks;
   DenseCholesky<Scalar> Coupled;

@@ -1,8 +1,11 @@
 #include "DenseCholesky.h"
 
+#include "BothHalves.h"
+#include "DenseHalves.h"
 #include "DenseProduct.h"
 #include "SerialBlas.h"
 
+#include <array>
 #include <utility>
 
 // The Fortran interface of LAPACK; its C headers are another package. The last argument is the
@@ -76,10 +79,17 @@ DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
     return; // LAPACK calls a leading dimension of 0 an error
   }
   const SerialBlas serial;
-  const auto size = static_cast<int>(this->Lower.rows());
-  int info = 0;
-  Factorise(&size, this->Lower.data(), &info);
-  this->PositiveDefinite = info == 0;
+  if (this->Lower.rows() >= FewestRowsForHalves)
+  {
+    this->PositiveDefinite = FactorInHalves<Scalar>(this->Lower);
+  }
+  else
+  {
+    const auto size = static_cast<int>(this->Lower.rows());
+    int info = 0;
+    Factorise(&size, this->Lower.data(), &info);
+    this->PositiveDefinite = info == 0;
+  }
   this->Lower.template triangularView<Eigen::StrictlyUpper>().setZero();
 }
 
@@ -90,8 +100,14 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix column
   {
     const SerialBlas serial;
     const auto size = static_cast<int>(columns.rows());
-    const auto count = static_cast<int>(columns.cols());
-    SolveLower(&size, this->Lower.data(), &count, columns.data());
+    const auto middle = static_cast<int>(columns.cols()) / 2;
+    const std::array<int, 3> ends = { 0, middle, static_cast<int>(columns.cols()) };
+    ForBothHalves(size >= FewestRowsForHalves,
+      [&](std::size_t half)
+      {
+        const int count = ends[half + 1] - ends[half];
+        SolveLower(&size, this->Lower.data(), &count, columns.col(0).data() + ends[half] * columns.rows());
+      });
   }
   return AdjointProduct(columns, columns);
 }
@@ -103,9 +119,16 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Inverse() const
   if (inverse.size() > 0)
   {
     const SerialBlas serial;
-    const auto size = static_cast<int>(inverse.rows());
-    int info = 0; // not 0 only for a zero on the diagonal, which a positive definite matrix has not
-    Invert(&size, inverse.data(), &info);
+    if (inverse.rows() >= FewestRowsForHalves)
+    {
+      InvertInHalves<Scalar>(inverse);
+    }
+    else
+    {
+      const auto size = static_cast<int>(inverse.rows());
+      int info = 0; // not 0 only for a zero on the diagonal, which a positive definite matrix has not
+      Invert(&size, inverse.data(), &info);
+    }
     inverse.template triangularView<Eigen::StrictlyUpper>() = inverse.adjoint();
   }
   return inverse;

@@ -33,12 +33,20 @@ double RiseOfModel(const Derivatives& derivatives)
                     : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
 }
 
-/// Of log det H: ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
-Derivatives OfLogDeterminant(const DualProblem& problem, const DualPoint& point)
+/// Both functions of the path: q, and log det H with ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
+struct DerivativesOnPath
 {
-  BlockCholesky<Complex>::Traces traces = point.factor.TracesOf(problem.constraints);
-  return { std::move(traces.first), std::move(traces.second) };
-}
+  Derivatives ofDual;
+  Derivatives ofBarrier;
+
+  DerivativesOnPath(const DualProblem& problem, const DualPoint& point)
+  {
+    BlockCholesky<Complex>::Traces traces =
+      point.factor.TracesOf(problem.constraints, point.normals);
+    this->ofDual = { point.gradient, traces.forms.real() };
+    this->ofBarrier = { std::move(traces.first), std::move(traces.second) };
+  }
+};
 
 /// A candidate for x(λ), A_i x, and what is missing to b = H x.
 struct Stationary
@@ -197,8 +205,9 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& o
     iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
-    const Derivatives ofDual = OfDual(point);
-    const Derivatives ofBarrier = OfLogDeterminant(problem, point);
+    const DerivativesOnPath derivatives(problem, point);
+    const Derivatives& ofDual = derivatives.ofDual;
+    const Derivatives& ofBarrier = derivatives.ofBarrier;
     const double barrier = unit * relative;
     const Eigen::LDLT<Eigen::MatrixXd> curvature(ofDual.curvature + barrier * ofBarrier.curvature);
     const Eigen::VectorXd gradient = ofDual.gradient + barrier * ofBarrier.gradient;

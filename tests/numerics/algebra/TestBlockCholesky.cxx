@@ -116,7 +116,7 @@ TYPED_TEST(BlockCholeskyOf, IsThatOfTheWholeMatrix)
 
     Matrix inverse = problem.whole.inverse();
     const Matrix forms = factor.Forms(columns.col(0));
-    const auto traces = factor.TracesOf(problem.changes);
+    const auto traces = factor.TracesOf(problem.changes, columns.col(0));
     for (std::size_t i = 0; i < problem.blocks.size(); ++i)
     {
       const auto part = [&](std::size_t k)
@@ -130,6 +130,7 @@ TYPED_TEST(BlockCholeskyOf, IsThatOfTheWholeMatrix)
         EXPECT_NEAR(
           std::abs(forms(row, column) - part(i).dot(problem.Part(inverse, i, j) * part(j))), 0.0,
           1e-13);
+        EXPECT_NEAR(std::abs(traces.forms(row, column) - forms(row, column)), 0.0, 1e-13);
         EXPECT_NEAR(traces.second(row, column),
           std::real((problem.Part(inverse, i, j) * problem.changes[j] *
             problem.Part(inverse, j, i) * problem.changes[i])

@@ -1,0 +1,248 @@
+#include "DenseHalves.h"
+
+#include "BothHalves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+// The Fortran interface of BLAS and LAPACK; see DenseCholesky.
+extern "C"
+{
+  void dpotrf_(const char* half, const int* size, double* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void dtrtri_(const char* half, const char* unit, const int* size, double* matrix, const int* leading, int* info,
+    std::size_t halfLength, std::size_t unitLength);
+  void dlauum_(const char* half, const int* size, double* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void dtrsm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
+    const int* columns, const double* factor, const double* triangle, const int* leadingOfTriangle,
+    double* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
+    std::size_t unitLength);
+  void dtrmm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
+    const int* columns, const double* factor, const double* triangle, const int* leadingOfTriangle,
+    double* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
+    std::size_t unitLength);
+  void dsyrk_(const char* half, const char* turned, const int* size, const int* inner, const double* factor,
+    const double* matrix, const int* leading, const double* factorOfResult, double* result,
+    const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
+  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns, const int* inner,
+    const double* factor, const double* left, const int* leadingOfLeft, const double* right,
+    const int* leadingOfRight, const double* factorOfResult, double* result, const int* leadingOfResult,
+    std::size_t ofLeftLength, std::size_t ofRightLength);
+  void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void ztrtri_(const char* half, const char* unit, const int* size, std::complex<double>* matrix, const int* leading, int* info,
+    std::size_t halfLength, std::size_t unitLength);
+  void zlauum_(const char* half, const int* size, std::complex<double>* matrix, const int* leading, int* info,
+    std::size_t halfLength);
+  void ztrsm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
+    const int* columns, const std::complex<double>* factor, const std::complex<double>* triangle, const int* leadingOfTriangle,
+    std::complex<double>* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
+    std::size_t unitLength);
+  void ztrmm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
+    const int* columns, const std::complex<double>* factor, const std::complex<double>* triangle, const int* leadingOfTriangle,
+    std::complex<double>* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
+    std::size_t unitLength);
+  void zherk_(const char* half, const char* turned, const int* size, const int* inner, const double* factor,
+    const std::complex<double>* matrix, const int* leading, const double* factorOfResult, std::complex<double>* result,
+    const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
+  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns, const int* inner,
+    const std::complex<double>* factor, const std::complex<double>* left, const int* leadingOfLeft, const std::complex<double>* right,
+    const int* leadingOfRight, const std::complex<double>* factorOfResult, std::complex<double>* result, const int* leadingOfResult,
+    std::size_t ofLeftLength, std::size_t ofRightLength);
+}
+
+namespace crossfield
+{
+namespace
+{
+template <typename Scalar>
+struct Lapack;
+template <>
+struct Lapack<double>
+{
+  static constexpr auto Factor = dpotrf_;
+  static constexpr auto InvertTriangle = dtrtri_;
+  static constexpr auto SquareTriangle = dlauum_;
+  static constexpr auto SolveTriangle = dtrsm_;
+  static constexpr auto MultiplyTriangle = dtrmm_;
+  static constexpr auto Square = dsyrk_;
+  static constexpr auto Multiply = dgemm_;
+};
+template <>
+struct Lapack<std::complex<double>>
+{
+  static constexpr auto Factor = zpotrf_;
+  static constexpr auto InvertTriangle = ztrtri_;
+  static constexpr auto SquareTriangle = zlauum_;
+  static constexpr auto SolveTriangle = ztrsm_;
+  static constexpr auto MultiplyTriangle = ztrmm_;
+  static constexpr auto Square = zherk_;
+  static constexpr auto Multiply = zgemm_;
+};
+
+/// A part of a matrix.
+template <typename Scalar>
+struct Part
+{
+  Scalar* data;
+  int rows;
+  int columns;
+  int leading;
+
+  template <typename Matrix>
+  Part(Matrix& of, int row, int column, int height, int width)
+    : data(of.data() + row + column * of.outerStride())
+    , rows(height)
+    , columns(width)
+    , leading(static_cast<int>(of.outerStride()))
+  {
+  }
+};
+
+constexpr double MinusOne = -1.0;
+constexpr double One = 1.0;
+
+/// B becomes B L⁻ᴴ.
+template <typename Scalar>
+void SolveFromRight(const Part<Scalar>& lower, const Part<Scalar>& b)
+{
+  const Scalar one = One;
+  Lapack<Scalar>::SolveTriangle("R", "L", "C", "N", &b.rows, &b.columns, &one, lower.data,
+    &lower.leading, b.data, &b.leading, 1, 1, 1, 1);
+}
+
+/// B becomes factor × T B ("L"), Tᴴ B or B T ("R") with a lower triangle T.
+template <typename Scalar>
+void TimesTriangle(const char* side, const char* turned, double factor, const Part<Scalar>& lower,
+  const Part<Scalar>& b)
+{
+  const Scalar scale = factor;
+  Lapack<Scalar>::MultiplyTriangle(side, "L", turned, "N", &b.rows, &b.columns, &scale, lower.data,
+    &lower.leading, b.data, &b.leading, 1, 1, 1, 1);
+}
+
+/// The lower half of C loses B Bᴴ.
+template <typename Scalar>
+void LoseSquare(const Part<Scalar>& b, const Part<Scalar>& c)
+{
+  Lapack<Scalar>::Square("L", "N", &b.rows, &b.columns, &MinusOne, b.data, &b.leading, &One, c.data,
+    &c.leading, 1, 1);
+}
+
+/// C loses A Bᴴ.
+template <typename Scalar>
+void LoseProduct(const Part<Scalar>& a, const Part<Scalar>& b, const Part<Scalar>& c)
+{
+  const Scalar minus = MinusOne;
+  const Scalar one = One;
+  Lapack<Scalar>::Multiply("N", "C", &a.rows, &b.rows, &a.columns, &minus, a.data, &a.leading,
+    b.data, &b.leading, &one, c.data, &c.leading, 1, 1);
+}
+}
+
+template <typename Scalar>
+bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matrix)
+{
+  constexpr int Panel = 192; // their own triangles are some hundredths of the work
+  const auto size = static_cast<int>(matrix.rows());
+  for (int first = 0; first < size; first += Panel)
+  {
+    const int width = std::min(Panel, size - first);
+    const Part<Scalar> triangle(matrix, first, first, width, width);
+    int info = 0;
+    Lapack<Scalar>::Factor("L", &width, triangle.data, &triangle.leading, &info, 1);
+    if (info != 0)
+    {
+      return false;
+    }
+    const int next = first + width;
+    const int rest = size - next;
+    ForBothHalves(true,
+      [&](std::size_t half)
+      {
+        const int begin = half == 0 ? 0 : rest / 2;
+        const int end = half == 0 ? rest / 2 : rest;
+        SolveFromRight(triangle, Part<Scalar>(matrix, next + begin, first, end - begin, width));
+      });
+    // A triangle is left; the columns of one half of it, and then the others.
+    const int columns = static_cast<int>(rest * (1.0 - std::sqrt(0.5)));
+    const Part<Scalar> above(matrix, next, first, columns, width);
+    const Part<Scalar> below(matrix, next + columns, first, rest - columns, width);
+    ForBothHalves(true,
+      [&](std::size_t half)
+      {
+        if (half == 0)
+        {
+          LoseSquare(above, Part<Scalar>(matrix, next, next, columns, columns));
+          LoseProduct(below, above, Part<Scalar>(matrix, next + columns, next, rest - columns, columns));
+        }
+        else
+        {
+          LoseSquare(below,
+            Part<Scalar>(matrix, next + columns, next + columns, rest - columns, rest - columns));
+        }
+      });
+  }
+  return true;
+}
+
+template <typename Scalar>
+void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower)
+{
+  const auto size = static_cast<int>(lower.rows());
+  const int upper = size / 2;
+  const int rest = size - upper;
+  const Part<Scalar> first(lower, 0, 0, upper, upper);
+  const Part<Scalar> second(lower, upper, upper, rest, rest);
+  const Part<Scalar> across(lower, upper, 0, rest, upper);
+  // 1. X.
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      const Part<Scalar>& triangle = half == 0 ? first : second;
+      int info = 0; // not 0 only for a zero on the diagonal, which L has not
+      Lapack<Scalar>::InvertTriangle(
+        "L", "N", &triangle.rows, triangle.data, &triangle.leading, &info, 1, 1);
+    });
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      const int begin = half == 0 ? 0 : upper / 2;
+      const int end = half == 0 ? upper / 2 : upper;
+      TimesTriangle("L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
+    });
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      const int begin = half == 0 ? 0 : rest / 2;
+      const int end = half == 0 ? rest / 2 : rest;
+      TimesTriangle("R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
+    });
+  // 2. XᴴX: both halves read what is across.
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product = lower.bottomLeftCorner(rest, upper);
+  ForBothHalves(true,
+    [&](std::size_t half)
+    {
+      int info = 0;
+      if (half == 0)
+      {
+        Lapack<Scalar>::SquareTriangle("L", &upper, first.data, &first.leading, &info, 1);
+        Lapack<Scalar>::Square("L", "C", &upper, &rest, &One, across.data, &across.leading, &One,
+          first.data, &first.leading, 1, 1);
+      }
+      else
+      {
+        TimesTriangle("L", "C", One, second, Part<Scalar>(product, 0, 0, rest, upper));
+        Lapack<Scalar>::SquareTriangle("L", &rest, second.data, &second.leading, &info, 1);
+      }
+    });
+  lower.bottomLeftCorner(rest, upper) = product;
+}
+
+template bool FactorInHalves<double>(Eigen::MatrixXd& matrix);
+template bool FactorInHalves<std::complex<double>>(Eigen::MatrixXcd& matrix);
+template void InvertInHalves<double>(Eigen::MatrixXd& lower);
+template void InvertInHalves<std::complex<double>>(Eigen::MatrixXcd& lower);
+}
