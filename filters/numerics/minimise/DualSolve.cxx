@@ -15,8 +15,15 @@ namespace
 constexpr double Weak = 1e-8;
 constexpr double Rounding = 1e-13;
 
-/// A path by the strong couplings that ends on the border with a residual above this ends there with all of them.
+/// Members of every hole on the path, where there are many holes: those that turn once around it, either way, which other
+/// holes feel most.
+constexpr Eigen::Index MembersOnPath = 2;
+
+/// A path by the strong couplings that ends on the border with a residual above this ends there with all of them. A hole of
+/// 32 edges that does not turn has 0.2.
 constexpr double WhatWeakOnesChange = 1e-2;
+/// The same for a path by a part of the strong ones.
+constexpr double WhatStrongOnesChange = 1e-1;
 }
 
 MinimiserResult SolveReduced(
@@ -40,9 +47,12 @@ MinimiserResult SolveReduced(
   // 1. With the strong couplings between holes only, where a step costs next to nothing.
   MinimiserOptions rough = options;
   rough.tolerance = std::max(options.tolerance, 1e-6); // what the others change is larger
-  DualProblem dual = bases.InFewBlocks();
+  DualProblem dual = bases.InFewBlocks(MembersOnPath);
+  const Eigen::Index membersOnPath = dual.matrix.coupling.rows();
   DualPoint point = MaximiseFromZero(dual, rough, progress.Part(0.0, 0.3), solution.iterations);
-  const bool nowhere = point.onBorder && point.residual > WhatWeakOnesChange;
+  const bool some = membersOnPath < bases.CoupledMembers(HoleBases::Strong);
+  const bool nowhere =
+    point.onBorder && point.residual > (some ? WhatStrongOnesChange : WhatWeakOnesChange);
 
   // 2. With all of them from there: x(λ) is refined until nothing is left out of it. The factor lacks some; where
   // refinement does not make up for that, or they decide whether H is positive definite, once more with fewer left out, and
@@ -61,13 +71,14 @@ MinimiserResult SolveReduced(
     }
     point =
       MaximiseNearby(dual, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
-    if (leftOut < HoleBases::Strong && point.residual > options.tolerance &&
+    const bool wayWasWithFewer = some || leftOut < HoleBases::Strong;
+    if (wayWasWithFewer && point.residual > options.tolerance &&
       solution.iterations < options.maximumIterations)
     {
       point = MaximiseFromZero(dual, options, progress.Part(0.5, 1.0), solution.iterations);
     }
     solution.converged = point.residual <= options.tolerance && IsCertain(dual, point);
-    if (solution.converged || (point.onBorder && leftOut < HoleBases::Strong) ||
+    if (solution.converged || (point.onBorder && wayWasWithFewer) ||
       solution.iterations >= options.maximumIterations)
     {
       break;

@@ -77,12 +77,39 @@ HoleBases::HoleBases(const ReducedProblem& problem)
   dual.load = dual.InBases(problem.load);
 }
 
-DualProblem HoleBases::InFewBlocks() const
+DualProblem HoleBases::InFewBlocks(Eigen::Index members) const
 {
-  constexpr Eigen::Index MembersInAll = 1200;
-  constexpr Eigen::Index FewestMembers = 4;
+  constexpr Eigen::Index ManyHoles = 300;
   const Eigen::Index holes = std::max<Eigen::Index>(1, this->InBases.BlockCount());
-  return this->InBlocks(Strong, std::max(FewestMembers, MembersInAll / holes));
+  return this->InBlocks(Strong, std::max(members, members * ManyHoles / holes));
+}
+
+HoleBases::LeftOut HoleBases::LeftOutOf(int hole, double tolerance, Eigen::Index most) const
+{
+  const Eigen::Index size = this->InBases.Size(hole);
+  LeftOut left;
+  for (; left.members < size; ++left.members)
+  {
+    const double more =
+      std::hypot(left.norm, this->Couplings[this->InBases.First(hole) + left.members]);
+    if (more > tolerance * this->MeanDiagonal && size - left.members <= most)
+    {
+      break;
+    }
+    left.norm = more;
+  }
+  return left;
+}
+
+Eigen::Index HoleBases::CoupledMembers(double tolerance) const
+{
+  Eigen::Index count = 0;
+  for (int hole = 0; hole < this->InBases.BlockCount(); ++hole)
+  {
+    count += this->InBases.Size(hole) -
+      this->LeftOutOf(hole, tolerance, std::numeric_limits<Eigen::Index>::max()).members;
+  }
+  return count;
 }
 
 DualProblem HoleBases::InBlocks(double tolerance, Eigen::Index most) const
@@ -93,20 +120,10 @@ DualProblem HoleBases::InBlocks(double tolerance, Eigen::Index most) const
   for (int i = 0; i < this->InBases.BlockCount(); ++i)
   {
     const Eigen::Index size = this->InBases.Size(i);
-    Eigen::Index without = 0;
-    double left = 0.0; // Frobenius norm of the couplings of so many
-    for (; without < size; ++without)
-    {
-      const double more = std::hypot(left, this->Couplings[this->InBases.First(i) + without]);
-      if (more > tolerance * this->MeanDiagonal && size - without <= most)
-      {
-        break;
-      }
-      left = more;
-    }
-    leftOut += 2.0 * left * left;
-    dual.matrix.coupled.push_back(size - without);
-    kept.emplace_back(Eigen::MatrixXd::Identity(size, size).rightCols(size - without));
+    const LeftOut left = this->LeftOutOf(i, tolerance, most);
+    leftOut += 2.0 * left.norm * left.norm;
+    dual.matrix.coupled.push_back(size - left.members);
+    kept.emplace_back(Eigen::MatrixXd::Identity(size, size).rightCols(size - left.members));
   }
   dual.leftOut = std::sqrt(leftOut);
   dual.matrix.coupling = this->InBases.Congruence(kept).Dense();

@@ -22,15 +22,27 @@ public:
   DualProblem InBlocks(
     double tolerance, Eigen::Index most = std::numeric_limits<Eigen::Index>::max()) const;
 
-  /// With the strong couplings only, for the dozens of factors of an iteration: what is left out then costs steps at its
-  /// end. No more members in all than BLAS factors in a tenth of a second, or four of every hole: those that turn
-  /// once and twice around it.
-  DualProblem InFewBlocks() const;
+  /// With the strong couplings only, and of them no more than so many members of every hole, or with fewer than 300 holes
+  /// no more in all than these would have: for the dozens of factors of an iteration, in which what is left out
+  /// may cost steps.
+  DualProblem InFewBlocks(Eigen::Index members) const;
+
+  /// How many members are coupled in all without InFewBlocks.
+  Eigen::Index CoupledMembers(double tolerance) const;
 
   /// Couplings that are strong, as a part of the mean of the diagonal of S.
   static constexpr double Strong = 1e-4;
 
 private:
+  /// How many of the first members of a hole stay below a part of the mean of the diagonal of S and are not among the last
+  /// `most`, and the norm of their couplings.
+  struct LeftOut
+  {
+    Eigen::Index members = 0;
+    double norm = 0.0;
+  };
+  LeftOut LeftOutOf(int hole, double tolerance, Eigen::Index most) const;
+
   const ReducedProblem& Problem;
   DualProblem Complete;      ///< Without `coupled`, `coupling` and `leftOut`.
   GramMatrix InBases;        ///< S in the bases.

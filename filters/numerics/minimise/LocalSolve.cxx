@@ -118,7 +118,7 @@ public:
       if (level == this->Levels.size())
       {
         this->Levels.emplace_back(
-          level == 0 ? this->Bases.InFewBlocks() : this->Bases.InBlocks(LeftOut[level]));
+          level == 0 ? this->Bases.InFewBlocks(MembersInSteps) : this->Bases.InBlocks(LeftOut[level]));
       }
       this->Used = &this->Levels[level];
       // What is left out may change every eigenvalue by its bound: with less of it where that decides.
@@ -146,6 +146,8 @@ public:
   }
 
 private:
+  /// Of every hole, where there are many: those that turn once and twice around it.
+  static constexpr Eigen::Index MembersInSteps = 4;
   /// As parts of the mean of the diagonal of S; the last is rounding.
   static constexpr std::array<double, 5> LeftOut = { HoleBases::Strong, 1e-5, 1e-7, 1e-10, 1e-13 };
 
