@@ -106,7 +106,8 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix column
       [&](std::size_t half)
       {
         const int count = ends[half + 1] - ends[half];
-        SolveLower(&size, this->Lower.data(), &count, columns.col(0).data() + ends[half] * columns.rows());
+        SolveLower(
+          &size, this->Lower.data(), &count, columns.col(0).data() + ends[half] * columns.rows());
       });
   }
   return AdjointProduct(columns, columns);
@@ -126,7 +127,8 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Inverse() const
     else
     {
       const auto size = static_cast<int>(inverse.rows());
-      int info = 0; // not 0 only for a zero on the diagonal, which a positive definite matrix has not
+      int info =
+        0; // not 0 only for a zero on the diagonal, which a positive definite matrix has not
       Invert(&size, inverse.data(), &info);
     }
     inverse.template triangularView<Eigen::StrictlyUpper>() = inverse.adjoint();

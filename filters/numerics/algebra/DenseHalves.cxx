@@ -11,46 +11,50 @@ extern "C"
 {
   void dpotrf_(const char* half, const int* size, double* matrix, const int* leading, int* info,
     std::size_t halfLength);
-  void dtrtri_(const char* half, const char* unit, const int* size, double* matrix, const int* leading, int* info,
-    std::size_t halfLength, std::size_t unitLength);
+  void dtrtri_(const char* half, const char* unit, const int* size, double* matrix,
+    const int* leading, int* info, std::size_t halfLength, std::size_t unitLength);
   void dlauum_(const char* half, const int* size, double* matrix, const int* leading, int* info,
     std::size_t halfLength);
-  void dtrsm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
-    const int* columns, const double* factor, const double* triangle, const int* leadingOfTriangle,
-    double* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
-    std::size_t unitLength);
-  void dtrmm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
-    const int* columns, const double* factor, const double* triangle, const int* leadingOfTriangle,
-    double* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
-    std::size_t unitLength);
-  void dsyrk_(const char* half, const char* turned, const int* size, const int* inner, const double* factor,
-    const double* matrix, const int* leading, const double* factorOfResult, double* result,
-    const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
-  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns, const int* inner,
-    const double* factor, const double* left, const int* leadingOfLeft, const double* right,
-    const int* leadingOfRight, const double* factorOfResult, double* result, const int* leadingOfResult,
-    std::size_t ofLeftLength, std::size_t ofRightLength);
-  void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading, int* info,
-    std::size_t halfLength);
-  void ztrtri_(const char* half, const char* unit, const int* size, std::complex<double>* matrix, const int* leading, int* info,
-    std::size_t halfLength, std::size_t unitLength);
-  void zlauum_(const char* half, const int* size, std::complex<double>* matrix, const int* leading, int* info,
-    std::size_t halfLength);
-  void ztrsm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
-    const int* columns, const std::complex<double>* factor, const std::complex<double>* triangle, const int* leadingOfTriangle,
-    std::complex<double>* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
-    std::size_t unitLength);
-  void ztrmm_(const char* side, const char* half, const char* turned, const char* unit, const int* rows,
-    const int* columns, const std::complex<double>* factor, const std::complex<double>* triangle, const int* leadingOfTriangle,
-    std::complex<double>* matrix, const int* leading, std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
-    std::size_t unitLength);
-  void zherk_(const char* half, const char* turned, const int* size, const int* inner, const double* factor,
-    const std::complex<double>* matrix, const int* leading, const double* factorOfResult, std::complex<double>* result,
-    const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
-  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns, const int* inner,
-    const std::complex<double>* factor, const std::complex<double>* left, const int* leadingOfLeft, const std::complex<double>* right,
-    const int* leadingOfRight, const std::complex<double>* factorOfResult, std::complex<double>* result, const int* leadingOfResult,
-    std::size_t ofLeftLength, std::size_t ofRightLength);
+  void dtrsm_(const char* side, const char* half, const char* turned, const char* unit,
+    const int* rows, const int* columns, const double* factor, const double* triangle,
+    const int* leadingOfTriangle, double* matrix, const int* leading, std::size_t sideLength,
+    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  void dtrmm_(const char* side, const char* half, const char* turned, const char* unit,
+    const int* rows, const int* columns, const double* factor, const double* triangle,
+    const int* leadingOfTriangle, double* matrix, const int* leading, std::size_t sideLength,
+    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  void dsyrk_(const char* half, const char* turned, const int* size, const int* inner,
+    const double* factor, const double* matrix, const int* leading, const double* factorOfResult,
+    double* result, const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
+  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
+    const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
+    const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
+    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
+  void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
+    int* info, std::size_t halfLength);
+  void ztrtri_(const char* half, const char* unit, const int* size, std::complex<double>* matrix,
+    const int* leading, int* info, std::size_t halfLength, std::size_t unitLength);
+  void zlauum_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
+    int* info, std::size_t halfLength);
+  void ztrsm_(const char* side, const char* half, const char* turned, const char* unit,
+    const int* rows, const int* columns, const std::complex<double>* factor,
+    const std::complex<double>* triangle, const int* leadingOfTriangle,
+    std::complex<double>* matrix, const int* leading, std::size_t sideLength,
+    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  void ztrmm_(const char* side, const char* half, const char* turned, const char* unit,
+    const int* rows, const int* columns, const std::complex<double>* factor,
+    const std::complex<double>* triangle, const int* leadingOfTriangle,
+    std::complex<double>* matrix, const int* leading, std::size_t sideLength,
+    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  void zherk_(const char* half, const char* turned, const int* size, const int* inner,
+    const double* factor, const std::complex<double>* matrix, const int* leading,
+    const double* factorOfResult, std::complex<double>* result, const int* leadingOfResult,
+    std::size_t halfLength, std::size_t turnedLength);
+  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
+    const int* inner, const std::complex<double>* factor, const std::complex<double>* left,
+    const int* leadingOfLeft, const std::complex<double>* right, const int* leadingOfRight,
+    const std::complex<double>* factorOfResult, std::complex<double>* result,
+    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
 }
 
 namespace crossfield
@@ -127,8 +131,8 @@ void TimesTriangle(const char* side, const char* turned, double factor, const Pa
 template <typename Scalar>
 void LoseSquare(const Part<Scalar>& b, const Part<Scalar>& c)
 {
-  Lapack<Scalar>::Square("L", "N", &b.rows, &b.columns, &MinusOne, b.data, &b.leading, &One, c.data,
-    &c.leading, 1, 1);
+  Lapack<Scalar>::Square(
+    "L", "N", &b.rows, &b.columns, &MinusOne, b.data, &b.leading, &One, c.data, &c.leading, 1, 1);
 }
 
 /// C loses A Bᴴ.
@@ -176,7 +180,8 @@ bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matri
         if (half == 0)
         {
           LoseSquare(above, Part<Scalar>(matrix, next, next, columns, columns));
-          LoseProduct(below, above, Part<Scalar>(matrix, next + columns, next, rest - columns, columns));
+          LoseProduct(
+            below, above, Part<Scalar>(matrix, next + columns, next, rest - columns, columns));
         }
         else
         {
@@ -211,17 +216,20 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
     {
       const int begin = half == 0 ? 0 : upper / 2;
       const int end = half == 0 ? upper / 2 : upper;
-      TimesTriangle("L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
+      TimesTriangle(
+        "L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
     });
   ForBothHalves(true,
     [&](std::size_t half)
     {
       const int begin = half == 0 ? 0 : rest / 2;
       const int end = half == 0 ? rest / 2 : rest;
-      TimesTriangle("R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
+      TimesTriangle(
+        "R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
     });
   // 2. XᴴX: both halves read what is across.
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product = lower.bottomLeftCorner(rest, upper);
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product =
+    lower.bottomLeftCorner(rest, upper);
   ForBothHalves(true,
     [&](std::size_t half)
     {

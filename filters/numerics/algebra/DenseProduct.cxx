@@ -21,6 +21,8 @@ extern "C"
     const int* leadingOfLeft, const std::complex<double>* right, const int* leadingOfRight,
     const std::complex<double>* factorOfResult, std::complex<double>* result,
     const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
+  void zaxpy_(const int* size, const std::complex<double>* factor, const std::complex<double>* x,
+    const int* stepOfX, std::complex<double>* y, const int* stepOfY);
 }
 
 namespace crossfield
@@ -67,6 +69,15 @@ Eigen::MatrixXcd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right)
 {
   return Multiply<Eigen::MatrixXcd>(zgemm_, "C", left, right);
+}
+
+void AddMultiple(std::complex<double> factor, const Eigen::Ref<const Eigen::VectorXcd>& x,
+  Eigen::Ref<Eigen::VectorXcd> y)
+{
+  const SerialBlas serial;
+  const auto size = static_cast<int>(x.size());
+  const int step = 1;
+  zaxpy_(&size, &factor, x.data(), &step, y.data(), &step);
 }
 
 void SolveLowerInPlace(

@@ -114,8 +114,7 @@ bool Rises(const DualPoint& from, const DualPoint& to, double barrier, double pr
   }
   constexpr double Rounding = 1e-12; // of sums over all holes
   const double rise = to.value - from.value + barrier * (to.logDeterminant - from.logDeterminant);
-  const double hidden =
-    Rounding * (std::abs(from.value) + barrier * std::abs(from.logDeterminant));
+  const double hidden = Rounding * (std::abs(from.value) + barrier * std::abs(from.logDeterminant));
   return rise >= Share * promised || (rise >= -hidden && GradientHalves(from, to));
 }
 }

@@ -39,7 +39,8 @@ bool IsCertain(const DualProblem& problem, const DualPoint& point);
 DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
   const MinimiserOptions& options, const Progress& progress, int& iterations);
 
-/// Newton's method on q + μ log det H with falling μ, from λ = 0; then MaximiseNearby.
+/// The maxima of q + μ log det H with falling μ, from λ = 0: along the tangent of their path, and by Newton's method back to
+/// it; then MaximiseNearby.
 ///
 /// Newton's model of q alone does not see the border of the region, on which q is finite wherever b is
 /// orthogonal to the kernel of H: a line search would end there. The barrier keeps the path in the

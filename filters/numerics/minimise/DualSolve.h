@@ -10,7 +10,7 @@ namespace crossfield
 /// converged solution is the global minimiser of the problem, not only a critical point. The first
 /// steps are taken in the low Fourier modes of the holes only, which carry most of the field. Where the
 /// dual has its maximum on the border of the region in which that matrix is positive definite, no
-/// solution of this kind exists: reported by `converged`, not an error.
+/// solution of this kind exists: reported by `converged`, not an error. The bases of a problem may serve several solves.
 MinimiserResult SolveReduced(
   const HoleBases& bases, const MinimiserOptions& options = {}, const Progress& progress = {});
 MinimiserResult SolveReduced(const ReducedProblem& problem, const MinimiserOptions& options = {},

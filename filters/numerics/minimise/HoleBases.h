@@ -22,12 +22,11 @@ public:
   DualProblem InBlocks(
     double tolerance, Eigen::Index most = std::numeric_limits<Eigen::Index>::max()) const;
 
-  /// With the strong couplings only, and of them no more than so many members of every hole, or with fewer than 300 holes
-  /// no more in all than these would have: for the dozens of factors of an iteration, in which what is left out
-  /// may cost steps.
+  /// With the strong couplings only, of no more than so many members of every hole or, with fewer than 300 holes, as many
+  /// in all as of 300: for the dozens of factors of an iteration, in which what is left out may cost steps.
   DualProblem InFewBlocks(Eigen::Index members) const;
 
-  /// How many members are coupled in all without InFewBlocks.
+  /// How many members InBlocks keeps in all.
   Eigen::Index CoupledMembers(double tolerance) const;
 
   /// Couplings that are strong, as a part of the mean of the diagonal of S.

@@ -117,8 +117,8 @@ public:
     {
       if (level == this->Levels.size())
       {
-        this->Levels.emplace_back(
-          level == 0 ? this->Bases.InFewBlocks(MembersInSteps) : this->Bases.InBlocks(LeftOut[level]));
+        this->Levels.emplace_back(level == 0 ? this->Bases.InFewBlocks(MembersInSteps)
+                                             : this->Bases.InBlocks(LeftOut[level]));
       }
       this->Used = &this->Levels[level];
       // What is left out may change every eigenvalue by its bound: with less of it where that decides.

@@ -1,6 +1,8 @@
 #include "UnitSolve.h"
 
 #include "DenseCholesky.h"
+#include "DenseProduct.h"
+#include "SerialBlas.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -132,6 +134,7 @@ ComplexVector Relax(
   // Radians. What is left of the objective is of the size of its square; Newton's method does the rest. So a hole costs
   // something only while it turns, and most are far from the one that was turned.
   constexpr double Noticeable = 1e-3;
+  const SerialBlas serial; // once, not for every hole
   ComplexVector product = phases.matrix * factors;
   Eigen::Index still = 0;
   for (Eigen::Index step = 1; step <= sweeps * factors.size() && still < factors.size(); ++step)
@@ -144,7 +147,7 @@ ComplexVector Relax(
     ++still;
     if (std::abs(change) > Noticeable)
     {
-      product += change * phases.matrix.col(i);
+      AddMultiple(change, phases.matrix.col(i), product);
       factors[i] += change;
       still = 0;
     }

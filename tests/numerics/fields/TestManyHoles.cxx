@@ -165,6 +165,39 @@ TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)
   EXPECT_LE((solution.x - x).norm(), 1e-7 * x.norm());
 }
 
+TEST(ManyHoles, KnownSolutionIsFoundWhereThePathHasNotAllStrongCouplings)
+{
+  // Any λ at which H is positive definite and any x solve the problem with b = Hx and the targets that x has.
+  const PotentialProblem problem = ProblemOn(SpiralOfHoles(160, 0.1));
+  const PotentialReduction reduction(problem);
+  ReducedProblem known = reduction.GetReducedProblem();
+  Random random(630);
+  ComplexVector x(known.matrix.Rows());
+  for (const DegreeConstraint& constraint : known.constraints)
+  {
+    for (std::size_t j = 0; j < constraint.unknowns.size(); ++j)
+    {
+      x[constraint.unknowns[j]] = constraint.turning[j] + 0.1 * random.Square();
+    }
+  }
+  known.load = known.matrix * x;
+  Eigen::VectorXd multipliers(static_cast<Eigen::Index>(known.constraints.size()));
+  for (Eigen::Index i = 0; i < multipliers.size(); ++i)
+  {
+    DegreeConstraint& constraint = known.constraints[static_cast<std::size_t>(i)];
+    // A hole by itself reaches the border at about 1/2: its S has 2π/32 where A has 2 sin(2π/32).
+    multipliers[i] = random.Uniform(-0.3, 0.3);
+    known.load += multipliers[i] * constraint.Gradient(x);
+    constraint.target = constraint.Value(x);
+  }
+  const HoleBases bases(known);
+  ASSERT_LT(bases.InFewBlocks(2).matrix.coupling.rows(), bases.CoupledMembers(HoleBases::Strong));
+  const MinimiserResult solution = SolveReduced(bases);
+  ASSERT_TRUE(solution.converged) << solution.residual;
+  EXPECT_LE((solution.multipliers - multipliers).norm(), 1e-7);
+  EXPECT_LE((solution.x - x).norm(), 1e-7 * x.norm());
+}
+
 TEST(ManyHoles, LocalMinimumIsThatOfTheDenseProblem)
 {
   const PotentialProblem problem = ProblemOn(TwelveHoles());
