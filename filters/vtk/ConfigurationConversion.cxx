@@ -3,6 +3,7 @@
 #include "ColumnWriting.h"
 #include "Error.h"
 #include "InputCheck.h"
+#include "PlaneFrame.h"
 #include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -84,5 +85,6 @@ void WriteConfiguration(const crossfield::Configuration& configuration,
     ColumnWriting::AddColumn<vtkDoubleArray>(data, vtkCrossFieldArrayNames::Radius, configuration,
       [](const Singularity& singularity) { return singularity.radius; });
   }
+  PlaneFrame(plane).Record(output->GetFieldData());
 }
 }

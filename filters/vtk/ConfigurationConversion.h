@@ -21,7 +21,7 @@ crossfield::Configuration ReadConfiguration(
 /** The array `QuarterIndex` of points, which must have it. */
 vtkDataArray* RequireQuarterIndices(vtkDataSet* input);
 
-/** Points with `QuarterIndex` and, if any of them has one, `Radius`. */
+/** Points with `QuarterIndex` and, if any of them has one, `Radius`; and their plane (PlaneFrame.h). */
 void WriteConfiguration(const crossfield::Configuration& configuration,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 }

@@ -16,6 +16,12 @@ inline int TakeDomain(vtkInformation* info)
   return 1;
 }
 
+inline int TakeOptionalDomain(vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return TakeDomain(info);
+}
+
 /** A mesh of vtkDrillHoles, with or without a field. */
 inline int TakeMesh(vtkInformation* info)
 {

@@ -130,6 +130,8 @@ constexpr const char* ExtraLines = "ExtraLines";
 constexpr const char* HeadOn = "HeadOn";
 constexpr const char* Longest = "Longest";
 constexpr const char* Mismatch = "Mismatch";
+// Field data of singularities that are not in z = const: origin and axes of their plane.
+constexpr const char* Plane = "Plane";
 // Field data, and Shade of lines: vtkLayoutDesigner.
 constexpr const char* Verdict = "Verdict";
 constexpr const char* Summary = "Summary";

@@ -9,6 +9,7 @@
 #include "FilterRun.h"
 #include "LayoutConversion.h"
 #include "MapConversion.h"
+#include "PlaneFrame.h"
 #include "QuadConversion.h"
 #include "TMeshConversion.h"
 #include "ViewText.h"
@@ -38,6 +39,7 @@ vtkLayoutDesigner::vtkLayoutDesigner()
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(5);
   this->OutputRows->SetNumberOfComponents(4);
+  PlaneFrame().Write(this->Plane);
 }
 
 //------------------------------------------------------------------------------
@@ -109,6 +111,12 @@ vtkDoubleArray* vtkLayoutDesigner::GetRows()
 }
 
 //------------------------------------------------------------------------------
+vtkDoubleArray* vtkLayoutDesigner::GetPlane()
+{
+  return this->Plane;
+}
+
+//------------------------------------------------------------------------------
 void vtkLayoutDesigner::Ask(DesignCommand command)
 {
   this->Waiting = command;
@@ -171,6 +179,7 @@ int vtkLayoutDesigner::RequestData(
     {
       DesignSession& session = *this->Session;
       const DomainConversion::Domain& input = session.Read(domain);
+      PlaneFrame(input.plane).Write(this->Plane);
       DesignQuestion question;
       question.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
       question.options.map.capCorners = this->CapCorners;

@@ -70,7 +70,7 @@ public:
   ///@{
   /**
    * The rows x, y, quarter index, radius, as of vtkSingularitySource. SetSingularity appends rows as needed. The places are in the
-   * plane of the domain: x and y of a domain in z = const. The radius means nothing here and is kept. Default: no rows.
+   * coordinates of the domain's plane (crossfield::DomainPlane): x and y of a domain in z = const. The radius means nothing here and is kept. Default: no rows.
    */
   void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
   void AddSingularity(double x, double y, double quarterIndex, double radius);
@@ -80,6 +80,9 @@ public:
 
   /** The rows of the last update, four components each, wherever they are from. */
   vtkDoubleArray* GetRows();
+
+  /** The plane of the last domain, in whose coordinates the rows are, as three tuples: origin, first and second axis. */
+  vtkDoubleArray* GetPlane();
 
   ///@{
   /**
@@ -185,6 +188,7 @@ private:
   double SnapTolerance = 0.0;
   double StageSeconds = 0.0;
   vtkNew<vtkDoubleArray> OutputRows;
+  vtkNew<vtkDoubleArray> Plane;
   std::unique_ptr<DesignSession> Session; ///< What is kept between updates.
 };
 

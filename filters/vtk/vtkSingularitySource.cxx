@@ -1,9 +1,11 @@
 #include "vtkSingularitySource.h"
 
 #include "ConfigurationConversion.h"
+#include "DomainConversion.h"
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
+#include "PlaneFrame.h"
 #include "PointTable.h"
 #include "QuarterIndexRange.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -26,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkSingularitySource);
@@ -34,12 +37,14 @@ namespace
 {
 using crossfield::Error;
 
-/** Rows of x, y, quarter index and radius, whether the radius was given, and z if it was. */
+using Row = std::array<double, 4>;
+
+/** Rows of x, y, quarter index and radius, whether the radius was given, and the places if they are of space, not of the plane. */
 struct RowTable
 {
-  std::vector<std::array<double, 4>> rows;
+  std::vector<Row> rows;
   bool hasRadius = true;
-  std::vector<double> z;
+  std::vector<Eigen::Vector3d> places;
 };
 
 RowTable ReadRows(const std::string& fileName)
@@ -81,7 +86,7 @@ RowTable ReadRows(const std::string& fileName)
       }
     }
     table.rows.push_back({ numbers[0], numbers[1], numbers[2], numbers[3] });
-    table.z.push_back(numbers[4]);
+    table.places.emplace_back(numbers[0], numbers[1], numbers[4]);
   }
   return table;
 }
@@ -98,7 +103,7 @@ RowTable ReadStart(vtkDataSet* start)
     const double* place = start->GetPoint(i);
     table.rows.push_back({ place[0], place[1], quarters->GetComponent(i, 0),
       radii == nullptr ? 0.0 : radii->GetComponent(i, 0) });
-    table.z.push_back(place[2]);
+    table.places.emplace_back(place);
   }
   return table;
 }
@@ -112,15 +117,53 @@ void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& 
     next[3] = table.rows.back()[3];
   }
   table.rows.resize(handles.size(), next);
-  for (std::size_t i = 0; i < handles.size(); ++i)
-  {
-    table.rows[i][0] = handles[i][0];
-    table.rows[i][1] = handles[i][1];
-  }
-  table.z.clear();
+  table.places.clear();
   for (const auto& handle : handles)
   {
-    table.z.push_back(handle[2]);
+    table.places.emplace_back(handle.data());
+  }
+}
+
+/** The plane of the rows: that of the domain, else that of the points to start from, whose own frame tells it. */
+PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
+{
+  if (domain != nullptr)
+  {
+    return PlaneFrame(DomainConversion::FindPlane(domain));
+  }
+  if (start == nullptr)
+  {
+    return {};
+  }
+  if (const std::optional<PlaneFrame> recorded = PlaneFrame::Read(start->GetFieldData()))
+  {
+    return *recorded;
+  }
+  PlaneFrame horizontal;
+  if (start->GetNumberOfPoints() > 0)
+  {
+    horizontal.origin.z() = start->GetPoint(0)[2];
+  }
+  return horizontal;
+}
+
+/** Gives the rows of the plane their places in space, or those of space their coordinates in the plane. */
+void Place(const PlaneFrame& frame, RowTable& table)
+{
+  const bool areOfSpace = !table.places.empty();
+  table.places.resize(table.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i)
+  {
+    if (areOfSpace)
+    {
+      const crossfield::Point point = frame.ToPlane(table.places[i]);
+      table.rows[i][0] = point.x();
+      table.rows[i][1] = point.y();
+    }
+    else
+    {
+      table.places[i] = frame.ToSpace(table.rows[i][0], table.rows[i][1]);
+    }
   }
 }
 
@@ -145,15 +188,15 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
   for (std::size_t i = 0; i < table.rows.size(); ++i)
   {
     const auto& [x, y, quarterIndex, radius] = table.rows[i];
-    const double z = table.z.empty() ? 0.0 : table.z[i];
-    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z) || !std::isfinite(radius))
+    const Eigen::Vector3d& place = table.places[i];
+    if (!std::isfinite(x) || !std::isfinite(y) || !place.allFinite() || !std::isfinite(radius))
     {
       throw Error("Row " + std::to_string(i + 1) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
     }
     const int wholeIndex = crossfield::RequireQuarterIndex(
       quarterIndex, "The quarter index of singularity " + std::to_string(i + 1));
-    const vtkIdType id = points->InsertNextPoint(x, y, z);
+    const vtkIdType id = points->InsertNextPoint(place.data());
     vertices->InsertNextCell({ id });
     quarters->InsertNextValue(wholeIndex);
     radii->InsertNextValue(radius);
@@ -171,7 +214,9 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
 //------------------------------------------------------------------------------
 vtkSingularitySource::vtkSingularitySource()
 {
+  this->SetNumberOfInputPorts(2);
   this->OutputRows->SetNumberOfComponents(4);
+  PlaneFrame().Write(this->Plane);
   const double diagonal = 0.6 * std::sqrt(0.5);
   for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
   {
@@ -262,9 +307,15 @@ vtkDoubleArray* vtkSingularitySource::GetOutputRows()
 }
 
 //------------------------------------------------------------------------------
-int vtkSingularitySource::FillInputPortInformation(int, vtkInformation* info)
+vtkDoubleArray* vtkSingularitySource::GetPlane()
 {
-  return FilterPorts::TakeOptionalPoints(info);
+  return this->Plane;
+}
+
+//------------------------------------------------------------------------------
+int vtkSingularitySource::FillInputPortInformation(int port, vtkInformation* info)
+{
+  return port == 0 ? FilterPorts::TakeOptionalPoints(info) : FilterPorts::TakeOptionalDomain(info);
 }
 
 //------------------------------------------------------------------------------
@@ -289,7 +340,12 @@ int vtkSingularitySource::RequestData(
       {
         MoveToHandles(this->Handles, table);
       }
-      WritePoints(table, vtkPolyData::GetData(outputVector));
+      const PlaneFrame frame = FindFrame(vtkDataSet::GetData(inputVector[1]), start);
+      frame.Write(this->Plane);
+      Place(frame, table);
+      vtkPolyData* output = vtkPolyData::GetData(outputVector);
+      WritePoints(table, output);
+      frame.Record(output->GetFieldData());
       for (const auto& row : table.rows)
       {
         this->OutputRows->InsertNextTuple(row.data());

@@ -7,15 +7,20 @@
  * mesh, k = −1 one of valence 5.
  *
  * Input port 0, Start, may be left out: points with the point array `QuarterIndex` and maybe `Radius`.
+ * Input port 1, Domain, may be left out: a domain (vtkPolyData or vtkUnstructuredGrid) in whose plane the rows are.
  *
- * Output (vtkPolyData): one vertex per row, z = 0 unless a file or Start has it, with the point arrays
+ * The rows are coordinates of a plane in space, those that the filters use (crossfield::DomainPlane): x and y where z is constant.
+ * The plane is that of Domain, else the one that Start has as field data `Plane`, else z = const through the first point of Start,
+ * else z = 0. What a file, Start or a handle has are points of space.
+ *
+ * Output (vtkPolyData): one vertex per row, with field data `Plane` (double, 3 tuples: origin and axes) where it is not z = const, and the point arrays
  * - `QuarterIndex` (int, 1 component): k;
  * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file or Start
  *   has no such column, or when it is 0 in every row, which stands for radii that are not given.
  *
  * The rows are those of the file, if FileName is set; else those set here; as long as none were set, the points of Start. A file is comma-separated with the header
  * `x,y,quarter_index` and optionally `radius` and `z`, in any order. Domains in a plane z = const
- * make no use of z; for those in another plane the points have to lie in it.
+ * make no use of z; for those in another plane the points of a file have to lie in it.
  *
  * With UseHandles on, handle i takes the place of row i: these are the points that ParaView lets one
  * drag in the 3D view. A row without a handle is left out; a handle without a row is a singularity
@@ -51,6 +56,11 @@ public:
   ///@{
   /** Where to start from: connects or sets the optional input port 0. */
   vtkCrossFieldPortMacro(Start, 0);
+  ///@}
+
+  ///@{
+  /** In whose plane the rows are: connects or sets the optional input port 1. */
+  vtkCrossFieldPortMacro(Domain, 1);
   ///@}
 
   ///@{
@@ -98,6 +108,9 @@ public:
   /** The rows of the last update, four components each, wherever they are from; radius 0: not given. */
   vtkDoubleArray* GetOutputRows();
 
+  /** The plane of the rows of the last update, as three tuples: origin, first and second axis. */
+  vtkDoubleArray* GetPlane();
+
 protected:
   vtkSingularitySource();
   ~vtkSingularitySource() override;
@@ -116,6 +129,7 @@ private:
   bool UseHandles = false;
   std::vector<std::array<double, 3>> Handles;
   vtkNew<vtkDoubleArray> OutputRows;
+  vtkNew<vtkDoubleArray> Plane;
 };
 
 #endif

@@ -195,6 +195,18 @@ void SingularityHandles::SetRenderer(vtkRenderer* renderer, double pixelRatio)
 }
 
 //------------------------------------------------------------------------------
+void SingularityHandles::SetPlane(const HandlePlane& plane)
+{
+  this->Plane = plane;
+}
+
+//------------------------------------------------------------------------------
+const HandlePlane& SingularityHandles::GetPlane() const
+{
+  return this->Plane;
+}
+
+//------------------------------------------------------------------------------
 void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int chosen)
 {
   this->Rows = rows;
@@ -218,7 +230,8 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
     const Handle& handle = this->Handles[i];
     const int quarterIndex = QuarterIndexOf(rows[i]);
     const auto [red, green, blue] = ColourOf(quarterIndex);
-    handle.Disc->GetPositionCoordinate()->SetValue(rows[i][0], rows[i][1], 0);
+    HandlePlane::Vector place = this->Plane.ToSpace({ rows[i][0], rows[i][1] });
+    handle.Disc->GetPositionCoordinate()->SetValue(place.data());
     static_cast<vtkPolyDataMapper2D*>(handle.Disc->GetMapper())
       ->SetInputData(
         DiscOf(RingsOf(quarterIndex, static_cast<int>(i) == chosen), this->PixelRatio));
@@ -233,7 +246,8 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
 //------------------------------------------------------------------------------
 std::array<double, 2> SingularityHandles::PixelOf(const std::array<double, 2>& point) const
 {
-  this->Renderer->SetWorldPoint(point[0], point[1], 0, 1);
+  const auto [x, y, z] = this->Plane.ToSpace(point);
+  this->Renderer->SetWorldPoint(x, y, z, 1);
   this->Renderer->WorldToDisplay();
   const double* pixel = this->Renderer->GetDisplayPoint();
   return { pixel[0], pixel[1] };
@@ -271,7 +285,8 @@ bool SingularityHandles::PlanePointAt(double x, double y, std::array<double, 2>&
   {
     return false;
   }
-  std::array<std::array<double, 3>, 2> ends{};
+  // The line of sight from the near to the far plane of the camera.
+  std::array<HandlePlane::Vector, 2> ends{};
   for (int end = 0; end < 2; ++end)
   {
     this->Renderer->SetDisplayPoint(x, y, end);
@@ -282,11 +297,7 @@ bool SingularityHandles::PlanePointAt(double x, double y, std::array<double, 2>&
       ends[static_cast<std::size_t>(end)][i] = world[i] / world[3];
     }
   }
-  // The line of sight from the near to the far plane of the camera; z = 0 lies between them.
-  const double t = ends[0][2] / (ends[0][2] - ends[1][2]);
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    point[i] = ends[0][i] + t * (ends[1][i] - ends[0][i]);
-  }
-  return std::isfinite(point[0]) && std::isfinite(point[1]);
+  const auto found = this->Plane.Meet(ends[0], ends[1]);
+  point = found.value_or(point);
+  return found.has_value();
 }

@@ -31,6 +31,7 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   : pqPropertyWidget(proxy, parent)
   , Singularities(group->GetProperty("Singularities"))
   , OutputRows(group->GetProperty("Rows"))
+  , Plane(group->GetProperty("Plane"))
   , Dragging(group->GetProperty("Dragging"))
 {
   this->setShowLabel(false);
@@ -53,10 +54,11 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   }
   this->Connections->Connect(
     this->Singularities, vtkCommand::ModifiedEvent, this, SLOT(ReadProperty()));
-  if (this->OutputRows)
+  if (this->OutputRows || this->Plane)
   {
     this->Connections->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(ReadOutputLater()));
   }
+  this->ReadPlane();
   this->ReadProperty();
 }
 
@@ -146,6 +148,11 @@ void pqSingularityHandlesWidget::ReadOutputLater()
   QTimer::singleShot(0, this,
     [this, changes = this->Changes]
     {
+      if (this->IsDragging)
+      {
+        return; // nor does the plane change then
+      }
+      this->ReadPlane();
       if (changes == this->Changes)
       {
         this->ReadOutput();
@@ -154,9 +161,31 @@ void pqSingularityHandlesWidget::ReadOutputLater()
 }
 
 //------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::ReadPlane()
+{
+  if (!this->Plane)
+  {
+    return;
+  }
+  this->proxy()->UpdatePropertyInformation(this->Plane);
+  const HandlePlane plane =
+    HandlePlane::Of(vtkSMPropertyHelper(this->Plane).GetDoubleArray());
+  if (plane == this->Handles.GetPlane())
+  {
+    return;
+  }
+  this->Handles.SetPlane(plane);
+  this->Handles.SetRows(this->Rows, this->Chosen);
+  if (this->Handles.GetRenderer())
+  {
+    this->view()->render();
+  }
+}
+
+//------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::ReadOutput()
 {
-  if (this->IsDragging || this->IsWriting)
+  if (!this->OutputRows || this->IsWriting)
   {
     return;
   }

@@ -12,6 +12,9 @@
  * of its last update. They are shown where the property of rows is empty, and become its value where a command
  * of the filter has changed them, so that undo, trace and states have them.
  *
+ * A proxy whose rows are in another plane than z = 0 tells it by an information property of the function `Plane`: nine numbers,
+ * the origin and the axes of its coordinates.
+ *
  * A filter that can do with less while a handle is dragged has a property of the function `Dragging`, which is 1 then.
  *
  * The hint <WithoutRadius/> of the group hides the column of radii where they mean nothing.
@@ -76,6 +79,7 @@ private:
 
   // The rows.
   std::vector<SingularityRow> PropertyRows() const;
+  void ReadPlane();
   void ReadOutput();
   void TakeRows(const std::vector<SingularityRow>& rows);
   void WriteProperty(const std::vector<SingularityRow>& rows);
@@ -99,6 +103,7 @@ private:
 
   vtkSMProperty* Singularities = nullptr;
   vtkSMProperty* OutputRows = nullptr; ///< Maybe none.
+  vtkSMProperty* Plane = nullptr;      ///< Maybe none.
   vtkSMProperty* Dragging = nullptr;   ///< Maybe none.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;

@@ -1,5 +1,6 @@
 #include "DesignerLook.h"
 
+#include "HandlePlane.h"
 #include "Look.h"
 
 #include "pqDataRepresentation.h"
@@ -7,6 +8,7 @@
 #include "pqView.h"
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
+#include "vtkMath.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
@@ -14,14 +16,34 @@
 
 #include <QTimer>
 
-#include <array>
-
 namespace
 {
 using Look::Colour;
 using Look::Set;
 
 constexpr int SummaryPort = 4;
+
+/// The normal of the layout's plane, on the side that is looked at.
+HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* representation)
+{
+  designer->UpdatePropertyInformation(designer->GetProperty("Plane"));
+  HandlePlane::Vector normal =
+    HandlePlane::Of(vtkSMPropertyHelper(designer, "Plane").GetDoubleArray()).Normal();
+  if (representation->getView() != nullptr)
+  {
+    vtkSMProxy* view = representation->getView()->getProxy();
+    HandlePlane::Vector eye;
+    HandlePlane::Vector focus;
+    vtkSMPropertyHelper(view, "CameraPosition").Get(eye.data(), 3);
+    vtkSMPropertyHelper(view, "CameraFocalPoint").Get(focus.data(), 3);
+    vtkMath::Subtract(eye.data(), focus.data(), eye.data());
+    if (vtkMath::Dot(eye.data(), normal.data()) < 0)
+    {
+      vtkMath::MultiplyScalar(normal.data(), -1);
+    }
+  }
+  return normal;
+}
 
 /// What the layout is good for, as a text below it.
 void ShowSummary(pqDataRepresentation* representation)
@@ -74,11 +96,12 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     return;
   }
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
+  const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
   const auto lift = [&](double part)
   {
-    // Towards the eye, by less than can be seen from aside.
-    const std::array<double, 3> place = { 0, 0,
-      box.IsValid() ? part * box.GetDiagonalLength() : 0 };
+    // By less than can be seen from aside.
+    const double height = box.IsValid() ? part * box.GetDiagonalLength() : 0;
+    const HandlePlane::Vector place = { height * up[0], height * up[1], height * up[2] };
     vtkSMPropertyHelper(shown, "Position").Set(place.data(), 3);
   };
   Look::SetFlat(shown);

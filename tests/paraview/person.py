@@ -40,15 +40,15 @@ def messages():
     return hands.hands_messages().decode()
 
 
-def pixel(view, x, y):
+def pixel(view, x, y, z=0):
     renderer = view.GetRenderer()
-    renderer.SetWorldPoint(x, y, 0, 1)
+    renderer.SetWorldPoint(x, y, z, 1)
     renderer.WorldToDisplay()
     return np.array(renderer.GetDisplayPoint()[:2])
 
 
 def drag(view, path):
-    """Along places of the plane; yields the seconds of each move, with the button down."""
+    """Along places of space, without z in z = 0; yields the seconds of each move, with the button down."""
     path = [tuple(map(int, np.rint(pixel(view, *place)))) for place in path]
     hands.hands_press(*path[0])
     wait()

@@ -10,6 +10,7 @@ import sys
 import tempfile
 import xml.dom.minidom
 
+import numpy as np
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE
@@ -31,14 +32,14 @@ PROXIES = {
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
-    "SingularitySource": ("sources", "Singularities FileName UseHandles Handles"),
-    "SingularityHandles": ("filters", "Input Singularities OutputRows"),
+    "SingularitySource": ("sources", "Domain Singularities FileName UseHandles Handles Plane"),
+    "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
-    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Propose Optimise Snap AddPair Undo Quads Dragging "
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Propose Optimise Snap AddPair Undo Quads Dragging "
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
@@ -150,6 +151,37 @@ def test_layout_designer():
     check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the lines that stay")
     check("outside" in stale.GetFieldData().GetAbstractArray("Summary").GetValue(0), "the sentence")
     check("outside" in servermanager.Fetch(designer, idx=4).GetValueByName(0, "Summary").ToString(), "the text")
+
+
+def test_layout_designer_in_a_tilted_plane():
+    tilted = Transform(Input=PlanarDomainSource())
+    tilted.Transform.Rotate, tilted.Transform.Translate = [60, 0, 0], [0, 0, 2]
+    designer = LayoutDesigner(Input=tilted)
+
+    def places():
+        designer.UpdatePipeline()
+        designer.UpdatePropertyInformation()
+        points = servermanager.Fetch(designer, idx=2)
+        return np.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
+
+    before = places()
+    origin, *axes = np.reshape(designer.GetProperty("Plane"), (3, 3))
+    rows = np.reshape(designer.GetProperty("Rows"), (-1, 4))
+    check(abs(origin + rows[:, :2] @ axes - before).max() < 1e-6, "the rows are not coordinates in the plane")
+    # z = 2 + y tan 60° is the plane, turned about x.
+    check(abs(before[:, 2] - 2 - np.sqrt(3) * before[:, 1]).max() < 1e-5, "singularities are off the plane")
+    check_equal([round(number, 6) for number in axes[0]], [1, 0, 0], "the first axis")
+    rows[0, :2] += [0.05, 0.1]
+    designer.Singularities = list(rows.ravel())
+    check(abs(places()[0] - before[0] - np.dot([0.05, 0.1], axes)).max() < 1e-6, "a row does not move in the plane")
+    check_equal(value(fetch(designer), "Stale"), 0, "whether the layout is stale")
+    # Without the domain a source is in z = 0.
+    source = SingularitySource(Singularities=list(rows.ravel()))
+    source.UpdatePipeline()
+    check_equal(source.GetDataInformation().GetBounds()[4:], (0, 0), "z without a domain")
+    source.Domain = tilted
+    source.UpdatePipeline()
+    check(abs(source.GetDataInformation().GetBounds()[5] - places()[:, 2].max()) < 1e-5, "z with the domain")
 
 
 def test_separatrices():
@@ -422,7 +454,7 @@ def test_input_untouched():
 
 
 LoadPlugin(sys.argv[1], ns=globals())
-for test in (test_proxies, test_menus, test_default_chain, test_h_field, test_layout_designer, test_separatrices,
+for test in (test_proxies, test_menus, test_default_chain, test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
              test_energies, test_size_arrays, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
              test_handles, test_handles_of_a_proposal, test_verdict,
              test_changed_input, test_input_untouched):

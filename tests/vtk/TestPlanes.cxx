@@ -8,11 +8,14 @@
 #include "vtkCrossGlyphs.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
+#include "vtkLayoutDesigner.h"
 #include "vtkPerforatedCrossField.h"
 #include "vtkPoincareHopfCheck.h"
+#include "vtkSingularitySource.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -28,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <vector>
 
 namespace
 {
@@ -287,6 +291,77 @@ TEST_P(Planes, Glyphs)
       }
     }
     EXPECT_LT(Distance(Apply(GetParam(), middles[0]), middles[1]), 1e-10);
+  }
+}
+
+TEST_P(Planes, RowsOfAPlaneAndTheirLayout)
+{
+  // The rows are those of z = 0, whatever the plane: the frame turns with it.
+  const std::vector<std::array<double, 2>> rows = { { 1, 3 }, { 3, 1 } };
+  vtkNew<vtkSingularitySource> sources[2];
+  vtkNew<vtkLayoutDesigner> designers[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkPolyData* domain = (i == 0 ? this->Flat : this->Turned).Domain;
+    sources[i]->SetDomainData(domain);
+    sources[i]->RemoveAllSingularities();
+    for (int row = 0; row < 2; ++row)
+    {
+      sources[i]->AddSingularity(rows[row][0], rows[row][1], 1 - 2 * row, 0.25);
+    }
+    FilterChecks::UpdateWithoutError(sources[i]);
+    designers[i]->SetInputData(domain);
+    designers[i]->SetSingularitiesConnection(sources[i]->GetOutputPort());
+    FilterChecks::UpdateWithoutError(designers[i]);
+    EXPECT_EQ(Value(designers[i]->GetOutput(), "Stale"), 0.0);
+    for (int row = 0; row < 2; ++row)
+    {
+      for (int j = 0; j < 2; ++j)
+      {
+        EXPECT_NEAR(designers[i]->GetRows()->GetComponent(row, j), rows[row][j], 1e-12);
+        EXPECT_NEAR(sources[i]->GetOutputRows()->GetComponent(row, j), rows[row][j], 1e-12);
+      }
+    }
+    for (vtkDoubleArray* plane : { sources[i]->GetPlane(), designers[i]->GetPlane() })
+    {
+      ASSERT_EQ(plane->GetNumberOfTuples(), 3);
+      EXPECT_LT(Distance({ 0, 0, 0 }, plane->GetTuple3(0)), 1e-12);
+      for (int axis = 0; axis < 2; ++axis)
+      {
+        const Rotation& turn = i == 0 ? Identity : GetParam();
+        EXPECT_LT(Distance(Apply(turn, Identity[axis].data()), plane->GetTuple3(1 + axis)), 1e-12);
+      }
+    }
+  }
+  this->ExpectMoved(sources[1]->GetOutput(), sources[0]->GetOutput());
+  this->ExpectMoved(designers[1]->GetOutput(), designers[0]->GetOutput(), 1e-9);
+}
+
+TEST_P(Planes, RowsAreInThePlaneOfWhereTheyStart)
+{
+  vtkNew<vtkConfigurationProposal> proposal;
+  proposal->SetInputData(this->Turned.Domain);
+  proposal->SetSingularitiesData(this->Turned.Singularities);
+  vtkNew<vtkSingularitySource> taken;
+  taken->SetStartConnection(proposal->GetOutputPort());
+  FilterChecks::UpdateWithoutError(taken);
+  const vtkIdType count = taken->GetOutputRows()->GetNumberOfTuples();
+  ASSERT_GT(count, 0);
+  vtkNew<vtkSingularitySource> again; // of a filter that has no domain itself
+  again->SetStartConnection(taken->GetOutputPort());
+  again->RemoveAllSingularities();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double* row = taken->GetOutputRows()->GetTuple4(i);
+    again->AddSingularity(row[0], row[1], row[2], row[3]);
+  }
+  FilterChecks::UpdateWithoutError(again);
+  ASSERT_EQ(again->GetOutput()->GetNumberOfPoints(), count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Vector place;
+    proposal->GetOutput()->GetPoint(i, place.data());
+    EXPECT_LT(Distance(place, again->GetOutput()->GetPoint(i)), 1e-12);
   }
 }
 

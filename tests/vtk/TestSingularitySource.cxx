@@ -6,8 +6,10 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +104,35 @@ TEST_F(SingularitySource, DefaultIsTheFirstFigureOfThePaper)
   EXPECT_EQ(sumX, 0.0);
   EXPECT_EQ(sumY, 0.0);
   EXPECT_EQ(std::set<Row>(rows.begin(), rows.end()).size(), 4u) << "one in each quadrant";
+}
+
+TEST_F(SingularitySource, RowsAreAsHighAsWhatTheyStartFromOrTheirDomain)
+{
+  vtkNew<vtkPolyData> start;
+  start->DeepCopy(TestInputs::Singularities({ { 0.5, 0.25, 1, 0.1 } }));
+  start->GetPoints()->SetPoint(0, 0.5, 0.25, 2.0);
+  this->Source->SetStartData(start);
+  this->Source->SetSingularity(0, 0.125, 0.0, 1.0, 0.1);
+  FilterChecks::UpdateWithoutError(this->Source);
+  EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 2.0);
+  EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[0], 0.125);
+  EXPECT_EQ(this->Source->GetOutput()->GetFieldData()->GetArray("Plane"), nullptr) << "z tells it";
+  EXPECT_EQ(this->Source->GetPlane()->GetComponent(0, 2), 2.0);
+
+  vtkNew<vtkPolyData> domain;
+  domain->DeepCopy(TestInputs::Loops({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } } }));
+  for (vtkIdType i = 0; i < domain->GetNumberOfPoints(); ++i)
+  {
+    const double* place = domain->GetPoint(i);
+    domain->GetPoints()->SetPoint(i, place[0], place[1], 3.0);
+  }
+  this->Source->SetDomainData(domain);
+  FilterChecks::UpdateWithoutError(this->Source);
+  EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 3.0);
+  // A file has points of space.
+  this->SetText("x,y,z,quarter_index\n0.5,0.25,1.5,1\n");
+  FilterChecks::UpdateWithoutError(this->Source);
+  EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 1.5);
 }
 
 TEST_F(SingularitySource, ArraysHaveTheirNamesAndTypes)
