@@ -153,6 +153,33 @@ int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work)
       }
     });
 }
+
+/** The same, and tell(sentence) of why there is no output; where a filter above has said that, of where to look for it. */
+template <class Algorithm, class Work, class Tell>
+int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work, Tell tell)
+{
+  bool isTold = false;
+  const int result = Run(self, errorCode, input,
+    [&](const crossfield::Progress& progress)
+    {
+      try
+      {
+        work(progress);
+      }
+      catch (const crossfield::Error& error)
+      {
+        isTold = true;
+        tell(error.what());
+        throw;
+      }
+    });
+  if (errorCode != vtkErrorCode::NoError && !isTold)
+  {
+    tell(HasFailedAbove(self) ? "A filter above has failed, and has said why."
+                              : "The computation has failed; a message says why.");
+  }
+  return result;
+}
 }
 
 #endif

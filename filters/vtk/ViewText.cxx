@@ -1,6 +1,7 @@
 #include "ViewText.h"
 
 #include "ColumnWriting.h"
+#include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkTable.h"
@@ -30,8 +31,10 @@ std::string InLines(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void Write(const char* name, const std::string& text, vtkTable* table)
+void Write(const char* name, const std::string& text, bool isAlarm, vtkTable* table)
 {
   ColumnWriting::AddText(table->GetRowData(), name, text);
+  ColumnWriting::AddIntegers(
+    table->GetFieldData(), vtkCrossFieldArrayNames::Alarm, { isAlarm ? 1 : 0 });
 }
 }

@@ -14,10 +14,12 @@ int vtkCrossFieldSolver::RequestData(
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  return FilterRun::Run(this, this->ErrorCode, input,
+  return FilterRun::Run(
+    this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress) {
       this->Compute(DrilledMeshConversion::ReadDrilledMesh(input), inputVector, progress, output);
-    });
+    },
+    [this](const char* sentence) { this->SayWhyThereIsNoField(sentence); });
 }
 
 //------------------------------------------------------------------------------

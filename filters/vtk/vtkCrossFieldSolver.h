@@ -83,6 +83,9 @@ protected:
     vtkInformationVector** inputVector, const crossfield::Progress& progress,
     vtkUnstructuredGrid* output) = 0;
 
+  /** Is told after an error. */
+  virtual void SayWhyThereIsNoField(const char*) {}
+
   /**
    * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
    * converge.

@@ -174,7 +174,9 @@ int vtkLayoutDesigner::RequestData(
   vtkPolyData* faces = vtkPolyData::GetData(outputVector, 1);
   vtkPolyData* points = vtkPolyData::GetData(outputVector, 2);
   vtkUnstructuredGrid* quads = vtkUnstructuredGrid::GetData(outputVector, 3);
-  return FilterRun::Run(this, this->ErrorCode, domain,
+  vtkTable* summary = vtkTable::GetData(outputVector, 4);
+  return FilterRun::Run(
+    this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
       DesignSession& session = *this->Session;
@@ -257,8 +259,20 @@ int vtkLayoutDesigner::RequestData(
         EnergyConversion::WriteEvents(session.events, output);
       }
       ViewText::Write(vtkCrossFieldArrayNames::Summary,
-        ViewText::InLines(LayoutConversion::Summary(design, report)),
-        vtkTable::GetData(outputVector, 4));
+        ViewText::InLines(LayoutConversion::Summary(design, report)), !report.refusal.empty(),
+        summary);
+    },
+    [&](const char* sentence)
+    {
+      // Without a domain there are no rows either.
+      this->OutputRows->SetNumberOfTuples(0);
+      LayoutConversion::Report report;
+      report.refusal = sentence;
+      for (vtkPolyData* output : { lines, points })
+      {
+        LayoutConversion::AddReport(nullptr, report, output->GetFieldData());
+      }
+      ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::InLines(sentence), true, summary);
     });
 }
 

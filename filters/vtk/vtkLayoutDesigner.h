@@ -19,7 +19,8 @@
  * Output 1 (vtkPolyData): the faces, as output 1 of vtkSeparatrices.
  * Output 2 (vtkPolyData): the singularities as points, with `QuarterIndex`, where they are now.
  * Output 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
- * Output 4 (vtkTable): one column, `Summary`, with one row: that of the field data in lines of at most 60 characters, for a view.
+ * Output 4 (vtkTable): one column, `Summary`, with one row: that of the field data in lines of at most 60 characters, for a view; its
+ * field data `Alarm` (int) is 1 where it says what is wrong.
  *
  * A configuration that cannot be, as one whose quarter indices have a wrong sum or with a singularity outside, is no failure:
  * outputs 0, 1 and 3 are those of the last one that could be, `Stale` is 1, and `Verdict` says why.
@@ -32,8 +33,8 @@
  * - `Events` (text): after a command what it did, one sentence each;
  * - `LeastAngle`: 90° minus the largest deviation of a corner of a quad from it; with quads.
  *
- * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles refuses; arrays that are
- * missing or not integer.
+ * An empty domain gives empty outputs. Failure, with outputs that are empty but for `Stale` 1 and the sentence in `Verdict` and
+ * `Summary`: a domain that vtkDrillHoles refuses; arrays that are missing or not integer.
  *
  * @sa vtkSeparatrices, vtkQuadMesher, vtkConfigurationProposal, crossfield::DesignLayout
  */

@@ -5,12 +5,14 @@
 #include "FilterPorts.h"
 #include "PerforatedSolve.h"
 #include "SingularityRecord.h"
+#include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 vtkStandardNewMacro(vtkPerforatedCrossField);
@@ -22,11 +24,28 @@ static_assert(
   static_cast<int>(crossfield::PerforatedStart::UnitNorm) == vtkPerforatedCrossField::StartUnitNorm,
   "starts are numbered as in the numerics");
 
+namespace
+{
+std::string Sentence(const crossfield::SolvedField& field)
+{
+  if (field.unwantedSingularities == 0)
+  {
+    return "No unwanted singularities.";
+  }
+  return std::to_string(field.unwantedSingularities) +
+    (field.unwantedSingularities == 1 ? " unwanted singularity" : " unwanted singularities") +
+    ", counted by quarter index: " +
+    (field.count.Consistent() ? "the norm vanishes there. The method Unit Norm has none."
+                              : "the given ones do not have the sum that the domain asks for.");
+}
+}
+
 //------------------------------------------------------------------------------
 vtkPerforatedCrossField::vtkPerforatedCrossField()
   : vtkCrossFieldSolver(100)
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -53,6 +72,33 @@ int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
+int vtkPerforatedCrossField::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  return FilterPorts::Give(info, port == 0 ? "vtkUnstructuredGrid" : "vtkTable");
+}
+
+//------------------------------------------------------------------------------
+int vtkPerforatedCrossField::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Verdict.clear();
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (!this->Verdict.empty())
+  {
+    ViewText::Write(vtkCrossFieldArrayNames::Verdict, ViewText::InLines(this->Verdict),
+      this->IsAlarm, vtkTable::GetData(outputVector, 1));
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkPerforatedCrossField::SayWhyThereIsNoField(const char* sentence)
+{
+  this->Verdict = sentence;
+  this->IsAlarm = true;
+}
+
+//------------------------------------------------------------------------------
 void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& cells,
   vtkInformationVector** inputVector, const crossfield::Progress& progress,
   vtkUnstructuredGrid* output)
@@ -75,6 +121,8 @@ void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& 
   }
   const crossfield::SolvedField field =
     crossfield::SolvePerforated(cells.topology, options, progress);
+  this->IsAlarm = field.unwantedSingularities > 0;
+  this->Verdict = Sentence(field);
   // With a sum that the domain does not ask for there must be others.
   if (options.method == crossfield::PerforatedMethod::Constrained && field.count.Consistent() &&
     field.unwantedSingularities > 0)

@@ -35,6 +35,9 @@
  * - `CrossNorm` (cells and points, float, 1): |u|; not 1, the minimisation is over the plane.
  * All but the first follow from it, are in single precision, and can be left out: see Arrays.
  *
+ * Output 1 (vtkTable): one column, `Verdict`, with one row, a text for a view: how many singularities nobody asked for, or why there is
+ * no field; its field data `Alarm` (int) is 1 where there are some, or no field.
+ *
  * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,
  * `Residual` (of the optimality conditions, relative; UnitNorm: largest deviation of the integrated
  * phase from the prescribed crosses), `Converged` (0 or 1), `HoleDegree` (int per hole: the degree
@@ -51,7 +54,7 @@
  * that a single-valued potential carries to it minus that of its alignment; absorbed by adding a
  * harmonic field).
  *
- * An empty mesh gives an empty output. Failure, with an empty output: a mesh without the arrays of
+ * An empty mesh gives empty outputs. Failure, with an empty field: a mesh without the arrays of
  * vtkDrillHoles; a hole with too few edges for its quarter index; quarter indices that violate the
  * Poincaré-Hopf theorem on a perforated domain without a penalty (GetErrorCode() is then
  * vtkCrossFieldErrorCodes::Inconsistent); a unit hole that the mesh does not have; options of
@@ -80,6 +83,7 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkCrossFieldSolver.h"
 
+#include <string> // for the verdict
 #include <vector> // for the rows of holes
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkCrossFieldSolver
@@ -180,9 +184,12 @@ protected:
   ~vtkPerforatedCrossField() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 #ifndef __VTK_WRAP__
   void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
     const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
+  void SayWhyThereIsNoField(const char* sentence) override;
 #endif
 
 private:
@@ -195,6 +202,8 @@ private:
   std::vector<int> UnitHoleRows;
   bool GlobalConstraint = false;
   double Epsilon = 0.0;
+  std::string Verdict; ///< Of the last field, for output 1.
+  bool IsAlarm = false;
 };
 
 #endif

@@ -163,9 +163,10 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
 }
 
 /** The verdict, and the reason below it. */
-void WriteVerdict(const char* verdict, const std::string& reason, vtkTable* table)
+void WriteVerdict(const char* verdict, const std::string& reason, bool isAlarm, vtkTable* table)
 {
-  ViewText::Write("Verdict", std::string(verdict) + "\n" + ViewText::InLines(reason), table);
+  ViewText::Write(
+    names::Verdict, std::string(verdict) + "\n" + ViewText::InLines(reason), isAlarm, table);
 }
 }
 
@@ -237,25 +238,11 @@ int vtkPoincareHopfCheck::RequestData(
       findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
     CornerConversion::WriteCountedCorners(
       findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
-    WriteVerdict(findings.consistent ? "Consistent" : "Inconsistent", findings.reason, verdict);
+    WriteVerdict(findings.consistent ? "Consistent" : "Inconsistent", findings.reason,
+      !findings.consistent, verdict);
   };
-  FilterRun::Run(this, this->ErrorCode, domain,
-    [&](const crossfield::Progress& progress)
-    {
-      try
-      {
-        check(progress);
-      }
-      catch (const crossfield::Error& error)
-      {
-        WriteVerdict("No verdict", error.what(), verdict);
-        throw;
-      }
-    });
-  if (this->ErrorCode != vtkErrorCode::NoError && verdict->GetNumberOfColumns() == 0)
-  {
-    WriteVerdict("No verdict", "A filter above has failed, and has said why.", verdict);
-  }
+  FilterRun::Run(this, this->ErrorCode, domain, check,
+    [verdict](const char* sentence) { WriteVerdict("No verdict", sentence, true, verdict); });
   // Not 0 after an error: then a view would not draw again, and go on showing the last verdict.
   return 1;
 }

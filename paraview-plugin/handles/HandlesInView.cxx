@@ -88,6 +88,10 @@ void pqSingularityHandlesWidget::UpdateHandles()
     return;
   }
   vtkSMViewProxy* viewProxy = this->view()->getViewProxy();
+  if (!viewProxy || !this->view()->widget())
+  {
+    return; // at the end of a session, where a panel is shown once more while the items before it are deleted
+  }
   auto* renderView = vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject());
   vtkRenderWindowInteractor* interactor = viewProxy->GetInteractor();
   if (!renderView || !interactor)

@@ -18,10 +18,7 @@
 
 namespace
 {
-using Look::Colour;
 using Look::Set;
-
-constexpr int SummaryPort = 4;
 
 /// The normal of the layout's plane, on the side that is looked at.
 HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* representation)
@@ -44,57 +41,12 @@ HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* repre
   }
   return normal;
 }
-
-/// What the layout is good for, as a text below it.
-void ShowSummary(pqDataRepresentation* representation)
-{
-  vtkSMProxy* shown = representation->getProxy();
-  vtkSMPropertyHelper(shown, "WindowLocation").Set("Lower Center");
-  Set(shown, "FontSize", 12.0);
-  shown->UpdateVTKObjects();
-  // It is put into its view after that.
-  QTimer::singleShot(0, representation,
-    [representation]
-    {
-      // The colours of the palette go together; those of a view of its own need not.
-      vtkSMProxy* view =
-        representation->getView() ? representation->getView()->getProxy() : nullptr;
-      if (view == nullptr ||
-        vtkSMPropertyHelper(view, "UseColorPaletteForBackground").GetAsInt() != 0)
-      {
-        return;
-      }
-      Colour background;
-      vtkSMPropertyHelper(view, "Background").Get(background.data(), 3);
-      const double brightness = (background[0] + background[1] + background[2]) / 3;
-      const double grey = brightness > 0.5 ? 0 : 1;
-      const Colour colour = { grey, grey, grey };
-      vtkSMPropertyHelper(representation->getProxy(), "Color").Set(colour.data(), 3);
-      representation->getProxy()->UpdateVTKObjects();
-      representation->renderViewEventually();
-    });
-}
-}
-
-//------------------------------------------------------------------------------
-bool DesignerLook::IsText(int port)
-{
-  return port == SummaryPort;
 }
 
 //------------------------------------------------------------------------------
 void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
 {
   vtkSMProxy* shown = representation->getProxy();
-  if (IsText(port))
-  {
-    // A text, also where there is no layout; a spreadsheet has no place for one.
-    if (shown->GetProperty("WindowLocation") != nullptr)
-    {
-      ShowSummary(representation);
-    }
-    return;
-  }
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
   const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
   const auto lift = [&](double part)

@@ -2,11 +2,13 @@
 
 #include "DesignerLook.h"
 #include "Look.h"
+#include "TextLook.h"
 
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqObjectBuilder.h"
 #include "pqPipelineSource.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
@@ -20,6 +22,7 @@
 
 #include <QTimer>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
@@ -120,14 +123,39 @@ constexpr std::array<Rule, 17> Rules = { {
   { "QuadMesher", 2, ShowOutline },
 } };
 
+/** An output that is a text for the view. */
+struct Text
+{
+  const char* proxy;
+  int port;
+  const char* location;
+};
+
+// What is wrong with an input above, what has come of it below.
+constexpr std::array<Text, 3> Texts = { {
+  { "PoincareHopfCheck", 3, "Upper Left Corner" },
+  { "PerforatedCrossField", 1, "Lower Center" },
+  { "LayoutDesigner", 4, "Lower Center" },
+} };
+
 bool Is(pqPipelineSource* source, const char* proxy)
 {
   return std::strcmp(source->getProxy()->GetXMLName(), proxy) == 0;
 }
 
 //------------------------------------------------------------------------------
+const Text* TextOf(pqPipelineSource* source, int port)
+{
+  const auto* text = std::find_if(Texts.begin(), Texts.end(),
+    [&](const Text& one) { return one.port == port && Is(source, one.proxy); });
+  return text == Texts.end() ? nullptr : text;
+}
+
+//------------------------------------------------------------------------------
 void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
 {
+  // It belongs to what has been made.
+  SCOPED_UNDO_EXCLUDE();
   if (Is(source, "LayoutDesigner"))
   {
     DesignerLook::Show(source, representation, port);
@@ -168,15 +196,15 @@ void ShowAtFirst(pqPipelineSource* source)
   QObject::connect(source, &pqPipelineSource::representationAdded, source,
     [](pqPipelineSource* made, pqDataRepresentation* added, int port)
     {
-      const bool isText = Is(made, "LayoutDesigner") && DesignerLook::IsText(port);
-      // A spreadsheet or the like has none of this.
-      if (!isText && !vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
+      if (const Text* text = TextOf(made, port))
       {
+        // Also where there is nothing else to see.
+        TextLook::Show(made, added, port, text->location);
         return;
       }
-      if (isText)
+      // A spreadsheet or the like has none of this.
+      if (!vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
       {
-        Show(made, added, port);
         return;
       }
       if (HasData(made, port))

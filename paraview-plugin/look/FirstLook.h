@@ -4,7 +4,7 @@
  *
  * Domains as thick black lines, singularities as red and blue spheres, meshes as their edges, fields by their norm on a map from 0 to 1,
  * sizes on a map of one hue after the other, crosses and separatrices as black lines, faces and blocks in pale colours, and
- * a Layout Designer as DesignerLook.h says. It acts once, when an output is shown for the first time; what Python or a state
+ * a Layout Designer as DesignerLook.h says, and texts as TextLook.h says. It acts once, when an output is shown for the first time; what Python or a state
  * file makes stays as it was made.
  */
 

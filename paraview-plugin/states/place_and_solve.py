@@ -27,6 +27,11 @@ SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], Diff
 verdict = Show(OutputPort(check, 3), view)
 SetProperties(verdict, Color=[0, 0, 0], FontSize=12)
 # A field with other singularities than these is not the one that was asked for.
+line = Show(OutputPort(field, 1), view)
+SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
+verdict = Show(OutputPort(check, 3), view)
+SetProperties(verdict, Color=[0, 0, 0], FontSize=12)
+# A field with other singularities than these is not the one that was asked for.
 unwanted = PythonAnnotation(
     registrationName="Unwanted singularities", Input=field, ArrayAssociation="Field Data",
     Expression="'No field: see Output Messages' if 'UnwantedSingularities' not in input.FieldData.keys() else "

@@ -20,6 +20,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -374,6 +375,27 @@ unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>&
   EXPECT_NE(filter->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_TRUE(IsEmpty(filter->GetOutputDataObject(0)));
   return filter->GetErrorCode();
+}
+
+//------------------------------------------------------------------------------
+std::pair<std::string, bool> TextForView(vtkAlgorithm* filter, int port, const char* name)
+{
+  auto* table = vtkTable::SafeDownCast(filter->GetOutputDataObject(port));
+  auto* column = vtkStringArray::SafeDownCast(table->GetColumnByName(name));
+  EXPECT_EQ(table->GetNumberOfColumns(), 1);
+  std::string text =
+    column == nullptr || column->GetNumberOfValues() != 1 ? "" : column->GetValue(0);
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
+  {
+    end = text.find('\n', begin);
+    EXPECT_LE(std::min(end, text.size()) - begin, 60U) << text;
+    if (end != std::string::npos)
+    {
+      text[end] = ' ';
+    }
+  }
+  return { text, RequireArray(table->GetFieldData(), "Alarm")->GetTuple1(0) != 0.0 };
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkAlgorithm;
@@ -82,6 +83,9 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay = true);
  * an error code and an empty output. Returns the error code.
  */
 unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>& parts);
+
+/** The text in the only column of a table for a view, with its lines made one, and whether it is an alarm; no line is long. */
+std::pair<std::string, bool> TextForView(vtkAlgorithm* filter, int port, const char* name);
 
 /** PrintSelf names every one of the parameters. */
 void CheckPrintSelf(vtkObject* object, const std::vector<std::string>& parameters);

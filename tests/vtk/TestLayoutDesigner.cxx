@@ -60,23 +60,10 @@ public:
     return text == nullptr ? std::string() : std::string(text->GetValue(0));
   }
 
-  /** Of the table for a view, with its lines made one; none is long. */
-  std::string TextInView()
+  std::string TextInView(bool isAlarm)
   {
-    auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(4));
-    auto* column = vtkStringArray::SafeDownCast(table->GetColumnByName("Summary"));
-    std::string text =
-      column == nullptr || column->GetNumberOfValues() != 1 ? "" : column->GetValue(0);
-    std::size_t begin = 0;
-    for (std::size_t end = 0; end != std::string::npos; begin = end + 1)
-    {
-      end = text.find('\n', begin);
-      EXPECT_LE(std::min(end, text.size()) - begin, 60U) << text;
-      if (end != std::string::npos)
-      {
-        text[end] = ' ';
-      }
-    }
+    const auto [text, alarm] = FilterChecks::TextForView(this->Filter, 4, "Summary");
+    EXPECT_EQ(alarm, isAlarm) << text;
     return text;
   }
 
@@ -131,7 +118,7 @@ TEST_F(LayoutDesigner, ShowsWhatTheOtherFiltersShow)
   EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
   EXPECT_GT(this->Value("LeastAngle"), 50);
   EXPECT_NE(this->Text("Summary").find("9 faces"), std::string::npos) << this->Text("Summary");
-  EXPECT_EQ(this->TextInView(), this->Text("Summary"));
+  EXPECT_EQ(this->TextInView(false), this->Text("Summary"));
   this->Filter->SetQuadsToNone();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->CountOf(3), 0);
@@ -149,7 +136,7 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   EXPECT_EQ(this->Shades(), std::set<double>({ 0.0 })) << "a stale layout is grey";
   EXPECT_NE(this->Text("Verdict").find("outside"), std::string::npos) << this->Text("Verdict");
   EXPECT_EQ(this->Text("Summary"), this->Text("Verdict"));
-  EXPECT_EQ(this->TextInView(), this->Text("Verdict"));
+  EXPECT_EQ(this->TextInView(true), this->Text("Verdict"));
   EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
   // Back again, all is well.
   this->SetFour();
@@ -206,6 +193,20 @@ TEST_F(LayoutDesigner, SaysWhyThereNeverWasALayout)
   EXPECT_EQ(this->CountOf(0), 0);
   EXPECT_EQ(this->CountOf(2), 1);
   EXPECT_EQ(this->Value("Stale"), 1);
+}
+
+TEST_F(LayoutDesigner, SaysWhyThereIsNoDomain)
+{
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_FALSE(this->TextInView(false).empty());
+  this->Filter->SetInputData(TestInputs::OpenCurve({ { 0, 0 }, { 1, 0 }, { 1, 1 } }));
+  FilterChecks::CaptureError(this->Filter, { "open curve" });
+  EXPECT_NE(this->TextInView(true).find("open curve"), std::string::npos);
+  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 0);
+  this->Filter->SetInputConnection(this->Domain->GetOutputPort());
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->TextInView(false), this->Text("Summary"));
+  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
 }
 
 TEST_F(LayoutDesigner, ObeysCommands)

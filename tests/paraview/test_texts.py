@@ -1,0 +1,150 @@
+"""What filters made in the menu say in the view: black where all is well, red where it is not; started by run_client.py."""
+from paraview.simple import *
+
+from person import check, check_equal, hands, messages, picture, run, wait
+
+BLACK, RED = [0, 0, 0], [0.85, 0.1, 0.1]
+# The polygon of docs/tutorial_paraview.md.
+POLYGON = [1.3, 0, 0, 1.13, 0.5, 0, 0.65, 0.87, 0, 0, 1, 0, -0.65, 0.87, 0, -1.13, 0.5, 0,
+           -1.3, 0, 0, -1.13, -0.5, 0, -0.65, -0.87, 0, 0, -1, 0, 0.65, -0.87, 0, 1.13, -0.5, 0]
+
+
+def drawn(where):
+    """The text in the view there and its colour; one that says nothing is not shown."""
+    found = [shown for shown in GetActiveView().Representations
+             if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility and shown.WindowLocation == where]
+    check_equal(len(found), 1, "texts in the view at " + where)
+    text = found[0].GetClientSideObject().GetTextWidgetRepresentation().GetRepresentation().GetText()
+    return " ".join(text.splitlines()), [round(number, 6) for number in found[0].Color]
+
+
+def apply():
+    check(hands.hands_click(b"Apply"), "no Apply")
+    wait(400)
+
+
+def make(name, **inputs):
+    wait()  # until the menu knows what is active
+    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    wait()
+    for label, choice in inputs.items():
+        check(hands.hands_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+    apply()
+    return GetActiveSource()
+
+
+def test_field(domain, points):
+    SetActiveSource(domain)
+    hands.hands_filter(b"DrillHoles", b"Singularities", b"Points")
+    apply()
+    field = make("Perforated Cross Field")
+    check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text of the default")
+    check_equal(messages(), "", "messages of the default")
+    picture("unit_norm.png", is_whole=False)
+    check(hands.hands_take(b"Method", b"Constrained"), "no Constrained in the panel")
+    apply()
+    text, colour = drawn("Lower Center")
+    check("4 unwanted singularities" in text and "Unit Norm" in text, "the text of Constrained: " + text)
+    check_equal(colour, RED, "the colour of unwanted singularities")
+    check("unwanted" in messages(), "the warning has gone")
+    # Fetch would be a step of undo.
+    report = field.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
+    check_equal(report.GetArray("UnwantedSingularities").GetValue(0), 4, "unwanted singularities, as the tutorial says")
+    picture("constrained.png", is_whole=False)
+    # The colour is no step of its own.
+    check_equal(hands.hands_undo_label(), b"Apply", "what would be undone")
+    hands.hands_undo()
+    wait(400)
+    check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text after undo")
+    # No field: why not.
+    points.Singularities = [0, 0, 3, 0.1]
+    Render()
+    wait(400)
+    text, colour = drawn("Lower Center")
+    check("4" in text and colour == RED, "the text where the sum is wrong: %s %s" % (text, colour))
+    check(messages() != "", "no message of a wrong sum")
+    picture("no_field.png", is_whole=False)
+
+
+def test_check(domain, points):
+    points.Singularities = [0.4, 0, 1, 0.1]
+    SetActiveSource(domain)
+    make("Poincare Hopf Check", Singularities="Points")
+    text, colour = drawn("Upper Left Corner")
+    check(text.startswith("Inconsistent") and colour == RED, "the verdict on a wrong sum: %s %s" % (text, colour))
+    picture("check.png", is_whole=False)
+    points.Singularities = [0.4, 0, 4, 0.1]
+    Render()
+    wait(400)
+    text, colour = drawn("Upper Left Corner")
+    check(text.startswith("Consistent") and colour == BLACK, "the verdict on a right sum: %s %s" % (text, colour))
+
+
+def test_designer(domain, points):
+    SetActiveSource(domain)
+    designer = make("Layout Designer")
+    text, colour = drawn("Lower Center")
+    check("shortest arc" in text and colour == BLACK, "the summary: %s %s" % (text, colour))
+    rows = hands.hands_rows()
+    check(rows > 0, "no singularities are proposed")
+    # A singularity outside, and back.
+    x = hands.hands_number(0, 0)
+    hands.hands_type(0, 0, 7)
+    wait(400)
+    text, colour = drawn("Lower Center")
+    check("outside" in text and colour == RED, "the summary of what cannot be: %s %s" % (text, colour))
+    picture("outside.png", is_whole=False)
+    hands.hands_type(0, 0, x)
+    wait(400)
+    check_equal(drawn("Lower Center")[1], BLACK, "the colour of what can be again")
+    designer.Singularities = []
+    check_equal(messages(), "", "messages of a singularity outside")
+    # A domain that is none.
+    domain.Closed = 0
+    Render()
+    wait(400)
+    text, colour = drawn("Lower Center")
+    check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
+    check_equal(hands.hands_rows(), 0, "rows of the table without a domain")
+    check("open" in messages(), "no message of an open curve")
+    picture("no_domain.png", is_whole=False)
+    domain.Closed = 1
+    Render()
+    wait(400)
+    text, colour = drawn("Lower Center")
+    check("shortest arc" in text and colour == BLACK, "the summary with a domain again: %s %s" % (text, colour))
+    check_equal(hands.hands_rows(), rows, "rows of the table with a domain again")
+
+
+def test_designer_of_no_domain(domain, points):
+    """From its first update on."""
+    domain.Closed = 0
+    SetActiveSource(domain)
+    wait()
+    make("Layout Designer")
+    text, colour = drawn("Lower Center")
+    check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
+    check(messages() != "", "no message")
+    picture("never_a_domain.png", is_whole=False)
+    domain.Closed = 1
+    Render()
+    wait(600)
+    picture("a_domain_at_last.png", is_whole=False)
+    text, colour = drawn("Lower Center")
+    check("shortest arc" in text and colour == BLACK, "the summary with a domain at last: %s %s" % (text, colour))
+
+
+def say(test):
+    ResetSession()
+    wait(200)
+    view = GetActiveViewOrCreate("RenderView")
+    SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
+    domain = PolyLineSource(registrationName="Domain", Points=POLYGON, Closed=1)
+    points = SingularitySource(registrationName="Points")
+    Show(domain)
+    points.UpdatePipeline()
+    Render()
+    test(domain, points)
+
+
+run("test_", globals(), say, (1000, 800, 370))
