@@ -4,11 +4,11 @@
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
-#include "pqLoadDataReaction.h"
 #include "pqLoadStateReaction.h"
 #include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqOutputWidget.h"
+#include "pqPipelineBrowserWidget.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
@@ -22,10 +22,17 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QImage>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QMainWindow>
 #include <QMouseEvent>
 #include <QTableWidget>
 #include <QTimer>
+#include <QTreeView>
+
+#include <functional>
+#include <vector>
 
 namespace
 {
@@ -66,6 +73,106 @@ Widget* Visible(const char* name)
 
 /** Warnings and errors that the window of messages has got. */
 QString Messages;
+
+/** A key as the window system sends it, pressed and let go. */
+void Key(QWidget* widget, int key, const QString& text = {})
+{
+  for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
+  {
+    QCoreApplication::postEvent(widget, new QKeyEvent(type, key, Qt::NoModifier, text));
+  }
+}
+
+void Click(QWidget* widget, const QPoint& place)
+{
+  for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
+  {
+    const bool isPress = type == QEvent::MouseButtonPress;
+    QCoreApplication::postEvent(widget,
+      new QMouseEvent(type, place, widget->mapToGlobal(place), Qt::LeftButton,
+        isPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier));
+  }
+}
+
+/** What to do in a modal dialog of this class; not done (false) as long as what it needs is not there. */
+struct Answer
+{
+  const char* dialog;
+  std::function<bool(QWidget*)> give;
+};
+
+/** Types a name where the dialog for files wants it, and Return. */
+Answer TypeFile(const QString& file)
+{
+  return { "pqFileDialog",
+    [file](QWidget* dialog)
+    {
+      auto* line = dialog->findChild<QLineEdit*>("EntityName");
+      if (!line || !line->isVisible())
+      {
+        return false;
+      }
+      line->selectAll();
+      for (const QChar& character : file)
+      {
+        Key(line, 0, QString(character));
+      }
+      // After what the completion of names shows meanwhile.
+      QTimer::singleShot(300, line, [line] { Key(line, Qt::Key_Return); });
+      return true;
+    } };
+}
+
+Answer ClickOk(const char* dialogClass)
+{
+  return { dialogClass,
+    [](QWidget* dialog)
+    {
+      for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
+      {
+        if (button->isVisible() && button->isEnabled() && button->text().remove("&") == "OK")
+        {
+          Click(button, button->rect().center());
+          return true;
+        }
+      }
+      return false;
+    } };
+}
+
+/**
+ * Chooses an entry of a menu, and answers the dialogs that it opens one after the other. False, with all dialogs closed, where one does
+ * not come or not have what is looked for within seconds.
+ */
+bool Converse(const char* action, std::vector<Answer> answers)
+{
+  auto* chosen = pqCoreUtilities::mainWidget()->findChild<QAction*>(action);
+  if (!chosen || !chosen->isEnabled())
+  {
+    return false;
+  }
+  std::size_t next = 0;
+  int patience = 100;
+  QTimer timer;
+  QObject::connect(&timer, &QTimer::timeout,
+    [&]
+    {
+      QWidget* dialog = QApplication::activeModalWidget();
+      if (dialog && next < answers.size() && dialog->inherits(answers[next].dialog) &&
+        dialog->isVisible() && answers[next].give(dialog))
+      {
+        ++next;
+        patience = 100;
+      }
+      else if (--patience < 0 && dialog)
+      {
+        dialog->close();
+      }
+    });
+  timer.start(100);
+  chosen->trigger(); // returns after the last dialog
+  return next == answers.size();
+}
 }
 
 extern "C"
@@ -124,10 +231,46 @@ extern "C"
     return false;
   }
 
-  /** File > Open with the reader that is chosen for this file. */
+  /** File > Open: the name typed, and the reader chosen in the list that comes then. */
   bool hands_open(const char* file, const char* reader)
   {
-    return pqLoadDataReaction::loadData({ QStringList(file) }, "sources", reader) != nullptr;
+    const Answer choose = { "pqSelectReaderDialog",
+      [reader](QWidget* dialog)
+      {
+        auto* readers = dialog->findChild<QListWidget*>();
+        const QList<QListWidgetItem*> found =
+          readers ? readers->findItems(reader, Qt::MatchExactly) : QList<QListWidgetItem*>();
+        if (found.empty())
+        {
+          return false;
+        }
+        readers->scrollToItem(found.front());
+        Click(readers->viewport(), readers->visualItemRect(found.front()).center());
+        return true;
+      } };
+    return Converse("actionFileOpen",
+      { TypeFile(QString::fromUtf8(file)), choose, ClickOk("pqSelectReaderDialog") });
+  }
+
+  /** File > Save Data: the name typed, and this choice of the property in the options. */
+  bool hands_save(const char* file, const char* property, const char* choice)
+  {
+    const Answer choose = { "pqProxyWidgetDialog",
+      [property, choice](QWidget* dialog)
+      {
+        for (QWidget* widget : dialog->findChildren<QWidget*>(property))
+        {
+          auto* choices = widget->findChild<QComboBox*>();
+          if (choices && choices->isVisible() && choices->findText(choice) >= 0)
+          {
+            choices->setCurrentIndex(choices->findText(choice));
+            return true;
+          }
+        }
+        return false;
+      } };
+    return Converse("actionFileSaveData",
+      { TypeFile(QString::fromUtf8(file)), choose, ClickOk("pqProxyWidgetDialog") });
   }
 
   /** File > Load State, without the window that asks where its data are. */
@@ -206,6 +349,25 @@ extern "C"
     said = Messages.toUtf8();
     Messages.clear();
     return said.constData();
+  }
+
+  /** Clicks on an item of this name in the Pipeline Browser, the last one, as a person who selects an output. */
+  bool hands_select(const char* name)
+  {
+    for (auto* tree : pqCoreUtilities::mainWidget()->findChildren<pqPipelineBrowserWidget*>())
+    {
+      const QModelIndexList found = tree->getModel()->match(tree->getModel()->index(0, 0),
+        Qt::DisplayRole, QString(name), -1, Qt::MatchFlags(Qt::MatchExactly | Qt::MatchRecursive));
+      if (!found.empty())
+      {
+        tree->scrollTo(found.back());
+        QRect place;
+        tree->getVisibleRect(found.back(), place);
+        Click(tree->viewport(), place.center());
+        return true;
+      }
+    }
+    return false;
   }
 
   /** A window of this size, with so much of its width for the panel. */

@@ -12,7 +12,7 @@ hands.hands_time_of_move.restype = hands.hands_number.restype = ctypes.c_double
 hands.hands_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
 for function in hands.hands_undo_label, hands.hands_messages:
     function.restype = ctypes.c_char_p
-for function in hands.hands_click, hands.hands_picture, hands.hands_open, hands.hands_trigger, hands.hands_take:
+for function in hands.hands_click, hands.hands_picture, hands.hands_open, hands.hands_save, hands.hands_select, hands.hands_trigger, hands.hands_take:
     function.restype = ctypes.c_bool
 hands.hands_listen()
 

@@ -43,7 +43,7 @@ def step_open(view):
     file = os.path.join(os.environ["FOLDER"], "polygon.csv")
     with open(file, "w", encoding="utf-8") as domain:
         domain.write(polygon)
-    check(hands.hands_open(file.encode(), b"PlanarDomainReader"), "the domain cannot be opened")
+    check(hands.hands_open(file.encode(), b"Planar Domain Reader"), "the domain cannot be opened")
     check(hands.hands_click(b"Apply"), "no Apply for the reader")
     wait()
 
@@ -110,7 +110,9 @@ def step_quads(view):
 
 def step_save(view):
     file = os.path.join(os.environ["FOLDER"], "quads.vtu")
-    SaveData(file, proxy=OutputPort(GetActiveSource(), 3), DataMode="Binary")
+    check(hands.hands_select(b"Quads"), "no output Quads in the Pipeline Browser")
+    wait()
+    check(hands.hands_save(file.encode(), b"DataMode", b"Binary"), "the quads cannot be saved")
     quads = servermanager.Fetch(OpenDataFile(file))
     # The sides of the boundary are lines.
     types = [quads.GetCellType(i) for i in range(quads.GetNumberOfCells()) if quads.GetCell(i).GetCellDimension() == 2]
