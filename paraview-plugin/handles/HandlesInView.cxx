@@ -2,6 +2,9 @@
 
 #include "pqSingularityHandlesWidget.h"
 
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkCallbackCommand.h"
@@ -15,11 +18,31 @@
 #include <QCheckBox>
 #include <QEvent>
 #include <QScopedValueRollback>
+#include <QSignalBlocker>
 
 namespace
 {
 // Before ParaView's own styles, which have priority 0: what meets a handle does not turn the camera.
 constexpr float MousePriority = 1;
+
+/**
+ * While it lives the client is not told that pipelines have run: it would gather numbers for panels and load the icons of all
+ * filters anew, which takes as long as the layout itself. What follows the last move of a drag tells it.
+ */
+class Quiet
+{
+public:
+  Quiet()
+  {
+    for (auto* item : pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>())
+    {
+      this->Blockers.emplace_back(item);
+    }
+  }
+
+private:
+  std::vector<QSignalBlocker> Blockers;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -114,8 +137,7 @@ void pqSingularityHandlesWidget::UpdateHandles()
 void pqSingularityHandlesWidget::Detach()
 {
   this->FollowTimer.stop();
-  this->IsDragging = false;
-  this->TellDragging(false);
+  this->EndDrag();
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -215,6 +237,9 @@ void pqSingularityHandlesWidget::Follow()
       this->TellDragging(true);
       this->WriteProperty(this->Rows);
     }
+    // It takes a software renderer 10 ms a frame, and edges that move are not looked at so closely.
+    this->SmoothEdges(false);
+    const Quiet quiet;
     this->view()->forceRender();
   }
   if (this->IsBehind)
@@ -227,8 +252,7 @@ void pqSingularityHandlesWidget::Follow()
 void pqSingularityHandlesWidget::Release()
 {
   this->Follow();
-  this->IsDragging = false;
-  this->TellDragging(false);
+  this->EndDrag();
   if (this->Rows != this->RowsBeforeDrag)
   {
     this->Commit(this->RowsBeforeDrag, this->Rows, "Move Singularity");
@@ -236,6 +260,30 @@ void pqSingularityHandlesWidget::Release()
   else
   {
     this->view()->render();
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::EndDrag()
+{
+  if (this->IsDragging)
+  {
+    this->IsDragging = false;
+    this->SmoothEdges(true);
+  }
+  this->TellDragging(false);
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::SmoothEdges(bool isWanted)
+{
+  vtkSMViewProxy* viewProxy = this->view() ? this->view()->getViewProxy() : nullptr;
+  auto* renderView =
+    viewProxy ? vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject()) : nullptr;
+  if (renderView)
+  {
+    // Not its property: a state or a trace of this moment is to have what a person has set.
+    renderView->SetUseFXAA(isWanted && vtkSMPropertyHelper(viewProxy, "UseFXAA").GetAsInt() != 0);
   }
 }
 

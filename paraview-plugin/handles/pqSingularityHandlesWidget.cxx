@@ -213,8 +213,7 @@ std::vector<SingularityRow> pqSingularityHandlesWidget::PropertyRows() const
 void pqSingularityHandlesWidget::TakeRows(const std::vector<SingularityRow>& rows)
 {
   // What was dragged may not be there any more.
-  this->IsDragging = false;
-  this->TellDragging(false);
+  this->EndDrag();
   this->Rows = rows;
   this->Chosen = std::min(this->Chosen, static_cast<int>(rows.size()) - 1);
   this->ShowRows();

@@ -98,6 +98,8 @@ private:
   void Press(int x, int y);
   void Follow();
   void Release();
+  void EndDrag();
+  void SmoothEdges(bool isWanted);
   void TellDragging(bool isDragging);
   void Hover(int x, int y);
 

@@ -6,14 +6,20 @@
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkWeakPointer.h"
 
 #include <QTimer>
+
+#include <functional>
+#include <utility>
 
 namespace
 {
@@ -44,6 +50,35 @@ Colour PlainColour(pqDataRepresentation* representation)
   colour.fill(brightness > 0.5 ? 0 : 1);
   return colour;
 }
+
+/** Paints now and after every update of a proxy, as long as the representation lives. Signals of the client rest in a drag. */
+class Painter final : public QObject
+{
+public:
+  Painter(vtkSMProxy* proxy, pqDataRepresentation* representation, std::function<void()> paint)
+    : QObject(representation)
+    , Paint(std::move(paint))
+    , Proxy(proxy)
+  {
+    this->Update->SetClientData(this);
+    this->Update->SetCallback([](vtkObject*, unsigned long, void* self, void*)
+      { static_cast<Painter*>(self)->Paint(); });
+    proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Update);
+    this->Paint();
+  }
+  ~Painter() override
+  {
+    if (this->Proxy)
+    {
+      this->Proxy->RemoveObserver(this->Update);
+    }
+  }
+
+private:
+  std::function<void()> Paint;
+  vtkNew<vtkCallbackCommand> Update;
+  vtkWeakPointer<vtkSMProxy> Proxy;
+};
 
 void Paint(pqDataRepresentation* representation, const Colour& colour)
 {
@@ -80,10 +115,8 @@ void TextLook::Show(
     [source, representation, port]
     {
       const Colour plain = PlainColour(representation);
-      const auto paint = [source, representation, port, plain]
-      { Paint(representation, IsAlarm(source, port) ? Look::Red : plain); };
-      paint();
-      QObject::connect(source, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated),
-        representation, paint);
+      new Painter(source->getProxy(), representation,
+        [source, representation, port, plain]
+        { Paint(representation, IsAlarm(source, port) ? Look::Red : plain); });
     });
 }

@@ -74,6 +74,8 @@ Widget* Visible(const char* name)
 /** Warnings and errors that the window of messages has got. */
 QString Messages;
 
+int Updates = 0;
+
 /** A key as the window system sends it, pressed and let go. */
 void Key(QWidget* widget, int key, const QString& text = {})
 {
@@ -368,6 +370,19 @@ extern "C"
       }
     }
     return false;
+  }
+
+  /** From now on it is counted how often the client is told that this source has run, which keeps panels and menus busy. */
+  void hands_count_updates(const char* source)
+  {
+    pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+    QObject::connect(model->findItem<pqPipelineSource*>(source),
+      QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), [] { ++Updates; });
+  }
+
+  int hands_updates()
+  {
+    return Updates;
   }
 
   /** A window of this size, with so much of its width for the panel. */

@@ -82,14 +82,19 @@ def test_drag(scene):
     check_equal(hands.hands_rows(), 4, "the rows of the table")
     picture("start.png")
     times, seen = [], [scene.drawn()]
+    shown = scene.view.GetClientSideObject()
+    hands.hands_count_updates(b"Separatrices")
     end = -0.05, 0.15 # more than a pixel for each move
     for seconds in scene.drag(ROWS[:2], end, MOVES):
         times.append(seconds)
         check(not np.array_equal(scene.drawn(), seen[-1]), "the separatrices did not follow a move")
         seen.append(scene.drawn())
         check_equal(hands.hands_number(0, 0), scene.row(0)[0], "the table while dragging")
+        # What would take a frame longer rests until the handle is let go.
+        check_equal((hands.hands_updates(), shown.GetUseFXAA()), (0, False), "panels told and edges smoothed while dragging")
         if len(times) == MOVES // 2:
             picture("dragging.png")
+    check_equal((hands.hands_updates(), shown.GetUseFXAA()), (1, True), "panels told and edges smoothed at the end")
     check_equal(scene.runs, MOVES + 1, "runs of the pipeline, one for each move and for the end")
     check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
     check_equal(scene.rows()[2:4] + scene.rows()[4:], ROWS[2:4] + ROWS[4:], "the rest of the rows")
