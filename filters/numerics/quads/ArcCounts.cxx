@@ -2,10 +2,13 @@
 
 #include "ArcImprovement.h"
 #include "ArcWindows.h"
+#include "Index.h"
 #include "Separation.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -29,59 +32,137 @@ IntegerCounts KeepAllArcs(const TMesh& mesh, ArcProblem problem)
   return shortLoops.empty() ? kept : SolveArcFlow(problem);
 }
 
-/// Arcs of the largest windows.
-constexpr std::size_t QuickWindow = 100;
-constexpr std::size_t ThoroughWindow = 300;
-
-/// Of one search of the whole problem.
-int NodesFor(const ArcProblem& problem, ArcSearch search)
+/// How far numbers are searched for.
+struct Effort
 {
-  // Times arcs: a few seconds for the thorough one. Not seconds, so that numbers are the same on every machine.
+  std::size_t window = 0; ///< Arcs of the largest.
+  int nodes = 0;          ///< Of each search of the whole problem.
+  int turns = 0;
+};
+
+Effort EffortFor(const ArcProblem& problem, ArcSearch search)
+{
+  // Times arcs: a second or two for a thorough turn. Not seconds, so that numbers are the same on every machine.
   constexpr int ArcsTimesNodes = 250000;
   // What very many arcs get nevertheless.
   constexpr int LeastNodes = 300;
   constexpr int QuickPart = 20;
   const int nodes = std::max(LeastNodes, ArcsTimesNodes / static_cast<int>(problem.Count()));
-  return search == ArcSearch::Quick ? nodes / QuickPart : nodes;
+  return search == ArcSearch::Quick ? Effort{ 100, nodes / QuickPart, 1 } : Effort{ 200, nodes, 3 };
 }
 
-/// All arcs are free. The first search meets nearly all the rows; the second, if it is needed, has cuts of all of them
-/// from the beginning.
-void ImproveWhole(const TMesh& mesh, const ArcProblem& problem, int mostNodes, IntegerCounts& best,
-  std::vector<ArcRow>& rows, ArcCounts& result, const Progress& progress)
+/// Windows, the whole problem, and what these differ in, in turns, until nothing finds better numbers.
+class Turns
 {
-  std::vector<int> all(problem.Count());
-  std::iota(all.begin(), all.end(), 0);
-  constexpr int Searches = 2;
-  for (int i = 0; i < Searches && best.cost > result.bound + CostRounding(result.bound); ++i)
+public:
+  Turns(const TMesh& mesh, const ArcProblem& problem, const Effort& effort)
+    : Mesh(mesh)
+    , Problem(problem)
+    , Most(effort)
+    , All(problem.Count())
   {
-    progress.Report(static_cast<double>(i) / Searches);
-    const Improvement improvement = ImproveCounts(mesh, problem, all, mostNodes, best, rows);
-    result.bound = std::max(result.bound, improvement.bound);
-    result.nodes += improvement.nodes;
+    std::iota(this->All.begin(), this->All.end(), 0);
   }
-}
+
+  /// `result` has the bound of the flow.
+  void Run(IntegerCounts& best, ArcCounts& result, const Progress& progress)
+  {
+    const double flow = result.bound;
+    for (int turn = 0; turn < this->Most.turns; ++turn)
+    {
+      const Progress part = progress.Part(
+        static_cast<double>(turn) / this->Most.turns, (turn + 1.0) / this->Most.turns);
+      const double before = best.cost;
+      this->SearchWindows(best, part.Part(0.0, 0.5));
+      if (this->DropBroken(best.counts))
+      {
+        result.bound = flow;
+      }
+      const bool isProved = best.cost <= result.bound + CostRounding(result.bound);
+      if (isProved && best.cost >= before)
+      {
+        return;
+      }
+      part.Report(0.5);
+      const Improvement whole =
+        ImproveCounts(this->Mesh, this->Problem, this->All, this->Most.nodes, best, this->Rows);
+      result.bound = std::max(result.bound, whole.bound);
+      result.nodes += whole.nodes;
+      this->SearchDifferences(whole.relaxed, best);
+    }
+  }
+
+private:
+  /// With rows of their own, so that numbers that break those met before are found as well.
+  void SearchWindows(IntegerCounts& best, const Progress& progress)
+  {
+    std::vector<ArcRow> met;
+    ImproveInWindows(this->Mesh, this->Problem, this->Most.window, best, met, progress);
+    for (ArcRow& row : met)
+    {
+      if (std::find(this->Rows.begin(), this->Rows.end(), row) == this->Rows.end())
+      {
+        this->Rows.push_back(std::move(row));
+      }
+    }
+  }
+
+  /// Rows that do not hold for the best numbers, and with them what they proved. Whether there were such rows.
+  bool DropBroken(const std::vector<int>& best)
+  {
+    const auto broken = std::remove_if(this->Rows.begin(), this->Rows.end(),
+      [&best](const ArcRow& row) { return !row.Holds(best); });
+    const bool any = broken != this->Rows.end();
+    this->Rows.erase(broken, this->Rows.end());
+    return any;
+  }
+
+  /// Arcs whose numbers over the reals are others are free (Danna, Rothberg, Le Pape 2005).
+  void SearchDifferences(const std::vector<double>& relaxed, IntegerCounts& best)
+  {
+    // Most need none.
+    constexpr int MostNodes = 100;
+    bool isBetter = !relaxed.empty();
+    while (isBetter)
+    {
+      std::vector<int> free;
+      std::copy_if(this->All.begin(), this->All.end(), std::back_inserter(free),
+        [&](int arc)
+        {
+          // Far above what the simplex method is exact to.
+          constexpr double Same = 1e-6;
+          return std::abs(relaxed[Index(arc)] - best.counts[Index(arc)]) > Same;
+        });
+      isBetter = !free.empty() &&
+        ImproveCounts(this->Mesh, this->Problem, free, MostNodes, best, this->Rows).isBetter;
+    }
+  }
+
+  const TMesh& Mesh;
+  const ArcProblem& Problem;
+  const Effort Most;
+  std::vector<int> All;
+  std::vector<ArcRow> Rows;
+};
 }
 
 ArcCounts CountArcs(
   const TMesh& mesh, const ArcProblem& problem, ArcSearch search, const Progress& progress)
 {
   Stopwatch stopwatch;
-  const IntegerCounts joined = SolveArcFlow(problem);
+  IntegerCounts best = SolveArcFlow(problem);
   ArcCounts result;
-  result.bound = joined.optimal ? joined.cost : joined.bound;
-  IntegerCounts apart = joined;
-  std::vector<ArcRow> rows;
-  if (!FindViolations(mesh, joined.counts).empty())
+  result.bound = best.optimal ? best.cost : best.bound;
+  if (!FindViolations(mesh, best.counts).empty())
   {
-    apart = KeepAllArcs(mesh, problem);
-    ImproveInWindows(mesh, problem, search == ArcSearch::Quick ? QuickWindow : ThoroughWindow,
-      apart, rows, progress.Part(0.0, 0.5));
+    best = KeepAllArcs(mesh, problem);
   }
-  ImproveWhole(
-    mesh, problem, NodesFor(problem, search), apart, rows, result, progress.Part(0.5, 1.0));
-  result.counts = std::move(apart.counts);
-  result.cost = apart.cost;
+  if (best.cost > result.bound + CostRounding(result.bound))
+  {
+    Turns(mesh, problem, EffortFor(problem, search)).Run(best, result, progress);
+  }
+  result.counts = std::move(best.counts);
+  result.cost = best.cost;
   result.zeroArcs = static_cast<int>(std::count(result.counts.begin(), result.counts.end(), 0));
   result.optimal = result.cost <= result.bound + CostRounding(result.bound);
   result.gap = result.optimal ? 0.0 : (result.cost - result.bound) / (1.0 + result.bound);

@@ -25,9 +25,8 @@ enum class ArcSearch
   Thorough
 };
 
-/// The flow, where that joins nothing. Else numbers n ≥ 1, which never do, are improved in windows (ArcWindows.h), and then
-/// the optimum is looked for by branch and cut with rows that keep points apart, as far as a number of nodes goes
-/// (docs/method.md §14.3).
+/// The flow, where that joins nothing. Else numbers n ≥ 1, which never do, are improved in windows (ArcWindows.h) and by branch
+/// and cut of the whole problem with rows that keep points apart, as far as a number of nodes goes (docs/method.md §14.3).
 ArcCounts CountArcs(
   const TMesh& mesh, const ArcProblem& problem, ArcSearch search, const Progress& progress = {});
 }

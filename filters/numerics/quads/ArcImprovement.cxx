@@ -41,6 +41,7 @@ Improvement ImproveCounts(const TMesh& mesh, const ArcProblem& problem,
   Improvement result;
   result.bound = found.bound;
   result.nodes = found.nodes;
+  result.relaxed = std::move(found.relaxed);
   result.isBetter = !found.counts.empty() && found.cost < best.cost - CostRounding(best.cost);
   if (result.isBetter)
   {

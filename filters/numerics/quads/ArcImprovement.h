@@ -10,6 +10,7 @@ struct Improvement
   bool isBetter = false;
   double bound = 0.0; ///< No counts with these rows, and with those that do not change, cost less.
   int nodes = 0;
+  std::vector<double> relaxed; ///< Counts over the reals; empty where none were needed.
 };
 
 /// Better counts than `best`, which keep everything apart, by branch and cut: only the arcs `free` change

@@ -2,332 +2,330 @@
 
 #include "Index.h"
 
-#include <glpk.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-/// As GLPK's own for whole numbers.
-constexpr double NearlyWhole = 1e-5;
-
-struct Delete
+/// What is left to search: everything within bounds.
+struct Branch
 {
-  void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
+  double bound = 0.0; ///< Of the costs in it.
+  std::vector<ColumnBounds> bounds;
+  std::shared_ptr<const RelaxationBasis> basis; ///< Where to begin; none: with that at hand.
+  int arc = -1;                                 ///< That was branched on last.
+  std::size_t isMore = 0;                       ///< 1 where its number was raised.
+  double step = 0.0;                            ///< By how much the number must change.
 };
 
-}
-
-struct ArcProgram::Program
+/// How much bounds have risen per step.
+struct Rise
 {
-  Program(const ArcProblem& wanted, const std::vector<int>& free, std::vector<int> counts)
-    : Problem(wanted)
-    , Data(glp_create_prob())
-    , Counts(std::move(counts))
-    , FirstColumn(wanted.Count(), Fixed)
+  double sum = 0.0;
+  int count = 0;
+};
+
+class BranchAndCut
+{
+public:
+  BranchAndCut(const ArcProblem& problem, ArcRelaxation& relaxation, std::vector<ArcRow>& rows,
+    const ArcProgram::Separate& separate)
+    : Problem(problem)
+    , Relaxation(relaxation)
+    , Rows(rows)
+    , SeparateCounts(separate)
   {
-    glp_term_out(GLP_OFF); // of this thread: GLPK says some things whatever msg_lev is
-    glp_set_obj_dir(this->Data.get(), GLP_MIN);
-    this->AddColumns(free);
-    std::vector<std::vector<std::pair<int, int>>> equations(Index(wanted.rows));
-    for (std::size_t a = 0; a < wanted.Count(); ++a)
-    {
-      for (const ArcTerm& term : wanted.terms[a])
-      {
-        equations[Index(term.row)].emplace_back(static_cast<int>(a), term.sign);
-      }
-    }
-    for (const auto& equation : equations)
-    {
-      if (std::any_of(equation.begin(), equation.end(),
-            [this](const auto& term) { return this->IsFree(Index(term.first)); }))
-      {
-        this->AddRow(equation, GLP_FX, 0);
-      }
-    }
+    this->Best.cost = std::numeric_limits<double>::infinity();
+    this->Rises.fill(std::vector<Rise>(problem.Count()));
   }
 
-  void AddRow(const std::vector<std::pair<int, int>>& terms, int kind, int least)
+  void Take(std::vector<int> counts)
   {
-    std::vector<int> columns = { 0 }; // GLPK counts from 1
-    std::vector<double> values = { 0.0 };
-    double right = least;
-    for (const auto& [arc, factor] : terms)
-    {
-      const auto value = static_cast<double>(factor);
-      if (!this->IsFree(Index(arc)))
-      {
-        right -= value * this->Counts[Index(arc)];
-        continue;
-      }
-      const int first = this->FirstColumn[Index(arc)];
-      columns.insert(columns.end(), { first, first + 1, first + 2 });
-      values.insert(values.end(), { -value, value, value });
-      right -= value * this->Floors[Index(arc)];
-    }
-    const int row = glp_add_rows(this->Data.get(), 1);
-    glp_set_row_bnds(this->Data.get(), row, kind, right, right);
-    glp_set_mat_row(
-      this->Data.get(), row, static_cast<int>(columns.size()) - 1, columns.data(), values.data());
+    this->Best.cost = this->Problem.Cost(counts);
+    this->Best.counts = std::move(counts);
+    this->Relaxation.SetLimit(this->GetLimit());
   }
 
-  /// From the beginning: from where the last one ended, by the dual method, Gomory's cuts were worse.
-  bool Relax()
+  ProgramCounts Search(int mostNodes)
   {
-    glp_std_basis(this->Data.get());
-    glp_smcp options;
-    glp_init_smcp(&options);
-    options.msg_lev = GLP_MSG_OFF;
-    return glp_simplex(this->Data.get(), &options) == 0 &&
-      glp_get_status(this->Data.get()) == GLP_OPT;
-  }
-
-  ProgramCounts Search(const std::vector<int>& start, int mostNodes, const Separate& separate,
-    std::vector<ArcRow>& rows)
-  {
-    BranchAndCut search{ *this, separate, rows, mostNodes, 0, {}, 0.0 };
-    search.bound = glp_get_obj_val(this->Data.get());
-    if (!start.empty())
+    bool isOpen = this->Begin();
+    while (isOpen && this->Best.nodes < mostNodes)
     {
-      search.start = this->ValuesOf(start);
+      ++this->Best.nodes;
+      const bool divides = this->Visit();
+      // Rows that the root knows raise its bound, by cuts of them, by more than rows of the leaves. Few are worth a new root.
+      constexpr std::size_t ManyRows = 10;
+      isOpen =
+        this->Rows.size() >= this->RootRows + ManyRows ? this->Begin() : divides || this->Next();
     }
-    glp_iocp options;
-    glp_init_iocp(&options);
-    options.msg_lev = GLP_MSG_OFF;
-    // Gomory's cuts solve most problems without branching; without them, or with the default rule of branching,
-    // ten times as many nodes were seen.
-    options.gmi_cuts = GLP_ON;
-    options.mir_cuts = GLP_ON;
-    options.br_tech = GLP_BR_PCH;
-    // Rounding would take numbers that nobody has separated.
-    options.sr_heur = GLP_OFF;
-    options.cb_func = &BranchAndCut::Step;
-    options.cb_info = &search;
-    const int status = glp_intopt(this->Data.get(), &options);
-    const int found = glp_mip_status(this->Data.get());
-    ProgramCounts result;
-    result.nodes = search.nodes;
-    result.bound = search.bound;
-    if (found == GLP_OPT || found == GLP_FEAS)
+    this->Best.bound = std::min(this->Best.cost, isOpen ? this->LeastBound() : this->Best.cost);
+    if (this->IsUnsolved)
     {
-      result.counts =
-        this->CountsOf([this](int column) { return glp_mip_col_val(this->Data.get(), column); });
-      result.cost = this->Problem.Cost(result.counts);
-      result.bound = status == 0 ? result.cost : std::min(search.bound, result.cost);
+      this->Best.bound = this->RootBound;
     }
-    return result;
+    return this->Best;
   }
 
 private:
-  static constexpr int Fixed = 0; // columns begin with 1
+  static bool IsDearer(const Branch& a, const Branch& b) { return a.bound > b.bound; }
 
-  /// What GLPK calls back with.
-  struct BranchAndCut
+  double GetLimit() const
   {
-    Program& program;
-    const Separate& separate;
-    std::vector<ArcRow>& rows;
-    int mostNodes;
-    int nodes = 0;
-    std::vector<double> start; ///< A value per column, from 1 on.
-    double bound = 0.0;
-
-    static void Step(glp_tree* tree, void* info)
-    {
-      auto& search = *static_cast<BranchAndCut*>(info);
-      switch (glp_ios_reason(tree))
-      {
-      case GLP_IROWGEN:
-        search.AddRows();
-        break;
-      case GLP_IHEUR:
-        if (!search.start.empty())
-        {
-          glp_ios_heur_sol(tree, search.start.data());
-          search.start.clear();
-        }
-        break;
-      case GLP_ISELECT:
-      {
-        glp_ios_tree_size(tree, nullptr, nullptr, &search.nodes);
-        const int best = glp_ios_best_node(tree);
-        search.bound = best > 0 ? glp_ios_node_bound(tree, best) : search.bound;
-        if (search.nodes > search.mostNodes)
-        {
-          glp_ios_terminate(tree);
-        }
-        break;
-      }
-      default:
-        break;
-      }
-    }
-
-    /// To the relaxation at hand: rows are those of a node and of what is below it, so others may need them again.
-    void AddRows()
-    {
-      bool isNew = false;
-      for (const ArcRow& row : this->rows)
-      {
-        if (this->program.Breaks(row))
-        {
-          this->program.AddRow(row.terms, GLP_LO, row.least);
-          isNew = true;
-        }
-      }
-      if (isNew || !this->program.IsWhole())
-      {
-        return;
-      }
-      const std::vector<int> counts = this->program.CountsOf(
-        [this](int column) { return glp_get_col_prim(this->program.Data.get(), column); });
-      for (ArcRow& row : this->separate(counts))
-      {
-        this->program.AddRow(row.terms, GLP_LO, row.least);
-        this->rows.push_back(std::move(row));
-      }
-    }
-  };
-
-  double Relaxed(std::size_t arc) const
-  {
-    if (!this->IsFree(arc))
-    {
-      return this->Counts[arc];
-    }
-    const int first = this->FirstColumn[arc];
-    const auto value = [this](int column) { return glp_get_col_prim(this->Data.get(), column); };
-    return this->Floors[arc] - value(first) + value(first + 1) + value(first + 2);
+    return std::isfinite(this->Best.cost) ? this->Best.cost - CostRounding(this->Best.cost)
+                                          : this->Best.cost;
   }
 
-  bool Breaks(const ArcRow& row) const
+  double LeastBound() const
   {
-    double sum = 0.0;
-    for (const auto& [arc, factor] : row.terms)
+    double least = this->Present.bound;
+    for (const std::vector<Branch>* const branches : { &this->Open, &this->Recent })
     {
-      sum += factor * this->Relaxed(Index(arc));
+      for (const Branch& branch : *branches)
+      {
+        least = std::min(least, branch.bound);
+      }
     }
-    return sum < row.least - NearlyWhole;
+    return std::max(least, this->RootBound);
+  }
+
+  /// At the root, with all rows: whether there is something to search.
+  bool Begin()
+  {
+    this->Open.clear();
+    this->Recent.clear();
+    this->Returns = 0;
+    this->Present = {};
+    this->Relaxation.Narrow({});
+    // Most of what cuts can raise the bound by.
+    constexpr int MostRounds = 20;
+    for (int round = 0; round <= MostRounds; ++round)
+    {
+      const RelaxationStatus status = this->SolveApart();
+      if (status != RelaxationStatus::Optimal)
+      {
+        this->IsUnsolved = this->IsUnsolved || status == RelaxationStatus::Unsolved;
+        return false;
+      }
+      this->RootBound = std::max(this->RootBound, this->Relaxation.GetCost());
+      if (std::isfinite(this->Best.cost))
+      {
+        this->Relaxation.Tighten();
+      }
+      if (this->IsWhole() || !this->Relaxation.Cut())
+      {
+        break;
+      }
+    }
+    this->RootRows = this->Rows.size();
+    this->Best.relaxed.clear();
+    for (std::size_t a = 0; a < this->Problem.Count(); ++a)
+    {
+      this->Best.relaxed.push_back(this->Relaxation.Relaxed(static_cast<int>(a)));
+    }
+    this->Present.bound = this->RootBound;
+    return true;
   }
 
   bool IsWhole() const
   {
-    for (int column = 1; column <= glp_get_num_cols(this->Data.get()); ++column)
+    return std::all_of(this->Relaxation.GetFree().begin(), this->Relaxation.GetFree().end(),
+      [this](int arc) { return this->Relaxation.IsWhole(arc); });
+  }
+
+  /// Adds rows until the optimum is not whole, or joins nothing.
+  RelaxationStatus SolveApart()
+  {
+    while (true)
     {
-      const double value = glp_get_col_prim(this->Data.get(), column);
-      if (std::abs(value - std::round(value)) > NearlyWhole)
+      const RelaxationStatus status = this->Relaxation.Solve();
+      if (status != RelaxationStatus::Optimal || !this->IsWhole())
       {
-        return false;
+        return status;
+      }
+      std::vector<int> counts = this->Relaxation.GetCounts();
+      const std::vector<ArcRow> broken = this->SeparateCounts(counts);
+      if (broken.empty())
+      {
+        this->Take(std::move(counts));
+        return status;
+      }
+      for (const ArcRow& row : broken)
+      {
+        this->Relaxation.Add(row);
+        this->Rows.push_back(row);
       }
     }
+  }
+
+  /// Whether the present branch was divided into two: the one that rises less is the present one then.
+  bool Visit()
+  {
+    this->Relaxation.Narrow(this->Present.bounds);
+    if (this->Present.basis)
+    {
+      this->Relaxation.SetBasis(*this->Present.basis);
+    }
+    const RelaxationStatus status = this->SolveApart();
+    this->IsUnsolved = this->IsUnsolved || status == RelaxationStatus::Unsolved;
+    if (status != RelaxationStatus::Optimal)
+    {
+      return false;
+    }
+    const double cost = this->Relaxation.GetCost();
+    if (this->Present.arc >= 0)
+    {
+      Rise& rise = this->Rises[this->Present.isMore][Index(this->Present.arc)];
+      rise.sum += std::max(0.0, cost - this->Present.bound) / this->Present.step;
+      ++rise.count;
+    }
+    const int arc = this->ArcToBranchOn();
+    if (arc < 0)
+    {
+      return false;
+    }
+    this->Divide(arc, cost);
     return true;
   }
 
-  bool IsFree(std::size_t arc) const { return this->FirstColumn[arc] != Fixed; }
-
-  void AddColumns(const std::vector<int>& free)
+  void Divide(int arc, double cost)
   {
-    for (std::size_t i = 0; i < free.size(); ++i)
+    const double value = this->Relaxation.Relaxed(arc);
+    const auto below = static_cast<int>(std::floor(value));
+    std::array<Branch, 2> parts = { this->Present, this->Present };
+    const std::array<std::vector<ColumnBounds>, 2> narrower = { this->Relaxation.AtMost(arc, below),
+      this->Relaxation.AtLeast(arc, below + 1) };
+    for (std::size_t isMore = 0; isMore < 2; ++isMore)
     {
-      this->FirstColumn[Index(free[i])] = 3 * static_cast<int>(i) + 1;
+      Branch& part = parts[isMore];
+      part.bound = cost;
+      part.bounds.insert(part.bounds.end(), narrower[isMore].begin(), narrower[isMore].end());
+      part.basis = nullptr;
+      part.arc = arc;
+      part.isMore = isMore;
+      part.step = isMore == 1 ? below + 1 - value : value - below;
     }
-    glp_add_cols(this->Data.get(), 3 * static_cast<int>(free.size()));
-    double constant = 0.0;
-    for (std::size_t a = 0; a < this->Problem.Count(); ++a)
+    const std::size_t next = this->RiseOf(parts[1]) < this->RiseOf(parts[0]) ? 1 : 0;
+    this->Present = std::move(parts[next]);
+    parts[1 - next].basis = std::make_shared<const RelaxationBasis>(this->Relaxation.GetBasis());
+    this->Recent.push_back(std::move(parts[1 - next]));
+  }
+
+  /// The last branch that was left aside, so that whole numbers are met, and after some of these the cheapest of all. Whether
+  /// there is one.
+  bool Next()
+  {
+    constexpr int MostReturns = 8;
+    while (!this->Recent.empty() && this->Returns < MostReturns)
     {
-      this->Floors.push_back(static_cast<int>(std::floor(this->Problem.wanted[a])));
-      if (!this->IsFree(a))
+      this->Present = std::move(this->Recent.back());
+      this->Recent.pop_back();
+      if (this->Present.bound < this->GetLimit())
       {
-        constant += this->Problem.Cost(a, this->Counts[a]);
+        ++this->Returns;
+        return true;
+      }
+    }
+    this->Returns = 0;
+    for (Branch& branch : this->Recent)
+    {
+      this->Open.push_back(std::move(branch));
+      std::push_heap(this->Open.begin(), this->Open.end(), IsDearer);
+    }
+    this->Recent.clear();
+    if (this->Open.empty() || this->Open.front().bound >= this->GetLimit())
+    {
+      return false;
+    }
+    std::pop_heap(this->Open.begin(), this->Open.end(), IsDearer);
+    this->Present = std::move(this->Open.back());
+    this->Open.pop_back();
+    return true;
+  }
+
+  /// What the bound is expected to rise by: as it did before, or the arc's cost where that has not been seen.
+  double RiseOf(const Branch& branch) const
+  {
+    const Rise& rise = this->Rises[branch.isMore][Index(branch.arc)];
+    return branch.step *
+      (rise.count > 0 ? rise.sum / rise.count : this->Problem.weight[Index(branch.arc)]);
+  }
+
+  /// The one with the largest product of both rises (Achterberg, Koch, Martin 2005); −1 where all are whole.
+  int ArcToBranchOn() const
+  {
+    int best = -1;
+    double most = 0.0;
+    for (const int arc : this->Relaxation.GetFree())
+    {
+      if (this->Relaxation.IsWhole(arc))
+      {
         continue;
       }
-      const int first = this->FirstColumn[a];
-      const double weight = this->Problem.weight[a];
-      const double below = this->Floors[a];
-      const double fraction = this->Problem.wanted[a] - below;
-      constant += weight * fraction;
-      this->AddColumn(first, weight, this->Floors[a] > 0 ? GLP_DB : GLP_FX, below);
-      this->AddColumn(first + 1, weight * (1.0 - 2.0 * fraction), GLP_DB, 1.0);
-      this->AddColumn(first + 2, weight, GLP_LO, 0.0);
-    }
-    glp_set_obj_coef(this->Data.get(), 0, constant);
-  }
-
-  void AddColumn(int column, double cost, int kind, double most)
-  {
-    glp_set_col_kind(this->Data.get(), column, GLP_IV);
-    glp_set_col_bnds(this->Data.get(), column, kind, 0.0, most);
-    glp_set_obj_coef(this->Data.get(), column, cost);
-  }
-
-  std::vector<double> ValuesOf(const std::vector<int>& counts) const
-  {
-    std::vector<double> values(Index(glp_get_num_cols(this->Data.get())) + 1, 0.0);
-    for (std::size_t a = 0; a < counts.size(); ++a)
-    {
-      if (this->IsFree(a))
+      const double value = this->Relaxation.Relaxed(arc);
+      double product = 1.0;
+      for (std::size_t isMore = 0; isMore < 2; ++isMore)
       {
-        const std::size_t first = Index(this->FirstColumn[a]);
-        const int more = counts[a] - this->Floors[a];
-        values[first] = std::max(0, -more);
-        values[first + 1] = std::clamp(more, 0, 1);
-        values[first + 2] = std::max(0, more - 1);
+        Branch branch;
+        branch.arc = arc;
+        branch.isMore = isMore;
+        branch.step = isMore == 1 ? std::ceil(value) - value : value - std::floor(value);
+        // So that one side that does not rise leaves the other one some say.
+        constexpr double LeastRise = 1e-6;
+        product *= std::max(LeastRise, this->RiseOf(branch));
+      }
+      if (product > most)
+      {
+        best = arc;
+        most = product;
       }
     }
-    return values;
-  }
-
-  template <typename Value>
-  std::vector<int> CountsOf(Value value) const
-  {
-    std::vector<int> counts = this->Counts;
-    counts.resize(this->Problem.Count());
-    for (std::size_t a = 0; a < counts.size(); ++a)
-    {
-      if (this->IsFree(a))
-      {
-        const int first = this->FirstColumn[a];
-        counts[a] = this->Floors[a] +
-          static_cast<int>(std::lround(value(first + 1) + value(first + 2) - value(first)));
-      }
-    }
-    return counts;
+    return best;
   }
 
   const ArcProblem& Problem;
-  std::unique_ptr<glp_prob, Delete> Data;
-  const std::vector<int> Counts; ///< Of arcs that are not free.
-  std::vector<int> FirstColumn;  ///< Per arc.
-  std::vector<int> Floors;
+  ArcRelaxation& Relaxation;
+  std::vector<ArcRow>& Rows;
+  const ArcProgram::Separate& SeparateCounts;
+  ProgramCounts Best;
+  double RootBound = -std::numeric_limits<double>::infinity();
+  std::size_t RootRows = 0;
+  bool IsUnsolved = false;
+  Branch Present;
+  std::vector<Branch> Open;   ///< A heap, the cheapest first.
+  std::vector<Branch> Recent; ///< Left aside since the cheapest was taken.
+  int Returns = 0;            ///< To those.
+  std::array<std::vector<Rise>, 2> Rises;
 };
+}
 
 ArcProgram::ArcProgram(
   const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts)
-  : Data(std::make_unique<Program>(problem, free, counts))
+  : Problem(problem)
+  , Relaxation(problem, free, counts)
 {
 }
 
-ArcProgram::~ArcProgram() = default;
-
 void ArcProgram::Add(const ArcRow& row)
 {
-  this->Data->AddRow(row.terms, GLP_LO, row.least);
+  this->Relaxation.Add(row);
   this->Rows.push_back(row);
 }
 
 ProgramCounts ArcProgram::Solve(
   const std::vector<int>& start, int mostNodes, const Separate& separate)
 {
-  if (!this->Data->Relax())
-  {
-    return {}; // numerical trouble of the simplex method: nothing is known
-  }
+  BranchAndCut search(this->Problem, this->Relaxation, this->Rows, separate);
   const bool holds = std::all_of(this->Rows.begin(), this->Rows.end(),
     [&start](const ArcRow& row) { return !start.empty() && row.Holds(start); });
-  return this->Data->Search(holds ? start : std::vector<int>(), mostNodes, separate, this->Rows);
+  if (holds && !start.empty())
+  {
+    search.Take(start);
+  }
+  return search.Search(mostNodes);
 }
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "ArcProblem.h"
-#include "SeparationRow.h"
+#include "ArcRelaxation.h"
 
 #include <functional>
-#include <memory>
 
 namespace crossfield
 {
@@ -14,22 +12,18 @@ struct ProgramCounts
   double cost = 0.0;
   double bound = 0.0; ///< No counts for which the rows hold cost less.
   int nodes = 0;      ///< Of branch and cut.
+  std::vector<double>
+    relaxed; ///< Counts over the reals at the root, with all cuts; empty where the root decides.
 };
 
-/// An ArcProblem with rows for what must stay apart, solved by GLPK's branch and cut (docs/method.md §14.3).
-///
-/// n = ⌊ℓ⌋ − d + m + u with 0 ≤ d ≤ ⌊ℓ⌋, 0 ≤ m ≤ 1, u ≥ 0: three columns an arc, whose costs are the slopes of
-/// w |n − ℓ|. Then the absolute value needs no row, and the relaxation is that of the flow. Lower bounds of the problem
-/// are not used.
+/// An ArcProblem with rows for what must stay apart, solved by branch and cut: cuts at the root alone, branches on the number of
+/// an arc (docs/method.md §14.3).
 class ArcProgram
 {
 public:
   /// Only the arcs `free` are free. The others keep the counts that are given, which solve the equations.
   ArcProgram(
     const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts);
-  ~ArcProgram();
-  ArcProgram(const ArcProgram&) = delete;
-  ArcProgram& operator=(const ArcProgram&) = delete;
 
   void Add(const ArcRow& row);
 
@@ -45,8 +39,8 @@ public:
   const std::vector<ArcRow>& GetRows() const { return this->Rows; }
 
 private:
-  struct Program;
-  std::unique_ptr<Program> Data;
+  const ArcProblem& Problem;
+  ArcRelaxation Relaxation;
   std::vector<ArcRow> Rows;
 };
 }

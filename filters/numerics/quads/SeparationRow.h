@@ -14,6 +14,10 @@ struct ArcRow
   int least = 1;
 
   bool Holds(const std::vector<int>& counts) const;
+  bool operator==(const ArcRow& other) const
+  {
+    return this->terms == other.terms && this->least == other.least;
+  }
 };
 
 /// The row that keeps the ends of a way of links apart: that a displacement in the signs of the real one, whose sides are

@@ -1,7 +1,9 @@
 #include "ArcCounts.h"
 
 #include "ArcFlow.h"
+#include "ArcImprovement.h"
 #include "ArcProgram.h"
+#include "ArcRelaxation.h"
 #include "ArcWindows.h"
 #include "FlatMapSolve.h"
 #include "MakePlanarDomain.h"
@@ -194,6 +196,47 @@ TEST(ArcWindows, LeadToTheOptimum)
   EXPECT_GE(windows, whole);
   EXPECT_LT(windows, 2.0 * whole);
   EXPECT_GT(first, 2.0 * windows);
+}
+
+/// Cuts raise the bound, and never above the cost of whole numbers for which the rows hold.
+TEST(ArcRelaxation, CutsOffNoWholeNumbers)
+{
+  Random random(99);
+  double raised = 0.0;
+  for (int sample = 0; sample < 3; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh lines = LinesOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
+    const ArcProblem problem = MakeArcProblem(lines, 0.12);
+    ArcProblem ones = problem;
+    ones.lower.assign(problem.Count(), 1);
+    IntegerCounts found = SolveArcFlow(ones);
+    std::vector<ArcRow> rows;
+    ImproveInWindows(lines, problem, 100, found, rows);
+    std::vector<int> all(problem.Count());
+    std::iota(all.begin(), all.end(), 0);
+    ImproveCounts(lines, problem, all, 1000, found, rows);
+    ArcRelaxation relaxation(problem, all, found.counts);
+    for (const ArcRow& row : rows)
+    {
+      if (row.Holds(found.counts))
+      {
+        relaxation.Add(row);
+      }
+    }
+    ASSERT_EQ(relaxation.Solve(), RelaxationStatus::Optimal);
+    const double first = relaxation.GetCost();
+    double cost = first;
+    for (int round = 0; round < 10 && relaxation.Cut(); ++round)
+    {
+      ASSERT_EQ(relaxation.Solve(), RelaxationStatus::Optimal);
+      EXPECT_GE(relaxation.GetCost(), cost - CostRounding(cost));
+      cost = relaxation.GetCost();
+      EXPECT_LE(cost, found.cost + CostRounding(found.cost));
+    }
+    raised += cost - first;
+  }
+  EXPECT_GT(raised, 1.0);
 }
 
 /// With some arcs free the others stay, the equations hold, and nothing better is left among the free ones.
