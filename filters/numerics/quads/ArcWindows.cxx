@@ -2,6 +2,7 @@
 
 #include "ArcImprovement.h"
 #include "Index.h"
+#include "Separation.h"
 
 #include <algorithm>
 #include <array>
@@ -115,14 +116,15 @@ private:
   std::vector<std::vector<int>> ArcsOf;
 };
 
-/// The optimum in which no arc loses its last edge: nothing new is joined.
-void Rebalance(const ArcProblem& problem, IntegerCounts& best)
+/// The optimum in which no arc loses its last edge, where that joins nothing: beside a face of no width other points may meet.
+void Rebalance(const TMesh& mesh, const ArcProblem& problem, IntegerCounts& best)
 {
   ArcProblem kept = problem;
   std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
     [](int count) { return std::min(count, 1); });
   IntegerCounts found = SolveArcFlow(kept);
-  if (found.cost < best.cost - CostRounding(best.cost))
+  if (found.cost < best.cost - CostRounding(best.cost) &&
+    FindViolations(mesh, found.counts).empty())
   {
     best.counts = std::move(found.counts);
     best.cost = found.cost;
@@ -150,7 +152,7 @@ void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t 
       progress.Report(static_cast<double>(pass) / static_cast<double>(sizes.size()));
       ImproveCounts(mesh, problem, window.arcs, MostNodes, best, rows);
     }
-    Rebalance(problem, best);
+    Rebalance(mesh, problem, best);
   }
 }
 }
