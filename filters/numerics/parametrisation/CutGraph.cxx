@@ -292,7 +292,10 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
   {
     MarkWay(topology, ways, vertex, cut.isCut);
   }
-  JoinLoops(topology, ways, cut.isCut);
+  if (topology.loops.size() > 1)
+  {
+    JoinLoops(topology, ways, cut.isCut); // by ways to all vertices
+  }
   cut.chains = FindChains(topology, cut.isCut, singular);
   NumberCorners(topology, cut);
   return cut;
