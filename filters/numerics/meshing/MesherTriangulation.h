@@ -10,15 +10,19 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <cstdint>
+
 namespace crossfield::mesher
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr int None = -1;
 
-/// Of a vertex: its boundary loop, and its number in the mesh that is read out.
+/// Of a vertex: its boundary loop, its number in the lattice if it is a corner of the lattice's core, and its number in the
+/// mesh that is read out.
 struct VertexInfo
 {
   int loop = None;
+  std::int64_t lattice = None;
   int number = None;
 };
 /// Of a face: how many loops enclose it.

@@ -4,16 +4,15 @@
 #include "Error.h"
 #include "MemoryBudget.h"
 #include "MeshBudget.h"
+#include "MesherCore.h"
 #include "MesherCriteria.h"
 #include "MesherPoints.h"
+#include "MesherReadOut.h"
 #include "MesherTriangulation.h"
 #include "PointLattice.h"
 #include "Segment.h"
 
 #include <CGAL/Delaunay_mesher_2.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -281,77 +280,11 @@ void SpreadLoopNumbers(Triangulation& triangulation)
   }
 }
 
-/// Whether a piece of a segment of a convex loop has its direction.
-bool RunsAlong(const Loop& loop, const Point& from, const Point& to)
+[[noreturn]] void ThrowBroken()
 {
-  const Point middle = 0.5 * (loop[0] + loop[loop.size() / 2]); // inside, as it is on a chord
-  return (Cross(from - middle, to - middle) > 0.0) == (SignedArea(loop) > 0.0);
-}
-
-/// The faces of the domain along Hilbert's curve through their centroids: neighbours are near to each other in memory, and in
-/// files, where zlib then finds the value of an edge in both of its triangles.
-std::vector<Triangulation::Face_handle> FacesInOrder(const Triangulation& triangulation)
-{
-  using Place = std::pair<CgalPoint, Triangulation::Face_handle>;
-  std::vector<Place> places;
-  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
-       ++face)
-  {
-    if (face->is_in_domain())
-    {
-      places.emplace_back(CGAL::centroid(triangulation.triangle(face)), face);
-    }
-  }
-  CGAL::hilbert_sort(places.begin(), places.end(),
-    CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>());
-  std::vector<Triangulation::Face_handle> faces;
-  faces.reserve(places.size());
-  for (const Place& place : places)
-  {
-    faces.push_back(place.second);
-  }
-  return faces;
-}
-
-TriangleMesh ReadOut(const Triangulation& triangulation, const PlanarDomain& domain,
-  const std::vector<BoundaryEdge>& loopMarks)
-{
-  TriangleMesh mesh;
-  for (const Triangulation::Face_handle& face : FacesInOrder(triangulation))
-  {
-    std::array<int, 3> triangle{};
-    for (int i = 0; i < 3; ++i)
-    {
-      VertexInfo& info = face->vertex(i)->info();
-      if (info.number == None)
-      {
-        info.number = static_cast<int>(mesh.points.size());
-        mesh.points.push_back(FromCgal(face->vertex(i)->point()));
-      }
-      triangle[static_cast<std::size_t>(i)] = info.number;
-    }
-    mesh.triangles.push_back(triangle);
-    for (int i = 0; i < 3; ++i)
-    {
-      if (face->is_constrained(i))
-      {
-        const auto from = face->vertex(Triangulation::ccw(i));
-        const auto to = face->vertex(Triangulation::cw(i));
-        const auto loop = static_cast<std::size_t>(from->info().loop);
-        BoundaryEdge edge = loopMarks[loop];
-        edge.vertices = { from->info().number, to->info().number };
-        if (edge.kind != BoundaryKind::ImprintedCircle)
-        {
-          mesh.boundary.push_back(edge);
-        }
-        else if (RunsAlong(domain.loops[loop], FromCgal(from->point()), FromCgal(to->point())))
-        {
-          mesh.imprinted.push_back(edge); // seen from the outside; the inside sees it as well
-        }
-      }
-    }
-  }
-  return mesh;
+  throw Error(
+    "The triangulation of the domain broke down; simplify the boundary where it is finest "
+    "or nearly touches itself.");
 }
 }
 
@@ -382,7 +315,7 @@ try
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
   const std::vector<bool> imprinted = FindImprinted(loopMarks);
   ComputeDepths(triangulation, imprinted);
-  const std::vector<CgalPoint> seeds = HoleSeeds(triangulation, domain.loops.size());
+  const std::vector<CgalPoint> holeSeeds = HoleSeeds(triangulation, domain.loops.size());
 
   const std::vector<CgalPoint> rings =
     KeepClear(triangulation, HoleRings(domain, loopMarks, size), size);
@@ -392,22 +325,38 @@ try
     triangulation.insert(ToCgal(vertex));
   }
   ComputeDepths(triangulation, imprinted);
-  const std::vector<CgalPoint> bulk = KeepClear(triangulation, GradedLattice(size), size);
+  const GradedLattice lattice = MakeGradedLattice(size);
+  const std::vector<Point> others = OtherPoints(triangulation, lattice);
+  const auto isInside = [&triangulation, hint = Triangulation::Face_handle()](
+                          const Point& point) mutable
+  {
+    hint = triangulation.locate(ToCgal(point), hint);
+    return !triangulation.is_infinite(hint) && hint->is_in_domain();
+  };
+  progress.Report(0.3);
+  const LatticeCore core(lattice.coarsest, others, CoreMargin, isInside);
+  const std::vector<std::size_t> corners = CornersOf(core);
+  const std::vector<CgalPoint> bulk =
+    KeepClear(triangulation, OutsideOf(core, corners, lattice), size);
   // What was predicted is right within a factor of two where holes grade the mesh. There are two
   // triangles to a point; the lattice and the points kept of it are in memory already.
-  RequireMemory(
-    static_cast<double>(bulk.size()) * (2.0 * MeshBytesPerTriangle - 2.0 * sizeof(CgalPoint)),
-    "A mesh with " + std::to_string(2 * bulk.size()) + " triangles",
+  const std::size_t triangles = 2 * bulk.size() + core.GetTriangles().size();
+  RequireMemory(static_cast<double>(triangles) * (MeshBytesPerTriangle - sizeof(CgalPoint)),
+    "A mesh with " + std::to_string(triangles) + " triangles",
     "choose a larger edge length, larger holes or a larger gradation");
-  progress.Report(0.3);
   triangulation.insert(bulk.begin(), bulk.end());
+  const std::vector<Ends> border = InsertBorder(core, corners, triangulation);
   progress.Report(0.5);
 
+  std::vector<CgalPoint> seeds = CoreSeeds(core);
+  seeds.insert(seeds.end(), holeSeeds.begin(), holeSeeds.end());
   CGAL::Delaunay_mesher_2<Triangulation, GradedCriteria> mesher(
     triangulation, GradedCriteria(size));
   mesher.set_seeds(seeds.begin(), seeds.end(), false);
   mesher.init();
-  const std::size_t mostVertices = 2 * triangulation.number_of_vertices() + MostAddedVertices;
+  const std::size_t inCore = core.GetTriangles().size() / 2;
+  const std::size_t mostVertices =
+    2 * (triangulation.number_of_vertices() + inCore) + MostAddedVertices;
   // Asked now and then whether to stop; the number of steps to come is not known.
   constexpr int StepsBetweenReports = 4096;
   for (int step = 1; mesher.try_one_step_refine_mesh(); ++step)
@@ -421,16 +370,21 @@ try
       }
     }
   }
+  for (const Ends& ends : border)
+  {
+    if (!triangulation.is_edge(ends[0], ends[1]))
+    {
+      ThrowBroken();
+    }
+  }
   SpreadLoopNumbers(triangulation);
-  TriangleMesh mesh = ReadOut(triangulation, domain, loopMarks);
+  TriangleMesh mesh = ReadOut(triangulation, domain, loopMarks, core).Take();
   progress.Report(1.0);
   return mesh;
 }
 catch (const CGAL::Failure_exception&) // its text is of several lines about CGAL's source
 {
-  throw Error(
-    "The triangulation of the domain broke down; simplify the boundary where it is finest "
-    "or nearly touches itself.");
+  ThrowBroken();
 }
 
 //------------------------------------------------------------------------------
@@ -486,6 +440,6 @@ TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double cl
     }
   }
   ComputeDepths(triangulation, FindImprinted(this->What->loopMarks));
-  return ReadOut(triangulation, this->What->domain, this->What->loopMarks);
+  return ReadOut(triangulation, this->What->domain, this->What->loopMarks, {}).Take();
 }
 }

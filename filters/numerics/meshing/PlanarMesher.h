@@ -15,7 +15,7 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops);
 
 /// Triangulates a domain: every segment of its loops becomes one edge or several, edges are about
 /// as long as `size` asks, and no angle is below 20.7° except where the input has sharper corners.
-/// The bulk of the points is a graded lattice, inserted at once; Delaunay refinement mends what is
+/// The bulk is a graded lattice, most of it with triangles that are known beforehand; Delaunay refinement mends what is
 /// left near the boundary (docs/method.md §10.1).
 ///
 /// Loops marked as imprinted circles, convex ones, become edges inside the domain, which are given

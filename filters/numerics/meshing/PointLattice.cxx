@@ -25,17 +25,57 @@ int CoarserLevels(long long i, long long j, int level)
   }
   return coarser;
 }
+
+/// Of all numbers from 0, those that are below when multiplied by a step.
+int CountBelow(double length, double step)
+{
+  return static_cast<int>(std::ceil(length / step));
+}
 }
 
-std::vector<Point> GradedLattice(const SizeField& size)
+double TriangularLattice::RowHeight() const
 {
-  std::vector<Point> points;
+  return 0.5 * std::sqrt(3.0) * this->spacing;
+}
+
+Point TriangularLattice::At(int column, int row) const
+{
+  return this->origin + Point((column + 0.5 * (row % 2)) * this->spacing, row * this->RowHeight());
+}
+
+Point TriangularLattice::At(std::size_t number) const
+{
+  const auto inRow = static_cast<std::size_t>(this->columns);
+  return this->At(static_cast<int>(number % inRow), static_cast<int>(number / inRow));
+}
+
+std::size_t TriangularLattice::Count() const
+{
+  return static_cast<std::size_t>(this->columns) * static_cast<std::size_t>(this->rows);
+}
+
+std::size_t TriangularLattice::NumberOf(int column, int row) const
+{
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(this->columns) +
+    static_cast<std::size_t>(column);
+}
+
+GradedLattice MakeGradedLattice(const SizeField& size)
+{
   const double largest = size.GetMaximum();
-  const std::vector<SizeField::Leaf> leaves = size.Leaves();
-  const Point origin = leaves.front().box.min();
-  for (const SizeField::Leaf& leaf : leaves)
+  GradedLattice lattice;
+  lattice.coarsest.origin = size.GetBox().min();
+  lattice.coarsest.spacing = largest;
+  lattice.coarsest.columns = CountBelow(size.GetBox().sizes().x(), largest);
+  lattice.coarsest.rows = CountBelow(size.GetBox().sizes().y(), lattice.coarsest.RowHeight());
+  const Point& origin = lattice.coarsest.origin;
+  for (const SizeField::Leaf& leaf : size.Leaves())
   {
     const int level = LevelFor(leaf.LowerBound(), largest);
+    if (level == 0)
+    {
+      continue;
+    }
     const double spacing = std::ldexp(largest, -level);
     const double rowHeight = 0.5 * std::sqrt(3.0) * spacing;
     const Point lower = leaf.box.min() - origin;
@@ -50,13 +90,13 @@ std::vector<Point> GradedLattice(const SizeField& size)
         const Point point = origin +
           Point(static_cast<double>(i) * spacing + shift, static_cast<double>(j) * rowHeight);
         const int own = level - CoarserLevels(i, j, level);
-        if (own == 0 || LevelFor(leaf.SizeAt(point), largest) >= own)
+        if (own > 0 && LevelFor(leaf.SizeAt(point), largest) >= own)
         {
-          points.push_back(point);
+          lattice.finer.push_back(point);
         }
       }
     }
   }
-  return points;
+  return lattice;
 }
 }

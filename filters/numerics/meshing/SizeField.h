@@ -30,6 +30,7 @@ public:
   double operator()(const Point& point) const;
 
   double GetMaximum() const { return this->Maximum; }
+  const Eigen::AlignedBox2d& GetBox() const { return this->Box; }
 
   /// A part of the box, half-open towards the upper right, in which few sources matter.
   class Leaf

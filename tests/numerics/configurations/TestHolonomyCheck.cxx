@@ -116,7 +116,7 @@ TEST(HolonomyCheck, IsThatOfTheFieldWhichConvergesAtSecondOrder)
 {
   const std::vector<double> sizes = { 0.08, 0.04, 0.02 };
   std::vector<double> errors(sizes.size(), 0.0);
-  for (const RingCase& ring : RandomCases(5))
+  for (const RingCase& ring : RandomCases(10))
   {
     for (std::size_t i = 0; i < sizes.size(); ++i)
     {

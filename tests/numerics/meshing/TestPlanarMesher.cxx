@@ -1,9 +1,11 @@
+#include "Index.h"
 #include "MakePlanarDomain.h"
 #include "PlanarMesher.h"
 #include "Support.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace crossfield::test
 {
@@ -242,6 +244,45 @@ TEST(PlanarMesher, ReportsProgressUpwardsAndStopsWhenAsked)
   EXPECT_EQ(fractions.back(), 1.0);
   const Progress stop([](double) { return false; });
   EXPECT_THROW(TriangulateDomain(domain, PlainMarks(domain), size, stop), Aborted);
+}
+
+TEST(PlanarMesher, IsDelaunayAroundTheCoreOfTheLatticeAsWell)
+{
+  for (const auto& [name, domain] : BluntDomains())
+  {
+    SCOPED_TRACE(name);
+    const double h = domain.Diagonal() / 90.0;
+    const TriangleMesh mesh =
+      Triangulate(domain, SizeOver(domain, h, { { domain.loops[0][0], 0.1 * h } }));
+    EXPECT_NEAR(MeshArea(mesh), domain.Area(), 1e-12 * domain.Area());
+    std::map<std::array<int, 2>, double> opposite; // the angle opposite of a directed edge
+    std::size_t equilateral = 0;
+    for (const auto& triangle : mesh.triangles)
+    {
+      double longest = 0.0;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const Point& apex = mesh.points[Index(triangle[i])];
+        const Point from = mesh.points[Index(triangle[(i + 1) % 3])] - apex;
+        const Point to = mesh.points[Index(triangle[(i + 2) % 3])] - apex;
+        const double angle = std::atan2(Cross(from, to), from.dot(to));
+        longest = std::max(longest, std::abs(angle - Pi / 3.0));
+        const bool isNew =
+          opposite.insert({ { triangle[(i + 1) % 3], triangle[(i + 2) % 3] }, angle }).second;
+        ASSERT_TRUE(isNew) << "a directed edge has one triangle";
+      }
+      equilateral += longest < 1e-9 ? 1 : 0;
+    }
+    std::size_t border = 0;
+    for (const auto& [edge, angle] : opposite)
+    {
+      const auto other = opposite.find({ edge[1], edge[0] });
+      border += other == opposite.end() ? 1 : 0;
+      EXPECT_LE(other == opposite.end() ? 0.0 : angle + other->second, Pi + 1e-9);
+    }
+    EXPECT_EQ(border, mesh.boundary.size());
+    EXPECT_GT(2 * equilateral, mesh.triangles.size());
+  }
 }
 
 TEST(PlanarMesher, OrdersTrianglesAlongACurve)

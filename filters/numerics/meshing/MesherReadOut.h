@@ -1,0 +1,142 @@
+#pragma once
+
+// Part of PlanarMesher.cxx, the one file that includes CGAL: the mesh from the triangulation.
+#include "HilbertOrder.h"
+#include "LatticeCore.h"
+#include "MesherTriangulation.h"
+#include "PlanarDomain.h"
+#include "TriangleMesh.h"
+
+#include <utility>
+
+namespace crossfield::mesher
+{
+/// Whether a piece of a segment of a convex loop has its direction.
+inline bool RunsAlong(const Loop& loop, const Point& from, const Point& to)
+{
+  const Point middle = 0.5 * (loop[0] + loop[loop.size() / 2]); // inside, as it is on a chord
+  return (Cross(from - middle, to - middle) > 0.0) == (SignedArea(loop) > 0.0);
+}
+
+/// The triangles of the core and the faces of the domain, along Hilbert's curve through their centroids: neighbours are near to each
+/// other in memory, and in files, where zlib then finds the value of an edge in both of its triangles.
+class ReadOut
+{
+public:
+  ReadOut(const Triangulation& triangulation, const PlanarDomain& domain,
+    const std::vector<BoundaryEdge>& loopMarks, const LatticeCore& core)
+    : Domain(domain)
+    , LoopMarks(loopMarks)
+    , Core(core)
+    , NumberInCore(core.GetLattice().Count(), None)
+  {
+    std::vector<Triangulation::Face_handle> faces;
+    const std::vector<int> order = this->Order(triangulation, faces);
+    this->Mesh.triangles.reserve(order.size());
+    const auto inCore = static_cast<int>(core.GetTriangles().size());
+    for (const int i : order)
+    {
+      if (i < inCore)
+      {
+        this->Add(core.GetTriangles()[static_cast<std::size_t>(i)]);
+      }
+      else
+      {
+        this->Add(faces[static_cast<std::size_t>(i - inCore)]);
+      }
+    }
+  }
+
+  TriangleMesh Take() { return std::move(this->Mesh); }
+
+private:
+  /// Of the triangles of the core, and after them the faces of the domain, which are collected.
+  std::vector<int> Order(
+    const Triangulation& triangulation, std::vector<Triangulation::Face_handle>& faces) const
+  {
+    std::vector<Point> places;
+    places.reserve(this->Core.GetTriangles().size() + triangulation.number_of_faces());
+    for (const LatticeCore::Triangle& triangle : this->Core.GetTriangles())
+    {
+      places.push_back(
+        (this->Core.GetLattice().At(triangle[0]) + this->Core.GetLattice().At(triangle[1]) +
+          this->Core.GetLattice().At(triangle[2])) /
+        3.0);
+    }
+    for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
+         ++face)
+    {
+      if (face->is_in_domain())
+      {
+        faces.push_back(face);
+        places.push_back(FromCgal(CGAL::centroid(triangulation.triangle(face))));
+      }
+    }
+    return HilbertOrder(places);
+  }
+
+  int Number(std::size_t inLattice)
+  {
+    int& number = this->NumberInCore[inLattice];
+    if (number == None)
+    {
+      number = static_cast<int>(this->Mesh.points.size());
+      this->Mesh.points.push_back(this->Core.GetLattice().At(inLattice));
+    }
+    return number;
+  }
+
+  int Number(const Triangulation::Vertex_handle& vertex)
+  {
+    VertexInfo& info = vertex->info();
+    if (info.lattice != None)
+    {
+      info.number = this->Number(static_cast<std::size_t>(info.lattice));
+    }
+    else if (info.number == None)
+    {
+      info.number = static_cast<int>(this->Mesh.points.size());
+      this->Mesh.points.push_back(FromCgal(vertex->point()));
+    }
+    return info.number;
+  }
+
+  void Add(const LatticeCore::Triangle& triangle)
+  {
+    this->Mesh.triangles.push_back(
+      { this->Number(triangle[0]), this->Number(triangle[1]), this->Number(triangle[2]) });
+  }
+
+  void Add(const Triangulation::Face_handle& face)
+  {
+    this->Mesh.triangles.push_back({ this->Number(face->vertex(0)), this->Number(face->vertex(1)),
+      this->Number(face->vertex(2)) });
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto from = face->vertex(Triangulation::ccw(i));
+      const auto to = face->vertex(Triangulation::cw(i));
+      if (face->is_constrained(i) && from->info().loop != None) // not the border of the core
+      {
+        const auto loop = static_cast<std::size_t>(from->info().loop);
+        BoundaryEdge edge = this->LoopMarks[loop];
+        edge.vertices = { from->info().number, to->info().number };
+        if (edge.kind != BoundaryKind::ImprintedCircle)
+        {
+          this->Mesh.boundary.push_back(edge);
+        }
+        else if (RunsAlong(
+                   this->Domain.loops[loop], FromCgal(from->point()), FromCgal(to->point())))
+        {
+          this->Mesh.imprinted.push_back(edge); // seen from the outside; the inside sees it as well
+        }
+      }
+    }
+  }
+
+  const PlanarDomain& Domain;
+  const std::vector<BoundaryEdge>& LoopMarks;
+  const LatticeCore& Core;
+  std::vector<int> NumberInCore; ///< Of every point of the lattice.
+  TriangleMesh Mesh;
+};
+}
