@@ -165,8 +165,8 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
   ForBothHalves(inverse.rows() >= FewestRowsForHalves,
     [&](std::size_t half)
     {
-      const Eigen::Index end = half == 0 ? count / 2 : count;
-      for (Eigen::Index j = half == 0 ? 0 : count / 2; j < end; ++j)
+      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
+      for (Eigen::Index j = begin; j < end; ++j)
       {
         add(j);
       }
