@@ -5,7 +5,6 @@
 #include "CornerSets.h"
 #include "FieldConfiguration.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <utility>
