@@ -83,7 +83,6 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkCrossFieldSolver.h"
 
-#include <string> // for the verdict
 #include <vector> // for the rows of holes
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkCrossFieldSolver
@@ -185,11 +184,10 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 #ifndef __VTK_WRAP__
   void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
-    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
-  void SayWhyThereIsNoField(const char* sentence) override;
+    const crossfield::Progress& progress, vtkInformationVector* outputVector) override;
+  void SayWhyThereIsNoField(const char* sentence, vtkInformationVector* outputVector) override;
 #endif
 
 private:
@@ -202,8 +200,6 @@ private:
   std::vector<int> UnitHoleRows;
   bool GlobalConstraint = false;
   double Epsilon = 0.0;
-  std::string Verdict; ///< Of the last field, for output 1.
-  bool IsAlarm = false;
 };
 
 #endif

@@ -111,7 +111,7 @@ RowTable ReadStart(vtkDataSet* start)
 /** The rows at the places of the handles. */
 void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& table)
 {
-  std::array<double, 4> next = { 0.0, 0.0, 1.0, 0.1 };
+  Row next = { 0.0, 0.0, 1.0, 0.1 };
   if (!table.rows.empty())
   {
     next[3] = table.rows.back()[3];

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <type_traits>
 
 namespace crossfield
 {
@@ -45,33 +46,31 @@ extern "C"
   LapackTypes<std::complex<double>>::AddMultiple zaxpy_;
 }
 
+/// The function for a scalar.
+template <typename Scalar, typename Real, typename Complex>
+constexpr auto* LapackOf(Real* real, Complex* complex)
+{
+  if constexpr (std::is_same_v<Scalar, double>)
+  {
+    return real;
+  }
+  else
+  {
+    return complex;
+  }
+}
+
 /// The same functions by what they do, for either scalar.
 template <typename Scalar>
-struct Lapack;
-
-template <>
-struct Lapack<double>
+struct Lapack
 {
-  static constexpr auto* Factor = dpotrf_;
-  static constexpr auto* InvertFactored = dpotri_;
-  static constexpr auto* InvertTriangle = dtrtri_;
-  static constexpr auto* SquareTriangle = dlauum_;
-  static constexpr auto* SolveTriangle = dtrsm_;
-  static constexpr auto* MultiplyTriangle = dtrmm_;
-  static constexpr auto* Square = dsyrk_;
-  static constexpr auto* Multiply = dgemm_;
-};
-
-template <>
-struct Lapack<std::complex<double>>
-{
-  static constexpr auto* Factor = zpotrf_;
-  static constexpr auto* InvertFactored = zpotri_;
-  static constexpr auto* InvertTriangle = ztrtri_;
-  static constexpr auto* SquareTriangle = zlauum_;
-  static constexpr auto* SolveTriangle = ztrsm_;
-  static constexpr auto* MultiplyTriangle = ztrmm_;
-  static constexpr auto* Square = zherk_;
-  static constexpr auto* Multiply = zgemm_;
+  static constexpr auto* Factor = LapackOf<Scalar>(dpotrf_, zpotrf_);
+  static constexpr auto* InvertFactored = LapackOf<Scalar>(dpotri_, zpotri_);
+  static constexpr auto* InvertTriangle = LapackOf<Scalar>(dtrtri_, ztrtri_);
+  static constexpr auto* SquareTriangle = LapackOf<Scalar>(dlauum_, zlauum_);
+  static constexpr auto* SolveTriangle = LapackOf<Scalar>(dtrsm_, ztrsm_);
+  static constexpr auto* MultiplyTriangle = LapackOf<Scalar>(dtrmm_, ztrmm_);
+  static constexpr auto* Square = LapackOf<Scalar>(dsyrk_, zherk_);
+  static constexpr auto* Multiply = LapackOf<Scalar>(dgemm_, zgemm_);
 };
 }
