@@ -24,7 +24,7 @@
  * rotations of the cross: UnitNorm takes these indices; Constrained is held only to the sum that
  * they leave to the holes.
  *
- * Output: the mesh, and
+ * Output 0: the mesh, and
  * - `CrossFieldCR` (cells, double, 6): triangle (p0, p1, p2): Re, Im of u at the midpoints of p0p1,
  *   p1p2, p2p0, the exact discrete field; lines: u of that edge, three times;
  * - `Representation` (cells and points, float, 3): (Re u, Im u, 0) at the centre; at a point the
