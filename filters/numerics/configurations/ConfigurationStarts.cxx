@@ -130,7 +130,7 @@ std::vector<CornerChoice> ClassifiedChoices(
   const PlanarDomain& domain, const ProposalOptions& options)
 {
   ClassificationOptions classification =
-    ClassifyBeside(options.corners, domain, options.cornerAngle);
+    ClassificationBeside(options.corners, domain, options.cornerAngle);
   classification.splitHalves = true;
   std::vector<CornerChoice> choices = options.corners;
   for (const ClassifiedCorner& corner : ClassifyCorners(domain, classification).corners)
