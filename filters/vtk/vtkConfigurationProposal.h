@@ -144,6 +144,9 @@ public:
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
   ///@}
+  /** As above; what ParaView calls. */
+  void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
+
   ///@{
   /**
    * With Automatic, up to so many pairs of quarter indices 1 and -1 more than needed, for more even sizes, as of
@@ -152,8 +155,6 @@ public:
   vtkSetClampMacro(Pairs, int, 0, 100);
   vtkGetMacro(Pairs, int);
   ///@}
-  /** As above; what ParaView calls. */
-  void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
   ///@{
   /** With Automatic, every singularity stays what it is, as of vtkSingularityOptimizer. Default: off. */

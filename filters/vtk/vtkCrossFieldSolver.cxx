@@ -13,13 +13,14 @@ int vtkCrossFieldSolver::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return FilterRun::Run(
     this, this->ErrorCode, input,
-    [&](const crossfield::Progress& progress) {
-      this->Compute(DrilledMeshConversion::ReadDrilledMesh(input), inputVector, progress, output);
+    [&](const crossfield::Progress& progress)
+    {
+      this->Compute(
+        DrilledMeshConversion::ReadDrilledMesh(input), inputVector, progress, outputVector);
     },
-    [this](const char* sentence) { this->SayWhyThereIsNoField(sentence); });
+    [&](const char* sentence) { this->SayWhyThereIsNoField(sentence, outputVector); });
 }
 
 //------------------------------------------------------------------------------

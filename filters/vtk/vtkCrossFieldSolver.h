@@ -78,13 +78,13 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
-  /** Computes the field and ends with Publish. Errors may be thrown. */
+  /** Computes the field and publishes it. Errors may be thrown. */
   virtual void Compute(const DrilledMeshConversion::DrilledMesh& cells,
     vtkInformationVector** inputVector, const crossfield::Progress& progress,
-    vtkUnstructuredGrid* output) = 0;
+    vtkInformationVector* outputVector) = 0;
 
   /** Is told after an error. */
-  virtual void SayWhyThereIsNoField(const char*) {}
+  virtual void SayWhyThereIsNoField(const char* /*sentence*/, vtkInformationVector*) {}
 
   /**
    * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not

@@ -30,9 +30,10 @@ int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* i
 //------------------------------------------------------------------------------
 void vtkGinzburgLandauCrossField::Compute(const DrilledMeshConversion::DrilledMesh& cells,
   vtkInformationVector** inputVector, const crossfield::Progress& progress,
-  vtkUnstructuredGrid* output)
+  vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   crossfield::GinzburgLandauOptions options;
   options.epsilon = this->Epsilon;
   options.start = static_cast<crossfield::GinzburgLandauStart>(this->Start);

@@ -116,7 +116,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 #ifndef __VTK_WRAP__
   void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
-    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
+    const crossfield::Progress& progress, vtkInformationVector* outputVector) override;
 #endif
 
 private:

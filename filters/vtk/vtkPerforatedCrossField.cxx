@@ -38,6 +38,12 @@ std::string Sentence(const crossfield::SolvedField& field)
     (field.count.Consistent() ? "the norm vanishes there. The method Unit Norm has none."
                               : "the given ones do not have the sum that the domain asks for.");
 }
+
+void WriteVerdict(const std::string& verdict, bool isAlarm, vtkInformationVector* outputVector)
+{
+  ViewText::Write(vtkCrossFieldArrayNames::Verdict, ViewText::InLines(verdict), isAlarm,
+    vtkTable::GetData(outputVector, 1));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -78,30 +84,16 @@ int vtkPerforatedCrossField::FillOutputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-int vtkPerforatedCrossField::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkPerforatedCrossField::SayWhyThereIsNoField(
+  const char* sentence, vtkInformationVector* outputVector)
 {
-  this->Verdict.clear();
-  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  if (!this->Verdict.empty())
-  {
-    ViewText::Write(vtkCrossFieldArrayNames::Verdict, ViewText::InLines(this->Verdict),
-      this->IsAlarm, vtkTable::GetData(outputVector, 1));
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-void vtkPerforatedCrossField::SayWhyThereIsNoField(const char* sentence)
-{
-  this->Verdict = sentence;
-  this->IsAlarm = true;
+  WriteVerdict(sentence, true, outputVector);
 }
 
 //------------------------------------------------------------------------------
 void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& cells,
   vtkInformationVector** inputVector, const crossfield::Progress& progress,
-  vtkUnstructuredGrid* output)
+  vtkInformationVector* outputVector)
 {
   crossfield::PerforatedOptions options;
   options.method = static_cast<crossfield::PerforatedMethod>(this->Method);
@@ -121,8 +113,6 @@ void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& 
   }
   const crossfield::SolvedField field =
     crossfield::SolvePerforated(cells.topology, options, progress);
-  this->IsAlarm = field.unwantedSingularities > 0;
-  this->Verdict = Sentence(field);
   // With a sum that the domain does not ask for there must be others.
   if (options.method == crossfield::PerforatedMethod::Constrained && field.count.Consistent() &&
     field.unwantedSingularities > 0)
@@ -134,7 +124,8 @@ void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& 
   }
   this->Publish(cells, field,
     "the field does not solve the problem. Make the holes larger or move them.",
-    vtkUnstructuredGrid::GetData(inputVector[0]), output);
+    vtkUnstructuredGrid::GetData(inputVector[0]), vtkUnstructuredGrid::GetData(outputVector));
+  WriteVerdict(Sentence(field), field.unwantedSingularities > 0, outputVector);
 }
 
 //------------------------------------------------------------------------------

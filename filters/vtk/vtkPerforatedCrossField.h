@@ -24,7 +24,7 @@
  * rotations of the cross: UnitNorm takes these indices; Constrained is held only to the sum that
  * they leave to the holes.
  *
- * Output: the mesh, and
+ * Output 0: the mesh, and
  * - `CrossFieldCR` (cells, double, 6): triangle (p0, p1, p2): Re, Im of u at the midpoints of p0p1,
  *   p1p2, p2p0, the exact discrete field; lines: u of that edge, three times;
  * - `Representation` (cells and points, float, 3): (Re u, Im u, 0) at the centre; at a point the
@@ -83,7 +83,6 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkCrossFieldSolver.h"
 
-#include <string> // for the verdict
 #include <vector> // for the rows of holes
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkPerforatedCrossField : public vtkCrossFieldSolver
@@ -185,11 +184,10 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 #ifndef __VTK_WRAP__
   void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
-    const crossfield::Progress& progress, vtkUnstructuredGrid* output) override;
-  void SayWhyThereIsNoField(const char* sentence) override;
+    const crossfield::Progress& progress, vtkInformationVector* outputVector) override;
+  void SayWhyThereIsNoField(const char* sentence, vtkInformationVector* outputVector) override;
 #endif
 
 private:
@@ -202,8 +200,6 @@ private:
   std::vector<int> UnitHoleRows;
   bool GlobalConstraint = false;
   double Epsilon = 0.0;
-  std::string Verdict; ///< Of the last field, for output 1.
-  bool IsAlarm = false;
 };
 
 #endif

@@ -111,7 +111,7 @@ RowTable ReadStart(vtkDataSet* start)
 /** The rows at the places of the handles. */
 void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& table)
 {
-  std::array<double, 4> next = { 0.0, 0.0, 1.0, 0.1 };
+  Row next = { 0.0, 0.0, 1.0, 0.1 };
   if (!table.rows.empty())
   {
     next[3] = table.rows.back()[3];
@@ -124,7 +124,24 @@ void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& 
   }
 }
 
-/** The plane of the rows: that of the domain, else that of the points to start from, whose own frame tells it. */
+/** Whether points are in a plane, but for what single precision makes of coordinates. */
+bool AreIn(const PlaneFrame& frame, vtkDataSet* points)
+{
+  constexpr double Rounding = 1e-5; // of some operations
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const Eigen::Vector3d place(points->GetPoint(i));
+    const crossfield::Point foot = frame.ToPlane(place);
+    if ((frame.ToSpace(foot.x(), foot.y()) - place).norm() >
+      Rounding * (place.norm() + frame.origin.norm()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The plane of the rows: that of the domain, else the one that the points to start from tell and are in. */
 PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
 {
   if (domain != nullptr)
@@ -135,7 +152,8 @@ PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
   {
     return {};
   }
-  if (const std::optional<PlaneFrame> recorded = PlaneFrame::Read(start->GetFieldData()))
+  const std::optional<PlaneFrame> recorded = PlaneFrame::Read(start->GetFieldData());
+  if (recorded && AreIn(*recorded, start)) // a filter between may have moved them
   {
     return *recorded;
   }

@@ -10,7 +10,7 @@
  * Input port 1, Domain, may be left out: a domain (vtkPolyData or vtkUnstructuredGrid) in whose plane the rows are.
  *
  * The rows are coordinates of a plane in space, those that the filters use (crossfield::DomainPlane): x and y where z is constant.
- * The plane is that of Domain, else the one that Start has as field data `Plane`, else z = const through the first point of Start,
+ * The plane is that of Domain, else the one that Start has as field data `Plane` and is in, else z = const through the first point of Start,
  * else z = 0. What a file, Start or a handle has are points of space.
  *
  * Output (vtkPolyData): one vertex per row, with field data `Plane` (double, 3 tuples: origin and axes) where it is not z = const, and the point arrays

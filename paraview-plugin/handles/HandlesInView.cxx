@@ -221,15 +221,15 @@ void pqSingularityHandlesWidget::Follow()
   {
     const QScopedValueRollback<bool> following(this->IsFollowing, true);
     this->IsBehind = false;
-    std::array<double, 2> point{};
-    if (!this->Handles.PlanePointAt(
-          this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1], point))
+    const auto point = this->Handles.PlanePointAt(
+      this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
+    if (!point)
     {
       return;
     }
     SingularityRow& row = this->Rows[static_cast<std::size_t>(this->Chosen)];
-    row[0] = point[0];
-    row[1] = point[1];
+    row[0] = (*point)[0];
+    row[1] = (*point)[1];
     this->ShowRows();
     if (this->LiveBox->isChecked())
     {

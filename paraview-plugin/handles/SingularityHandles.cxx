@@ -279,11 +279,11 @@ int SingularityHandles::RowAt(int x, int y) const
 }
 
 //------------------------------------------------------------------------------
-bool SingularityHandles::PlanePointAt(double x, double y, std::array<double, 2>& point) const
+std::optional<std::array<double, 2>> SingularityHandles::PlanePointAt(double x, double y) const
 {
   if (!this->Renderer)
   {
-    return false;
+    return std::nullopt;
   }
   // The line of sight from the near to the far plane of the camera.
   std::array<HandlePlane::Vector, 2> ends{};
@@ -297,7 +297,5 @@ bool SingularityHandles::PlanePointAt(double x, double y, std::array<double, 2>&
       ends[static_cast<std::size_t>(end)][i] = world[i] / world[3];
     }
   }
-  const auto found = this->Plane.Meet(ends[0], ends[1]);
-  point = found.value_or(point);
-  return found.has_value();
+  return this->Plane.Meet(ends[0], ends[1]);
 }

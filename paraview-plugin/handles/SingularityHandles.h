@@ -15,6 +15,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <optional>
 #include <vector>
 
 class vtkActor2D;
@@ -43,8 +44,8 @@ public:
   /** The row whose disc is under a pixel, the nearest if there are several, or -1. */
   int RowAt(int x, int y) const;
 
-  /** The point of the plane under a pixel. False where the line of sight does not meet the plane. */
-  bool PlanePointAt(double x, double y, std::array<double, 2>& point) const;
+  /** The point of the plane under a pixel; nothing where the line of sight does not meet the plane. */
+  std::optional<std::array<double, 2>> PlanePointAt(double x, double y) const;
 
   /** The pixel of a point of the plane. */
   std::array<double, 2> PixelOf(const std::array<double, 2>& point) const;

@@ -311,11 +311,13 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
       pixel = this->Handles.PixelOf({ chosen[0], chosen[1] });
     }
     // Five radii from middle to middle: what goes on between them is seen.
-    std::array<double, 2> beside{};
-    if (this->Handles.PlanePointAt(pixel[0], pixel[1], middle) &&
-      this->Handles.PlanePointAt(pixel[0] + 5 * this->Handles.GetDiscRadius(), pixel[1], beside))
+    const auto found = this->Handles.PlanePointAt(pixel[0], pixel[1]);
+    const auto beside =
+      this->Handles.PlanePointAt(pixel[0] + 5 * this->Handles.GetDiscRadius(), pixel[1]);
+    middle = found.value_or(middle);
+    if (found && beside)
     {
-      distance = std::hypot(beside[0] - middle[0], beside[1] - middle[1]);
+      distance = std::hypot((*beside)[0] - middle[0], (*beside)[1] - middle[1]);
     }
   }
   double radius = 0.1; // that of the defaults

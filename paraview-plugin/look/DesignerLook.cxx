@@ -20,7 +20,7 @@ namespace
 {
 using Look::Set;
 
-/// The normal of the layout's plane, on the side that is looked at.
+/** The normal of the layout's plane, on the side that is looked at. */
 HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* representation)
 {
   designer->UpdatePropertyInformation(designer->GetProperty("Plane"));

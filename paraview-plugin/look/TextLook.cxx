@@ -33,7 +33,7 @@ bool IsAlarm(pqPipelineSource* source, int port)
   return alarm && alarm->GetComponentRange(0)[1] > 0;
 }
 
-/// The colour of what is no alarm.
+/** The colour of what is no alarm. */
 Colour PlainColour(pqDataRepresentation* representation)
 {
   vtkSMProxy* view = representation->getView() ? representation->getView()->getProxy() : nullptr;

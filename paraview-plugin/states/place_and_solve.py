@@ -27,18 +27,8 @@ SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], Diff
 verdict = Show(OutputPort(check, 3), view)
 SetProperties(verdict, Color=[0, 0, 0], FontSize=12)
 # A field with other singularities than these is not the one that was asked for.
-line = Show(OutputPort(field, 1), view)
-SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
-verdict = Show(OutputPort(check, 3), view)
-SetProperties(verdict, Color=[0, 0, 0], FontSize=12)
-# A field with other singularities than these is not the one that was asked for.
-unwanted = PythonAnnotation(
-    registrationName="Unwanted singularities", Input=field, ArrayAssociation="Field Data",
-    Expression="'No field: see Output Messages' if 'UnwantedSingularities' not in input.FieldData.keys() else "
-               "'No unwanted singularities' if input.FieldData['UnwantedSingularities'][0] == 0 else "
-               "'%d UNWANTED SINGULARITIES' % input.FieldData['UnwantedSingularities'][0]")
-line = Show(unwanted, view)
-SetProperties(line, Color=[0, 0, 0], FontSize=14, WindowLocation="Lower Center")
+unwanted = Show(OutputPort(field, 1), view)
+SetProperties(unwanted, Color=[0, 0, 0], FontSize=14, WindowLocation="Lower Center")
 # Red: three quads meet there; blue: five.
 spheres = Glyph(registrationName="Spheres", Input=singularities, GlyphType="Sphere",
                 ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")

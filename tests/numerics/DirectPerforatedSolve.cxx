@@ -186,7 +186,7 @@ SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOpt
   problem.matrix = MatrixOn(constraints, root * root.transpose());
   problem.load = problem.matrix * Gather(harmonic, unknowns.holes);
   problem.constraints = constraints;
-  const MinimiserResult reduced = SolveReduced(problem, options);
+  const MinimiserResult reduced = SolveReduced(HoleBases(problem), options);
   field.iterations = reduced.iterations;
   field.residual = reduced.residual;
   field.converged = reduced.converged;

@@ -19,6 +19,10 @@ def load(state):
     for layout in simple.GetLayouts().values():
         check(len(simple.GetViewsInLayout(layout)) > 0, "a layout without views")
     check(len(simple.GetSources()) >= 2, "the state has no pipeline")
+    for view in simple.GetRenderViews():
+        texts = [str(shown.WindowLocation) for shown in view.Representations
+                 if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility]
+        check_equal(sorted(set(texts)), sorted(texts), "where texts are, in " + state)
     picture(state[:-3] + ".png")
     check_equal(messages(), "", "messages of " + state)
 

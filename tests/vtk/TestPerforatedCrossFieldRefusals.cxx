@@ -56,10 +56,18 @@ public:
     return result;
   }
 
-  void ExpectError(vtkUnstructuredGrid* mesh, const std::vector<std::string>& parts)
+  /** In the text for a view, too. */
+  void ExpectError(vtkUnstructuredGrid* mesh, const std::vector<std::string>& parts,
+    unsigned long code = vtkErrorCode::UserError)
   {
     this->Filter->SetInputData(mesh);
-    EXPECT_EQ(CaptureError(this->Filter, parts), vtkErrorCode::UserError);
+    EXPECT_EQ(CaptureError(this->Filter, parts), code);
+    const auto [text, isAlarm] = FilterChecks::TextForView(this->Filter, 1, "Verdict");
+    EXPECT_TRUE(isAlarm);
+    for (const std::string& part : parts)
+    {
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
   }
 
   /** Sets the array on the cells that have a value there now. */
@@ -82,12 +90,10 @@ public:
 TEST_F(PerforatedCrossFieldRefusals, InconsistentConfiguration)
 {
   const auto disk = TestInputs::Loops({ TestInputs::Circle(64, 1.0) });
-  this->Filter->SetInputData(
-    TestInputs::Drill(disk, { { 0.5, 0.0, 1.0, 0.1 }, { -0.5, 0.0, 2.0, 0.1 } }, 0.2));
-  EXPECT_EQ(CaptureError(this->Filter, { "add up to 3", "asks for 4" }),
-    vtkCrossFieldErrorCodes::Inconsistent);
-  this->Filter->SetInputData(TestInputs::Drill(disk, {}, 0.2));
-  EXPECT_EQ(CaptureError(this->Filter, { "add up to 0", "asks for 4" }),
+  this->ExpectError(
+    TestInputs::Drill(disk, { { 0.5, 0.0, 1.0, 0.1 }, { -0.5, 0.0, 2.0, 0.1 } }, 0.2),
+    { "add up to 3", "asks for 4" }, vtkCrossFieldErrorCodes::Inconsistent);
+  this->ExpectError(TestInputs::Drill(disk, {}, 0.2), { "add up to 0", "asks for 4" },
     vtkCrossFieldErrorCodes::Inconsistent);
 }
 

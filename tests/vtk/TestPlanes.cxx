@@ -363,6 +363,22 @@ TEST_P(Planes, RowsAreInThePlaneOfWhereTheyStart)
     proposal->GetOutput()->GetPoint(i, place.data());
     EXPECT_LT(Distance(place, again->GetOutput()->GetPoint(i)), 1e-12);
   }
+  // What a filter between has moved out of its plane is in that no more.
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(proposal->GetOutput());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    moved->GetPoints()->SetPoint(i, 0.5 * static_cast<double>(i), 0.25, 3.0);
+  }
+  vtkNew<vtkSingularitySource> level;
+  level->SetStartData(moved);
+  FilterChecks::UpdateWithoutError(level);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    EXPECT_EQ(level->GetOutputRows()->GetComponent(i, 0), 0.5 * static_cast<double>(i));
+    EXPECT_EQ(level->GetOutputRows()->GetComponent(i, 1), 0.25);
+  }
+  EXPECT_EQ(Distance({ 0, 0, 3 }, level->GetPlane()->GetTuple3(0)), 0.0);
 }
 
 TEST_P(Planes, InputIsNotTouched)

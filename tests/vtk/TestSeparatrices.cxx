@@ -1,10 +1,9 @@
 #include "FilterChecks.h"
+#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldMap.h"
-#include "vtkPlanarDomainSource.h"
 #include "vtkSeparatrices.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -25,21 +24,18 @@
 
 namespace
 {
-class Separatrices : public testing::Test
+class Separatrices : public OnTheDisk<vtkCrossFieldMap>
 {
 public:
   void SetUp() override
   {
-    this->Domain->SetEdgeLength(0.1);
-    this->Map->SetInputConnection(this->Domain->GetOutputPort());
-    this->Map->SetSingularitiesConnection(this->Singularities->GetOutputPort());
-    this->Map->SetMeshSize(0.1);
-    this->Filter->SetInputConnection(this->Map->GetOutputPort());
+    OnTheDisk::SetUp();
+    this->Lines->SetInputConnection(this->Filter->GetOutputPort());
   }
 
   double Value(const char* name)
   {
-    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+    return FilterChecks::RequireArray(this->Lines->GetOutput()->GetFieldData(), name)
       ->GetComponent(0, 0);
   }
 
@@ -48,27 +44,24 @@ public:
     return { data->GetPoint(point)[0], data->GetPoint(point)[1] };
   }
 
-  vtkNew<vtkPlanarDomainSource> Domain;
-  vtkNew<vtkSingularitySource> Singularities;
-  vtkNew<vtkCrossFieldMap> Map;
-  vtkNew<vtkSeparatrices> Filter;
+  vtkNew<vtkSeparatrices> Lines; ///< Of the map.
 };
 }
 
 TEST_F(Separatrices, KeepTheRulesOfAFilter)
 {
-  FilterChecks::UpdateWithoutError(this->Filter);
-  FilterChecks::CheckInputUntouched(this->Filter);
-  FilterChecks::CheckProgressAndAbort(this->Filter);
-  FilterChecks::CheckPrintSelf(this->Filter, { "LongestStreamline", "StageSeconds" });
-  FilterChecks::CheckEmptyInput(this->Filter);
+  FilterChecks::UpdateWithoutError(this->Lines);
+  FilterChecks::CheckInputUntouched(this->Lines);
+  FilterChecks::CheckProgressAndAbort(this->Lines);
+  FilterChecks::CheckPrintSelf(this->Lines, { "LongestStreamline", "StageSeconds" });
+  FilterChecks::CheckEmptyInput(this->Lines);
 }
 
 TEST_F(Separatrices, OfFourOnTheDisk)
 {
-  FilterChecks::UpdateWithoutError(this->Filter);
-  vtkPolyData* lines = this->Filter->GetOutput();
-  vtkPolyData* faces = this->Filter->GetOutput(1);
+  FilterChecks::UpdateWithoutError(this->Lines);
+  vtkPolyData* lines = this->Lines->GetOutput();
+  vtkPolyData* faces = this->Lines->GetOutput(1);
   EXPECT_EQ(lines->GetNumberOfCells(), 12);
   EXPECT_EQ(this->Value("Lines"), 12.0);
   EXPECT_EQ(this->Value("Faces"), 9.0 - this->Value("HeadOn"));
@@ -114,15 +107,15 @@ TEST_F(Separatrices, FacesAreFilledWithTriangles)
     this->Domain->SetEdgeLength(0.05);
     if (std::string(name) == "hexagonal")
     {
-      this->Map->SetSingularitiesData(
+      this->Filter->SetSingularitiesData(
         TestInputs::Singularities({ { 0.469, 0.0, -1, 0.1 }, { -0.469, 0.0, -1, 0.1 } }));
     }
     else if (std::string(name) != "disk")
     {
-      this->Map->SetSingularitiesData(nullptr);
+      this->Filter->SetSingularitiesData(nullptr);
     }
-    FilterChecks::UpdateWithoutError(this->Filter);
-    vtkPolyData* faces = this->Filter->GetOutput(1);
+    FilterChecks::UpdateWithoutError(this->Lines);
+    vtkPolyData* faces = this->Lines->GetOutput(1);
     vtkDataArray* ofCell = FilterChecks::RequireArray(faces->GetCellData(), "FaceId");
     vtkDataArray* ofPoint = FilterChecks::RequireArray(faces->GetPointData(), "FaceId");
     vtkDataArray* uv = FilterChecks::RequireArray(faces->GetPointData(), "UV");
@@ -177,9 +170,9 @@ TEST_F(Separatrices, FacesAreFilledWithTriangles)
 
 TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)
 {
-  this->Filter->SetSeedsData(TestInputs::Singularities({ { 0.1, 0.2, 1, 0.1 } }));
-  FilterChecks::UpdateWithoutError(this->Filter);
-  vtkPolyData* lines = this->Filter->GetOutput();
+  this->Lines->SetSeedsData(TestInputs::Singularities({ { 0.1, 0.2, 1, 0.1 } }));
+  FilterChecks::UpdateWithoutError(this->Lines);
+  vtkPolyData* lines = this->Lines->GetOutput();
   ASSERT_EQ(lines->GetNumberOfCells(), 16);
   vtkDataArray* seed = FilterChecks::RequireArray(lines->GetCellData(), "Seed");
   vtkDataArray* end = FilterChecks::RequireArray(lines->GetCellData(), "EndsAt");
@@ -192,13 +185,13 @@ TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)
     const double* last = lines->GetPoint(ids->GetId(ids->GetNumberOfIds() - 1));
     EXPECT_NEAR(std::hypot(last[0], last[1]), 1.0, 0.01);
   }
-  this->Filter->SetSeedsData(TestInputs::Singularities({ { 3.0, 0.0, 1, 0.1 } }));
-  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "seed 0", "outside", "move it inside" }),
+  this->Lines->SetSeedsData(TestInputs::Singularities({ { 3.0, 0.0, 1, 0.1 } }));
+  EXPECT_EQ(FilterChecks::CaptureError(this->Lines, { "seed 0", "outside", "move it inside" }),
     vtkCrossFieldErrorCodes::BadInput);
 }
 
 TEST_F(Separatrices, RefuseWhatIsNoMap)
 {
-  this->Filter->SetInputData(TestInputs::DrilledDisk());
-  FilterChecks::CaptureError(this->Filter, { "no array 'UV'", "cross field map" });
+  this->Lines->SetInputData(TestInputs::DrilledDisk());
+  FilterChecks::CaptureError(this->Lines, { "no array 'UV'", "cross field map" });
 }

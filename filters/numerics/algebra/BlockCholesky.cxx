@@ -55,9 +55,10 @@ double BlockCholesky<Scalar>::LogDeterminant() const
 }
 
 template <typename Scalar>
-typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Eliminate(Matrix& columns) const
+template <typename Columns>
+Columns BlockCholesky<Scalar>::Eliminate(Columns& columns) const
 {
-  Matrix ofCoupled(this->Coupled.GetLower().rows(), columns.cols());
+  Columns ofCoupled(this->Coupled.GetLower().rows(), columns.cols());
   for (const Block& block : this->Blocks)
   {
     auto inner = columns.middleRows(block.row, block.inner.rows());
@@ -90,16 +91,12 @@ template <typename Scalar>
 typename BlockCholesky<Scalar>::Separate BlockCholesky<Scalar>::EliminateSeparately(
   const Vector& vector) const
 {
-  Separate result{ Vector(this->Coupled.GetLower().rows()),
-    Eigen::VectorXd(static_cast<Eigen::Index>(this->Blocks.size())) };
+  Vector inner = vector;
+  Separate result{ this->Eliminate(inner), Eigen::VectorXd(this->Blocks.size()) };
   Eigen::Index i = 0;
   for (const Block& block : this->Blocks)
   {
-    const Vector inner = block.inner.template triangularView<Eigen::Lower>().solve(
-      vector.segment(block.row, block.inner.rows()));
-    result.squares[i++] = inner.squaredNorm();
-    result.ofCoupled.segment(block.place, block.across.rows()) =
-      vector.segment(block.row + block.inner.rows(), block.across.rows()) - block.across * inner;
+    result.squares[i++] = inner.segment(block.row, block.inner.rows()).squaredNorm();
   }
   return result;
 }
@@ -165,8 +162,8 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
   ForBothHalves(inverse.rows() >= FewestRowsForHalves,
     [&](std::size_t half)
     {
-      const Eigen::Index end = half == 0 ? count / 2 : count;
-      for (Eigen::Index j = half == 0 ? 0 : count / 2; j < end; ++j)
+      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
+      for (Eigen::Index j = begin; j < end; ++j)
       {
         add(j);
       }

@@ -60,7 +60,8 @@ private:
 
   /// The part of the columns that belongs to the coupled unknowns after the others are eliminated, and in `inner` what
   /// is left of these: L⁻¹ B without its last step.
-  Matrix Eliminate(Matrix& columns) const;
+  template <typename Columns>
+  Columns Eliminate(Columns& columns) const;
 
   /// The parts of a vector, each as if it were alone: what is left of it on the coupled unknowns of its block, and the sum
   /// of the squares on the others.

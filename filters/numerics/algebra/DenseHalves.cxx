@@ -1,91 +1,15 @@
 #include "DenseHalves.h"
 
 #include "BothHalves.h"
+#include "Lapack.h"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-
-// The Fortran interface of BLAS and LAPACK; see DenseCholesky.
-extern "C"
-{
-  void dpotrf_(const char* half, const int* size, double* matrix, const int* leading, int* info,
-    std::size_t halfLength);
-  void dtrtri_(const char* half, const char* unit, const int* size, double* matrix,
-    const int* leading, int* info, std::size_t halfLength, std::size_t unitLength);
-  void dlauum_(const char* half, const int* size, double* matrix, const int* leading, int* info,
-    std::size_t halfLength);
-  void dtrsm_(const char* side, const char* half, const char* turned, const char* unit,
-    const int* rows, const int* columns, const double* factor, const double* triangle,
-    const int* leadingOfTriangle, double* matrix, const int* leading, std::size_t sideLength,
-    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
-  void dtrmm_(const char* side, const char* half, const char* turned, const char* unit,
-    const int* rows, const int* columns, const double* factor, const double* triangle,
-    const int* leadingOfTriangle, double* matrix, const int* leading, std::size_t sideLength,
-    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
-  void dsyrk_(const char* half, const char* turned, const int* size, const int* inner,
-    const double* factor, const double* matrix, const int* leading, const double* factorOfResult,
-    double* result, const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
-  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
-    const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
-    const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
-    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
-  void zpotrf_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
-    int* info, std::size_t halfLength);
-  void ztrtri_(const char* half, const char* unit, const int* size, std::complex<double>* matrix,
-    const int* leading, int* info, std::size_t halfLength, std::size_t unitLength);
-  void zlauum_(const char* half, const int* size, std::complex<double>* matrix, const int* leading,
-    int* info, std::size_t halfLength);
-  void ztrsm_(const char* side, const char* half, const char* turned, const char* unit,
-    const int* rows, const int* columns, const std::complex<double>* factor,
-    const std::complex<double>* triangle, const int* leadingOfTriangle,
-    std::complex<double>* matrix, const int* leading, std::size_t sideLength,
-    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
-  void ztrmm_(const char* side, const char* half, const char* turned, const char* unit,
-    const int* rows, const int* columns, const std::complex<double>* factor,
-    const std::complex<double>* triangle, const int* leadingOfTriangle,
-    std::complex<double>* matrix, const int* leading, std::size_t sideLength,
-    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
-  void zherk_(const char* half, const char* turned, const int* size, const int* inner,
-    const double* factor, const std::complex<double>* matrix, const int* leading,
-    const double* factorOfResult, std::complex<double>* result, const int* leadingOfResult,
-    std::size_t halfLength, std::size_t turnedLength);
-  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
-    const int* inner, const std::complex<double>* factor, const std::complex<double>* left,
-    const int* leadingOfLeft, const std::complex<double>* right, const int* leadingOfRight,
-    const std::complex<double>* factorOfResult, std::complex<double>* result,
-    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
-}
 
 namespace crossfield
 {
 namespace
 {
-template <typename Scalar>
-struct Lapack;
-template <>
-struct Lapack<double>
-{
-  static constexpr auto Factor = dpotrf_;
-  static constexpr auto InvertTriangle = dtrtri_;
-  static constexpr auto SquareTriangle = dlauum_;
-  static constexpr auto SolveTriangle = dtrsm_;
-  static constexpr auto MultiplyTriangle = dtrmm_;
-  static constexpr auto Square = dsyrk_;
-  static constexpr auto Multiply = dgemm_;
-};
-template <>
-struct Lapack<std::complex<double>>
-{
-  static constexpr auto Factor = zpotrf_;
-  static constexpr auto InvertTriangle = ztrtri_;
-  static constexpr auto SquareTriangle = zlauum_;
-  static constexpr auto SolveTriangle = ztrsm_;
-  static constexpr auto MultiplyTriangle = ztrmm_;
-  static constexpr auto Square = zherk_;
-  static constexpr auto Multiply = zgemm_;
-};
-
 /// A part of a matrix.
 template <typename Scalar>
 struct Part
@@ -166,8 +90,7 @@ bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matri
     ForBothHalves(true,
       [&](std::size_t half)
       {
-        const int begin = half == 0 ? 0 : rest / 2;
-        const int end = half == 0 ? rest / 2 : rest;
+        const auto [begin, end] = HalfOf(rest, half);
         SolveFromRight(triangle, Part<Scalar>(matrix, next + begin, first, end - begin, width));
       });
     // A triangle is left; the columns of one half of it, and then the others.
@@ -214,16 +137,14 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const int begin = half == 0 ? 0 : upper / 2;
-      const int end = half == 0 ? upper / 2 : upper;
+      const auto [begin, end] = HalfOf(upper, half);
       TimesTriangle(
         "L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
     });
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const int begin = half == 0 ? 0 : rest / 2;
-      const int end = half == 0 ? rest / 2 : rest;
+      const auto [begin, end] = HalfOf(rest, half);
       TimesTriangle(
         "R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
     });

@@ -1,38 +1,16 @@
 #include "DenseProduct.h"
 
+#include "Lapack.h"
 #include "SerialBlas.h"
-
-#include <complex>
-
-// The Fortran interface of BLAS; see DenseCholesky.
-extern "C"
-{
-  void dtrsm_(const char* side, const char* half, const char* transposed, const char* unit,
-    const int* rows, const int* columns, const double* factor, const double* triangle,
-    const int* leadingOfTriangle, double* result, const int* leadingOfResult,
-    std::size_t sideLength, std::size_t halfLength, std::size_t transposedLength,
-    std::size_t unitLength);
-  void dgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
-    const int* inner, const double* factor, const double* left, const int* leadingOfLeft,
-    const double* right, const int* leadingOfRight, const double* factorOfResult, double* result,
-    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
-  void zgemm_(const char* ofLeft, const char* ofRight, const int* rows, const int* columns,
-    const int* inner, const std::complex<double>* factor, const std::complex<double>* left,
-    const int* leadingOfLeft, const std::complex<double>* right, const int* leadingOfRight,
-    const std::complex<double>* factorOfResult, std::complex<double>* result,
-    const int* leadingOfResult, std::size_t ofLeftLength, std::size_t ofRightLength);
-  void zaxpy_(const int* size, const std::complex<double>* factor, const std::complex<double>* x,
-    const int* stepOfX, std::complex<double>* y, const int* stepOfY);
-}
 
 namespace crossfield
 {
 namespace
 {
-/// With "N" or "C" for A or its adjoint, by one of the functions above.
-template <typename Matrix, typename Function>
-Matrix Multiply(Function* gemm, const char* ofLeft, const Eigen::Ref<const Matrix>& left,
-  const Eigen::Ref<const Matrix>& right)
+/// With "N" or "C" for A or its adjoint.
+template <typename Matrix>
+Matrix Multiply(
+  const char* ofLeft, const Eigen::Ref<const Matrix>& left, const Eigen::Ref<const Matrix>& right)
 {
   const Eigen::Index height = *ofLeft == 'C' ? left.cols() : left.rows();
   Matrix product = Matrix::Zero(height, right.cols());
@@ -46,8 +24,9 @@ Matrix Multiply(Function* gemm, const char* ofLeft, const Eigen::Ref<const Matri
     const auto leadingOfRight = static_cast<int>(right.outerStride());
     const typename Matrix::Scalar one = 1.0;
     const typename Matrix::Scalar zero = 0.0;
-    gemm(ofLeft, "N", &rows, &columns, &inner, &one, left.data(), &leadingOfLeft, right.data(),
-      &leadingOfRight, &zero, product.data(), &rows, 1, 1);
+    Lapack<typename Matrix::Scalar>::Multiply(ofLeft, "N", &rows, &columns, &inner, &one,
+      left.data(), &leadingOfLeft, right.data(), &leadingOfRight, &zero, product.data(), &rows, 1,
+      1);
   }
   return product;
 }
@@ -56,19 +35,19 @@ Matrix Multiply(Function* gemm, const char* ofLeft, const Eigen::Ref<const Matri
 Eigen::MatrixXd DenseProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right)
 {
-  return Multiply<Eigen::MatrixXd>(dgemm_, "N", left, right);
+  return Multiply<Eigen::MatrixXd>("N", left, right);
 }
 
 Eigen::MatrixXd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right)
 {
-  return Multiply<Eigen::MatrixXd>(dgemm_, "C", left, right);
+  return Multiply<Eigen::MatrixXd>("C", left, right);
 }
 
 Eigen::MatrixXcd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right)
 {
-  return Multiply<Eigen::MatrixXcd>(zgemm_, "C", left, right);
+  return Multiply<Eigen::MatrixXcd>("C", left, right);
 }
 
 void AddMultiple(std::complex<double> factor, const Eigen::Ref<const Eigen::VectorXcd>& x,

@@ -1,17 +1,13 @@
 #include "DissectedCholesky.h"
 
 #include "BothHalves.h"
+#include "Lapack.h"
 #include "MemoryBudget.h"
 #include "NestedDissection.h"
 #include "SerialBlas.h"
 
 #include <algorithm>
 #include <numeric>
-
-// The Fortran interface of BLAS; see DenseCholesky.
-extern "C" void dsyrk_(const char* half, const char* transposed, const int* size, const int* rank,
-  const double* alpha, const double* matrix, const int* leading, const double* beta, double* result,
-  const int* leadingOfResult, std::size_t halfLength, std::size_t transposedLength);
 
 namespace crossfield
 {

@@ -2,8 +2,8 @@
 
 #include "DrillHoles.h"
 #include "MeshBudget.h"
+#include "OptimizerReport.h"
 #include "OptimizerStage.h"
-#include "OptimizerStart.h"
 #include "PoincareHopf.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "CornerSets.h"
 #include "FieldConfiguration.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -131,7 +130,7 @@ std::vector<CornerChoice> ClassifiedChoices(
   const PlanarDomain& domain, const ProposalOptions& options)
 {
   ClassificationOptions classification =
-    ClassifyBeside(options.corners, domain, options.cornerAngle);
+    ClassificationBeside(options.corners, domain, options.cornerAngle);
   classification.splitHalves = true;
   std::vector<CornerChoice> choices = options.corners;
   for (const ClassifiedCorner& corner : ClassifyCorners(domain, classification).corners)

@@ -49,7 +49,7 @@ void AddOnce(OpenCorner& corner, int index, double cost)
 std::vector<OpenCorner> OpenCorners(const PlanarDomain& domain, const CornerSetOptions& options)
 {
   const ClassificationOptions classification =
-    ClassifyBeside(options.given, domain, options.cornerAngle);
+    ClassificationBeside(options.given, domain, options.cornerAngle);
   std::vector<OpenCorner> open;
   for (const ClassifiedCorner& corner : ClassifyCorners(domain, classification).corners)
   {
@@ -185,7 +185,7 @@ const CornerChoice* FindChoice(
   return found == choices.end() ? nullptr : &*found;
 }
 
-ClassificationOptions ClassifyBeside(
+ClassificationOptions ClassificationBeside(
   const std::vector<CornerChoice>& given, const PlanarDomain& domain, double cornerAngle)
 {
   ClassificationOptions classification;

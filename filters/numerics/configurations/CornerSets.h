@@ -26,7 +26,7 @@ const CornerChoice* FindChoice(
   const std::vector<CornerChoice>& choices, const Point& vertex, const PlanarDomain& domain);
 
 /// How the classifier is asked where some corners are decided.
-ClassificationOptions ClassifyBeside(
+ClassificationOptions ClassificationBeside(
   const std::vector<CornerChoice>& given, const PlanarDomain& domain, double cornerAngle);
 
 /// Quarter indices for all undecided corners at once (docs/method.md §5.6): of a corner the smallest rotation, what the classifier

@@ -2,10 +2,19 @@
 
 #include "BoundaryCorners.h"
 #include "HoleRadii.h"
-#include "OptimizerStart.h"
+
+#include <sstream>
 
 namespace crossfield
 {
+std::string Short(double value)
+{
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
 std::string ReasonOf(
   OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations)
 {

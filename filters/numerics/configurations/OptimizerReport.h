@@ -9,6 +9,9 @@
 
 namespace crossfield
 {
+/// A number with four digits, for messages.
+std::string Short(double value);
+
 /// Why a run ended, in one sentence.
 std::string ReasonOf(
   OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations);

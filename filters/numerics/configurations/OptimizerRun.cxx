@@ -15,7 +15,6 @@ namespace
 {
 /// Below this a defect may come from the mesh; radians.
 constexpr double NotableDefect = 0.01;
-
 }
 
 OptimizerRun::OptimizerRun(

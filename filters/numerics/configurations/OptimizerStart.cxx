@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 
 namespace crossfield
 {
@@ -59,6 +58,8 @@ public:
   /// The least distance at the start.
   double GetLeast() const { return this->Least; }
 
+  const Configuration& GetPlaces() const { return this->Places; }
+
   /// Pushes what is nearer than the clearance until nothing is; whether it succeeded.
   bool To(double clearance)
   {
@@ -74,8 +75,6 @@ public:
     }
     return false;
   }
-
-  Configuration Places;
 
   static constexpr double Enough = 1.2;
 
@@ -109,6 +108,7 @@ private:
     return moved;
   }
 
+  Configuration Places;
   const PlanarDomain& Domain;
   double Reach;
   std::vector<std::size_t> Inside;
@@ -132,7 +132,7 @@ double MoveApart(const PlanarDomain& domain, double clearance, Configuration& co
       return std::min(clearance, 0.5 * least);
     }
   }
-  configuration = spreading.Places;
+  configuration = spreading.GetPlaces();
   return clearance;
 }
 }
@@ -141,12 +141,12 @@ double ClearStart(const PlanarDomain& domain, double clearance, Configuration& c
 {
   Configuration moved = configuration;
   const double reached = MoveApart(domain, clearance, moved);
-  const auto differs = [](const Configuration& a, const Configuration& b)
+  const auto same = [](const Configuration& a, const Configuration& b)
   {
-    return !std::equal(a.begin(), a.end(), b.begin(),
+    return std::equal(a.begin(), a.end(), b.begin(),
       [](const Singularity& x, const Singularity& y) { return x.position == y.position; });
   };
-  if (!differs(configuration, moved))
+  if (same(configuration, moved))
   {
     return reached;
   }
@@ -161,20 +161,12 @@ double ClearStart(const PlanarDomain& domain, double clearance, Configuration& c
     symmetry.Project(symmetric);
     moved = symmetric;
     const double again = MoveApart(domain, clearance, moved);
-    if (again == clearance && !differs(symmetric, moved))
+    if (again == clearance && same(symmetric, moved))
     {
       configuration = symmetric;
       break;
     }
   }
   return reached;
-}
-
-std::string Short(double value)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
 }
 }

@@ -3,8 +3,6 @@
 #include "PlanarDomain.h"
 #include "Singularity.h"
 
-#include <string>
-
 namespace crossfield
 {
 /// Moves singularities inside the domain off its boundary and off each other until all distances are
@@ -13,7 +11,4 @@ namespace crossfield
 /// clearances; then nothing is moved. Those on the boundary, outside, or at one place stay. What was symmetric to
 /// 1e-9 of the diagonal stays so, if there is room.
 double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration);
-
-/// A number with four digits, for messages.
-std::string Short(double value);
 }

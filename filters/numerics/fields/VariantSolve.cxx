@@ -209,7 +209,7 @@ private:
     const Progress part = progress.Part(0.0, 0.3);
     const MinimiserOptions& options = this->Options.reduced;
     return this->Finish(this->Dual
-        ? SolveReduced(this->Reduction.GetReducedProblem(), options, part)
+        ? SolveReduced(HoleBases(this->Reduction.GetReducedProblem()), options, part)
         : this->Problem.Solve(this->Reduction.HarmonicValues(), options, part),
       progress.Part(0.3, 1.0));
   }

@@ -166,6 +166,7 @@ bool IsCertain(const DualProblem& problem, const DualPoint& point)
   return point.positiveDefinite &&
     FactorDual(problem, point.multipliers, problem.MarginOfLeftOut()).IsPositiveDefinite();
 }
+
 DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
   const MinimiserOptions& options, const Progress& progress, int& iterations)
 {

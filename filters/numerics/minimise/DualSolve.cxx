@@ -27,12 +27,6 @@ constexpr double WhatStrongOnesChange = 1e-1;
 }
 
 MinimiserResult SolveReduced(
-  const ReducedProblem& problem, const MinimiserOptions& options, const Progress& progress)
-{
-  return SolveReduced(HoleBases(problem), options, progress);
-}
-
-MinimiserResult SolveReduced(
   const HoleBases& bases, const MinimiserOptions& options, const Progress& progress)
 {
   const ReducedProblem& problem = bases.GetProblem();

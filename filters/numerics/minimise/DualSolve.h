@@ -13,6 +13,4 @@ namespace crossfield
 /// solution of this kind exists: reported by `converged`, not an error. The bases of a problem may serve several solves.
 MinimiserResult SolveReduced(
   const HoleBases& bases, const MinimiserOptions& options = {}, const Progress& progress = {});
-MinimiserResult SolveReduced(const ReducedProblem& problem, const MinimiserOptions& options = {},
-  const Progress& progress = {});
 }

@@ -112,13 +112,13 @@ public:
 
   bool Factor(const ComplexVector&, const Additions& additions) override
   {
-    const std::size_t levels = additions.certain ? LeftOut.size() : 1;
+    const std::size_t levels = additions.certain ? 1 + LeftOut.size() : 1;
     for (std::size_t level = 0; level < levels; ++level)
     {
       if (level == this->Levels.size())
       {
         this->Levels.emplace_back(level == 0 ? this->Bases.InFewBlocks(MembersInSteps)
-                                             : this->Bases.InBlocks(LeftOut[level]));
+                                             : this->Bases.InBlocks(LeftOut[level - 1]));
       }
       this->Used = &this->Levels[level];
       // What is left out may change every eigenvalue by its bound: with less of it where that decides.
@@ -148,8 +148,8 @@ public:
 private:
   /// Of every hole, where there are many: those that turn once and twice around it.
   static constexpr Eigen::Index MembersInSteps = 4;
-  /// As parts of the mean of the diagonal of S; the last is rounding.
-  static constexpr std::array<double, 5> LeftOut = { HoleBases::Strong, 1e-5, 1e-7, 1e-10, 1e-13 };
+  /// On the levels after the first, as parts of the mean of the diagonal of S; the last is rounding.
+  static constexpr std::array<double, 4> LeftOut = { 1e-5, 1e-7, 1e-10, 1e-13 };
 
   ComplexVector Times(const ComplexVector& x) const override { return this->Problem.matrix * x; }
 
@@ -166,12 +166,6 @@ MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVec
 {
   DenseFunctional functional(problem);
   return MinimiseConstrained(functional, problem.constraints, start, options, progress);
-}
-
-MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
-  const MinimiserOptions& options, const Progress& progress)
-{
-  return SolveReducedFrom(HoleBases(problem), start, options, progress);
 }
 
 MinimiserResult SolveReducedFrom(const HoleBases& bases, const ComplexVector& start,

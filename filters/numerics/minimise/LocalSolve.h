@@ -21,6 +21,4 @@ MinimiserResult SolveQuadratic(const QuadraticProblem& problem, const ComplexVec
 /// unit-norm field; its degrees can be right where those of the global minimiser are not.
 MinimiserResult SolveReducedFrom(const HoleBases& bases, const ComplexVector& start,
   const MinimiserOptions& options = {}, const Progress& progress = {});
-MinimiserResult SolveReducedFrom(const ReducedProblem& problem, const ComplexVector& start,
-  const MinimiserOptions& options = {}, const Progress& progress = {});
 }

@@ -40,7 +40,7 @@ private:
   std::vector<int> Parent;
 };
 
-/// Shortest ways along edges from the boundary to vertices.
+/// Shortest ways along edges from the boundary to the vertices that are goals.
 struct ShortestWays
 {
   std::vector<double> length;
@@ -48,8 +48,7 @@ struct ShortestWays
   std::vector<int> loop; ///< Where it starts.
 };
 
-/// The ways to `goals`; to all vertices where there are loops to join.
-ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<int>& goals)
+ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<bool>& isGoal)
 {
   const std::size_t count = topology.mesh.points.size();
   const EdgeNumbering& edges = topology.edges;
@@ -85,12 +84,7 @@ ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<int>& g
       queue.emplace(0.0, v);
     }
   }
-  std::vector<bool> isGoal(count, false);
-  for (const int v : goals)
-  {
-    isGoal[Index(v)] = true;
-  }
-  auto left = topology.loops.size() > 1 ? count : goals.size();
+  auto left = std::count(isGoal.begin(), isGoal.end(), true);
   while (!queue.empty() && left > 0)
   {
     const auto [length, v] = queue.top();
@@ -99,10 +93,7 @@ ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<int>& g
     {
       continue;
     }
-    if (topology.loops.size() > 1 || isGoal[Index(v)])
-    {
-      --left;
-    }
+    left -= isGoal[Index(v)] ? 1 : 0;
     for (int i = start[Index(v)]; i < start[Index(v) + 1]; ++i)
     {
       const int e = incident[Index(i)];
@@ -287,14 +278,21 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
 {
   CutGraph cut;
   cut.isCut.assign(Index(topology.edges.Count()), false);
-  const ShortestWays ways = WalkInwards(topology, singular);
+  // Loops are joined by ways to all vertices.
+  const bool joins = topology.loops.size() > 1;
+  std::vector<bool> isGoal(topology.mesh.points.size(), joins);
+  for (const int vertex : singular)
+  {
+    isGoal[Index(vertex)] = true;
+  }
+  const ShortestWays ways = WalkInwards(topology, isGoal);
   for (const int vertex : singular)
   {
     MarkWay(topology, ways, vertex, cut.isCut);
   }
-  if (topology.loops.size() > 1)
+  if (joins)
   {
-    JoinLoops(topology, ways, cut.isCut); // by ways to all vertices
+    JoinLoops(topology, ways, cut.isCut);
   }
   cut.chains = FindChains(topology, cut.isCut, singular);
   NumberCorners(topology, cut);

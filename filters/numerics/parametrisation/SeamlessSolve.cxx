@@ -97,44 +97,46 @@ Eigen::SparseMatrix<double> FreeMatrix(
   }
   return AssembleSymmetric(diagonal, offDiagonal);
 }
-}
 
-Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
-  const Prolongation& prolongation, const Progress& progress)
+/// How the free unknowns are eliminated.
+struct Order
 {
-  const Eigen::Index freeCount = prolongation.cols();
-  const Eigen::SparseMatrix<double> matrix =
-    FreeMatrix(CoupleCorners(map, poisson.weights), prolongation);
+  std::vector<Point> places;
+  std::vector<int> trailing; ///< Many others depend on them: they come last.
+  std::vector<int> ground;   ///< u and v of one vertex on which none depends: the origin is free.
+  std::vector<int>
+    partners; ///< Of u of a vertex its v, and of v its u, if none depends on them; else −1.
+};
 
-  // 1. Unknowns that many others depend on come last. The two of one vertex that none depends on are
-  // the origin, which is free.
-  std::vector<Point> places(static_cast<std::size_t>(freeCount), Point::Zero());
-  std::vector<int> dependents(static_cast<std::size_t>(freeCount), 0);
+Order OrderUnknowns(const FlatMap& map, const Prolongation& prolongation)
+{
+  const auto count = static_cast<std::size_t>(prolongation.cols());
+  Order order;
+  order.places.assign(count, Point::Zero());
+  order.partners.assign(count, -1);
+  std::vector<int> dependents(count, 0);
   for (Eigen::Index row = prolongation.rows(); row-- > 0;)
   {
     const auto vertex = static_cast<std::size_t>(row) / 2;
     for (Prolongation::InnerIterator term(prolongation, row); term; ++term)
     {
-      ++dependents[Index(static_cast<int>(term.col()))];
+      const std::size_t unknown = Index(static_cast<int>(term.col()));
+      ++dependents[unknown];
       if (vertex < map.original.size()) // the first one's place
       {
-        places[Index(static_cast<int>(term.col()))] = map.topology->PointAt(map.original[vertex]);
+        order.places[unknown] = map.topology->PointAt(map.original[vertex]);
       }
     }
   }
   // A vertex in a chain has its copy beside it.
   constexpr int ManyDependents = 4;
-  std::vector<int> trailing;
-  for (int j = 0; j < static_cast<int>(freeCount); ++j)
+  for (int j = 0; j < static_cast<int>(count); ++j)
   {
     if (dependents[Index(j)] > ManyDependents)
     {
-      trailing.push_back(j);
+      order.trailing.push_back(j);
     }
   }
-  // u and v of a vertex, where each is an unknown of its own.
-  std::vector<int> ground;
-  std::vector<int> partners(static_cast<std::size_t>(freeCount), -1);
   const auto own = [&](std::size_t row)
   {
     const Prolongation::InnerIterator term(prolongation, static_cast<Eigen::Index>(row));
@@ -148,22 +150,31 @@ Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson
     const int v = own(2 * vertex + 1);
     if (u >= 0 && v >= 0)
     {
-      partners[Index(u)] = v;
-      partners[Index(v)] = u;
-      if (ground.empty())
+      order.partners[Index(u)] = v;
+      order.partners[Index(v)] = u;
+      if (order.ground.empty())
       {
-        ground = { u, v };
+        order.ground = { u, v };
       }
     }
   }
-  if (ground.empty())
+  if (order.ground.empty())
   {
     throw Error("The mesh is too coarse for a flat map: no vertex is off the seams and the "
                 "boundary; use a finer mesh.");
   }
-  const DissectedCholesky factor(matrix, places, trailing, ground, progress, partners);
+  return order;
+}
+}
 
-  // 2. The first is off by rounding times the range of the weights, 1e-2 of the extent for hundreds
+Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
+  const Prolongation& prolongation, const Progress& progress)
+{
+  const Order order = OrderUnknowns(map, prolongation);
+  const DissectedCholesky factor(FreeMatrix(CoupleCorners(map, poisson.weights), prolongation),
+    order.places, order.trailing, order.ground, progress, order.partners);
+
+  // The first is off by rounding times the range of the weights, 1e-2 of the extent for hundreds
   // of random singularities: iterative refinement. A correction by the part c leaves an error of about c² (docs/method.md §12.3).
   constexpr double NegligibleSquared = 1e-8;
   constexpr int MostCorrections = 5;

@@ -95,10 +95,7 @@ Eigen::VectorXd CentreValues(
     });
   return values;
 }
-}
 
-namespace
-{
 /// Triangles within a few edges of a logarithm: beyond, the second-order error of taking one value for
 /// a triangle is small.
 std::vector<TriangleFrames::NearLog> FindNear(

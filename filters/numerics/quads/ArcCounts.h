@@ -14,7 +14,7 @@ struct ArcCounts
   double bound = 0.0;   ///< Of the cost: proved by branch and cut with rows that keep points apart.
   double gap = 0.0;     ///< (cost − bound) / (1 + bound).
   bool optimal = false; ///< The gap is proved to be zero.
-  int nodes = 0;        ///< Of branch and bound.
+  int nodes = 0;        ///< Of branch and cut.
   double seconds = 0.0;
 };
 

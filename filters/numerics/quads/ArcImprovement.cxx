@@ -27,7 +27,7 @@ Improvement ImproveCounts(const TMesh& mesh, const ArcProblem& problem,
     }
   }
   const auto known = static_cast<std::ptrdiff_t>(program.GetRows().size());
-  ProgramCounts found = program.Solve(best.counts, mostNodes,
+  ProgramCounts found = program.Solve(mostNodes,
     [&](const std::vector<int>& counts)
     {
       std::vector<ArcRow> broken;
@@ -42,7 +42,7 @@ Improvement ImproveCounts(const TMesh& mesh, const ArcProblem& problem,
   result.bound = found.bound;
   result.nodes = found.nodes;
   result.relaxed = std::move(found.relaxed);
-  result.isBetter = !found.counts.empty() && found.cost < best.cost - CostRounding(best.cost);
+  result.isBetter = found.cost < best.cost - CostRounding(best.cost);
   if (result.isBetter)
   {
     best.counts = std::move(found.counts);

@@ -34,21 +34,14 @@ class BranchAndCut
 {
 public:
   BranchAndCut(const ArcProblem& problem, ArcRelaxation& relaxation, std::vector<ArcRow>& rows,
-    const ArcProgram::Separate& separate)
+    const ArcProgram::Separate& separate, std::vector<int> start)
     : Problem(problem)
     , Relaxation(relaxation)
     , Rows(rows)
     , SeparateCounts(separate)
   {
-    this->Best.cost = std::numeric_limits<double>::infinity();
     this->Rises.fill(std::vector<Rise>(problem.Count()));
-  }
-
-  void Take(std::vector<int> counts)
-  {
-    this->Best.cost = this->Problem.Cost(counts);
-    this->Best.counts = std::move(counts);
-    this->Relaxation.SetLimit(this->GetLimit());
+    this->Take(std::move(start));
   }
 
   ProgramCounts Search(int mostNodes)
@@ -74,11 +67,14 @@ public:
 private:
   static bool IsDearer(const Branch& a, const Branch& b) { return a.bound > b.bound; }
 
-  double GetLimit() const
+  void Take(std::vector<int> counts)
   {
-    return std::isfinite(this->Best.cost) ? this->Best.cost - CostRounding(this->Best.cost)
-                                          : this->Best.cost;
+    this->Best.cost = this->Problem.Cost(counts);
+    this->Best.counts = std::move(counts);
+    this->Relaxation.SetLimit(this->GetLimit());
   }
+
+  double GetLimit() const { return this->Best.cost - CostRounding(this->Best.cost); }
 
   double LeastBound() const
   {
@@ -105,17 +101,12 @@ private:
     constexpr int MostRounds = 20;
     for (int round = 0; round <= MostRounds; ++round)
     {
-      const RelaxationStatus status = this->SolveApart();
-      if (status != RelaxationStatus::Optimal)
+      if (!this->SolveApart())
       {
-        this->IsUnsolved = this->IsUnsolved || status == RelaxationStatus::Unsolved;
         return false;
       }
       this->RootBound = std::max(this->RootBound, this->Relaxation.GetCost());
-      if (std::isfinite(this->Best.cost))
-      {
-        this->Relaxation.Tighten();
-      }
+      this->Relaxation.Tighten();
       if (this->IsWhole() || !this->Relaxation.Cut())
       {
         break;
@@ -137,22 +128,19 @@ private:
       [this](int arc) { return this->Relaxation.IsWhole(arc); });
   }
 
-  /// Adds rows until the optimum is not whole, or joins nothing.
-  RelaxationStatus SolveApart()
+  /// Adds rows until the optimum is not whole, or joins nothing. Whether there is one.
+  bool SolveApart()
   {
-    while (true)
+    RelaxationStatus status = this->Relaxation.Solve();
+    for (; status == RelaxationStatus::Optimal && this->IsWhole();
+         status = this->Relaxation.Solve())
     {
-      const RelaxationStatus status = this->Relaxation.Solve();
-      if (status != RelaxationStatus::Optimal || !this->IsWhole())
-      {
-        return status;
-      }
       std::vector<int> counts = this->Relaxation.GetCounts();
       const std::vector<ArcRow> broken = this->SeparateCounts(counts);
       if (broken.empty())
       {
         this->Take(std::move(counts));
-        return status;
+        break;
       }
       for (const ArcRow& row : broken)
       {
@@ -160,6 +148,8 @@ private:
         this->Rows.push_back(row);
       }
     }
+    this->IsUnsolved = this->IsUnsolved || status == RelaxationStatus::Unsolved;
+    return status == RelaxationStatus::Optimal;
   }
 
   /// Whether the present branch was divided into two: the one that rises less is the present one then.
@@ -170,9 +160,7 @@ private:
     {
       this->Relaxation.SetBasis(*this->Present.basis);
     }
-    const RelaxationStatus status = this->SolveApart();
-    this->IsUnsolved = this->IsUnsolved || status == RelaxationStatus::Unsolved;
-    if (status != RelaxationStatus::Optimal)
+    if (!this->SolveApart())
     {
       return false;
     }
@@ -194,8 +182,7 @@ private:
 
   void Divide(int arc, double cost)
   {
-    const double value = this->Relaxation.Relaxed(arc);
-    const auto below = static_cast<int>(std::floor(value));
+    const auto below = static_cast<int>(std::floor(this->Relaxation.Relaxed(arc)));
     std::array<Branch, 2> parts = { this->Present, this->Present };
     const std::array<std::vector<ColumnBounds>, 2> narrower = { this->Relaxation.AtMost(arc, below),
       this->Relaxation.AtLeast(arc, below + 1) };
@@ -207,9 +194,9 @@ private:
       part.basis = nullptr;
       part.arc = arc;
       part.isMore = isMore;
-      part.step = isMore == 1 ? below + 1 - value : value - below;
+      part.step = this->StepOf(arc, isMore);
     }
-    const std::size_t next = this->RiseOf(parts[1]) < this->RiseOf(parts[0]) ? 1 : 0;
+    const std::size_t next = this->RiseOf(arc, 1) < this->RiseOf(arc, 0) ? 1 : 0;
     this->Present = std::move(parts[next]);
     parts[1 - next].basis = std::make_shared<const RelaxationBasis>(this->Relaxation.GetBasis());
     this->Recent.push_back(std::move(parts[1 - next]));
@@ -247,12 +234,19 @@ private:
     return true;
   }
 
-  /// What the bound is expected to rise by: as it did before, or the arc's cost where that has not been seen.
-  double RiseOf(const Branch& branch) const
+  /// How far it is to the next whole number.
+  double StepOf(int arc, std::size_t isMore) const
   {
-    const Rise& rise = this->Rises[branch.isMore][Index(branch.arc)];
-    return branch.step *
-      (rise.count > 0 ? rise.sum / rise.count : this->Problem.weight[Index(branch.arc)]);
+    const double value = this->Relaxation.Relaxed(arc);
+    return isMore == 1 ? std::floor(value) + 1.0 - value : value - std::floor(value);
+  }
+
+  /// What the bound is expected to rise by: as it did before, or the arc's cost where that has not been seen.
+  double RiseOf(int arc, std::size_t isMore) const
+  {
+    const Rise& rise = this->Rises[isMore][Index(arc)];
+    return this->StepOf(arc, isMore) *
+      (rise.count > 0 ? rise.sum / rise.count : this->Problem.weight[Index(arc)]);
   }
 
   /// The one with the largest product of both rises (Achterberg, Koch, Martin 2005); −1 where all are whole.
@@ -266,18 +260,10 @@ private:
       {
         continue;
       }
-      const double value = this->Relaxation.Relaxed(arc);
-      double product = 1.0;
-      for (std::size_t isMore = 0; isMore < 2; ++isMore)
-      {
-        Branch branch;
-        branch.arc = arc;
-        branch.isMore = isMore;
-        branch.step = isMore == 1 ? std::ceil(value) - value : value - std::floor(value);
-        // So that one side that does not rise leaves the other one some say.
-        constexpr double LeastRise = 1e-6;
-        product *= std::max(LeastRise, this->RiseOf(branch));
-      }
+      // So that one side that does not rise leaves the other one some say.
+      constexpr double LeastRise = 1e-6;
+      const double product =
+        std::max(LeastRise, this->RiseOf(arc, 0)) * std::max(LeastRise, this->RiseOf(arc, 1));
       if (product > most)
       {
         best = arc;
@@ -306,6 +292,7 @@ private:
 ArcProgram::ArcProgram(
   const ArcProblem& problem, const std::vector<int>& free, const std::vector<int>& counts)
   : Problem(problem)
+  , Start(counts)
   , Relaxation(problem, free, counts)
 {
 }
@@ -316,16 +303,9 @@ void ArcProgram::Add(const ArcRow& row)
   this->Rows.push_back(row);
 }
 
-ProgramCounts ArcProgram::Solve(
-  const std::vector<int>& start, int mostNodes, const Separate& separate)
+ProgramCounts ArcProgram::Solve(int mostNodes, const Separate& separate)
 {
-  BranchAndCut search(this->Problem, this->Relaxation, this->Rows, separate);
-  const bool holds = std::all_of(this->Rows.begin(), this->Rows.end(),
-    [&start](const ArcRow& row) { return !start.empty() && row.Holds(start); });
-  if (holds && !start.empty())
-  {
-    search.Take(start);
-  }
-  return search.Search(mostNodes);
+  return BranchAndCut(this->Problem, this->Relaxation, this->Rows, separate, this->Start)
+    .Search(mostNodes);
 }
 }

@@ -4,7 +4,6 @@
 #include "SeparationRow.h"
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace crossfield

@@ -66,7 +66,7 @@ void ExpectSameAsDirect(const HardCase& hard)
   // As far as rounding goes: the comparison is of the two forms, not of where iterations stop.
   MinimiserOptions options;
   options.tolerance = 1e-14;
-  const MinimiserResult solution = SolveReduced(solver.GetReducedProblem(), options);
+  const MinimiserResult solution = SolveReduced(HoleBases(solver.GetReducedProblem()), options);
   const RecoveredField reduced = solver.Recover(solution.x);
   const SolvedField direct = SolvePerforatedDirectly(hard.mesh, options);
   if (solution.residual > 1e-10 || direct.residual > 1e-10)

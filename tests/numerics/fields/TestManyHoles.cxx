@@ -143,7 +143,7 @@ TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)
   const PotentialProblem problem = ProblemOn(TwelveHoles());
   const PotentialReduction reduction(problem);
   const ReducedProblem& reduced = reduction.GetReducedProblem();
-  const MinimiserResult solution = SolveReduced(reduced);
+  const MinimiserResult solution = SolveReduced(HoleBases(reduced));
   ASSERT_TRUE(solution.converged) << solution.residual;
   // The proof of docs/method.md §3.4 with every coupling: H is positive definite, and its x satisfies all constraints.
   Eigen::MatrixXcd hessian = reduced.matrix.Dense().cast<Complex>();
@@ -204,7 +204,7 @@ TEST(ManyHoles, LocalMinimumIsThatOfTheDenseProblem)
   const PotentialReduction reduction(problem);
   const ReducedProblem& reduced = reduction.GetReducedProblem();
   const ComplexVector start = reduction.ValuesOf(SolveUnitNorm(problem).u);
-  const MinimiserResult blocks = SolveReducedFrom(reduced, start);
+  const MinimiserResult blocks = SolveReducedFrom(HoleBases(reduced), start);
   QuadraticProblem quadratic{ reduced.matrix.Dense().cast<Complex>(), reduced.load, {} };
   for (const DegreeConstraint& constraint : reduced.constraints)
   {

@@ -41,7 +41,7 @@ TEST(PotentialReduction, ReducedFormEqualsTheDirectForm)
     SCOPED_TRACE(index++);
     const PotentialProblem problem = ProblemOn(mesh);
     const PotentialReduction solver(problem);
-    const MinimiserResult solution = SolveReduced(solver.GetReducedProblem());
+    const MinimiserResult solution = SolveReduced(HoleBases(solver.GetReducedProblem()));
     ASSERT_TRUE(solution.converged);
     const RecoveredField reduced = solver.Recover(solution.x);
     const SolvedField direct = SolvePerforatedDirectly(mesh);
@@ -63,7 +63,7 @@ TEST(PotentialReduction, ValuesOfReproduceTheSolution)
   {
     const PotentialProblem problem = ProblemOn(mesh);
     const PotentialReduction solver(problem);
-    const MinimiserResult solution = SolveReduced(solver.GetReducedProblem());
+    const MinimiserResult solution = SolveReduced(HoleBases(solver.GetReducedProblem()));
     const ComplexVector values = solver.ValuesOf(solver.Recover(solution.x).u);
     ASSERT_EQ(values.size(), solution.x.size());
     EXPECT_LE((values - solution.x).norm(), 1e-8 * (1.0 + solution.x.norm()));

@@ -68,7 +68,7 @@ TEST(ReducedProblem, SolutionSatisfiesTheOptimalityConditions)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 5, 0.4);
-    const MinimiserResult solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(HoleBases(problem));
     ASSERT_TRUE(solution.converged) << solution.residual;
     EXPECT_GT(solution.iterations, 0);
     ExpectOptimalityConditions(problem, solution);
@@ -84,7 +84,7 @@ TEST(ReducedProblem, OneConstraintIsSolvedFromAnyHarmonicField)
     SCOPED_TRACE(trial);
     ReducedProblem problem = RandomProblem(random, 1, 0.0);
     problem.load = problem.load.unaryExpr([&](const Complex&) { return random.Square(); });
-    const MinimiserResult solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(HoleBases(problem));
     ASSERT_TRUE(solution.converged) << solution.residual;
     ExpectOptimalityConditions(problem, solution);
   }
@@ -141,7 +141,7 @@ TEST(ReducedProblem, KnownSolutionsAreFoundAlsoNextToTheBorder)
     const double margin = std::pow(10.0, -1 - trial % 4);
     SCOPED_TRACE(testing::Message() << trial << ", margin " << margin);
     const KnownProblem known = RandomKnownProblem(random, 1 + trial % 7, margin);
-    const MinimiserResult solution = SolveReduced(known.problem);
+    const MinimiserResult solution = SolveReduced(HoleBases(known.problem));
     EXPECT_TRUE(solution.converged) << solution.residual;
     EXPECT_LE(solution.iterations, 60);
     // An error of 1e-10 in the forces is this much in x.
@@ -157,7 +157,7 @@ TEST(ReducedProblem, NoFeasiblePointIsBetter)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.5);
-    const MinimiserResult solution = SolveReduced(problem);
+    const MinimiserResult solution = SolveReduced(HoleBases(problem));
     ASSERT_TRUE(solution.converged);
     const double best = Objective(problem, solution.x);
     int compared = 0;
@@ -196,7 +196,7 @@ TEST(ReducedProblem, WhereTheConstraintsHoldAlreadyTheHarmonicFieldStays)
   Random random(33);
   const ReducedProblem problem = RandomProblem(random, 3, 0.0);
   const ComplexVector harmonic = problem.matrix.Dense().llt().solve(problem.load);
-  const MinimiserResult held = SolveReduced(problem);
+  const MinimiserResult held = SolveReduced(HoleBases(problem));
   EXPECT_TRUE(held.converged);
   EXPECT_EQ(held.iterations, 0);
   EXPECT_LE((held.x - harmonic).norm(), 1e-12 * harmonic.norm());
@@ -205,20 +205,20 @@ TEST(ReducedProblem, WhereTheConstraintsHoldAlreadyTheHarmonicFieldStays)
 
 TEST(ReducedProblem, EmptyProblemIsSolved)
 {
-  EXPECT_TRUE(SolveReduced({}).converged);
+  EXPECT_TRUE(SolveReduced(HoleBases(ReducedProblem())).converged);
 }
 
 TEST(ReducedProblem, FollowsRotationOfTheFieldAndScaleOfTheMatrix)
 {
   Random random(34);
   const ReducedProblem problem = RandomProblem(random, 3, 0.4);
-  const MinimiserResult solution = SolveReduced(problem);
+  const MinimiserResult solution = SolveReduced(HoleBases(problem));
   ASSERT_TRUE(solution.converged);
   ReducedProblem changed = problem;
   const Complex phase = random.UnitComplex();
   changed.load *= 1e6 * phase;
   changed.matrix = MatrixOn(problem.constraints, 1e6 * problem.matrix.Dense());
-  const MinimiserResult moved = SolveReduced(changed);
+  const MinimiserResult moved = SolveReduced(HoleBases(changed));
   ASSERT_TRUE(moved.converged);
   EXPECT_EQ(moved.iterations, solution.iterations);
   EXPECT_LE((moved.x - phase * solution.x).norm(), 1e-9 * solution.x.norm());
@@ -232,13 +232,13 @@ TEST(ReducedProblem, ReportsWhatDidNotConverge)
   ReducedProblem problem = RandomProblem(random, 2, 0.5);
   MinimiserOptions hurried;
   hurried.maximumIterations = 1;
-  const MinimiserResult early = SolveReduced(problem, hurried);
+  const MinimiserResult early = SolveReduced(HoleBases(problem), hurried);
   EXPECT_FALSE(early.converged);
   EXPECT_EQ(early.iterations, 1);
   EXPECT_GT(early.residual, hurried.tolerance);
   // From a field that is zero on the hole no direction is better than another.
   problem.load.setZero();
-  const MinimiserResult stuck = SolveReduced(problem);
+  const MinimiserResult stuck = SolveReduced(HoleBases(problem));
   EXPECT_FALSE(stuck.converged);
   EXPECT_LT(stuck.iterations, 60); // it tells, and does not try to the end
   EXPECT_TRUE(stuck.x.allFinite());
@@ -249,7 +249,8 @@ TEST(ReducedProblem, StopsWhenAsked)
 {
   Random random(36);
   const ReducedProblem problem = RandomProblem(random, 2, 0.5);
-  EXPECT_THROW(SolveReduced(problem, {}, Progress([](double) { return false; })), Aborted);
+  EXPECT_THROW(
+    SolveReduced(HoleBases(problem), {}, Progress([](double) { return false; })), Aborted);
 }
 }
 }

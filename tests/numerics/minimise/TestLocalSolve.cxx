@@ -81,7 +81,7 @@ TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
     {
       value += 0.5 * random.Square();
     }
-    const MinimiserResult solution = SolveReducedFrom(problem, start);
+    const MinimiserResult solution = SolveReducedFrom(HoleBases(problem), start);
     if (!solution.converged)
     {
       continue;
@@ -116,14 +116,14 @@ TEST(LocalSolve, TheGlobalMinimumStaysAndIsNeverBeaten)
   {
     SCOPED_TRACE(trial);
     const ReducedProblem problem = RandomProblem(random, 1 + trial % 4, 0.4);
-    const MinimiserResult global = SolveReduced(problem);
+    const MinimiserResult global = SolveReduced(HoleBases(problem));
     ASSERT_TRUE(global.converged);
-    const MinimiserResult stayed = SolveReducedFrom(problem, global.x);
+    const MinimiserResult stayed = SolveReducedFrom(HoleBases(problem), global.x);
     ASSERT_TRUE(stayed.converged);
     EXPECT_LE((stayed.x - global.x).norm(), 1e-6 * global.x.norm());
     const ComplexVector elsewhere =
       global.x.unaryExpr([&](const Complex&) { return random.Square(); });
-    const MinimiserResult local = SolveReducedFrom(problem, elsewhere);
+    const MinimiserResult local = SolveReducedFrom(HoleBases(problem), elsewhere);
     if (local.converged)
     {
       const double best = Objective(problem, global.x);
@@ -138,7 +138,8 @@ TEST(LocalSolve, StopsWhenAsked)
   const ReducedProblem problem = RandomProblem(random, 2, 0.5);
   const ComplexVector start = ComplexVector::Ones(problem.load.size());
   EXPECT_THROW(
-    SolveReducedFrom(problem, start, {}, Progress([](double) { return false; })), Aborted);
+    SolveReducedFrom(HoleBases(problem), start, {}, Progress([](double) { return false; })),
+    Aborted);
 }
 }
 }

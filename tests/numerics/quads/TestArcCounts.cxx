@@ -65,6 +65,20 @@ double BruteForce(
   return best;
 }
 
+/// The flow with no number below `least`.
+IntegerCounts FlowFrom(ArcProblem problem, int least)
+{
+  problem.lower.assign(problem.Count(), least);
+  return SolveArcFlow(problem);
+}
+
+std::vector<int> AllArcs(const ArcProblem& problem)
+{
+  std::vector<int> all(problem.Count());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 /// A disk with four singularities of index 1, and pairs of ±1.
 Configuration RandomPairs(Random& random, int pairs)
 {
@@ -171,9 +185,7 @@ TEST(ArcWindows, LeadToTheOptimum)
     SCOPED_TRACE(sample);
     const TMesh lines = LinesOf(DiskOfEdges(0.1), RandomPairs(random, 20), 0.06);
     const ArcProblem problem = MakeArcProblem(lines, 0.12);
-    ArcProblem ones = problem;
-    ones.lower.assign(problem.Count(), 1);
-    IntegerCounts found = SolveArcFlow(ones);
+    IntegerCounts found = FlowFrom(problem, 1);
     std::vector<ArcRow> rows;
     double cost = found.cost;
     first += cost;
@@ -208,13 +220,10 @@ TEST(ArcRelaxation, CutsOffNoWholeNumbers)
     SCOPED_TRACE(sample);
     const TMesh lines = LinesOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
     const ArcProblem problem = MakeArcProblem(lines, 0.12);
-    ArcProblem ones = problem;
-    ones.lower.assign(problem.Count(), 1);
-    IntegerCounts found = SolveArcFlow(ones);
+    IntegerCounts found = FlowFrom(problem, 1);
     std::vector<ArcRow> rows;
     ImproveInWindows(lines, problem, 100, found, rows);
-    std::vector<int> all(problem.Count());
-    std::iota(all.begin(), all.end(), 0);
+    const std::vector<int> all = AllArcs(problem);
     ImproveCounts(lines, problem, all, 1000, found, rows);
     ArcRelaxation relaxation(problem, all, found.counts);
     for (const ArcRow& row : rows)
@@ -244,22 +253,18 @@ TEST(ArcProgram, LeavesWhatIsNotFree)
 {
   const TMesh lines = LinesOf(LShape(), { { { 0.5, 0.5 }, 1 }, { { 1.4, 0.4 }, -1 } }, 0.1);
   const ArcProblem problem = MakeArcProblem(lines, 0.31);
-  ArcProblem more = problem;
-  more.lower.assign(problem.Count(), 2);
-  const std::vector<int> start = SolveArcFlow(more).counts;
-  std::vector<int> all(problem.Count());
-  std::iota(all.begin(), all.end(), 0);
+  const std::vector<int> start = FlowFrom(problem, 2).counts;
+  const std::vector<int> all = AllArcs(problem);
   const std::vector<int> some(
     all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
   const auto nothingJoined = [](const std::vector<int>&) { return std::vector<ArcRow>(); };
-  const ProgramCounts inHalf = ArcProgram(problem, some, start).Solve(start, 1000, nothingJoined);
-  ASSERT_FALSE(inHalf.counts.empty());
+  const ProgramCounts inHalf = ArcProgram(problem, some, start).Solve(1000, nothingJoined);
   EXPECT_TRUE(problem.Allows(inHalf.counts));
   EXPECT_TRUE(std::equal(inHalf.counts.begin() + static_cast<std::ptrdiff_t>(some.size()),
     inHalf.counts.end(), start.begin() + static_cast<std::ptrdiff_t>(some.size())));
   EXPECT_LE(inHalf.cost, problem.Cost(start) + CostRounding(inHalf.cost));
   EXPECT_NEAR(inHalf.cost, problem.Cost(inHalf.counts), CostRounding(inHalf.cost));
-  const ProgramCounts inAll = ArcProgram(problem, all, start).Solve(start, 1000, nothingJoined);
+  const ProgramCounts inAll = ArcProgram(problem, all, start).Solve(1000, nothingJoined);
   EXPECT_NEAR(inAll.cost, SolveArcFlow(problem).cost, CostRounding(inAll.cost));
   EXPECT_LE(inAll.cost, inHalf.cost + CostRounding(inHalf.cost));
 }
