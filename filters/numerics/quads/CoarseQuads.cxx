@@ -219,6 +219,28 @@ Eigen::VectorXd CoarseQuads::Prolong(
   return result;
 }
 
+Eigen::VectorXd CoarseQuads::Interpolate(
+  const BoundaryCurves& curves, const Eigen::VectorXd& moves) const
+{
+  Eigen::VectorXd result = this->Prolong(curves, moves);
+  this->ForEachLink(
+    [&](const Link& link)
+    {
+      const QuadPoint& point = this->Fine.points[Index(link.fine)];
+      if (point.curve.loop >= 0)
+      {
+        return;
+      }
+      Point way = -point.place;
+      for (std::size_t k = 0; k < 4; ++k)
+      {
+        way += link.parts[k] * this->mesh.points[Index(link.coarse[k])].place;
+      }
+      result.segment<2>(FirstUnknown(link.fine)) = way;
+    });
+  return result;
+}
+
 Eigen::VectorXd CoarseQuads::Restrict(
   const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const
 {

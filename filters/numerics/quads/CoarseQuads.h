@@ -37,6 +37,8 @@ public:
   /// By half at least: else it is not worth while.
   bool IsSmaller() const { return 2 * this->mesh.quads.size() <= this->Fine.quads.size(); }
   Eigen::VectorXd Prolong(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
+  /// The way of every point inside to the place between the corners of its cell, and on the boundary of `moves` as by Prolong.
+  Eigen::VectorXd Interpolate(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
   Eigen::VectorXd Restrict(const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const;
 
 private:

@@ -196,7 +196,7 @@ int SmoothEven(const Level& level, const BoundaryCurves& curves, const Progress&
       SmoothEven({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
-      released.Move(level, coarse.Prolong(curves, after - before));
+      released.Move(level, coarse.Interpolate(curves, after - before));
       const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
       if (LeastJacobian(level.mesh) > 0.0)

@@ -196,14 +196,19 @@ TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
   }
 }
 
-TEST(QuadSmoothing, OfManyEvenQuadsIsAsEvenAsOfFew)
+TEST(QuadSmoothing, OfManyEvenQuadsIsAsEvenAsOfFewAndAsWellShaped)
 {
   const FlatMap map = MapOfSix();
-  const double few = QuadsOf(map, 2000, QuadSizing::Uniform).quality.variation;
-  const QuadResult many = QuadsOf(map, 24000, QuadSizing::Uniform);
-  EXPECT_LE(many.smoothing.iterations, 10);
-  EXPECT_LT(many.quality.variation, few + 0.01);
-  EXPECT_GE(many.quality.jacobian.min, 0.5);
+  const QuadQuality few = QuadsOf(map, 2000, QuadSizing::Uniform).quality;
+  // With these numbers lines that nearly meet are apart by one quad: the map's quads are sheared there.
+  for (const int count : { 16000, 20000, 24000 })
+  {
+    SCOPED_TRACE(count);
+    const QuadResult many = QuadsOf(map, count, QuadSizing::Uniform);
+    EXPECT_LE(many.smoothing.iterations, 10);
+    EXPECT_LT(many.quality.variation, few.variation + 0.01);
+    EXPECT_GE(many.quality.jacobian.min, few.jacobian.min - 0.1);
+  }
 }
 }
 }
