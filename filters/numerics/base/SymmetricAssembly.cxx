@@ -1,5 +1,12 @@
 #include "SymmetricAssembly.h"
 
+#include "BothHalves.h"
+
+#include <algorithm>
+#include <atomic>
+#include <tuple>
+#include <utility>
+
 namespace crossfield
 {
 namespace
@@ -31,45 +38,116 @@ void MergeRepeated(Eigen::SparseMatrix<double>& matrix)
   }
   matrix.resizeNonZeros(kept);
 }
+
+/// Puts the entries of a column in order of their rows, those of one row in the order that they came in. Returns whether one has several.
+bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int, double>>& buffer)
+{
+  // Longer ones, of unknowns that many others depend on, are too long to be sorted by insertion.
+  constexpr int MostToInsert = 32;
+  if (count > MostToInsert)
+  {
+    buffer.clear();
+    for (int i = 0; i < count; ++i)
+    {
+      buffer.emplace_back(rows[i], values[i]);
+    }
+    std::stable_sort(
+      buffer.begin(), buffer.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (int i = 0; i < count; ++i)
+    {
+      std::tie(rows[i], values[i]) = buffer[static_cast<std::size_t>(i)];
+    }
+    return std::adjacent_find(rows, rows + count) != rows + count;
+  }
+  bool repeated = false;
+  for (int i = 1; i < count; ++i)
+  {
+    const int row = rows[i];
+    const double value = values[i];
+    int place = i;
+    for (; place > 0 && rows[place - 1] > row; --place)
+    {
+      rows[place] = rows[place - 1];
+      values[place] = values[place - 1];
+    }
+    rows[place] = row;
+    values[place] = value;
+    repeated = repeated || (place > 0 && rows[place - 1] == row);
+  }
+  return repeated;
+}
 }
 
 Eigen::SparseMatrix<double> AssembleSymmetric(
   const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal)
 {
-  const Eigen::Index size = diagonal.size();
-  Eigen::VectorXi next = Eigen::VectorXi::Ones(size);
-  for (const SymmetricEntry& entry : offDiagonal)
-  {
-    ++next[entry.row];
-    ++next[entry.column];
-  }
-  Eigen::SparseMatrix<double> unsorted(size, size);
-  unsorted.resizeNonZeros(size + 2 * static_cast<Eigen::Index>(offDiagonal.size()));
-  int* const starts = unsorted.outerIndexPtr();
+  // Each thread goes through all entries and takes those of its columns.
+  const auto size = static_cast<int>(diagonal.size());
+  std::vector<int> next(static_cast<std::size_t>(size), 1);
+  ForHalvesOf(size,
+    [&](int begin, int end)
+    {
+      for (const SymmetricEntry& entry : offDiagonal)
+      {
+        for (const int column : { entry.row, entry.column })
+        {
+          if (column >= begin && column < end)
+          {
+            ++next[static_cast<std::size_t>(column)];
+          }
+        }
+      }
+    });
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.resizeNonZeros(size + 2 * static_cast<Eigen::Index>(offDiagonal.size()));
+  int* const starts = matrix.outerIndexPtr();
   starts[0] = 0;
-  for (Eigen::Index column = 0; column < size; ++column)
+  for (int column = 0; column < size; ++column)
   {
-    starts[column + 1] = starts[column] + next[column];
-    next[column] = starts[column];
+    int& position = next[static_cast<std::size_t>(column)];
+    starts[column + 1] = starts[column] + position;
+    position = starts[column];
   }
-  const auto place = [&](int row, int column, double value)
+  std::atomic<bool> repeated = false;
+  ForHalvesOf(size,
+    [&](int begin, int end)
+    {
+      int* const rows = matrix.innerIndexPtr();
+      double* const values = matrix.valuePtr();
+      const auto place = [&](int row, int column, double value)
+      {
+        const int position = next[static_cast<std::size_t>(column)]++;
+        rows[position] = row;
+        values[position] = value;
+      };
+      for (int j = begin; j < end; ++j)
+      {
+        place(j, j, diagonal[j]);
+      }
+      for (const SymmetricEntry& entry : offDiagonal)
+      {
+        if (entry.column >= begin && entry.column < end)
+        {
+          place(entry.row, entry.column, entry.value);
+        }
+        if (entry.row >= begin && entry.row < end)
+        {
+          place(entry.column, entry.row, entry.value);
+        }
+      }
+      std::vector<std::pair<int, double>> buffer;
+      for (int j = begin; j < end; ++j)
+      {
+        if (SortColumn(rows + starts[j], values + starts[j], starts[j + 1] - starts[j], buffer))
+        {
+          repeated = true;
+        }
+      }
+    });
+  if (repeated)
   {
-    const int position = next[column]++;
-    unsorted.innerIndexPtr()[position] = row;
-    unsorted.valuePtr()[position] = value;
-  };
-  for (int j = 0; j < static_cast<int>(size); ++j)
-  {
-    place(j, j, diagonal[j]);
+    MergeRepeated(matrix);
   }
-  for (const SymmetricEntry& entry : offDiagonal)
-  {
-    place(entry.row, entry.column, entry.value);
-    place(entry.column, entry.row, entry.value);
-  }
-  // The matrix equals its transpose, and transposing sorts the rows.
-  Eigen::SparseMatrix<double> matrix = unsorted.transpose();
-  MergeRepeated(matrix);
   return matrix;
 }
 }

@@ -1,5 +1,6 @@
 #include "HField.h"
 
+#include "BothHalves.h"
 #include "ConfigurationPlacement.h"
 #include "ConjugateField.h"
 #include "Error.h"
@@ -82,10 +83,14 @@ Eigen::VectorXd AssembleValues(
   {
     integral += log.strength * LogIntegral(boundary, log.position);
   }
-  for (Eigen::Index v = 0; v < count; ++v)
-  {
-    values[v] += SumOfLogs(solution.logs, mesh.points[static_cast<std::size_t>(v)]);
-  }
+  ForHalvesOf(count,
+    [&](int begin, int end)
+    {
+      for (int v = begin; v < end; ++v)
+      {
+        values[v] += SumOfLogs(solution.logs, mesh.points[static_cast<std::size_t>(v)]);
+      }
+    });
   SetCores(potential, solution, values);
   return values.array() - integral / area;
 }
@@ -106,24 +111,30 @@ ComplexVector AssembleField(
     problem.potential->Gradient(solution.aligned), firstEdge, Eigen::VectorXd::Zero(1),
     { ofBoundary.begin() + static_cast<std::ptrdiff_t>(onCurves), ofBoundary.end() });
   std::vector<Point> seenFromCurves;
-  seenFromCurves.reserve(static_cast<std::size_t>(topology.edges.Count()));
-  for (int e = 0; e < topology.edges.Count(); ++e)
+  for (int e = 0; onCurves > 0 && e < topology.edges.Count(); ++e)
   {
     seenFromCurves.push_back(topology.Midpoint(e));
   }
-  for (std::size_t i = 0; i < topology.mesh.boundary.size(); ++i)
+  for (std::size_t i = 0; onCurves > 0 && i < topology.mesh.boundary.size(); ++i)
   {
     seenFromCurves[static_cast<std::size_t>(topology.edges.ofBoundary[i])] =
       potential.GetCurveMiddles()[i];
   }
   const std::size_t singularities = solution.logs.size() - ofBoundary.size();
   ComplexVector u(phase.size());
-  for (int e = 0; e < topology.edges.Count(); ++e)
-  {
-    u[e] = std::polar(1.0, phase[e]) *
-      UnitOfTurns(solution.logs, singularities, topology.Midpoint(e)) *
-      UnitOfTurns(ofBoundary, onCurves, seenFromCurves[static_cast<std::size_t>(e)]);
-  }
+  ForHalvesOf(u.size(),
+    [&](int begin, int end)
+    {
+      for (int e = begin; e < end; ++e)
+      {
+        u[e] = std::polar(1.0, phase[e]) *
+          UnitOfTurns(solution.logs, singularities, topology.Midpoint(e));
+        if (onCurves > 0)
+        {
+          u[e] *= UnitOfTurns(ofBoundary, onCurves, seenFromCurves[static_cast<std::size_t>(e)]);
+        }
+      }
+    });
   u *= problem.alignment.crosses[first] * std::polar(1.0, potential.GetMidpointShift()[first]) /
     u[firstEdge];
   return u;

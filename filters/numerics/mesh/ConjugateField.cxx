@@ -1,8 +1,10 @@
 #include "ConjugateField.h"
 
+#include "BothHalves.h"
 #include "TriangleArea.h"
 
 #include <algorithm>
+#include <array>
 
 namespace crossfield
 {
@@ -12,20 +14,35 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
 {
   const Eigen::Index functions = firstValues.size();
   Eigen::MatrixXd values(functions, edges.Count());
-  std::vector<bool> known(static_cast<std::size_t>(edges.Count()), false);
-  std::vector<int> queue = { firstEdge };
-  queue.reserve(known.size());
-  known[static_cast<std::size_t>(firstEdge)] = true;
+  std::vector<char> known(static_cast<std::size_t>(edges.Count()), 0);
+  // Breadth-first; every triangle is entered once, by an edge where the values are known already, and passed to the other two.
+  std::vector<char> passed(mesh.triangles.size(), 0);
+  struct Entry
+  {
+    int triangle;
+    int edge;
+  };
+  std::vector<Entry> queue;
+  queue.reserve(mesh.triangles.size());
+  const auto reach = [&](int edge)
+  {
+    known[static_cast<std::size_t>(edge)] = 1;
+    for (const int t : edges.triangles[static_cast<std::size_t>(edge)])
+    {
+      if (t >= 0 && passed[static_cast<std::size_t>(t)] == 0)
+      {
+        queue.push_back({ t, edge });
+      }
+    }
+  };
   values.col(firstEdge) = firstValues;
+  reach(firstEdge);
   for (std::size_t next = 0; next < queue.size(); ++next)
   {
-    const int from = queue[next];
-    for (int t : edges.triangles[static_cast<std::size_t>(from)])
+    const auto [t, from] = queue[next];
+    if (passed[static_cast<std::size_t>(t)] == 0)
     {
-      if (t < 0)
-      {
-        continue;
-      }
+      passed[static_cast<std::size_t>(t)] = 1;
       const auto& ofTriangle = edges.ofTriangle[static_cast<std::size_t>(t)];
       const auto& triangle = mesh.triangles[static_cast<std::size_t>(t)];
       const auto point = [&](std::size_t i) -> const Point&
@@ -35,12 +52,10 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
       for (std::size_t other : { i + 1, i + 2 })
       {
         const int to = ofTriangle[other % 3];
-        if (known[static_cast<std::size_t>(to)])
+        if (known[static_cast<std::size_t>(to)] != 0)
         {
           continue;
         }
-        known[static_cast<std::size_t>(to)] = true;
-        queue.push_back(to);
         // From the midpoint of edge i to that of edge `other`.
         const Point start = 0.5 * (point(i) + point(i + 1));
         const Point end = 0.5 * (point(other) + point(other + 1));
@@ -51,6 +66,7 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
           values(c, to) =
             values(c, from) + Cross(gradients.block<2, 1>(2 * c, t), end - start) + turn;
         }
+        reach(to);
       }
     }
   }
@@ -59,12 +75,20 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
 
 double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients)
 {
-  double energy = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const double area = TriangleArea(mesh, mesh.triangles[t]);
-    energy += 0.5 * area * gradients.col(static_cast<Eigen::Index>(t)).squaredNorm();
-  }
-  return energy;
+  std::array<double, 2> energies = { 0.0, 0.0 };
+  const auto count = static_cast<int>(mesh.triangles.size());
+  ForBothHalves(count >= FewestToHalve,
+    [&](std::size_t half)
+    {
+      double energy = 0.0;
+      const auto [begin, end] = HalfOf(count, half);
+      for (int t = begin; t < end; ++t)
+      {
+        const double area = TriangleArea(mesh, mesh.triangles[static_cast<std::size_t>(t)]);
+        energy += 0.5 * area * gradients.col(t).squaredNorm();
+      }
+      energies[half] = energy;
+    });
+  return energies[0] + energies[1];
 }
 }

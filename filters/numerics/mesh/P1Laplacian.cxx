@@ -1,49 +1,93 @@
 #include "P1Laplacian.h"
 
+#include "BothHalves.h"
 #include "Error.h"
 #include "SymmetricAssembly.h"
 
+#include <algorithm>
 #include <string>
 
 namespace crossfield
 {
+namespace
+{
+/// Twice the area of a triangle.
+double TwiceArea(const TriangleMesh& mesh, std::size_t t)
+{
+  const auto& triangle = mesh.triangles[t];
+  const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
+  const double twiceArea = Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - p0,
+    mesh.points[static_cast<std::size_t>(triangle[2])] - p0);
+  if (!(twiceArea > 0.0))
+  {
+    throw Error("Triangle " + std::to_string(t) +
+      " has no area or is clockwise; remesh the domain with the drill filter.");
+  }
+  return twiceArea;
+}
+
+/// The entry of a triangle's element matrix for two of its vertices.
+double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int, 2>& vertices)
+{
+  const auto& triangle = mesh.triangles[t];
+  const auto third = *std::find_if(triangle.begin(), triangle.end(),
+    [&vertices](int vertex) { return vertex != vertices[0] && vertex != vertices[1]; });
+  const Point& corner = mesh.points[static_cast<std::size_t>(third)];
+  return -(mesh.points[static_cast<std::size_t>(vertices[0])] - corner)
+            .dot(mesh.points[static_cast<std::size_t>(vertices[1])] - corner) /
+    (2.0 * TwiceArea(mesh, t));
+}
+}
+
 Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t)
 {
   const auto& triangle = mesh.triangles[t];
   const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
   const Point& p1 = mesh.points[static_cast<std::size_t>(triangle[1])];
   const Point& p2 = mesh.points[static_cast<std::size_t>(triangle[2])];
-  const double twiceArea = Cross(p1 - p0, p2 - p0);
-  if (!(twiceArea > 0.0))
-  {
-    throw Error("Triangle " + std::to_string(t) +
-      " has no area or is clockwise; remesh the domain with the drill filter.");
-  }
   Eigen::Matrix<double, 2, 3> opposite;
   opposite << p2 - p1, p0 - p2, p1 - p0;
-  return opposite.transpose() * opposite / (2.0 * twiceArea);
+  return opposite.transpose() * opposite / (2.0 * TwiceArea(mesh, t));
 }
 
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)
 {
-  const auto vertexCount = static_cast<Eigen::Index>(mesh.points.size());
+  const auto vertexCount = static_cast<int>(mesh.points.size());
+  const int edgeCount = edges.Count();
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(vertexCount);
-  std::vector<SymmetricEntry> ofEdge;
-  ofEdge.reserve(edges.vertices.size());
-  for (const auto& [from, to] : edges.vertices)
-  {
-    ofEdge.push_back({ from, to, 0.0 });
-  }
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-  {
-    const Eigen::Matrix3d element = P1ElementStiffness(mesh, t);
-    for (int i = 0; i < 3; ++i)
+  std::vector<SymmetricEntry> ofEdge(static_cast<std::size_t>(edgeCount));
+  // 1. Edge by edge, from the one or two triangles there.
+  ForHalvesOf(edgeCount,
+    [&](int begin, int end)
     {
-      diagonal[mesh.triangles[t][static_cast<std::size_t>(i)]] += element(i, i);
-      ofEdge[static_cast<std::size_t>(edges.ofTriangle[t][static_cast<std::size_t>(i)])].value +=
-        element(i, (i + 1) % 3);
-    }
-  }
+      for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e)
+      {
+        double sum = 0.0;
+        for (const int t : edges.triangles[e])
+        {
+          if (t >= 0)
+          {
+            sum += OffDiagonal(mesh, static_cast<std::size_t>(t), edges.vertices[e]);
+          }
+        }
+        ofEdge[e] = { edges.vertices[e][0], edges.vertices[e][1], sum };
+      }
+    });
+  // 2. The constants are the kernel: rows add up to zero.
+  ForHalvesOf(vertexCount,
+    [&](int begin, int end)
+    {
+      for (const SymmetricEntry& entry : ofEdge)
+      {
+        for (const int vertex : { entry.row, entry.column })
+        {
+          if (vertex >= begin && vertex < end)
+          {
+            diagonal[vertex] -= entry.value;
+          }
+        }
+      }
+    });
   return AssembleSymmetric(diagonal, ofEdge);
 }
 }

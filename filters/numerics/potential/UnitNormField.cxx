@@ -1,6 +1,7 @@
 #include "UnitNormField.h"
 
 #include "AlignedPotential.h"
+#include "BothHalves.h"
 #include "ConjugateField.h"
 
 namespace crossfield
@@ -18,10 +19,14 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
     potential.gradient, topology.EdgeOfBoundary(first),
     Eigen::VectorXd::Constant(1, std::arg(problem.alignment.crosses[first])));
   result.u.resize(phase.size());
-  for (Eigen::Index e = 0; e < phase.size(); ++e)
-  {
-    result.u[e] = std::polar(1.0, phase[e]);
-  }
+  ForHalvesOf(phase.size(),
+    [&](int begin, int end)
+    {
+      for (int e = begin; e < end; ++e)
+      {
+        result.u[e] = std::polar(1.0, phase[e]);
+      }
+    });
   result.residual = SetAlignedCrosses(topology, problem.alignment, result.u);
   result.potential = std::move(potential.solution);
   return result;

@@ -1,7 +1,11 @@
 #include "FieldIndices.h"
 
+#include "BothHalves.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace crossfield
 {
@@ -23,23 +27,34 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
   const TriangleMesh& mesh = topology.mesh;
   const EdgeNumbering& edges = topology.edges;
   FieldIndices indices;
-  indices.ofTriangle.reserve(mesh.triangles.size());
-  // Change of arg u around each vertex, from midpoint to midpoint, inside the domain.
-  std::vector<double> around(mesh.points.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  indices.ofTriangle.resize(mesh.triangles.size());
+  // Change of arg u around each vertex, from midpoint to midpoint, inside the domain: of either half of the triangles.
+  std::array<std::vector<double>, 2> parts;
+  const auto triangleCount = static_cast<int>(mesh.triangles.size());
+  const auto read = [&](std::size_t half)
   {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < 3; ++i)
+    std::vector<double>& around = parts[half];
+    around.assign(mesh.points.size(), 0.0);
+    const auto [begin, end] = HalfOf(triangleCount, half);
+    for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
     {
-      // Edges i and i + 1 of the triangle meet in its vertex i + 1, around which the same step is
-      // taken backwards: computed once, so that everything adds up to zero whatever the rounding.
-      const double step =
-        WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
-      sum += step;
-      around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= step;
+      double sum = 0.0;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        // Edges i and i + 1 of the triangle meet in its vertex i + 1, around which the same step is
+        // taken backwards: computed once, so that everything adds up to zero whatever the rounding.
+        const double step =
+          WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
+        sum += step;
+        around[static_cast<std::size_t>(mesh.triangles[t][(i + 1) % 3])] -= step;
+      }
+      indices.ofTriangle[t] = Turns(sum);
     }
-    indices.ofTriangle.push_back(Turns(sum));
-  }
+  };
+  ForBothHalves(triangleCount >= FewestToHalve, read);
+  std::vector<double>& around = parts[0];
+  std::transform(
+    around.begin(), around.end(), parts[1].begin(), around.begin(), std::plus<double>());
 
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {

@@ -154,12 +154,16 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
   return sum / 3.0;
 }
 
-/// Longest edge at each vertex.
-std::vector<double> LongestEdges(const MeshTopology& topology)
+/// Longest edge at each vertex that is asked for.
+std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector<char>& asked)
 {
   std::vector<double> longest(topology.mesh.points.size(), 0.0);
   for (const auto& [from, to] : topology.edges.vertices)
   {
+    if (asked[static_cast<std::size_t>(from)] == 0 && asked[static_cast<std::size_t>(to)] == 0)
+    {
+      continue;
+    }
     const double length = (topology.PointAt(to) - topology.PointAt(from)).norm();
     for (const int vertex : { from, to })
     {
@@ -182,10 +186,19 @@ std::map<int, Cluster> FindClusters(
     return indices.ofVertex[v] != 0 && !roles[v].corner;
   };
   VertexSets sets(mesh.points.size());
+  std::vector<char> asked(mesh.points.size());
+  for (std::size_t v = 0; v < asked.size(); ++v)
+  {
+    asked[v] = singular(static_cast<int>(v)) ? 1 : 0;
+  }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (indices.ofTriangle[t] != 0)
     {
+      for (const int vertex : mesh.triangles[t])
+      {
+        asked[static_cast<std::size_t>(vertex)] = 1;
+      }
       sets.Unite(mesh.triangles[t][0], mesh.triangles[t][1]);
       sets.Unite(mesh.triangles[t][1], mesh.triangles[t][2]);
     }
@@ -198,7 +211,7 @@ std::map<int, Cluster> FindClusters(
     }
   }
 
-  const std::vector<double> longest = LongestEdges(*field.topology);
+  const std::vector<double> longest = LongestEdges(*field.topology, asked);
   std::map<int, Cluster> clusters;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
