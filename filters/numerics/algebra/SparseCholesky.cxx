@@ -3,9 +3,9 @@
 #include "DenseProduct.h"
 #include "MemoryBudget.h"
 #include "SerialBlas.h"
+#include "SerialRegions.h"
 
 #include <cholmod.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <atomic>
@@ -49,21 +49,6 @@ struct SparseCholesky::Factor
 namespace
 {
 std::atomic<long> countOfAll = 0;
-
-/// While it exists, parallel regions that this thread opens have one thread. CHOLMOD asks for four in every small
-/// loop, whatever OMP_NUM_THREADS says, and on fewer processors these wait for each other: with
-/// OMP_NUM_THREADS=1, where no region of ours is around them, a second became minutes.
-class SerialRegions
-{
-public:
-  SerialRegions() { omp_set_max_active_levels(omp_get_active_level()); }
-  ~SerialRegions() { omp_set_max_active_levels(this->Before); }
-  SerialRegions(const SerialRegions&) = delete;
-  SerialRegions& operator=(const SerialRegions&) = delete;
-
-private:
-  int Before = omp_get_max_active_levels();
-};
 }
 
 long SparseCholesky::CountOfAll()

@@ -1,0 +1,17 @@
+#include "SerialRegions.h"
+
+#include <omp.h>
+
+namespace crossfield
+{
+SerialRegions::SerialRegions()
+  : Before(omp_get_max_active_levels())
+{
+  omp_set_max_active_levels(omp_get_active_level());
+}
+
+SerialRegions::~SerialRegions()
+{
+  omp_set_max_active_levels(this->Before);
+}
+}
