@@ -1,11 +1,14 @@
 #pragma once
 
 // Part of PlanarMesher.cxx, the one file that includes CGAL: the mesh from the triangulation.
-#include "HilbertOrder.h"
 #include "LatticeCore.h"
 #include "MesherTriangulation.h"
 #include "PlanarDomain.h"
 #include "TriangleMesh.h"
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <utility>
 
@@ -31,18 +34,18 @@ public:
     , NumberInCore(core.GetLattice().Count(), None)
   {
     std::vector<Triangulation::Face_handle> faces;
-    const std::vector<int> order = this->Order(triangulation, faces);
+    const std::vector<Place> order = this->Order(triangulation, faces);
     this->Mesh.triangles.reserve(order.size());
-    const auto inCore = static_cast<int>(core.GetTriangles().size());
-    for (const int i : order)
+    const std::size_t inCore = core.GetTriangles().size();
+    for (const Place& place : order)
     {
-      if (i < inCore)
+      if (place.second < inCore)
       {
-        this->Add(core.GetTriangles()[static_cast<std::size_t>(i)]);
+        this->Add(core.GetTriangles()[place.second]);
       }
       else
       {
-        this->Add(faces[static_cast<std::size_t>(i - inCore)]);
+        this->Add(faces[place.second - inCore]);
       }
     }
   }
@@ -50,18 +53,21 @@ public:
   TriangleMesh Take() { return std::move(this->Mesh); }
 
 private:
-  /// Of the triangles of the core, and after them the faces of the domain, which are collected.
-  std::vector<int> Order(
+  /// A centroid and its number: of the triangles of the core, and after them of the faces.
+  using Place = std::pair<CgalPoint, std::size_t>;
+
+  /// In order; the faces of the domain are collected.
+  std::vector<Place> Order(
     const Triangulation& triangulation, std::vector<Triangulation::Face_handle>& faces) const
   {
-    std::vector<Point> places;
+    std::vector<Place> places;
     places.reserve(this->Core.GetTriangles().size() + triangulation.number_of_faces());
     for (const LatticeCore::Triangle& triangle : this->Core.GetTriangles())
     {
-      places.push_back(
-        (this->Core.GetLattice().At(triangle[0]) + this->Core.GetLattice().At(triangle[1]) +
-          this->Core.GetLattice().At(triangle[2])) /
-        3.0);
+      const TriangularLattice& lattice = this->Core.GetLattice();
+      places.emplace_back(
+        ToCgal((lattice.At(triangle[0]) + lattice.At(triangle[1]) + lattice.At(triangle[2])) / 3.0),
+        places.size());
     }
     for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
          ++face)
@@ -69,10 +75,13 @@ private:
       if (face->is_in_domain())
       {
         faces.push_back(face);
-        places.push_back(FromCgal(CGAL::centroid(triangulation.triangle(face))));
+        places.emplace_back(CGAL::centroid(triangulation.triangle(face)), places.size());
       }
     }
-    return HilbertOrder(places);
+    // At the medians: by halves of the square it would not end where two centroids round to one point.
+    CGAL::hilbert_sort(places.begin(), places.end(),
+      CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>());
+    return places;
   }
 
   int Number(std::size_t inLattice)
