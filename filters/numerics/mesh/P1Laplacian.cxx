@@ -3,6 +3,7 @@
 #include "BothHalves.h"
 #include "Error.h"
 #include "SymmetricAssembly.h"
+#include "TriangleArea.h"
 
 #include <algorithm>
 #include <string>
@@ -11,19 +12,15 @@ namespace crossfield
 {
 namespace
 {
-/// Twice the area of a triangle.
-double TwiceArea(const TriangleMesh& mesh, std::size_t t)
+double PositiveArea(const TriangleMesh& mesh, std::size_t t)
 {
-  const auto& triangle = mesh.triangles[t];
-  const Point& p0 = mesh.points[static_cast<std::size_t>(triangle[0])];
-  const double twiceArea = Cross(mesh.points[static_cast<std::size_t>(triangle[1])] - p0,
-    mesh.points[static_cast<std::size_t>(triangle[2])] - p0);
-  if (!(twiceArea > 0.0))
+  const double area = TriangleArea(mesh, mesh.triangles[t]);
+  if (!(area > 0.0))
   {
     throw Error("Triangle " + std::to_string(t) +
       " has no area or is clockwise; remesh the domain with the drill filter.");
   }
-  return twiceArea;
+  return area;
 }
 
 /// The entry of a triangle's element matrix for two of its vertices.
@@ -35,7 +32,7 @@ double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int
   const Point& corner = mesh.points[static_cast<std::size_t>(third)];
   return -(mesh.points[static_cast<std::size_t>(vertices[0])] - corner)
             .dot(mesh.points[static_cast<std::size_t>(vertices[1])] - corner) /
-    (2.0 * TwiceArea(mesh, t));
+    (4.0 * PositiveArea(mesh, t));
 }
 }
 
@@ -47,7 +44,7 @@ Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t)
   const Point& p2 = mesh.points[static_cast<std::size_t>(triangle[2])];
   Eigen::Matrix<double, 2, 3> opposite;
   opposite << p2 - p1, p0 - p2, p1 - p0;
-  return opposite.transpose() * opposite / (2.0 * TwiceArea(mesh, t));
+  return opposite.transpose() * opposite / (4.0 * PositiveArea(mesh, t));
 }
 
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges)
