@@ -106,7 +106,7 @@ int Optimize(const OptimizeOptions& options)
   optimizer->SetMaximumIterations(options.iterations);
   optimizer->SetClearance(options.clearance);
   optimizer->SetKeepAll(options.keepAll);
-  optimizer->SetEvenSizes(options.even);
+  optimizer->SetUniformSizes(options.even);
   optimizer->SetPairs(options.pairs);
   if (options.sizing[0] == "field")
   {

@@ -83,8 +83,8 @@ std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
   { return static_cast<long long>(Value(quads, name)); };
   Json report = Json::object();
   report["quads"] = count(names::Quads);
-  report["irregular"] = ByValence(quads, names::IrregularGot);
-  report["asked"] = ByValence(quads, names::IrregularAsked);
+  report["irregular"] = ByValence(quads, names::IrregularObtained);
+  report["asked"] = ByValence(quads, names::IrregularRequested);
   report["blocks"] = count(names::Blocks);
   report["scaled_jacobian"] = { { "min", Value(quads, names::ScaledJacobianRange) },
     { "mean", Value(quads, names::ScaledJacobianRange, 1) },
@@ -195,7 +195,7 @@ int Mesh(const QuadsOptions& options)
     singularities.PrintChoice();
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
-              << ByValence(quads, names::IrregularGot).dump() << ", least scaled Jacobian "
+              << ByValence(quads, names::IrregularObtained).dump() << ", least scaled Jacobian "
               << Value(quads, names::ScaledJacobianRange) << " (attainable "
               << Value(quads, names::ScaledJacobianBound) << ")\n";
   }

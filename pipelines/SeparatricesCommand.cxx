@@ -55,7 +55,7 @@ std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices
   report["flips"] = count(names::Flips);
   report["longest"] = FieldValue(lines, names::Longest);
   report["mismatch"] = FieldValue(lines, names::Mismatch);
-  report["misfit"] = FieldValue(map->GetOutput(), names::Misfit);
+  report["map_residual"] = FieldValue(map->GetOutput(), names::MapResidual);
   report["seconds"] = { { "mesh", map->GetStageSeconds()[0] }, { "map", map->GetStageSeconds()[1] },
     { "trace", separatrices->GetStageSeconds() } };
   ReportJson::AddRepair(report, map->GetOutput()->GetFieldData());

@@ -4,4 +4,4 @@
 #
 #   scripts/build.sh && scripts/automatic.sh [FOLDER [NAME...]]
 set -euo pipefail
-exec "$(dirname "${BASH_SOURCE[0]}")/page.sh" automatic pvpython scripts/automatic.py pipelines/pvpython/draw_chosen.py "$@"
+exec "$(dirname "${BASH_SOURCE[0]}")/page.sh" automatic pvpython scripts/automatic.py scripts/pictures/draw_chosen.py "$@"

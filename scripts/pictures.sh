@@ -15,7 +15,7 @@ draw() {
   script=$1
   shift
   xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
-    pvpython "pipelines/pvpython/$script" --plugin "$plugin" "$@"
+    pvpython "scripts/pictures/$script" --plugin "$plugin" "$@"
 }
 
 draw docs_pictures.py --folder "$folder"

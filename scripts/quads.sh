@@ -4,4 +4,4 @@
 #
 #   scripts/build.sh && scripts/quads.sh [FOLDER [NAME...]]
 set -euo pipefail
-exec "$(dirname "${BASH_SOURCE[0]}")/page.sh" quads python3 scripts/quads_gallery.py pipelines/pvpython/draw_quads.py "$@"
+exec "$(dirname "${BASH_SOURCE[0]}")/page.sh" quads python3 scripts/quads_gallery.py scripts/pictures/draw_quads.py "$@"

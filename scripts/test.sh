@@ -15,10 +15,10 @@ if [[ "${1:-}" == --all ]]; then
   shift
   presets+=(vtk91 checked)
   # What is left uses VTK: filters, files read and written, the Python package, an installed tree.
-  skipped[vtk91]='^(Numerics|bench|Rules|Readme|Valgrind|Verify\.Spoilt)\.|^Verify\.NothingIsAFailure$'
+  skipped[vtk91]='^(Numerics|bench|Rules|Readme|Valgrind|Verify\.Corrupted)\.|^Verify\.NothingIsAFailure$'
   skipped[vtk91]+='|^Corpus\.(Geometry|Numbers|Configurations|Verified)\.'
   skipped[vtk91]+='|^Automatic\.|^Program\.(Help|Usage|Energy|Optimize|Figures|Check|Corners|Variants|Page|Exact|WholeRuns)\.'
-  skipped[checked]='^(Rules|Verify\.Spoilt|Automatic)\.|^Verify\.NothingIsAFailure$'
+  skipped[checked]='^(Rules|Verify\.Corrupted|Automatic)\.|^Verify\.NothingIsAFailure$'
   # Aborted at fifty reports: half a minute, and ten times that with the sanitizers. What the figures run,
   # other tests run as well.
   skipped[vtk91]+='|^Vtk\.ConfigurationProposalFilter\.KeepsTheRulesOfAFilter$'

@@ -137,7 +137,7 @@ public:
   /**
    * With Automatic, which sizes the quads to come are to have, as of vtkQuadMesher: 0, conformal; 1, uniform; 2, those of
    * the point array SizeArray of the domain, of which QuadSize is then a factor. With 1 and 2 the singularities move
-   * on to where sizes are so, as with EvenSizes of vtkSingularityOptimizer. Default: 0, none.
+   * on to where sizes are so, as with UniformSizes of vtkSingularityOptimizer. Default: 0, none.
    */
   vtkSetClampMacro(Sizing, int, 0, 2);
   vtkGetMacro(Sizing, int);

@@ -7,9 +7,9 @@
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "HolonomyConversion.h"
-#include "KeptDomain.h"
+#include "CachedDomain.h"
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkCrossFieldMap);
 
 //------------------------------------------------------------------------------
 vtkCrossFieldMap::vtkCrossFieldMap()
-  : Kept(std::make_unique<KeptDomain>())
+  : Kept(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -57,7 +57,7 @@ int vtkCrossFieldMap::RequestData(
       MapConversion::Map result;
       crossfield::SharedTopology topology;
       crossfield::Configuration configuration;
-      crossfield::FlatMapOptions options;
+      crossfield::SeamlessMapOptions options;
       options.capCorners = this->CapCorners;
       vtkFieldData* field = output->GetFieldData();
       if (given != nullptr)
@@ -94,7 +94,7 @@ int vtkCrossFieldMap::RequestData(
       }
       this->StageSeconds[0] = stopwatch.Lap();
       result.map =
-        crossfield::SolveFlatMap(topology, configuration, options, progress.Part(0.3, 1.0));
+        crossfield::SolveSeamlessMap(topology, configuration, options, progress.Part(0.3, 1.0));
       this->StageSeconds[1] = stopwatch.Lap();
       for (std::size_t k = 0; k < result.map.holonomyDefect.size(); ++k)
       {

@@ -24,7 +24,7 @@
  * - `BoundaryKind`, `BoundaryId` (cells): as for vtkDrillHoles.
  *
  * Field data: `SeamRotation` r and `SeamTranslation` (2) t per seam, w' = i^r w + t; `ConeRow` (row of port 1 per
- * singularity, −1 per corner); `Flips` (0: any would be an error); `Misfit`, √(∫ e^{2H} |∇w − e^{−(H+iθ)}|² / area);
+ * singularity, −1 per corner); `Flips` (0: any would be an error); `MapResidual`, √(∫ e^{2H} |∇w − e^{−(H+iθ)}|² / area);
  * `HolonomyDefect` (per inner loop, radians of the phase): where it is not 0, the map exists but is not conformal.
  *
  * An empty domain gives an empty output. Failure, with an empty output: as for vtkHField; a singularity of quarter
@@ -33,7 +33,7 @@
  *
  * Paper: "Further thoughts" leaves the map open.
  *
- * @sa vtkHField, vtkSeparatrices, crossfield::SolveFlatMap
+ * @sa vtkHField, vtkSeparatrices, crossfield::SolveSeamlessMap
  */
 
 #ifndef vtkCrossFieldMap_h
@@ -45,7 +45,7 @@
 
 #include <memory> // for what is kept
 
-class KeptDomain;
+class CachedDomain;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkCrossFieldMap : public vtkUnstructuredGridAlgorithm
 {
@@ -116,7 +116,7 @@ private:
 
   double MeshSize = 0.0;
   bool KeepMesh = false;
-  std::unique_ptr<KeptDomain> Kept;
+  std::unique_ptr<CachedDomain> Kept;
   bool CapCorners = false;
   bool RepairHolonomy = false;
   double StageSeconds[2] = { 0.0, 0.0 };

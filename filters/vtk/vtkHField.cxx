@@ -8,7 +8,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
-#include "KeptDomain.h"
+#include "CachedDomain.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHField);
 
 //------------------------------------------------------------------------------
 vtkHField::vtkHField()
-  : Kept(std::make_unique<KeptDomain>())
+  : Kept(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }

@@ -61,7 +61,7 @@
 
 #include <memory> // for what is kept
 
-class KeptDomain;
+class CachedDomain;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkHField : public vtkUnstructuredGridAlgorithm
 {
@@ -126,7 +126,7 @@ private:
 
   double MeshSize = 0.0;
   bool KeepMesh = false;
-  std::unique_ptr<KeptDomain> Kept;
+  std::unique_ptr<CachedDomain> Kept;
   int Arrays = vtkCrossFieldArraySets::All;
   double StageSeconds[4] = { 0.0, 0.0, 0.0, 0.0 };
 };

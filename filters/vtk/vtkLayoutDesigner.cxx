@@ -182,7 +182,7 @@ int vtkLayoutDesigner::RequestData(
       DesignSession& session = *this->Session;
       const DomainConversion::Domain& input = session.Read(domain);
       PlaneFrame(input.plane).Write(this->Plane);
-      DesignQuestion question;
+      DesignRequest question;
       question.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
       question.options.map.capCorners = this->CapCorners;
       if (start != nullptr)
@@ -215,7 +215,7 @@ int vtkLayoutDesigner::RequestData(
       try
       {
         now = session.Start(question, this->Rows, progress.Part(0.0, 0.2));
-        session.Obey(question, now, this->Rows, progress.Part(0.2, 0.4));
+        session.Apply(question, now, this->Rows, progress.Part(0.2, 0.4));
         session.design = crossfield::DesignLayout(
           session.GetDomain().Factor(now, question.meshSize, progress.Part(0.4, 0.6)), now,
           question.options, progress.Part(0.6, 0.95));

@@ -8,7 +8,7 @@
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "HolonomyConversion.h"
 #include "MeshForPoints.h"
 #include "QuadConversion.h"
@@ -68,7 +68,7 @@ int vtkQuadMesher::RequestData(
     {
       crossfield::Stopwatch stopwatch;
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      crossfield::FlatMapOptions mapOptions;
+      crossfield::SeamlessMapOptions mapOptions;
       mapOptions.corners = CornerConversion::ReadCorners(corners, input.plane);
       mapOptions.capCorners = this->CapCorners;
       crossfield::Configuration configuration =
@@ -110,8 +110,8 @@ int vtkQuadMesher::RequestData(
       const crossfield::SharedTopology topology = crossfield::ShareTopology(
         crossfield::MeshOnPoints(input.domain, configuration, this->MeshSize, rest.Part(0.1, 0.2)));
       this->StageSeconds[0] = stopwatch.Lap();
-      const crossfield::FlatMap map =
-        crossfield::SolveFlatMap(topology, configuration, mapOptions, rest.Part(0.2, 0.5));
+      const crossfield::SeamlessMap map =
+        crossfield::SolveSeamlessMap(topology, configuration, mapOptions, rest.Part(0.2, 0.5));
       this->StageSeconds[1] = stopwatch.Lap();
       crossfield::QuadOptions options;
       options.size = this->QuadSize;

@@ -24,7 +24,7 @@
  * same order; −1: the reversed one; 0: boundary). A side is beside one side as a whole.
  * Output 2 (vtkPolyData): the arcs of the T-mesh as polylines, with the cell array `Edges` (int): quads along each.
  *
- * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularGot`, `IrregularAsked` (per valence inside),
+ * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`, `IrregularRequested` (per valence inside),
  * `ScaledJacobianRange` (least, mean), `ScaledJacobianBound` (attainable), `EtaRange` (least, mean; 1 − (2/π) max |π/2 −
  * angle|), `SizeRange` (least, mean, largest root of area), `SizeVariation` (its standard deviation over
  * its mean), `Size` (in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
@@ -93,7 +93,7 @@ public:
    * SizingConformal: sizes are those of the map, larger where its field spreads, which gives the best shapes.
    * SizingUniform: the same everywhere as far as the lines allow; singularities may move (`Moved`).
    * SizingField: likewise, with the lengths of the point array SizeArray of the domain. With these two, singularities that
-   * are chosen are where sizes of the map are most like that, as with EvenSizes of vtkSingularityOptimizer.
+   * are chosen are where sizes of the map are most like that, as with UniformSizes of vtkSingularityOptimizer.
    * Default: SizingConformal.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);

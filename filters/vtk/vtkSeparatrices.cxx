@@ -8,7 +8,7 @@
 #include "PlanarDomain.h"
 #include "Stopwatch.h"
 #include "TMeshConversion.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"

@@ -6,7 +6,7 @@
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "KeptDomain.h"
+#include "CachedDomain.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkSingularityEnergy);
 
 //------------------------------------------------------------------------------
 vtkSingularityEnergy::vtkSingularityEnergy()
-  : Kept(std::make_unique<KeptDomain>())
+  : Kept(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);

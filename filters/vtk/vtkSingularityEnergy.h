@@ -55,7 +55,7 @@
 
 #include <memory> // for what is kept
 
-class KeptDomain;
+class CachedDomain;
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkSingularityEnergy : public vtkTableAlgorithm
 {
@@ -122,7 +122,7 @@ private:
   double MeshSize = 0.0;
   double CoreRadius = 0.0;
   bool KeepMesh = false;
-  std::unique_ptr<KeptDomain> Kept;
+  std::unique_ptr<CachedDomain> Kept;
 };
 
 #endif

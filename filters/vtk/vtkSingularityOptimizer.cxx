@@ -55,9 +55,9 @@ int vtkSingularityOptimizer::RequestData(
       options.tolerance = this->Tolerance;
       options.clearance = this->Clearance;
       options.keepAll = this->KeepAll;
-      options.evenSizes = this->EvenSizes;
+      options.uniformSizes = this->UniformSizes;
       options.pairs = this->Pairs;
-      if (this->Sizing == SizingField && (this->EvenSizes || this->Pairs > 0))
+      if (this->Sizing == SizingField && (this->UniformSizes || this->Pairs > 0))
       {
         options.wantedSize =
           SizeConversion::ReadSizes(domain, this->SizeArray, input, this->MeshSize).relative;
@@ -92,7 +92,7 @@ void vtkSingularityOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "KeepAll: " << this->KeepAll << "\n";
-  os << indent << "EvenSizes: " << this->EvenSizes << "\n";
+  os << indent << "UniformSizes: " << this->UniformSizes << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";

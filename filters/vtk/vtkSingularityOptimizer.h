@@ -17,7 +17,7 @@
  * `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1), `HolonomyDefect` (per inner loop),
  * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
  * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
- * besides moving). With EvenSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
+ * besides moving). With UniformSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
  * of log size, H, over the area, where W is least and of the result (with SizingField of the logarithm of size over
  * wanted size); and the front, one value each where W is least,
  * with even sizes, and with every pair that was added: `FrontSingularities` (int), `FrontSizeSpread`,
@@ -112,9 +112,9 @@ public:
    * After the least W, move on to where the sizes of quads that follow the field are most even, with the
    * singularities that there are. Default: off.
    */
-  vtkSetMacro(EvenSizes, bool);
-  vtkGetMacro(EvenSizes, bool);
-  vtkBooleanMacro(EvenSizes, bool);
+  vtkSetMacro(UniformSizes, bool);
+  vtkGetMacro(UniformSizes, bool);
+  vtkBooleanMacro(UniformSizes, bool);
   ///@}
 
   /** Which sizes are even: the values that vtkQuadMesher has for them. */
@@ -126,7 +126,7 @@ public:
 
   ///@{
   /**
-   * With EvenSizes or Pairs. SizingUniform: sizes are to be the same everywhere. SizingField: in proportion to the
+   * With UniformSizes or Pairs. SizingUniform: sizes are to be the same everywhere. SizingField: in proportion to the
    * point array SizeArray of the domain. Default: SizingUniform.
    */
   vtkSetClampMacro(Sizing, int, SizingUniform, SizingField);
@@ -149,7 +149,7 @@ public:
   ///@{
   /**
    * Then add up to so many pairs of quarter indices 1 and -1 where they make sizes most even, while a pair brings 15 %
-   * of the spread or halves a holonomy defect; more than 0 is with EvenSizes. Default: 0. Range: 0 to 100.
+   * of the spread or halves a holonomy defect; more than 0 is with UniformSizes. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Pairs, int, 0, 100);
   vtkGetMacro(Pairs, int);
@@ -172,7 +172,7 @@ private:
   double Tolerance = 1e-6;
   double Clearance = 0.0;
   bool KeepAll = false;
-  bool EvenSizes = false;
+  bool UniformSizes = false;
   int Sizing = SizingUniform;
   std::string SizeArray;
   int Pairs = 0;

@@ -3,10 +3,10 @@
 #include "ArcCounts.h"
 
 #include "BuiltinDomains.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include <benchmark/benchmark.h>
 
@@ -48,7 +48,7 @@ void Integers(benchmark::State& state)
     RandomSigns(static_cast<int>(state.range(0)), static_cast<unsigned int>(state.range(1)));
   BuiltinDomain disk;
   disk.edgeLength = 0.03;
-  const FlatMap map = SolveFlatMap(
+  const SeamlessMap map = SolveSeamlessMap(
     ShareTopology(
       MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), configuration, disk.edgeLength)),
     configuration);

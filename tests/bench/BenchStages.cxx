@@ -9,7 +9,7 @@
 #include "BuiltinDomains.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "HField.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
@@ -17,7 +17,7 @@
 #include "QuadMesher.h"
 #include "RenormalizedEnergy.h"
 #include "Stopwatch.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include <benchmark/benchmark.h>
 #include <cholmod.h>
@@ -213,7 +213,7 @@ void MapToQuads(benchmark::State& state)
   const SharedTopology topology = TopologyOnPoints(state.range(0));
   for (auto _ : state)
   {
-    const QuadResult result = MakeQuads(SolveFlatMap(topology, EightHoles()), {});
+    const QuadResult result = MakeQuads(SolveSeamlessMap(topology, EightHoles()), {});
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
   }
 }
@@ -221,7 +221,7 @@ void MapToQuads(benchmark::State& state)
 /// So many quads of one map of 10,000 triangles, smoothed.
 void Quads(benchmark::State& state)
 {
-  const FlatMap map = SolveFlatMap(TopologyOnPoints(10000), EightHoles());
+  const SeamlessMap map = SolveSeamlessMap(TopologyOnPoints(10000), EightHoles());
   QuadOptions options;
   options.count = static_cast<int>(state.range(0));
   for (auto _ : state)
@@ -270,7 +270,7 @@ void MapAndLines(benchmark::State& state)
     Stopwatch stopwatch;
     const HField h = SolveHField(topology, EightHoles());
     const double alone = stopwatch.Lap();
-    const FlatMap map = SolveFlatMap(topology, EightHoles());
+    const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
     const double mapped = stopwatch.Lap();
     const TMesh lines = MakeTMesh(map, TraceLines(map));
     const double traced = stopwatch.Lap();

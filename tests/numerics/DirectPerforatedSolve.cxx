@@ -144,7 +144,7 @@ GramMatrix MatrixOn(const std::vector<DegreeConstraint>& constraints, const Eige
   return { sizes, Eigen::MatrixXd(dense.llt().matrixL()) };
 }
 
-ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution)
+ComplexVector ConstraintGradients(const ReducedProblem& problem, const MinimiserResult& solution)
 {
   ComplexVector forces = ComplexVector::Zero(solution.x.size());
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
@@ -193,7 +193,7 @@ SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOpt
   field.multipliers.assign(reduced.multipliers.begin(), reduced.multipliers.end());
 
   // The multipliers act on the hole edges as forces.
-  const ComplexVector forces = ConstraintForces(problem, reduced);
+  const ComplexVector forces = ConstraintGradients(problem, reduced);
   for (std::size_t i = 0; i < unknowns.holes.size(); ++i)
   {
     rightHandSide[unknowns.holes[i]] += forces[static_cast<Eigen::Index>(i)];

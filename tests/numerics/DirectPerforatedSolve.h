@@ -10,7 +10,7 @@ namespace crossfield
 GramMatrix MatrixOn(const std::vector<DegreeConstraint>& constraints, const Eigen::MatrixXd& dense);
 
 /// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S x − b when solved.
-ComplexVector ConstraintForces(const ReducedProblem& problem, const MinimiserResult& solution);
+ComplexVector ConstraintGradients(const ReducedProblem& problem, const MinimiserResult& solution);
 
 /// The constrained problem of PotentialReduction.h in its direct form (docs/method.md §3.2): the oracle
 /// that the reduced form is compared with.

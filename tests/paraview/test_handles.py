@@ -1,6 +1,6 @@
 """Handles of singularities in ParaView's client, used as by a person; started by run_client.py.
 
-The library of Hands.cxx sends the mouse events, clicks the buttons and types into the table. Pictures of
+The library of GuiDriver.cxx sends the mouse events, clicks the buttons and types into the table. Pictures of
 the window are for people to look at.
 """
 import os
@@ -11,7 +11,7 @@ from paraview import servermanager, smtrace
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from person import check, check_equal, drag, hands, picture, pixel, run, wait
+from gui_driver import check, check_equal, drag, gui, picture, pixel, run, wait
 
 MOVES = 60
 ROWS = [0.4242640687119285, 0.4242640687119285, 1, 0.1, -0.4242640687119285, 0.4242640687119285, 1, 0.1,
@@ -79,26 +79,26 @@ class Scene:
 
 def test_drag(scene):
     check_equal(scene.rows(), ROWS, "the rows at first")
-    check_equal(hands.hands_rows(), 4, "the rows of the table")
+    check_equal(gui.gui_rows(), 4, "the rows of the table")
     picture("start.png")
     times, seen = [], [scene.drawn()]
     shown = scene.view.GetClientSideObject()
-    hands.hands_count_updates(b"Separatrices")
+    gui.gui_count_updates(b"Separatrices")
     end = -0.05, 0.15 # more than a pixel for each move
     for seconds in scene.drag(ROWS[:2], end, MOVES):
         times.append(seconds)
         check(not np.array_equal(scene.drawn(), seen[-1]), "the separatrices did not follow a move")
         seen.append(scene.drawn())
-        check_equal(hands.hands_number(0, 0), scene.row(0)[0], "the table while dragging")
+        check_equal(gui.gui_number(0, 0), scene.row(0)[0], "the table while dragging")
         # What would take a frame longer rests until the handle is let go.
-        check_equal((hands.hands_updates(), shown.GetUseFXAA()), (0, False), "panels told and edges smoothed while dragging")
+        check_equal((gui.gui_updates(), shown.GetUseFXAA()), (0, False), "panels told and edges smoothed while dragging")
         if len(times) == MOVES // 2:
             picture("dragging.png")
-    check_equal((hands.hands_updates(), shown.GetUseFXAA()), (1, True), "panels told and edges smoothed at the end")
+    check_equal((gui.gui_updates(), shown.GetUseFXAA()), (1, True), "panels told and edges smoothed at the end")
     check_equal(scene.runs, MOVES + 1, "runs of the pipeline, one for each move and for the end")
     check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
     check_equal(scene.rows()[2:4] + scene.rows()[4:], ROWS[2:4] + ROWS[4:], "the rest of the rows")
-    check_equal(hands.hands_chosen(), 0, "the row chosen by the drag")
+    check_equal(gui.gui_chosen(), 0, "the row chosen by the drag")
     picture("dragged.png")
     print("frames of a drag: median %.0f ms, from %.0f to %.0f ms" % tuple(
         1e3 * t for t in (statistics.median(times), min(times), max(times))))
@@ -106,15 +106,15 @@ def test_drag(scene):
 
 def test_undo(scene):
     moved = scene.rows()
-    check_equal(hands.hands_undo_label(), b"Move Singularity", "what would be undone")
-    hands.hands_undo()
+    check_equal(gui.gui_undo_label(), b"Move Singularity", "what would be undone")
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), ROWS, "the rows after undo")
-    check_equal(hands.hands_number(0, 0), ROWS[0], "the table after undo")
-    hands.hands_redo()
+    check_equal(gui.gui_number(0, 0), ROWS[0], "the table after undo")
+    gui.gui_redo()
     wait()
     check_equal(scene.rows(), moved, "the rows after redo")
-    hands.hands_undo()
+    gui.gui_undo()
     wait()
 
 
@@ -135,7 +135,7 @@ def test_other_item_chosen(scene):
         pass
     check(abs(scene.pixel(*scene.row(1)[:2]) - scene.pixel(-0.2, 0.3)).max() <= 1, "the place at last")
     picture("aside.png")
-    hands.hands_undo()
+    gui.gui_undo()
     SetProperties(scene.view, CameraPosition=[0, 0, 6], CameraFocalPoint=[0, 0, 0], CameraViewUp=[0, 1, 0])
     ResetCamera(scene.view)
     wait()
@@ -146,50 +146,50 @@ def test_click_moves_nothing(scene):
     for _ in scene.drag(ROWS[8:10], ROWS[8:10], 0):
         pass
     check_equal((scene.rows(), scene.runs), (ROWS, runs), "rows and runs after a click")
-    check_equal(hands.hands_chosen(), 2, "the row chosen by a click")
+    check_equal(gui.gui_chosen(), 2, "the row chosen by a click")
 
 
 def test_moves_that_wait_are_one(scene):
     Render()
     runs = scene.runs
     x, y = map(int, np.rint(scene.pixel(*ROWS[:2])))
-    hands.hands_press(x, y)
+    gui.gui_press(x, y)
     for i in range(1, 11):
-        hands.hands_move(x + 2 * i, y, True)
+        gui.gui_move(x + 2 * i, y, True)
     wait()
     check_equal(scene.runs, runs + 1, "runs of ten moves that arrived together")
     check(abs(scene.pixel(*scene.row(0)[:2]) - [x + 20, y]).max() <= 1, "the place of the last move")
-    hands.hands_release(x + 20, y)
+    gui.gui_release(x + 20, y)
     wait()
-    hands.hands_undo()
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), ROWS, "the rows after undo")
 
 
 def test_not_live(scene):
-    check(hands.hands_click(b"Live"), "no box")
+    check(gui.gui_click(b"Live"), "no box")
     for _ in scene.drag(ROWS[:2], (0.3, 0.3)):
         check_equal(scene.rows(), ROWS, "the rows while dragging with Live off")
     check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(0.3, 0.3)).max() <= 1, "the place at last")
-    hands.hands_click(b"Live")
-    hands.hands_undo()
+    gui.gui_click(b"Live")
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), ROWS, "the rows after undo")
 
 
 def test_buttons(scene):
-    hands.hands_choose(0)
-    check(hands.hands_click(b"Add pair"), "no button")
+    gui.gui_choose(0)
+    check(gui.gui_click(b"Add pair"), "no button")
     rows = np.array(scene.rows()).reshape(-1, 4)
     check_equal(list(rows[:, 2]), [1, 1, 1, 1, 1, -1], "the quarter indices with a pair")
     apart = [abs(a - b).max() for i, a in enumerate(rows[:, :2]) for b in rows[:i, :2]]
     check(min(apart) > 0.05, "a new singularity is upon another")
     check_equal(scene.handles(), 6, "handles with a pair")
     picture("pair.png")
-    check(hands.hands_click(b"Add"), "no button")
+    check(gui.gui_click(b"Add"), "no button")
     check_equal(scene.row(6)[2:], [1, 0.1], "what Add adds")
-    hands.hands_undo()
-    hands.hands_undo()
+    gui.gui_undo()
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), ROWS, "the rows after undo of both")
     check_equal(scene.handles(), 4, "handles after undo of both")
@@ -198,15 +198,15 @@ def test_buttons(scene):
 def test_remove(scene):
     scene.source.Singularities = [-0.5, 0, 1, 0.1, 0, 0, -1, 0.1, 0.5, 0, 1, 0.1]
     wait()
-    check_equal((hands.hands_rows(), scene.handles()), (3, 3), "what Python has set in table and view")
-    hands.hands_choose(1)
-    check(hands.hands_click(b"Remove"), "no button")
+    check_equal((gui.gui_rows(), scene.handles()), (3, 3), "what Python has set in table and view")
+    gui.gui_choose(1)
+    check(gui.gui_click(b"Remove"), "no button")
     check_equal(scene.rows(), [-0.5, 0, 1, 0.1, 0.5, 0, 1, 0.1], "the rows without the middle one")
     for _ in range(2):
-        check(hands.hands_click(b"Remove"), "no button")
+        check(gui.gui_click(b"Remove"), "no button")
     check_equal((scene.rows(), scene.handles()), ([], 0), "rows and handles without any")
-    check(not hands.hands_click(b"Remove"), "nothing is left to remove")
-    hands.hands_click(b"Add")
+    check(not gui.gui_click(b"Remove"), "nothing is left to remove")
+    gui.gui_click(b"Add")
     check_equal(scene.row(0)[2:], [1, 0.1], "the first row")
     check(np.hypot(*scene.row(0)[:2]) < 0.05, "the first row is not in the middle of the view")
     scene.source.Singularities = ROWS
@@ -214,13 +214,13 @@ def test_remove(scene):
 
 
 def test_typed_numbers(scene):
-    hands.hands_type(1, 2, -1)
-    hands.hands_type(0, 0, 0.25)
+    gui.gui_type(1, 2, -1)
+    gui.gui_type(0, 0, 0.25)
     wanted = list(ROWS)
     wanted[6], wanted[0] = -1, 0.25
     check_equal(scene.rows(), wanted, "the rows with numbers typed, the others with all digits")
-    hands.hands_undo()
-    hands.hands_undo()
+    gui.gui_undo()
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), ROWS, "the rows after undo")
 
@@ -235,7 +235,7 @@ def test_trace(scene):
     lines = [line for line in trace.splitlines() if "Singularities = [" in line]
     check_equal(len(lines), 1, "the lines of the trace about a drag:\n" + trace)
     check("%r" % scene.row(0)[0] in lines[0], "the trace has another place: " + lines[0])
-    hands.hands_undo()
+    gui.gui_undo()
     wait()
 
 
@@ -244,7 +244,7 @@ def test_rows_that_do_not_count(scene):
         setattr(scene.source, name, value)
         wait()
         check_equal(scene.handles(), 0, "handles with " + name)
-        check(not hands.hands_click(b"Add"), "a button can be clicked with " + name)
+        check(not gui.gui_click(b"Add"), "a button can be clicked with " + name)
         setattr(scene.source, name, usual)
         wait()
         check_equal(scene.handles(), 4, "handles without " + name)
@@ -257,9 +257,9 @@ def test_other_view(scene):
     SetActiveView(table)
     wait()
     check_equal(scene.handles(), 0, "handles in a view that is not active")
-    check(hands.hands_click(b"Add"), "no button beside a table")
+    check(gui.gui_click(b"Add"), "no button beside a table")
     check_equal(len(scene.rows()), 20, "numbers after Add beside a table")
-    hands.hands_undo()
+    gui.gui_undo()
     SetActiveView(scene.view)
     Delete(table)
     wait()
@@ -288,7 +288,7 @@ def test_designer(scene):
     scene.source = designer
     check_equal(scene.rows(), [], "the rows of a designer that chooses")
     chosen = np.reshape(designer.GetProperty("Rows"), (-1, 4))
-    check_equal((hands.hands_rows(), scene.handles()), (len(chosen), len(chosen)), "chosen rows in table and view")
+    check_equal((gui.gui_rows(), scene.handles()), (len(chosen), len(chosen)), "chosen rows in table and view")
     # Dragged, they are the user's.
     end = chosen[0, :2] + [0.05, 0.02]
     times = list(scene.drag(chosen[0, :2], end, MOVES // 4))
@@ -297,13 +297,13 @@ def test_designer(scene):
     print("frames of a drag of the designer: median %.0f ms" % (1e3 * statistics.median(times)))
     # A command moves the rows; they become the value of the property.
     moved = scene.rows()
-    check(hands.hands_click(b"Optimise"), "no button of the designer")
+    check(gui.gui_click(b"Optimise"), "no button of the designer")
     wait(300)
     found = np.reshape(designer.GetProperty("Rows"), (-1, 4))
     check(abs(found - np.reshape(moved, (-1, 4))).max() > 0.01, "Optimise has moved nothing")
     check_equal(scene.rows(), list(found.ravel()), "the property after a command")
-    check_equal(hands.hands_number(0, 0), found[0, 0], "the table after a command")
-    hands.hands_undo()
+    check_equal(gui.gui_number(0, 0), found[0, 0], "the table after a command")
+    gui.gui_undo()
     wait()
     check_equal(scene.rows(), moved, "the rows after undo of a command")
 

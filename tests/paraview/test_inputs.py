@@ -4,14 +4,14 @@ import os
 from paraview import servermanager
 from paraview.simple import *
 
-from person import check, check_equal, hands, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
 
 def make(name, domain):
     """The filter that a person makes of the domain in the menu, not yet applied."""
     SetActiveSource(domain)
     wait(200)
-    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     wait()
 
 
@@ -19,8 +19,8 @@ def test_chosen_in_the_panel(domain, rows):
     for name, label in ("Poincare Hopf Check", "Singularities"), ("Cross Field Map", "Singularities"), (
             "Layout Designer", "StartFrom"):
         make(name, domain)
-        check(hands.hands_take(label.encode(), b"Three and one"), "no list of choices for " + name)
-        check(hands.hands_click(b"Apply"), "no Apply")
+        check(gui.gui_take(label.encode(), b"Three and one"), "no list of choices for " + name)
+        check(gui.gui_click(b"Apply"), "no Apply")
         wait(200)
         # ParaView's browser builds its tree anew for a further input, and sometimes the branch that is then selected is another one's.
         made = next((source for source in GetSources().values() if source.GetXMLLabel() == name), None)
@@ -37,8 +37,8 @@ def test_chosen_in_the_panel(domain, rows):
 
 def test_taken_back(domain, rows):
     designer = GetActiveSource()
-    check(hands.hands_take(b"StartFrom", b"(none)"), "no way back to none")
-    check(hands.hands_click(b"Apply"), "no Apply")
+    check(gui.gui_take(b"StartFrom", b"(none)"), "no way back to none")
+    check(gui.gui_click(b"Apply"), "no Apply")
     wait(200)
     check_equal(designer.SMProxy.GetProperty("StartFrom").GetNumberOfProxies(), 0, "inputs after none was chosen")
 
@@ -49,8 +49,8 @@ def test_no_circle(domain, rows):
     Render()
     SetActiveSource(designer)
     wait(200)
-    check(not hands.hands_take(b"StartFrom", b"Follows"), "what follows from a filter can be its input")
-    check(hands.hands_take(b"StartFrom", b"Three and one"), "other choices have gone")
+    check(not gui.gui_take(b"StartFrom", b"Follows"), "what follows from a filter can be its input")
+    check(gui.gui_take(b"StartFrom", b"Three and one"), "other choices have gone")
 
 
 def ask(test):

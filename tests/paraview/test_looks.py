@@ -2,22 +2,22 @@
 from paraview.modules.vtkRemotingViews import vtkSMPVRepresentationProxy
 from paraview.simple import *
 
-from person import check, check_equal, hands, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
 BLACK, RED, BLUE = [0, 0, 0], [0.85, 0.1, 0.1], [0.1, 0.2, 0.85]
 
 
 def make(name, **inputs):
     """What the menu makes of the active source, applied, with inputs chosen in the panel; how its first output is shown."""
-    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     return applied(name, **inputs)
 
 
 def applied(name, **inputs):
     wait()
     for label, choice in inputs.items():
-        check(hands.hands_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
-    check(hands.hands_click(b"Apply"), "no Apply for " + name)
+        check(gui.gui_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+    check(gui.gui_click(b"Apply"), "no Apply for " + name)
     wait(400)
     check_equal(messages(), "", "messages of " + name)
     picture(name.replace(" ", "_").lower() + ".png", is_whole=False)
@@ -62,7 +62,7 @@ def test_singularities():
 
 def test_mesh():
     SetActiveSource(FindSource("Domain"))
-    hands.hands_filter(b"DrillHoles", b"Singularities", b"Points")
+    gui.gui_filter(b"DrillHoles", b"Singularities", b"Points")
     shown = applied("Drill Holes")
     is_coloured(shown, "")
     check_equal(shown.Representation, "Surface With Edges", "a mesh")

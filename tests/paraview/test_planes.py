@@ -6,7 +6,7 @@ import numpy as np
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from person import check, check_equal, drag, hands, messages, picture, pixel, run, wait
+from gui_driver import check, check_equal, drag, gui, messages, picture, pixel, run, wait
 
 # Rotation in degrees as of Transform, place of the disk's middle, and where one looks at it from.
 PLANES = {"raised": ([0, 0, 0], [0, 0, 2], [3, -4, 6]), "tilted": ([50, 0, 20], [0.3, 0, 1], [2.5, -4, 5.5]),
@@ -68,23 +68,23 @@ class Plane:
 
 def test_designer(plane, name):
     plane.choose(plane.domain)
-    check(hands.hands_trigger(b"Layout Designer"), "no Layout Designer in the menu")
-    check(hands.hands_click(b"Apply"), "no Apply")
+    check(gui.gui_trigger(b"Layout Designer"), "no Layout Designer in the menu")
+    check(gui.gui_click(b"Apply"), "no Apply")
     wait(300)
     designer = GetActiveSource()
     Hide(plane.domain, plane.view)
-    check_equal(hands.hands_rows(), 4, "rows of the table")
+    check_equal(gui.gui_rows(), 4, "rows of the table")
     plane.drag_first(designer, 2, OTHER_ENDS[0])
     check_equal(designer.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("Stale").GetValue(0), 0,
                 "whether the layout is an old one")
     picture(name + "_designer.png", is_whole=False)
-    hands.hands_click(b"Add pair")
+    gui.gui_click(b"Add pair")
     wait(300)
     check_equal(len(plane.points(designer, 2)), 6, "singularities with a pair")
     plane.check_in_plane(plane.points(designer, 2))
     # Beside the chosen one, not somewhere under the pixel.
     check(np.linalg.norm(plane.points(designer, 2)[4:] - plane.points(designer, 2)[0], axis=1).max() < 1, "a pair far away")
-    hands.hands_undo()
+    gui.gui_undo()
     wait(300)
     check_equal(len(plane.points(designer, 2)), 4, "singularities after undo")
     Delete(designer)
@@ -97,7 +97,7 @@ def test_proposal_with_handles(plane, name):
     Show(lines, plane.view)
     Render()
     plane.choose(handles)
-    check_equal(hands.hands_rows(), 4, "rows of the table")
+    check_equal(gui.gui_rows(), 4, "rows of the table")
     before = plane.points(lines)
     plane.drag_first(handles, 0, OTHER_ENDS[0])
     check(plane.points(lines).shape != before.shape or abs(plane.points(lines) - before).max() > 0.01, "the lines have stayed")
@@ -110,12 +110,12 @@ def test_source(plane, name):
     Show(plane.domain, plane.view)
     SetActiveSource(None)
     wait()
-    check(hands.hands_trigger(b"Singularity Source"), "no Singularity Source in the menu")
-    check(hands.hands_take(b"Domain", ("Moved " + name).encode()), "no choice of the domain")
-    check(hands.hands_click(b"Apply"), "no Apply")
+    check(gui.gui_trigger(b"Singularity Source"), "no Singularity Source in the menu")
+    check(gui.gui_take(b"Domain", ("Moved " + name).encode()), "no choice of the domain")
+    check(gui.gui_click(b"Apply"), "no Apply")
     wait(300)
     source = GetActiveSource()
-    check_equal(hands.hands_rows(), 4, "rows of the table")
+    check_equal(gui.gui_rows(), 4, "rows of the table")
     check_equal(GetRepresentation(plane.domain, plane.view).Visibility, 1, "the domain beside its singularities")
     # The default rows are around the origin of the plane, not around the disk.
     source.UpdatePropertyInformation()

@@ -11,7 +11,7 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_QUAD
 
-from person import check, check_equal, drag, hands, messages, picture, run, wait
+from gui_driver import check, check_equal, drag, gui, messages, picture, run, wait
 
 MOVES = 60
 # The page's own polygon.
@@ -43,18 +43,18 @@ def step_open(view):
     file = os.path.join(os.environ["FOLDER"], "polygon.csv")
     with open(file, "w", encoding="utf-8") as domain:
         domain.write(polygon)
-    check(hands.hands_open(file.encode(), b"Planar Domain Reader"), "the domain cannot be opened")
-    check(hands.hands_click(b"Apply"), "no Apply for the reader")
+    check(gui.gui_open(file.encode(), b"Planar Domain Reader"), "the domain cannot be opened")
+    check(gui.gui_click(b"Apply"), "no Apply for the reader")
     wait()
 
 
 def step_propose(view):
-    check(hands.hands_trigger(b"Layout Designer"), "no Layout Designer in the menu")
-    check(hands.hands_click(b"Apply"), "no Apply for the designer")
+    check(gui.gui_trigger(b"Layout Designer"), "no Layout Designer in the menu")
+    check(gui.gui_click(b"Apply"), "no Apply for the designer")
     wait()
     designer = GetActiveSource()
     check_equal(len(rows_of(designer)), 4, "singularities proposed")
-    check_equal((text(designer, "Stale"), hands.hands_rows()), (0, 4), "the layout proposed and the rows of the table")
+    check_equal((text(designer, "Stale"), gui.gui_rows()), (0, 4), "the layout proposed and the rows of the table")
     check_summary(view, designer)
 
 
@@ -89,7 +89,7 @@ def step_drag(view):
 def step_snap(view):
     designer = GetActiveSource()
     faces = text(designer, "Faces")
-    check(hands.hands_click(b"Snap"), "no button of the designer")
+    check(gui.gui_click(b"Snap"), "no button of the designer")
     wait(300)
     check_equal((faces, text(designer, "Faces"), text(designer, "Stale")), (9, 5, 0), "faces before and after, and stale")
     # Lines that meet leave no thin faces.
@@ -100,8 +100,8 @@ def step_snap(view):
 def step_quads(view):
     designer = GetActiveSource()
     for choice, there_are in (b"None", False), (b"Smooth", True):
-        check(hands.hands_take(b"Quads", choice), "no choice of quads in the panel")
-        check(hands.hands_click(b"Apply"), "no Apply for quads")
+        check(gui.gui_take(b"Quads", choice), "no choice of quads in the panel")
+        check(gui.gui_click(b"Apply"), "no Apply for quads")
         wait()
         quads = designer.GetClientSideObject().GetOutputDataObject(3)
         check_equal(quads.GetNumberOfCells() > 0, there_are, "whether there are quads")
@@ -110,9 +110,9 @@ def step_quads(view):
 
 def step_save(view):
     file = os.path.join(os.environ["FOLDER"], "quads.vtu")
-    check(hands.hands_select(b"Quads"), "no output Quads in the Pipeline Browser")
+    check(gui.gui_select(b"Quads"), "no output Quads in the Pipeline Browser")
     wait()
-    check(hands.hands_save(file.encode(), b"DataMode", b"Binary"), "the quads cannot be saved")
+    check(gui.gui_save(file.encode(), b"DataMode", b"Binary"), "the quads cannot be saved")
     quads = servermanager.Fetch(OpenDataFile(file))
     # The sides of the boundary are lines.
     types = [quads.GetCellType(i) for i in range(quads.GetNumberOfCells()) if quads.GetCell(i).GetCellDimension() == 2]
@@ -120,7 +120,7 @@ def step_save(view):
     check(900 < len(types) < 1100, "%d quads" % len(types))
     report = quads.GetFieldData()
     got, asked, valence = (vtk_to_numpy(report.GetArray(name)).tolist()
-                           for name in ("IrregularGot", "IrregularAsked", "IrregularValence"))
+                           for name in ("IrregularObtained", "IrregularRequested", "IrregularValence"))
     check_equal(got, asked, "irregular nodes")
     check_equal(dict(zip(valence, got)).get(3), 4, "nodes of valence 3")
     check_equal(report.GetArray("Inverted").GetValue(0), 0, "inverted quads")

@@ -6,7 +6,7 @@ import os
 
 import paraview.simple as simple
 
-from person import check, check_equal, hands, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
 STATES = os.environ["STATES"]
 
@@ -14,7 +14,7 @@ STATES = os.environ["STATES"]
 def load(state):
     simple.ResetSession()
     wait(200)
-    hands.hands_load_state(os.path.join(STATES, state).encode())
+    gui.gui_load_state(os.path.join(STATES, state).encode())
     wait(300)
     for layout in simple.GetLayouts().values():
         check(len(simple.GetViewsInLayout(layout)) > 0, "a layout without views")

@@ -1,7 +1,7 @@
 """What filters made in the menu say in the view: black where all is well, red where it is not; started by run_client.py."""
 from paraview.simple import *
 
-from person import check, check_equal, hands, messages, picture, run, wait
+from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
 BLACK, RED = [0, 0, 0], [0.85, 0.1, 0.1]
 # The polygon of docs/tutorial_paraview.md.
@@ -19,29 +19,29 @@ def drawn(where):
 
 
 def apply():
-    check(hands.hands_click(b"Apply"), "no Apply")
+    check(gui.gui_click(b"Apply"), "no Apply")
     wait(400)
 
 
 def make(name, **inputs):
     wait()  # until the menu knows what is active
-    check(hands.hands_trigger(name.encode()), name + " is not in the menu")
+    check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     wait()
     for label, choice in inputs.items():
-        check(hands.hands_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+        check(gui.gui_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
     apply()
     return GetActiveSource()
 
 
 def test_field(domain, points):
     SetActiveSource(domain)
-    hands.hands_filter(b"DrillHoles", b"Singularities", b"Points")
+    gui.gui_filter(b"DrillHoles", b"Singularities", b"Points")
     apply()
     field = make("Perforated Cross Field")
     check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text of the default")
     check_equal(messages(), "", "messages of the default")
     picture("unit_norm.png", is_whole=False)
-    check(hands.hands_take(b"Method", b"Constrained"), "no Constrained in the panel")
+    check(gui.gui_take(b"Method", b"Constrained"), "no Constrained in the panel")
     apply()
     text, colour = drawn("Lower Center")
     check("4 unwanted singularities" in text and "Unit Norm" in text, "the text of Constrained: " + text)
@@ -52,8 +52,8 @@ def test_field(domain, points):
     check_equal(report.GetArray("UnwantedSingularities").GetValue(0), 4, "unwanted singularities, as the tutorial says")
     picture("constrained.png", is_whole=False)
     # The colour is no step of its own.
-    check_equal(hands.hands_undo_label(), b"Apply", "what would be undone")
-    hands.hands_undo()
+    check_equal(gui.gui_undo_label(), b"Apply", "what would be undone")
+    gui.gui_undo()
     wait(400)
     check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text after undo")
     # No field: why not.
@@ -85,16 +85,16 @@ def test_designer(domain, points):
     designer = make("Layout Designer")
     text, colour = drawn("Lower Center")
     check("shortest arc" in text and colour == BLACK, "the summary: %s %s" % (text, colour))
-    rows = hands.hands_rows()
+    rows = gui.gui_rows()
     check(rows > 0, "no singularities are proposed")
     # A singularity outside, and back.
-    x = hands.hands_number(0, 0)
-    hands.hands_type(0, 0, 7)
+    x = gui.gui_number(0, 0)
+    gui.gui_type(0, 0, 7)
     wait(400)
     text, colour = drawn("Lower Center")
     check("outside" in text and colour == RED, "the summary of what cannot be: %s %s" % (text, colour))
     picture("outside.png", is_whole=False)
-    hands.hands_type(0, 0, x)
+    gui.gui_type(0, 0, x)
     wait(400)
     check_equal(drawn("Lower Center")[1], BLACK, "the colour of what can be again")
     designer.Singularities = []
@@ -105,7 +105,7 @@ def test_designer(domain, points):
     wait(400)
     text, colour = drawn("Lower Center")
     check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
-    check_equal(hands.hands_rows(), 0, "rows of the table without a domain")
+    check_equal(gui.gui_rows(), 0, "rows of the table without a domain")
     check("open" in messages(), "no message of an open curve")
     picture("no_domain.png", is_whole=False)
     domain.Closed = 1
@@ -113,7 +113,7 @@ def test_designer(domain, points):
     wait(400)
     text, colour = drawn("Lower Center")
     check("shortest arc" in text and colour == BLACK, "the summary with a domain again: %s %s" % (text, colour))
-    check_equal(hands.hands_rows(), rows, "rows of the table with a domain again")
+    check_equal(gui.gui_rows(), rows, "rows of the table with a domain again")
 
 
 def test_designer_of_no_domain(domain, points):

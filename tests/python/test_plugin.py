@@ -47,7 +47,7 @@ PROXIES = {
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (
-        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance EvenSizes Sizing SizeArray Pairs"),
+        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance UniformSizes Sizing SizeArray Pairs"),
     "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
 }
 
@@ -231,7 +231,7 @@ def test_size_arrays():
             choice = proxy.GetProperty("SizeArray").FindDomain("vtkSMArrayListDomain")
             choice.Update(given)
             check_equal({choice.GetString(i) for i in range(choice.GetNumberOfStrings())}, arrays, "the arrays")
-    optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), EvenSizes=1,
+    optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), UniformSizes=1,
                                      Sizing="Field", SizeArray="Length")
     moved = fetch(optimizer)
     check_equal(value(moved, "Converged"), 1, "Converged")

@@ -78,8 +78,8 @@ def _check_valences(data, on_loop, characteristic, report):
     valences = np.atleast_1d(data.field["IrregularValence"]).tolist()
     inside = valence[on_loop < 0]
     found = [int((inside == v).sum()) for v in valences]
-    report.equal("IrregularGot", np.atleast_1d(data.field["IrregularGot"]).tolist(), found)
-    report.equal("irregular nodes as asked", np.atleast_1d(data.field["IrregularAsked"]).tolist(), found)
+    report.equal("IrregularObtained", np.atleast_1d(data.field["IrregularObtained"]).tolist(), found)
+    report.equal("irregular nodes as asked", np.atleast_1d(data.field["IrregularRequested"]).tolist(), found)
     report.equal("no other irregular node", int(np.count_nonzero(inside != 4)), sum(found))
 
 

@@ -17,7 +17,7 @@ import alignment
 import counts
 import energies
 import field as fields
-import flatmap
+import seamless_map
 import hfield
 import indices as winding
 import lines
@@ -40,7 +40,7 @@ def verify(name):
         data = Data(name)
         if "UV" in data.at_points and len(data.points) > 0:
             report.kind = "flat map"
-            flatmap.check_map(data, report)
+            seamless_map.check_map(data, report)
             lines.check_beside(name, data, report)
             return report
         if len(data.quads) > 0 and "BlockId" in data.quad_cells:

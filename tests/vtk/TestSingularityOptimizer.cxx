@@ -49,7 +49,7 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "EvenSizes", "Sizing",
+    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "UniformSizes", "Sizing",
       "SizeArray", "Pairs" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
@@ -91,7 +91,7 @@ TEST_F(SingularityOptimizer, MakesSizesEvenIfAsked)
   this->Domain->SetHeight(2.2);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("SizeSpreadAfter"), nullptr);
-  this->Filter->EvenSizesOn();
+  this->Filter->UniformSizesOn();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Converged"), 1.0);
   EXPECT_GT(this->Value("SizeSpreadAfter"), 0.0);
@@ -138,7 +138,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   };
   want({ 3.0, 3.0, 3.0, 3.0 });
   this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
-  this->Filter->EvenSizesOn();
+  this->Filter->UniformSizesOn();
   this->Filter->SetSizingToField();
   this->Filter->SetSizeArray("Length");
   FilterChecks::MessageRecorder messages(this->Filter);

@@ -129,12 +129,12 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.keepAll = true;
   // At 1/4 the largest twentieth of the sizes and the smallest differ by more than e. Below, evening them may cost more shape
   // than it brings (docs/method.md §5.7).
-  constexpr double FarFromEven = 0.25;
-  fit.evenSizes |= result.optimum.sizeSpread > FarFromEven;
+  constexpr double FarFromUniform = 0.25;
+  fit.uniformSizes |= result.optimum.sizeSpread > FarFromUniform;
   result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
   result.singularities = result.optimum.configuration;
   Tell(result);
-  if (!fit.wantedSize && fit.pairs == 0 && result.optimum.sizeSpread > FarFromEven)
+  if (!fit.wantedSize && fit.pairs == 0 && result.optimum.sizeSpread > FarFromUniform)
   {
     result.events.push_back(
       "Sizes are far from even, the standard deviation of their logarithm is " +
@@ -170,10 +170,10 @@ AutomaticConfiguration ChooseConfiguration(
   // size of quads keeps them off it, and sizes are made even.
   const double clearance = AskedClearance(domain, options);
   const bool fits =
-    clearance > CoreRadius(domain) || options.optimizer.evenSizes || options.optimizer.pairs > 0;
+    clearance > CoreRadius(domain) || options.optimizer.uniformSizes || options.optimizer.pairs > 0;
   AutomaticOptions least = options;
   least.optimizer.clearance = fits ? 0.0 : clearance;
-  least.optimizer.evenSizes = false;
+  least.optimizer.uniformSizes = false;
   least.optimizer.pairs = 0;
 
   const std::vector<ProposedConfiguration> starts =

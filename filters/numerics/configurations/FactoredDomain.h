@@ -27,7 +27,7 @@ public:
   /// Whether the singularities of a configuration that lie on the boundary are vertices of the mesh.
   bool Serves(const Configuration& configuration) const;
 
-  /// The mesh with a vertex on every singularity inside, as SolveFlatMap needs it: the Delaunay triangulation of its vertices with these
+  /// The mesh with a vertex on every singularity inside, as SolveSeamlessMap needs it: the Delaunay triangulation of its vertices with these
   /// instead of those next to them, where they keep two edges' lengths from the boundary and from each other; else that of
   /// MeshOnPoints.
   TriangleMesh MeshOn(const Configuration& configuration) const;

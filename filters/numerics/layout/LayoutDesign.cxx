@@ -3,7 +3,7 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "Stopwatch.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace crossfield
 namespace
 {
 /// Count and W.
-void Rate(const FactoredDomain& domain, const FlatMapOptions& options, LayoutDesign& design)
+void Rate(const FactoredDomain& domain, const SeamlessMapOptions& options, LayoutDesign& design)
 {
   const MeshTopology& topology = domain.GetPotential()->GetTopology();
   const PlacedConfiguration placed = PlaceForMap(topology, design.singularities, options);
@@ -34,7 +34,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   design.singularities = singularities;
   Rate(domain, options.map, design);
   progress.Report(0.1);
-  design.map = SolveFlatMap(ShareTopology(domain.MeshOn(singularities)), singularities, options.map,
+  design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities, options.map,
     progress.Part(0.1, 0.6));
   design.lines = TraceLines(design.map, progress.Part(0.6, 0.7));
   design.mesh = MakeTMesh(design.map, design.lines);

@@ -3,7 +3,7 @@
 #include "FactoredDomain.h"
 #include "QuadMesher.h"
 
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "PoincareHopf.h"
 #include "RenormalizedEnergy.h"
 
@@ -13,7 +13,7 @@ namespace crossfield
 {
 struct LayoutOptions
 {
-  FlatMapOptions map;
+  SeamlessMapOptions map;
   /// Quads to lay, if any are wanted.
   std::optional<QuadOptions> quads;
 };
@@ -22,7 +22,7 @@ struct LayoutOptions
 struct LayoutDesign
 {
   Configuration singularities;
-  FlatMap map;
+  SeamlessMap map;
   TraceGraph lines;
   TMesh mesh;
   std::optional<QuadResult> quads;
@@ -35,7 +35,7 @@ struct LayoutDesign
 /// The layout of one configuration on a domain that is factored (docs/method.md §15.2). W costs two back-substitutions on its
 /// factor; the map is solved for on a mesh with vertices at the singularities, which the domain's becomes by local changes.
 ///
-/// Throws Error as SolveFlatMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.
+/// Throws Error as SolveSeamlessMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.
 LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
   const LayoutOptions& options = {}, const Progress& progress = {});
 

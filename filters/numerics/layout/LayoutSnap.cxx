@@ -27,12 +27,12 @@ class SnapProblem
 {
 public:
   SnapProblem(const FactoredDomain& domain, Configuration singularities,
-    const FlatMapOptions& options, double tolerance, const std::set<Pair>& excluded)
+    const SeamlessMapOptions& options, double tolerance, const std::set<Pair>& excluded)
     : Singularities(std::move(singularities))
     , Options(options)
     , Mesh(domain.MeshOn(this->Singularities))
   {
-    const FlatMap map = this->Solve(this->Singularities);
+    const SeamlessMap map = this->Solve(this->Singularities);
     for (const Cone& cone : map.cones)
     {
       if (cone.row >= 0 && !cone.onBoundary)
@@ -63,7 +63,7 @@ public:
   /// Offsets of lines, then what the holonomy defects have become more.
   Eigen::VectorXd Values(const Eigen::VectorXd& moves) const
   {
-    const FlatMap map = this->Solve(this->At(moves));
+    const SeamlessMap map = this->Solve(this->At(moves));
     Eigen::VectorXd values(static_cast<Eigen::Index>(this->Misses.size() + this->Defects.size()));
     Eigen::Index row = 0;
     for (const NearMiss& miss : this->Misses)
@@ -106,7 +106,7 @@ public:
   Eigen::Index Count() const { return static_cast<Eigen::Index>(2 * this->Moving.size()); }
 
 private:
-  FlatMap Solve(const Configuration& moved) const
+  SeamlessMap Solve(const Configuration& moved) const
   {
     TriangleMesh mesh = this->Mesh;
     for (const Cone& cone : this->Moving)
@@ -114,11 +114,11 @@ private:
       mesh.points[static_cast<std::size_t>(cone.vertex)] =
         moved[static_cast<std::size_t>(cone.row)].position;
     }
-    return SolveFlatMap(ShareTopology(std::move(mesh)), moved, this->Options);
+    return SolveSeamlessMap(ShareTopology(std::move(mesh)), moved, this->Options);
   }
 
   Configuration Singularities;
-  const FlatMapOptions& Options;
+  const SeamlessMapOptions& Options;
   TriangleMesh Mesh;
   std::vector<Cone> Moving;
   std::vector<NearMiss> Misses;
@@ -145,7 +145,7 @@ double LargestMove(const Configuration& from, const Configuration& to)
 
 /// Chord iterations on a few meshes, each with the vertices where the singularities have come to: the last one is then that of a
 /// layout of the result.
-Trial Try(const FactoredDomain& domain, const Configuration& start, const FlatMapOptions& options,
+Trial Try(const FactoredDomain& domain, const Configuration& start, const SeamlessMapOptions& options,
   double tolerance, const std::set<Pair>& excluded, const Progress& progress)
 {
   constexpr int Meshes = 6;
@@ -209,7 +209,7 @@ Trial Try(const FactoredDomain& domain, const Configuration& start, const FlatMa
 }
 
 LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singularities,
-  const FlatMapOptions& options, double tolerance, const Progress& progress)
+  const SeamlessMapOptions& options, double tolerance, const Progress& progress)
 {
   LayoutSnap result;
   result.singularities = singularities;

@@ -3,7 +3,7 @@
 #include "FactoredDomain.h"
 #include "Progress.h"
 
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 
 namespace crossfield
 {
@@ -22,7 +22,7 @@ struct LayoutSnap
 /// already stay so, and inner loops get no holonomy defect that they did not have.
 ///
 /// `tolerance`: a length; the map has the area of the domain. No singularity moves farther. Throws Error as
-/// SolveFlatMap and TraceLines do for the configuration given.
+/// SolveSeamlessMap and TraceLines do for the configuration given.
 LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singularities,
-  const FlatMapOptions& options, double tolerance, const Progress& progress = {});
+  const SeamlessMapOptions& options, double tolerance, const Progress& progress = {});
 }

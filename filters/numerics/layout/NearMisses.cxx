@@ -11,7 +11,7 @@ namespace crossfield
 namespace
 {
 /// Where a vertex of the mesh is in the chart of one of its triangles.
-const Point& PlaceIn(const FlatMap& map, int triangle, int vertex)
+const Point& PlaceIn(const SeamlessMap& map, int triangle, int vertex)
 {
   const auto& corners = map.topology->mesh.triangles[Index(triangle)];
   const auto found = std::find(corners.begin(), corners.end(), vertex);
@@ -52,7 +52,7 @@ bool Lay(const TracedLine& line, const TracedLine& other, NearMiss& miss)
 }
 }
 
-double NearMiss::Offset(const FlatMap& map) const
+double NearMiss::Offset(const SeamlessMap& map) const
 {
   const Point start =
     PlaceIn(map, this->firstTriangle, map.cones[static_cast<std::size_t>(this->from)].vertex);

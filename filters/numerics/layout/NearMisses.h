@@ -9,7 +9,7 @@ namespace crossfield
 struct NearMiss
 {
   int from = 0;        ///< Cone where the line starts,
-  int to = 0;          ///< and that it passes; in FlatMap::cones.
+  int to = 0;          ///< and that it passes; in SeamlessMap::cones.
   bool meets = false;  ///< They meet on one isoline.
   double across = 0.0; ///< The distance, not negative.
 
@@ -25,7 +25,7 @@ struct NearMiss
 
   /// The distance across, with its sign, in a map of the same mesh: of a configuration a little off, as long as it
   /// is small beside the way along. Exact: w is linear on triangles.
-  double Offset(const FlatMap& map) const;
+  double Offset(const SeamlessMap& map) const;
 };
 
 /// All with a distance of no more than `tolerance`, in the map, each pair of lines once.

@@ -64,7 +64,7 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
   for (const Singularity& singularity : configuration)
   {
-    // On the boundary they become vertices of it; SolveFlatMap refuses those outside.
+    // On the boundary they become vertices of it; SolveSeamlessMap refuses those outside.
     if (singularity.position.allFinite() &&
       SignedDistance(singularity.position, domain) > BoundaryReach * domain.Diagonal())
     {

@@ -19,7 +19,7 @@ TriangleMesh MeshForAll(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, double meshSize = 0.0,
   const Progress& progress = {});
 
-/// MeshForPoints with a vertex on every singularity, as SolveFlatMap needs it.
+/// MeshForPoints with a vertex on every singularity, as SolveSeamlessMap needs it.
 TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 }

@@ -10,7 +10,7 @@ namespace crossfield
 namespace
 {
 /// What is to be done about a map that is not sound.
-std::string Mend(const FlatMap& map)
+std::string Mend(const SeamlessMap& map)
 {
   std::size_t worst = 0;
   for (std::size_t k = 1; k < map.holonomyDefect.size(); ++k)
@@ -34,7 +34,7 @@ std::string Mend(const FlatMap& map)
 }
 }
 
-void RequireInjective(const FlatMap& map)
+void RequireInjective(const SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;
   const auto triangles = static_cast<int>(map.corners.size());

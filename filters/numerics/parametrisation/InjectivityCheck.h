@@ -1,10 +1,10 @@
 #pragma once
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 namespace crossfield
 {
 /// Throws Error, with the place, unless every triangle of the map is positively oriented and the angles
 /// at every vertex add up to what its cone says: then the map is locally injective.
-void RequireInjective(const FlatMap& map);
+void RequireInjective(const SeamlessMap& map);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CutGraph.h"
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 #include <Eigen/SparseCore>
 
@@ -11,7 +11,7 @@ namespace crossfield
 /// the free ones. Unknowns are u and v of vertex c, 2c and 2c + 1, and after them the two of each chain's
 /// translation.
 ///
-/// `seams`: of each chain the rotation from its left to its right; `directions` as in FlatMap; `cones` are
+/// `seams`: of each chain the rotation from its left to its right; `directions` as in SeamlessMap; `cones` are
 /// the vertices whose position the translations depend on.
 Eigen::SparseMatrix<double, Eigen::RowMajor> EliminateSeams(const MeshTopology& topology,
   const CutGraph& cut, const std::vector<SeamTransition>& seams, const std::vector<int>& directions,

@@ -39,7 +39,7 @@ std::array<Complex, 3> LocalPrimitive(
 }
 }
 
-SeamlessPoisson WantedGradients(const FlatMap& map, const TriangleFrames& frames)
+SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& frames)
 {
   const TriangleMesh& mesh = map.topology->mesh;
   const auto count = static_cast<int>(mesh.triangles.size());
@@ -80,7 +80,7 @@ SeamlessPoisson WantedGradients(const FlatMap& map, const TriangleFrames& frames
 }
 
 Eigen::Matrix<double, 3, 2> SeamlessPoisson::Off(
-  const FlatMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const
+  const SeamlessMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const
 {
   const auto& corners = map.corners[triangle];
   const Eigen::Matrix<double, 3, 2>& there = this->wanted[triangle];
@@ -95,7 +95,7 @@ Eigen::Matrix<double, 3, 2> SeamlessPoisson::Off(
 }
 
 Eigen::MatrixX2d SeamlessPoisson::Residual(
-  const FlatMap& map, const Eigen::VectorXd& unknowns) const
+  const SeamlessMap& map, const Eigen::VectorXd& unknowns) const
 {
   const auto count = static_cast<Eigen::Index>(map.original.size());
   Eigen::MatrixX2d residual = Eigen::MatrixX2d::Zero(count, 2);
@@ -111,15 +111,15 @@ Eigen::MatrixX2d SeamlessPoisson::Residual(
   return residual;
 }
 
-double SeamlessPoisson::Misfit(const FlatMap& map, const Eigen::VectorXd& unknowns) const
+double SeamlessPoisson::ObjectiveAt(const SeamlessMap& map, const Eigen::VectorXd& unknowns) const
 {
-  double misfit = 0.0;
+  double residual = 0.0;
   for (std::size_t t = 0; t < this->wanted.size(); ++t)
   {
     const Eigen::Matrix<double, 3, 2> off = this->Off(map, unknowns, t);
-    misfit +=
+    residual +=
       this->weights[t] * off.cwiseProduct(P1ElementStiffness(map.topology->mesh, t) * off).sum();
   }
-  return misfit;
+  return residual;
 }
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 #include "TriangleFrames.h"
 
 #include <vector>
@@ -17,17 +17,17 @@ struct SeamlessPoisson
 
   /// Minus half of the derivative of the sum, of u and v of every vertex. From the differences inside of triangles, so it is
   /// exact to rounding of these, however small they are beside w.
-  Eigen::MatrixX2d Residual(const FlatMap& map, const Eigen::VectorXd& unknowns) const;
+  Eigen::MatrixX2d Residual(const SeamlessMap& map, const Eigen::VectorXd& unknowns) const;
 
   /// The sum for unknowns as in EliminateSeams.
-  double Misfit(const FlatMap& map, const Eigen::VectorXd& unknowns) const;
+  double ObjectiveAt(const SeamlessMap& map, const Eigen::VectorXd& unknowns) const;
 
 private:
   /// What is wanted less what is there of w at the corners of a triangle, but for a constant.
   Eigen::Matrix<double, 3, 2> Off(
-    const FlatMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const;
+    const SeamlessMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const;
 };
 
 /// The weights, and what is wanted of the gradients, of the frames; near a logarithm by its local primitive.
-SeamlessPoisson WantedGradients(const FlatMap& map, const TriangleFrames& frames);
+SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& frames);
 }

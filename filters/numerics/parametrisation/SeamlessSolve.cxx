@@ -24,7 +24,7 @@ struct Coupling
 };
 
 /// The sum without its linear part, edge by edge. Both sides of a cut edge count for themselves.
-std::vector<Coupling> CoupleCorners(const FlatMap& map, const std::vector<double>& weights)
+std::vector<Coupling> CoupleCorners(const SeamlessMap& map, const std::vector<double>& weights)
 {
   const MeshTopology& topology = *map.topology;
   std::vector<Coupling> couplings(Index(topology.edges.Count()), { -1, -1, 0.0 });
@@ -108,7 +108,7 @@ struct Order
     partners; ///< Of u of a vertex its v, and of v its u, if none depends on them; else −1.
 };
 
-Order OrderUnknowns(const FlatMap& map, const Prolongation& prolongation)
+Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
 {
   const auto count = static_cast<std::size_t>(prolongation.cols());
   Order order;
@@ -167,7 +167,7 @@ Order OrderUnknowns(const FlatMap& map, const Prolongation& prolongation)
 }
 }
 
-Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
+Eigen::VectorXd SolveSeamless(const SeamlessMap& map, const SeamlessPoisson& poisson,
   const Prolongation& prolongation, const Progress& progress)
 {
   const Order order = OrderUnknowns(map, prolongation);

@@ -11,6 +11,6 @@ namespace crossfield
 /// EliminateSeams: one Cholesky factorisation, and iterative refinement.
 ///
 /// Throws Error where every vertex is on the boundary or on a seam.
-Eigen::VectorXd SolveSeamless(const FlatMap& map, const SeamlessPoisson& poisson,
+Eigen::VectorXd SolveSeamless(const SeamlessMap& map, const SeamlessPoisson& poisson,
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& prolongation, const Progress& progress = {});
 }

@@ -11,7 +11,7 @@ namespace crossfield
 namespace
 {
 /// Twice the area that a point spans with each side of a triangle: barycentric coordinates but for a factor.
-std::array<double, 3> AreasAt(const FlatMap& map, int triangle, const Point& w)
+std::array<double, 3> AreasAt(const SeamlessMap& map, int triangle, const Point& w)
 {
   std::array<double, 3> areas{};
   for (int side = 0; side < 3; ++side)
@@ -23,7 +23,7 @@ std::array<double, 3> AreasAt(const FlatMap& map, int triangle, const Point& w)
 }
 }
 
-ChartPlace WalkStraight(const FlatMap& map, ChartPlace place, const Point& way)
+ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& way)
 {
   const EdgeNumbering& edges = map.topology->edges;
   Point target = place.w + TurnByQuarters(way, place.rotation);
@@ -72,7 +72,7 @@ ChartPlace WalkStraight(const FlatMap& map, ChartPlace place, const Point& way)
     Describe(PlanePoint(map, place)) + "; use a finer mesh.");
 }
 
-Point PlanePoint(const FlatMap& map, const ChartPlace& place)
+Point PlanePoint(const SeamlessMap& map, const ChartPlace& place)
 {
   // Corner i is opposite to side i + 1.
   std::array<double, 3> areas = AreasAt(map, place.triangle, place.w);
@@ -91,7 +91,7 @@ Point PlanePoint(const FlatMap& map, const ChartPlace& place)
   return point;
 }
 
-double PlaneScale(const FlatMap& map, int triangle)
+double PlaneScale(const SeamlessMap& map, int triangle)
 {
   const auto& v = map.topology->mesh.triangles[Index(triangle)];
   const Point& origin = map.topology->PointAt(v[0]);

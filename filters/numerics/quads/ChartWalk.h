@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 namespace crossfield
 {
@@ -14,11 +14,11 @@ struct ChartPlace
 
 /// The end of a straight way that starts at a place, in the axes of its rectangle: from triangle to triangle, each
 /// left through the side that the way meets first. Ends at the boundary at the latest.
-ChartPlace WalkStraight(const FlatMap& map, ChartPlace place, const Point& way);
+ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& way);
 
 /// The point of the plane at a place.
-Point PlanePoint(const FlatMap& map, const ChartPlace& place);
+Point PlanePoint(const SeamlessMap& map, const ChartPlace& place);
 
 /// √(area in the plane / area in the map) of a triangle: e^H in it.
-double PlaneScale(const FlatMap& map, int triangle);
+double PlaneScale(const SeamlessMap& map, int triangle);
 }

@@ -24,7 +24,7 @@ struct SidePoint
 class Layout
 {
 public:
-  Layout(const FlatMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+  Layout(const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
     : Map(map)
     , Lines(mesh)
     , Counts(counts)
@@ -58,7 +58,7 @@ private:
   void Reserve()
   {
     std::size_t quads = 0;
-    for (const TFace& face : this->Lines.faces)
+    for (const TPatch& face : this->Lines.faces)
     {
       quads += Index(this->Points.SideCount(face, 0)) * Index(this->Points.SideCount(face, 1));
     }
@@ -174,7 +174,7 @@ private:
     return point;
   }
 
-  std::vector<SidePoint> SideOf(const TFace& face, std::size_t side) const
+  std::vector<SidePoint> SideOf(const TPatch& face, std::size_t side) const
   {
     std::vector<SidePoint> points;
     double start = 0.0;
@@ -194,7 +194,7 @@ private:
 
   void LayFace(std::size_t f)
   {
-    const TFace& face = this->Lines.faces[f];
+    const TPatch& face = this->Lines.faces[f];
     const int a = this->Points.SideCount(face, 0);
     const int b = this->Points.SideCount(face, 1);
     if (a == 0 || b == 0)
@@ -340,7 +340,7 @@ private:
     }
   }
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
   const TMesh& Lines;
   const std::vector<int>& Counts;
   const ArcPoints Points;
@@ -353,7 +353,7 @@ private:
 }
 
 QuadMesh LayQuads(
-  const FlatMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+  const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
 {
   return Layout(map, mesh, counts, size).Lay();
 }

@@ -3,7 +3,7 @@
 #include "QuadMesh.h"
 #include "TMesh.h"
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 namespace crossfield
 {
@@ -14,5 +14,5 @@ namespace crossfield
 ///
 /// Throws Error when the result is not a mesh of the domain's Euler characteristic with the valences of the cones.
 QuadMesh LayQuads(
-  const FlatMap& map, const TMesh& mesh, const std::vector<int>& counts, double size);
+  const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size);
 }

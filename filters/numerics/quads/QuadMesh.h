@@ -13,7 +13,7 @@ struct QuadPoint
   Point place = Point::Zero();
   CurvePlace curve;   ///< On the boundary, where.
   bool fixed = false; ///< A corner of the boundary, or a singularity.
-  int cone = -1;      ///< In FlatMap::cones.
+  int cone = -1;      ///< In SeamlessMap::cones.
   int asked = 0;      ///< Quarter index of the cone, else 0.
   double scale = 1.0; ///< Wanted size there, over the mesh's: e^H but for WantSizes.
   int valence = 0;    ///< Number of quads.

@@ -7,7 +7,7 @@
 #include "QuadSymmetry.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace
 double AreaOf(const TMesh& lines)
 {
   double area = 0.0;
-  for (const TFace& face : lines.faces)
+  for (const TPatch& face : lines.faces)
   {
     area += lines.SideLength(face, 0) * lines.SideLength(face, 1);
   }
@@ -54,13 +54,13 @@ ArcProblem ProblemOf(const TMesh& lines, std::vector<double> lengths, double siz
 class Mesher
 {
 public:
-  Mesher(const FlatMap& map, const QuadOptions& options, QuadResult& result)
+  Mesher(const SeamlessMap& map, const QuadOptions& options, QuadResult& result)
     : Map(map)
     , Options(options)
     , Result(result)
     , Curves(*map.topology)
     , Domain(DomainOf(*map.topology))
-    , Lengths(WantedLengths(result.lines, options.sizes))
+    , Lengths(TargetLengths(result.lines, options.sizes))
     , Area(AreaOf(result.lines))
   {
   }
@@ -216,7 +216,7 @@ private:
     return results;
   }
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
   const QuadOptions& Options;
   QuadResult& Result;
   const BoundaryCurves Curves;
@@ -226,7 +226,7 @@ private:
 };
 }
 
-QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progress& progress)
+QuadResult MakeQuads(const SeamlessMap& map, const QuadOptions& options, const Progress& progress)
 {
   if (!(options.size >= 0.0) || !std::isfinite(options.size) ||
     (options.size == 0.0 && options.count < 1))

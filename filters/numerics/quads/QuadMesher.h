@@ -6,7 +6,7 @@
 #include "QuadSizes.h"
 #include "QuadSmoothing.h"
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 namespace crossfield
 {
@@ -36,5 +36,5 @@ struct QuadResult
 
 /// Lines, numbers, quads, smoothing (docs/method.md §14). Throws Error as TraceLines, MakeTMesh, CountArcs and
 /// LayQuads do, and before it lays more quads than there is memory for.
-QuadResult MakeQuads(const FlatMap& map, const QuadOptions& options, const Progress& progress = {});
+QuadResult MakeQuads(const SeamlessMap& map, const QuadOptions& options, const Progress& progress = {});
 }

@@ -8,11 +8,11 @@ namespace
 {
 double SizeAt(const SizeRequest& request, const Point& place)
 {
-  return request.sizing == QuadSizing::Field ? WantedSize(request.field, place) : 1.0;
+  return request.sizing == QuadSizing::Field ? TargetSize(request.field, place) : 1.0;
 }
 }
 
-std::vector<double> WantedLengths(const TMesh& mesh, const SizeRequest& request)
+std::vector<double> TargetLengths(const TMesh& mesh, const SizeRequest& request)
 {
   std::vector<double> lengths;
   lengths.reserve(mesh.arcs.size());

@@ -18,7 +18,7 @@ constexpr std::size_t MostAlone = 5000;
 /// The part of the determinant against the shape: shape matters, but sizes must not drift. Where even sizes are
 /// wanted both count.
 constexpr double SizePart = 0.2;
-constexpr double EvenSizePart = 0.5;
+constexpr double UniformSizePart = 0.5;
 
 /// Until a step brings far less than can be seen in a picture, 1e-7 of the energy.
 constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
@@ -183,17 +183,17 @@ double LeastJacobian(const QuadMesh& mesh)
 }
 
 /// With even sizes the way is long: a coarser mesh goes it first, with singularities fixed and then free.
-int SmoothEven(const Level& level, const BoundaryCurves& curves, const Progress& progress)
+int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progress& progress)
 {
-  const Smoother fixed(curves, false, EvenSizePart);
-  const Smoother released(curves, true, EvenSizePart);
+  const Smoother fixed(curves, false, UniformSizePart);
+  const Smoother released(curves, true, UniformSizePart);
   if (level.mesh.quads.size() > MostAlone)
   {
     CoarseQuads coarse(level.mesh, level.lattices);
     if (coarse.IsSmaller())
     {
       const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
-      SmoothEven({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
+      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
       released.Move(level, coarse.Interpolate(curves, after - before));
@@ -224,7 +224,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const double leastAtStart = LeastJacobian(mesh);
   if (even)
   {
-    report.iterations = SmoothEven(level, curves, progress);
+    report.iterations = SmoothUniform(level, curves, progress);
     report.released = true;
   }
   else

@@ -22,7 +22,7 @@ struct FieldCheck
 
 /// Reads degrees of holes, interior indices and the indices of corners from a field; `choices` are the
 /// quarter indices that it was asked to take, `points` its singularities that are not holes; `byItself` as in
-/// FieldQuestion. Throws Error when it has a value that is not finite, or is not aligned with the boundary.
+/// FieldRequest. Throws Error when it has a value that is not finite, or is not aligned with the boundary.
 FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices = {},
   const Configuration& points = {}, bool byItself = false);
 }

@@ -12,7 +12,7 @@ namespace
 {
 /// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones, if any are;
 /// returns the sum over the holes, which the indices inside do not contain.
-int ReadDegrees(const CrossField& field, const FieldQuestion& question, FieldReading& reading)
+int ReadDegrees(const CrossField& field, const FieldRequest& question, FieldReading& reading)
 {
   int excess = 0;
   int ofHoles = 0;
@@ -38,7 +38,7 @@ int ReadDegrees(const CrossField& field, const FieldQuestion& question, FieldRea
 }
 }
 
-FieldReading ReadField(const CrossField& field, const FieldQuestion& question)
+FieldReading ReadField(const CrossField& field, const FieldRequest& question)
 {
   const MeshTopology& topology = *field.topology;
   FieldReading reading;

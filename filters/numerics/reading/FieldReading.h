@@ -19,7 +19,7 @@ struct FieldReading
 };
 
 /// What was asked of a field beside what its mesh says.
-struct FieldQuestion
+struct FieldRequest
 {
   PoincareHopfCount count; ///< With the chosen corners.
   Configuration points;    ///< Singularities that are points.
@@ -31,5 +31,5 @@ struct FieldQuestion
 /// Where neither holes, circles nor points say where singularities are wanted, as many quarters as the
 /// boundary leaves to the inside are wanted anywhere. Throws Error if the indices of the field do not
 /// add up to 4χ, which a field aligned with the boundary cannot do unless it vanishes on an edge.
-FieldReading ReadField(const CrossField& field, const FieldQuestion& question);
+FieldReading ReadField(const CrossField& field, const FieldRequest& question);
 }

@@ -44,7 +44,7 @@ struct LineSegment
 class LineWalk
 {
 public:
-  explicit LineWalk(const FlatMap& map)
+  explicit LineWalk(const SeamlessMap& map)
     : Map(map)
   {
   }
@@ -73,6 +73,6 @@ private:
   bool IsLeft(const LineSegment& segment, int corner) const;
   void Leave(LineSegment& segment, int side) const;
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
 };
 }

@@ -5,7 +5,7 @@
 
 namespace crossfield
 {
-double TMesh::SideLength(const TFace& face, std::size_t side) const
+double TMesh::SideLength(const TPatch& face, std::size_t side) const
 {
   double length = 0.0;
   for (const int h : face.sides[side])
@@ -18,7 +18,7 @@ double TMesh::SideLength(const TFace& face, std::size_t side) const
 double TMesh::Mismatch() const
 {
   double largest = 0.0;
-  for (const TFace& face : this->faces)
+  for (const TPatch& face : this->faces)
   {
     for (std::size_t side = 0; side < 2; ++side)
     {

@@ -15,7 +15,7 @@ enum class NodeKind
 struct TNode
 {
   NodeKind kind = NodeKind::Singularity;
-  int cone = -1;    ///< In FlatMap::cones, of singularities and corners.
+  int cone = -1;    ///< In SeamlessMap::cones, of singularities and corners.
   int quarters = 4; ///< The angle around it, in quarter turns; at the boundary that inside.
   Point place = Point::Zero(); ///< In the plane.
 };
@@ -51,7 +51,7 @@ struct TArc
 };
 
 /// A rectangle of the map. Side i + 1 follows side i counter-clockwise; sides 0 and 2 are opposite.
-struct TFace
+struct TPatch
 {
   std::array<std::vector<int>, 4> sides; ///< Half-edges, in order around the face.
 };
@@ -63,7 +63,7 @@ struct TMesh
   std::vector<TNode> nodes;
   std::vector<THalfEdge> halfEdges;
   std::vector<TArc> arcs;
-  std::vector<TFace> faces;
+  std::vector<TPatch> faces;
   int lineCount = 0;
   int extraLines = 0;
   int headOn = 0;
@@ -71,7 +71,7 @@ struct TMesh
   double longest = 0.0; ///< Line, in the map.
 
   static int Twin(int halfEdge) { return halfEdge ^ 1; }
-  double SideLength(const TFace& face, std::size_t side) const;
+  double SideLength(const TPatch& face, std::size_t side) const;
   /// Largest difference of the lengths of opposite sides.
   double Mismatch() const;
 };

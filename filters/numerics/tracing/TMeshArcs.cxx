@@ -28,7 +28,7 @@ bool Before(const Stop& a, const Stop& b)
 class ArcLayer
 {
 public:
-  ArcLayer(const FlatMap& map, const TraceGraph& graph)
+  ArcLayer(const SeamlessMap& map, const TraceGraph& graph)
     : Map(map)
     , Topology(*map.topology)
     , Walk(map)
@@ -431,7 +431,7 @@ private:
     }
   }
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
   const MeshTopology& Topology;
   const LineWalk Walk;
   const std::vector<TracedLine>& Lines;
@@ -444,7 +444,7 @@ private:
 };
 }
 
-TMesh LayArcs(const FlatMap& map, const TraceGraph& graph)
+TMesh LayArcs(const SeamlessMap& map, const TraceGraph& graph)
 {
   return ArcLayer(map, graph).Lay();
 }

@@ -5,5 +5,5 @@
 namespace crossfield
 {
 /// The nodes and arcs of lines and boundary, without faces.
-TMesh LayArcs(const FlatMap& map, const TraceGraph& graph);
+TMesh LayArcs(const SeamlessMap& map, const TraceGraph& graph);
 }

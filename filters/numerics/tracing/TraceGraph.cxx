@@ -45,7 +45,7 @@ struct Event
 class Tracer
 {
 public:
-  Tracer(const FlatMap& map, const Progress& progress)
+  Tracer(const SeamlessMap& map, const Progress& progress)
     : Map(map)
     , Topology(*map.topology)
     , Walk(map)
@@ -359,7 +359,7 @@ private:
     return -1;
   }
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
   const MeshTopology& Topology;
   const LineWalk Walk;
   const double Extent;
@@ -375,7 +375,7 @@ private:
 };
 }
 
-TraceGraph TraceLines(const FlatMap& map, const Progress& progress)
+TraceGraph TraceLines(const SeamlessMap& map, const Progress& progress)
 {
   progress.Report(0.0);
   TraceGraph graph = Tracer(map, progress).Run();
@@ -384,7 +384,7 @@ TraceGraph TraceLines(const FlatMap& map, const Progress& progress)
 }
 
 std::vector<LineSegment> TraceStreamline(
-  const FlatMap& map, int triangle, const Point& w, int direction, double longest)
+  const SeamlessMap& map, int triangle, const Point& w, int direction, double longest)
 {
   const LineWalk walk(map);
   std::vector<LineSegment> segments = { walk.StartInside(triangle, w, direction) };

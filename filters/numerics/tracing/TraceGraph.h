@@ -21,7 +21,7 @@ enum class LineEnd
 /// A straight line in a flat map, from where it starts to what stops it.
 struct TracedLine
 {
-  int cone = -1; ///< Where it starts, in FlatMap::cones; −1: on the boundary (extra lines).
+  int cone = -1; ///< Where it starts, in SeamlessMap::cones; −1: on the boundary (extra lines).
   int slot = 0;  ///< Which of the directions there, counter-clockwise from 0.
   int startPosition = -1; ///< Of an extra line: the entry of mesh.boundary where it starts.
   double delay = 0.0;     ///< Head start of the others, in length.
@@ -50,9 +50,9 @@ struct TraceGraph
 /// Lines advance together, the shortest first; where two cross, the one that comes later stops. Lines
 /// on one isoline that meet head-on become one. From each boundary loop that nothing meets one line is
 /// drawn at right angles.
-TraceGraph TraceLines(const FlatMap& map, const Progress& progress = {});
+TraceGraph TraceLines(const SeamlessMap& map, const Progress& progress = {});
 
 /// The straight line from a point of a triangle, as far as the boundary or a length.
 std::vector<LineSegment> TraceStreamline(
-  const FlatMap& map, int triangle, const Point& w, int direction, double longest);
+  const SeamlessMap& map, int triangle, const Point& w, int direction, double longest);
 }

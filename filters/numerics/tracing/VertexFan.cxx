@@ -38,7 +38,7 @@ int Modulo(int value, int modulus)
 class FanWalk
 {
 public:
-  explicit FanWalk(const FlatMap& map)
+  explicit FanWalk(const SeamlessMap& map)
     : Map(map)
     , Topology(*map.topology)
     , Start(this->Topology.mesh.points.size(), -1)
@@ -133,14 +133,14 @@ private:
     return 0;
   }
 
-  const FlatMap& Map;
+  const SeamlessMap& Map;
   const MeshTopology& Topology;
   std::vector<int> Start;    ///< A triangle at every vertex.
   std::vector<int> Boundary; ///< The entry of mesh.boundary that starts there.
 };
 }
 
-std::vector<std::vector<Departure>> FindDepartures(const FlatMap& map)
+std::vector<std::vector<Departure>> FindDepartures(const SeamlessMap& map)
 {
   const FanWalk walk(map);
   std::vector<std::vector<Departure>> departures;

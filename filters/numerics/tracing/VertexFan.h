@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FlatMap.h"
+#include "SeamlessMap.h"
 
 namespace crossfield
 {
@@ -16,5 +16,5 @@ struct Departure
 /// counter-clockwise order: 4 − k of them inside, and at a corner the 1 − k between its two sides
 /// (docs/method.md §13.1). The fan of triangles is developed once, in eighths of a turn as whole numbers, so that none is
 /// lost or found twice. Throws Error when the triangles around a vertex do not make up its angle.
-std::vector<std::vector<Departure>> FindDepartures(const FlatMap& map);
+std::vector<std::vector<Departure>> FindDepartures(const SeamlessMap& map);
 }

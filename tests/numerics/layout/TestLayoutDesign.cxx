@@ -5,7 +5,7 @@
 #include "MeshForPoints.h"
 #include "SparseCholesky.h"
 #include "Support.h"
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,8 @@ TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
       singularity.position += Point(random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1));
     }
     const LayoutDesign live = DesignLayout(factored, configuration);
-    const FlatMap map =
-      SolveFlatMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
+    const SeamlessMap map =
+      SolveSeamlessMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
     const TMesh own = MakeTMesh(map, TraceLines(map));
     EXPECT_EQ(live.mesh.faces.size(), own.faces.size()) << i;
     EXPECT_NEAR(live.mesh.longest, own.longest, 0.02) << i;

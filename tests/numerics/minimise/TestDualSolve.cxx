@@ -50,7 +50,7 @@ double Objective(const ReducedProblem& problem, const ComplexVector& x)
 void ExpectOptimalityConditions(const ReducedProblem& problem, const MinimiserResult& solution)
 {
   ComplexVector gradient = problem.matrix * solution.x - problem.load;
-  EXPECT_LE((gradient - ConstraintForces(problem, solution)).norm(), 1e-8 * problem.load.norm());
+  EXPECT_LE((gradient - ConstraintGradients(problem, solution)).norm(), 1e-8 * problem.load.norm());
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
   {
     const DegreeConstraint& constraint = problem.constraints[i];

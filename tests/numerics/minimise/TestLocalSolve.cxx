@@ -88,7 +88,7 @@ TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
     }
     ++converged;
     const ComplexVector gradient =
-      problem.matrix * solution.x - problem.load - ConstraintForces(problem, solution);
+      problem.matrix * solution.x - problem.load - ConstraintGradients(problem, solution);
     EXPECT_LE(gradient.norm(), 1e-8 * problem.load.norm());
     for (const DegreeConstraint& constraint : problem.constraints)
     {

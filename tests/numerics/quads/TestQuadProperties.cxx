@@ -2,7 +2,7 @@
 
 #include "BoundarySymmetry.h"
 #include "DomainQueries.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "Support.h"
@@ -115,15 +115,15 @@ RandomCase MakeRandomCase(int number)
   }
 }
 
-FlatMap MapOf(const RandomCase& random)
+SeamlessMap MapOf(const RandomCase& random)
 {
   const double meshSize = 0.05 * std::sqrt(random.domain.Area() / Pi);
-  return SolveFlatMap(ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
+  return SolveSeamlessMap(ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
     random.configuration);
 }
 
 /// Whether all singularities and corners, and singularities and the boundary, are farther apart than 2 h.
-bool FarApart(const FlatMap& map, double size)
+bool FarApart(const SeamlessMap& map, double size)
 {
   for (std::size_t i = 0; i < map.cones.size(); ++i)
   {
@@ -146,7 +146,7 @@ bool FarApart(const FlatMap& map, double size)
   return true;
 }
 
-void ExpectSound(const QuadResult& result, const FlatMap& map, double size)
+void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
 {
   const QuadMesh& mesh = result.mesh;
   // Conforming and manifold, and no quad with a point twice: else this throws.
@@ -227,7 +227,7 @@ TEST(QuadProperties, OfRandomDomains)
   for (int number = from == nullptr ? 0 : std::atoi(from); number < cases; ++number)
   {
     const RandomCase random = MakeRandomCase(number);
-    const FlatMap map = MapOf(random);
+    const SeamlessMap map = MapOf(random);
     for (const double defect : map.holonomyDefect)
     {
       EXPECT_LT(std::abs(defect), 1e-3) << number; // the mesh is not symmetric
@@ -296,7 +296,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
   };
   for (const RandomCase& symmetric : cases)
   {
-    const FlatMap map = MapOf(symmetric);
+    const SeamlessMap map = MapOf(symmetric);
     for (const QuadSizing sizing : { QuadSizing::Conformal, QuadSizing::Uniform })
     {
       QuadOptions options;

@@ -1,5 +1,5 @@
 #include "CoarseQuads.h"
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
@@ -12,15 +12,15 @@ namespace crossfield::test
 {
 namespace
 {
-FlatMap MapOfSix()
+SeamlessMap MapOfSix()
 {
   const Configuration configuration =
     Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } });
-  return SolveFlatMap(
+  return SolveSeamlessMap(
     ShareTopology(MeshOnPoints(DiskOfEdges(0.04), configuration, 0.04)), configuration);
 }
 
-QuadResult QuadsOf(const FlatMap& map, int count, QuadSizing sizing = QuadSizing::Conformal)
+QuadResult QuadsOf(const SeamlessMap& map, int count, QuadSizing sizing = QuadSizing::Conformal)
 {
   QuadOptions options;
   options.count = count;
@@ -47,7 +47,7 @@ Eigen::VectorXd RandomVector(Eigen::Index size, unsigned seed)
 
 TEST(QuadEnergy, HasTheGradientOfItsDifferences)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 300);
   const BoundaryCurves curves(*map.topology);
   std::vector<double> weights(result.mesh.quads.size());
@@ -75,7 +75,7 @@ TEST(QuadEnergy, HasTheGradientOfItsDifferences)
 
 TEST(QuadEnergy, OfQuadsAsWantedIsIdeal)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   QuadMesh mesh = QuadsOf(map, 300).mesh;
   const BoundaryCurves curves(*map.topology);
   const std::vector<double> weights(mesh.quads.size(), 1.0);
@@ -113,7 +113,7 @@ TEST(CoarseQuads, KeepTheSameLinesFromBothEnds)
 
 TEST(CoarseQuads, InterpolateMovesAndRestrictGradientsByTheTranspose)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 3000);
   const BoundaryCurves curves(*map.topology);
   const std::vector<QuadLattice> lattices = LatticesOf(result.mesh, result.blocks);
@@ -160,7 +160,7 @@ TEST(CoarseQuads, InterpolateMovesAndRestrictGradientsByTheTranspose)
 
 TEST(QuadMesh, FindsTheTwinOfEverySide)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   const QuadMesh mesh = QuadsOf(map, 1000).mesh;
   const std::vector<int> twins = mesh.Twins();
   const auto pointAt = [&mesh](int side)
@@ -184,7 +184,7 @@ TEST(QuadMesh, FindsTheTwinOfEverySide)
 /// Smoothing beside coarser meshes: as few steps for many quads as for few, and no worse.
 TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   const QuadResult few = QuadsOf(map, 4500);
   for (const int count : { 12000, 48000 })
   {
@@ -198,7 +198,7 @@ TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
 
 TEST(QuadSmoothing, OfManyEvenQuadsIsAsEvenAsOfFewAndAsWellShaped)
 {
-  const FlatMap map = MapOfSix();
+  const SeamlessMap map = MapOfSix();
   const QuadQuality few = QuadsOf(map, 2000, QuadSizing::Uniform).quality;
   // With these numbers lines that nearly meet are apart by one quad: the map's quads are sheared there.
   for (const int count : { 16000, 20000, 24000 })

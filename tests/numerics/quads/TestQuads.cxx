@@ -1,6 +1,6 @@
 #include "QuadMesher.h"
 
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "Support.h"
@@ -14,12 +14,12 @@ namespace crossfield::test
 {
 namespace
 {
-FlatMap MapOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
+SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
-  return SolveFlatMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
+  return SolveSeamlessMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
 }
 
-QuadResult QuadsOf(const FlatMap& map, double size)
+QuadResult QuadsOf(const SeamlessMap& map, double size)
 {
   QuadOptions options;
   options.size = size;
@@ -27,7 +27,7 @@ QuadResult QuadsOf(const FlatMap& map, double size)
 }
 
 /// Exactly the asked irregular points, the domain's topology, and points of the boundary on its polyline.
-void ExpectSound(const QuadResult& result, const FlatMap& map, double least)
+void ExpectSound(const QuadResult& result, const SeamlessMap& map, double least)
 {
   const QuadMesh& mesh = result.mesh;
   EXPECT_EQ(
@@ -96,7 +96,7 @@ TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
   for (const Row& row :
     { Row{ 0.85, { 77, 308, 1269, 7888 } }, Row{ 0.6, { 65, 297, 1276, 7865 } } })
   {
-    const FlatMap map = MapOf(DiskOfEdges(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
+    const SeamlessMap map = MapOf(DiskOfEdges(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
     for (std::size_t i = 0; i < sizes.size(); ++i)
     {
       const QuadResult result = QuadsOf(map, sizes[i]);
@@ -110,7 +110,7 @@ TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
 
 TEST(Quads, OfTheLShapeAreSquares)
 {
-  const FlatMap map = MapOf(LShape(), {}, 0.1);
+  const SeamlessMap map = MapOf(LShape(), {}, 0.1);
   for (const auto& [size, quads] :
     { std::pair<double, std::size_t>{ 0.2, 75 }, { 0.1, 300 }, { 0.05, 1200 } })
   {
@@ -123,7 +123,7 @@ TEST(Quads, OfTheLShapeAreSquares)
 
 TEST(Quads, OfTheRingAreOneFace)
 {
-  const FlatMap map = MapOf(RingOfEdges(0.04), {}, 0.05);
+  const SeamlessMap map = MapOf(RingOfEdges(0.04), {}, 0.05);
   const QuadResult result = QuadsOf(map, 0.1);
   Print("ring", 0.1, result);
   EXPECT_EQ(result.lines.faces.size(), 1U);
@@ -157,7 +157,7 @@ TEST(Quads, OfTheOtherReferenceCases)
   const std::vector<double> sizes = { 0.2, 0.1, 0.05 };
   for (const Case& reference : cases)
   {
-    const FlatMap map = MapOf(reference.domain, reference.configuration, 0.04);
+    const SeamlessMap map = MapOf(reference.domain, reference.configuration, 0.04);
     for (std::size_t i = 0; i < sizes.size(); ++i)
     {
       SCOPED_TRACE(reference.name + " " + std::to_string(sizes[i]));
@@ -186,7 +186,7 @@ TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
       configuration.push_back({ (0.05 + 0.06 * pair) * way, 1 });
       configuration.push_back({ -(0.05 + 0.06 * pair) * way, -1 });
     }
-    const FlatMap map = MapOf(domain, configuration, 0.04);
+    const SeamlessMap map = MapOf(domain, configuration, 0.04);
     for (const double size : { 0.4, 0.15, 0.06, 0.03 })
     {
       SCOPED_TRACE(std::to_string(sample) + " " + std::to_string(size));
@@ -199,7 +199,7 @@ TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
 
 TEST(Quads, OfACountAreNearlyAsMany)
 {
-  const FlatMap map = MapOf(DiskOfEdges(0.04), OnCircle(4, 0.7, 0.3, 1, 0.0), 0.05);
+  const SeamlessMap map = MapOf(DiskOfEdges(0.04), OnCircle(4, 0.7, 0.3, 1, 0.0), 0.05);
   for (const int count : { 100, 700, 5000 })
   {
     QuadOptions options;
@@ -217,7 +217,7 @@ TEST(Quads, OfUniformSizingAreNearlyEqual)
   // Five around one of index −1: sizes of the map differ by factors.
   const Configuration configuration =
     Join(OnCircle(5, 0.55, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } });
-  const FlatMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
+  const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
   QuadOptions options;
   options.count = 600;
   const QuadResult conformal = MakeQuads(map, options);
@@ -236,7 +236,7 @@ TEST(Quads, FollowASizeField)
   // Twice as large on the right as on the left.
   const PlanarDomain plate =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
-  const FlatMap map = MapOf(plate, {}, 0.1);
+  const SeamlessMap map = MapOf(plate, {}, 0.1);
   QuadOptions options;
   options.count = 500;
   options.sizes.sizing = QuadSizing::Field;
@@ -267,7 +267,7 @@ TEST(Quads, CoarseOnesHaveFewerBlocks)
   const PlanarDomain domain = RandomSmoothDomain(random);
   const Configuration configuration =
     Join(OnCircle(5, 0.5, 0.37, 1, 0.0), { { { 0.03, 0.02 }, -1 } });
-  const FlatMap map = MapOf(domain, configuration, 0.05);
+  const SeamlessMap map = MapOf(domain, configuration, 0.05);
   QuadOptions options;
   options.size = 0.03;
   const QuadResult fine = MakeQuads(map, options);

@@ -18,7 +18,7 @@ CrossField ConstantField(const TriangleMesh& mesh)
   return { topology, ComplexVector::Ones(topology->edges.Count()) };
 }
 
-FieldQuestion Question(const CrossField& field, const Configuration& points = {})
+FieldRequest Question(const CrossField& field, const Configuration& points = {})
 {
   return { CountMeshQuarters(*field.topology), points, false };
 }

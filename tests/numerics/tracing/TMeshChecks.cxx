@@ -8,9 +8,9 @@
 namespace crossfield::test
 {
 TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
-  const FlatMapOptions& options)
+  const SeamlessMapOptions& options)
 {
-  const FlatMap map = SolveFlatMap(
+  const SeamlessMap map = SolveSeamlessMap(
     ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration, options);
   return MakeTMesh(map, TraceLines(map));
 }
@@ -18,7 +18,7 @@ TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, do
 double MapArea(const TMesh& mesh)
 {
   double area = 0.0;
-  for (const TFace& face : mesh.faces)
+  for (const TPatch& face : mesh.faces)
   {
     area += mesh.SideLength(face, 0) * mesh.SideLength(face, 1);
   }
@@ -40,7 +40,7 @@ void ExpectSound(const TMesh& mesh, int euler)
   EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
   const double area = MapArea(mesh);
   double domain = 0.0;
-  for (const TFace& face : mesh.faces)
+  for (const TPatch& face : mesh.faces)
   {
     Loop loop;
     for (const auto& side : face.sides)
@@ -63,7 +63,7 @@ void ExpectSound(const TMesh& mesh, int euler)
 
 TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration)
 {
-  const FlatMap map = SolveFlatMap(ShareTopology(mesh), configuration);
+  const SeamlessMap map = SolveSeamlessMap(ShareTopology(mesh), configuration);
   return MakeTMesh(map, TraceLines(map));
 }
 }

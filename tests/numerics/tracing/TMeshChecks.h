@@ -1,15 +1,15 @@
 #pragma once
 
-#include "TMeshFaces.h"
+#include "TMeshPatches.h"
 
-#include "FlatMapSolve.h"
+#include "SeamlessMapSolve.h"
 #include "Support.h"
 
 namespace crossfield::test
 {
 /// The T-mesh of a domain, meshed with a vertex on every singularity.
 TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
-  const FlatMapOptions& options = {});
+  const SeamlessMapOptions& options = {});
 
 /// That on a mesh.
 TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration);

@@ -89,7 +89,7 @@ TEST(TMesh, OfThePapersDomains)
 TEST(TMesh, LShapeIsThreeUnitSquares)
 {
   const TMesh mesh = LinesOf(LShape(), {}, 0.1);
-  for (const TFace& face : mesh.faces)
+  for (const TPatch& face : mesh.faces)
   {
     EXPECT_NEAR(mesh.SideLength(face, 0), 1.0, 1e-10);
     EXPECT_NEAR(mesh.SideLength(face, 1), 1.0, 1e-10);
@@ -119,7 +119,7 @@ TEST(TMesh, OfTheDiskConvergesAtSecondOrder)
       const TMesh mesh = LinesOf(DiskOfEdges(size), OnCircle(4, radius, Pi / 4.0, 1, 0.0), size);
       ExpectSound(mesh, 1);
       std::vector<double> widths;
-      for (const TFace& face : mesh.faces)
+      for (const TPatch& face : mesh.faces)
       {
         widths.push_back(std::min(mesh.SideLength(face, 0), mesh.SideLength(face, 1)));
       }

@@ -1,0 +1,126 @@
+#include "SizeUniformity.h"
+
+#include "TriangleArea.h"
+
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// Of a mean edge. Values at vertices stand for means over cells, and a logarithm is finite in the mean:
+/// log r of the disk that a vertex stands for, of area (√3/2) h², has the mean log(0.32 h).
+constexpr double Core = 0.35;
+}
+
+double SizeUniformity::Value::Spread() const
+{
+  return std::sqrt(2.0 * this->energy);
+}
+
+SizeUniformity::SizeUniformity(const PointPotential& potential, const SizeFunction& wanted)
+  : Wanted(wanted)
+{
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  this->Masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
+  for (const auto& triangle : mesh.triangles)
+  {
+    const double area = TriangleArea(mesh, triangle);
+    for (const int vertex : triangle)
+    {
+      this->Masses[vertex] += area / 3.0;
+    }
+  }
+  const double area = this->Masses.sum();
+  // Edges of an equilateral triangle of mean area.
+  this->SquaredCore =
+    Core * Core * 4.0 / std::sqrt(3.0) * area / static_cast<double>(mesh.triangles.size());
+  this->Masses /= area;
+  this->LogTarget = Eigen::VectorXd::Zero(this->Masses.size());
+  for (Eigen::Index v = 0; wanted && v < this->LogTarget.size(); ++v)
+  {
+    this->LogTarget[v] = std::log(TargetSize(wanted, mesh.points[static_cast<std::size_t>(v)]));
+  }
+}
+
+bool SizeUniformity::IsKeptBy(const PointPotential& potential, const Isometry& map) const
+{
+  constexpr double MostDifference = 0.01;
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  double squares = 0.0;
+  for (Eigen::Index v = 0; this->Wanted && v < this->LogTarget.size(); ++v)
+  {
+    const Point image = map(mesh.points[static_cast<std::size_t>(v)]);
+    const double difference = std::log(TargetSize(this->Wanted, image)) - this->LogTarget[v];
+    squares += this->Masses[v] * difference * difference;
+    if (squares > MostDifference * MostDifference)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Eigen::VectorXd SizeUniformity::SizesOf(
+  const PointPotential& potential, const PointPotential::Solution& solution) const
+{
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  Eigen::VectorXd d = 0.25 * solution.regular.head(this->Masses.size()) - this->LogTarget;
+  for (Eigen::Index v = 0; v < d.size(); ++v)
+  {
+    const Point& x = mesh.points[static_cast<std::size_t>(v)];
+    for (const LogSource& log : solution.logs)
+    {
+      d[v] += 0.125 * log.strength * std::log((x - log.position).squaredNorm() + this->SquaredCore);
+    }
+  }
+  d.array() -= this->Masses.dot(d);
+  return d;
+}
+
+double SizeUniformity::SpreadOf(
+  const PointPotential& potential, const PointPotential::Solution& solution) const
+{
+  return std::sqrt(this->Masses.dot(this->SizesOf(potential, solution).cwiseAbs2()));
+}
+
+SizeUniformity::Value SizeUniformity::Evaluate(
+  const PointPotential& potential, const PointPotential::Solution& solution) const
+{
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  const Eigen::Index vertices = this->Masses.size();
+  const auto inside =
+    static_cast<Eigen::Index>(solution.logs.size() - potential.GetBoundaryLogs().size());
+
+  // 1. D, and J.
+  const Eigen::VectorXd d = this->SizesOf(potential, solution);
+  Value result;
+  const Eigen::VectorXd weighted = this->Masses.cwiseProduct(d);
+  result.energy = 0.5 * weighted.dot(d);
+
+  // 2. The logarithms move, and the sources of R: its operator is symmetric, so one solution is enough.
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(solution.sources.size());
+  sources.head(vertices) = weighted;
+  sources[0] -= weighted.sum(); // rounding, which a Neumann problem must not see as a source
+  const Eigen::VectorXd adjoint = potential.SolveSingleValued(sources);
+  result.gradient = Eigen::VectorXd::Zero(2 * inside);
+  for (Eigen::Index j = 0; j < inside; ++j)
+  {
+    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    Point sum = Point::Zero();
+    for (Eigen::Index v = 0; v < vertices; ++v)
+    {
+      const Point y = mesh.points[static_cast<std::size_t>(v)] - log.position;
+      sum -= weighted[v] / (y.squaredNorm() + this->SquaredCore) * y;
+    }
+    for (const BoundaryHalf& half : potential.GetHalves())
+    {
+      sum -= adjoint[half.vertex] *
+        (LogSource::TurnDerivative(half.to, log.position) -
+          LogSource::TurnDerivative(half.from, log.position));
+    }
+    result.gradient.segment<2>(2 * j) = 0.25 * log.strength * sum;
+  }
+  return result;
+}
+}

@@ -1,0 +1,84 @@
+#include "Chords.h"
+
+#include "ArcPoints.h"
+#include "Index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
+  : Coarse(std::move(coarse))
+{
+  std::vector<int> first = { 0 };
+  for (const int count : this->Coarse)
+  {
+    first.push_back(first.back() + count);
+  }
+  const auto along = [&](const TPatch& face, std::size_t side)
+  {
+    std::vector<int> edges;
+    for (const int half : face.sides[side])
+    {
+      const int count = this->Coarse[Index(half / 2)];
+      for (int j = 0; j < count; ++j)
+      {
+        edges.push_back(first[Index(half / 2)] + (half % 2 == 0 ? j : count - 1 - j));
+      }
+    }
+    return edges;
+  };
+  UnionFind classes(Index(first.back()));
+  for (const TPatch& face : mesh.faces)
+  {
+    for (const std::size_t side : { std::size_t(0), std::size_t(1) })
+    {
+      const std::vector<int> one = along(face, side);
+      const std::vector<int> other = along(face, side + 2);
+      for (std::size_t j = 0; j < one.size(); ++j)
+      {
+        classes.Join(one[j], other[one.size() - 1 - j]);
+      }
+    }
+  }
+  std::vector<int> number(Index(first.back()), -1);
+  for (std::size_t a = 0; a < this->Coarse.size(); ++a)
+  {
+    this->OfArc.emplace_back();
+    for (int edge = first[a]; edge < first[a + 1]; ++edge)
+    {
+      int& chord = number[Index(classes.Find(edge))];
+      chord = chord < 0 ? this->Total++ : chord;
+      this->OfArc.back().push_back(chord);
+    }
+  }
+}
+
+std::vector<int> Chords::Refine(const ArcProblem& problem) const
+{
+  std::vector<double> wanted(Index(this->Total), 0.0);
+  std::vector<double> weight(Index(this->Total), 0.0);
+  for (std::size_t a = 0; a < this->OfArc.size(); ++a)
+  {
+    for (const int chord : this->OfArc[a])
+    {
+      wanted[Index(chord)] += problem.weight[a] * problem.wanted[a] / this->Coarse[a];
+      weight[Index(chord)] += problem.weight[a];
+    }
+  }
+  std::vector<int> counts;
+  for (const std::vector<int>& chords : this->OfArc)
+  {
+    int count = 0;
+    for (const int chord : chords)
+    {
+      count +=
+        std::max(1, static_cast<int>(std::lround(wanted[Index(chord)] / weight[Index(chord)])));
+    }
+    counts.push_back(count);
+  }
+  return counts;
+}
+}

@@ -1,0 +1,212 @@
+#include "Separation.h"
+
+#include "Index.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+class Separator
+{
+public:
+  Separator(const TMesh& mesh, const std::vector<int>& counts)
+    : Mesh(mesh)
+    , Counts(counts)
+    , Points(mesh, counts)
+    , Links(this->Points.Links())
+    , Classes(Index(this->Points.Count()))
+    , Sides(Index(this->Points.Count()))
+    , OnBoundary(Index(this->Points.Count()), false)
+    , LinksAt(Index(this->Points.Count()))
+  {
+    for (std::size_t l = 0; l < this->Links.size(); ++l)
+    {
+      const PointLink& link = this->Links[l];
+      this->Classes.Join(link.from, link.to);
+      this->LinksAt[Index(link.from)].push_back(l);
+      this->LinksAt[Index(link.to)].push_back(l);
+    }
+    for (std::size_t a = 0; a < counts.size(); ++a)
+    {
+      if (mesh.arcs[a].onBoundary)
+      {
+        const auto half = static_cast<int>(2 * a);
+        for (int j = 0; j <= counts[a]; ++j)
+        {
+          this->OnBoundary[Index(this->Points.At(half, j))] = true;
+        }
+        if (counts[a] == 0)
+        {
+          this->Sides.Join(mesh.halfEdges[2 * a].node, mesh.halfEdges[2 * a + 1].node);
+        }
+      }
+    }
+  }
+
+  std::vector<Violation> Find()
+  {
+    std::map<int, std::vector<int>> terminals;
+    for (int p = 0; p < this->Points.Count(); ++p)
+    {
+      if (this->IsCone(p) || this->OnBoundary[Index(p)])
+      {
+        terminals[this->Classes.Find(p)].push_back(p);
+      }
+    }
+    std::vector<Violation> violations;
+    for (auto& [representative, members] : terminals)
+    {
+      std::stable_partition(
+        members.begin(), members.end(), [this](int p) { return this->IsCone(p); });
+      const int first = members.front();
+      if (std::any_of(members.begin(), members.end(),
+            [this, first](int p) { return this->Conflict(first, p); }))
+      {
+        violations.push_back(this->Way(first));
+      }
+    }
+    this->AddShortLoops(violations);
+    return violations;
+  }
+
+private:
+  bool IsCone(int p) const
+  {
+    return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[Index(p)].cone >= 0;
+  }
+
+  bool Conflict(int a, int b)
+  {
+    const bool both = this->IsCone(a) && this->IsCone(b);
+    const bool terminal = this->IsCone(b) || this->OnBoundary[Index(b)];
+    return a != b && terminal && (both || this->Sides.Find(a) != this->Sides.Find(b));
+  }
+
+  /// The arcs on the way with the fewest links from a point to one that it is in conflict with.
+  Violation Way(int start)
+  {
+    std::map<int, std::size_t> via;
+    std::vector<int> queue = { start };
+    Violation violation;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const int p = queue[next];
+      if (this->Conflict(start, p))
+      {
+        for (int q = p; q != start;)
+        {
+          PointLink link = this->Links[via.at(q)];
+          this->AddArcs(link, violation.arcs);
+          if (link.to != q)
+          {
+            std::swap(link.from, link.to);
+          }
+          violation.way.push_back(link);
+          q = link.from;
+        }
+        std::reverse(violation.way.begin(), violation.way.end());
+        break;
+      }
+      for (const std::size_t l : this->LinksAt[Index(p)])
+      {
+        const int other = this->Links[l].from == p ? this->Links[l].to : this->Links[l].from;
+        if (other != start && via.emplace(other, l).second)
+        {
+          queue.push_back(other);
+        }
+      }
+    }
+    std::sort(violation.arcs.begin(), violation.arcs.end());
+    violation.arcs.erase(
+      std::unique(violation.arcs.begin(), violation.arcs.end()), violation.arcs.end());
+    return violation;
+  }
+
+  void AddArcs(const PointLink& link, std::vector<int>& arcs) const
+  {
+    if (link.arc >= 0)
+    {
+      arcs.push_back(link.arc);
+      return;
+    }
+    const TPatch& face = this->Mesh.faces[Index(link.face)];
+    for (const std::size_t side : { Index(link.side), Index(link.side) + 2 })
+    {
+      for (const int half : face.sides[side])
+      {
+        arcs.push_back(half / 2);
+      }
+    }
+  }
+
+  void AddShortLoops(std::vector<Violation>& violations) const
+  {
+    std::map<int, std::pair<int, Violation>> loops;
+    for (std::size_t a = 0; a < this->Counts.size(); ++a)
+    {
+      if (this->Mesh.arcs[a].onBoundary)
+      {
+        auto& [sum, violation] = loops[this->Mesh.arcs[a].loop];
+        sum += this->Counts[a];
+        violation.arcs.push_back(static_cast<int>(a));
+      }
+    }
+    for (const auto& [loop, sumAndArcs] : loops)
+    {
+      if (sumAndArcs.first < LeastLoop)
+      {
+        violations.push_back(sumAndArcs.second);
+      }
+    }
+  }
+
+  const TMesh& Mesh;
+  const std::vector<int>& Counts;
+  const ArcPoints Points;
+  const std::vector<PointLink> Links;
+  UnionFind Classes;
+  UnionFind Sides; ///< Joined by boundary arcs alone.
+  std::vector<bool> OnBoundary;
+  std::vector<std::vector<std::size_t>> LinksAt;
+};
+
+ArcRow AnyOf(const Violation& violation)
+{
+  ArcRow row;
+  for (const int arc : violation.arcs)
+  {
+    row.terms.emplace_back(arc, 1);
+  }
+  return row;
+}
+}
+
+ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& wanted)
+{
+  if (!violation.way.empty())
+  {
+    return SeparateEnds(mesh, counts, wanted, violation.way);
+  }
+  ArcRow row = AnyOf(violation);
+  row.least = LeastLoop;
+  return row;
+}
+
+ArcRow RowAllowing(const std::vector<int>& best, const Violation& violation, const TMesh& mesh,
+  const std::vector<int>& counts, const std::vector<double>& wanted)
+{
+  ArcRow row = RowOf(violation, mesh, counts, wanted);
+  const bool serves = !row.terms.empty() && row.Holds(best) && !row.Holds(counts);
+  return serves ? row : AnyOf(violation);
+}
+
+std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts)
+{
+  return Separator(mesh, counts).Find();
+}
+}

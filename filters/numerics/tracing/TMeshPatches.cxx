@@ -1,0 +1,132 @@
+#include "TMeshPatches.h"
+
+#include "Error.h"
+#include "Index.h"
+#include "TMeshArcs.h"
+
+#include <algorithm>
+
+namespace crossfield
+{
+namespace
+{
+/// The half-edges that start at every node, by slot.
+std::vector<std::vector<int>> Stars(const TMesh& mesh)
+{
+  std::vector<std::vector<int>> stars(mesh.nodes.size());
+  for (int h = 0; h < static_cast<int>(mesh.halfEdges.size()); ++h)
+  {
+    stars[Index(mesh.halfEdges[Index(h)].node)].push_back(h);
+  }
+  for (std::vector<int>& star : stars)
+  {
+    std::sort(star.begin(), star.end(),
+      [&mesh](int a, int b)
+      { return mesh.halfEdges[Index(a)].slot < mesh.halfEdges[Index(b)].slot; });
+  }
+  return stars;
+}
+
+bool AtBoundary(const TNode& node)
+{
+  return node.kind == NodeKind::Corner || node.kind == NodeKind::OnBoundary;
+}
+
+/// Sets what follows every half-edge around its face, and returns the angles in between, quarter turns;
+/// 0 along the outside.
+std::vector<int> LinkHalfEdges(TMesh& mesh)
+{
+  const std::vector<std::vector<int>> stars = Stars(mesh);
+  std::vector<int> angles(mesh.halfEdges.size(), 0);
+  for (int h = 0; h < static_cast<int>(mesh.halfEdges.size()); ++h)
+  {
+    const int back = TMesh::Twin(h);
+    const int at = mesh.halfEdges[Index(back)].node;
+    const std::vector<int>& star = stars[Index(at)];
+    const auto here = std::find(star.begin(), star.end(), back);
+    const int slot = mesh.halfEdges[Index(back)].slot;
+    if (here != star.begin())
+    {
+      mesh.halfEdges[Index(h)].next = *(here - 1);
+      angles[Index(h)] = slot - mesh.halfEdges[Index(*(here - 1))].slot;
+    }
+    else if (!AtBoundary(mesh.nodes[Index(at)]))
+    {
+      mesh.halfEdges[Index(h)].next = star.back();
+      angles[Index(h)] =
+        slot - mesh.halfEdges[Index(star.back())].slot + mesh.nodes[Index(at)].quarters;
+    }
+  }
+  return angles;
+}
+
+[[noreturn]] void ThrowUnsound(const Point& place)
+{
+  throw Error("The lines do not divide the domain into rectangles near " + Describe(place) +
+    "; use a finer mesh.");
+}
+
+void CollectPatches(TMesh& mesh)
+{
+  const std::vector<int> angles = LinkHalfEdges(mesh);
+  for (int first = 0; first < static_cast<int>(mesh.halfEdges.size()); ++first)
+  {
+    if (mesh.halfEdges[Index(first)].face >= 0 || mesh.halfEdges[Index(first)].next < 0)
+    {
+      continue;
+    }
+    const Point& place = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
+    const auto number = static_cast<int>(mesh.faces.size());
+    // Around once, from the first right angle on.
+    std::vector<int> around;
+    int h = first;
+    do
+    {
+      if (h < 0 || mesh.halfEdges[Index(h)].face >= 0)
+      {
+        ThrowUnsound(place);
+      }
+      mesh.halfEdges[Index(h)].face = number;
+      around.push_back(h);
+      h = mesh.halfEdges[Index(h)].next;
+    } while (h != first);
+    const auto corner = std::find_if(
+      around.begin(), around.end(), [&angles](int edge) { return angles[Index(edge)] == 1; });
+    if (corner == around.end())
+    {
+      ThrowUnsound(place);
+    }
+    std::rotate(around.begin(), corner + 1, around.end());
+    TPatch face;
+    std::size_t side = 0;
+    for (const int edge : around)
+    {
+      if (side > 3 || angles[Index(edge)] < 1 || angles[Index(edge)] > 2)
+      {
+        ThrowUnsound(place);
+      }
+      face.sides[side].push_back(edge);
+      side += angles[Index(edge)] == 1 ? 1U : 0U;
+    }
+    if (side != 4)
+    {
+      ThrowUnsound(place);
+    }
+    mesh.faces.push_back(std::move(face));
+  }
+}
+}
+
+TMesh MakeTMesh(const SeamlessMap& map, const TraceGraph& graph)
+{
+  TMesh mesh = LayArcs(map, graph);
+  CollectPatches(mesh);
+  const auto count = [](std::size_t size) { return static_cast<int>(size); };
+  const int euler = map.topology->edges.EulerCharacteristic(map.topology->mesh);
+  if (count(mesh.nodes.size()) - count(mesh.arcs.size()) + count(mesh.faces.size()) != euler)
+  {
+    ThrowUnsound(mesh.nodes.empty() ? Point::Zero() : mesh.nodes.front().place);
+  }
+  return mesh;
+}
+}

@@ -1,0 +1,384 @@
+"""What the functions give back: numpy arrays, and the VTK data that they were taken from."""
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    VTK_LINE, VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid)
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+from . import names
+from ._run import Pipeline
+from .vtkCrossFieldFilters import vtkCrossFieldSingularities
+
+# Field data that is true or false, and that has one entry for each hole or inner loop.
+_FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
+          names.UnitHoles)
+_LISTS = (names.Annihilation, names.DefectBefore, names.FrontHolonomyDefect, names.FrontRenormalizedEnergy,
+          names.FrontSingularities, names.FrontSizeSpread, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
+          names.HolonomyDefect, names.IrregularRequested, names.IrregularObtained, names.IrregularValence,
+          names.PointSingularities)
+
+
+def copied(attributes: Any, name: str) -> np.ndarray:
+    """A copy of an array."""
+    return vtk_to_numpy(attributes.GetArray(name)).copy()
+
+
+def places(data: Any) -> np.ndarray:
+    """A copy of the points, (n, 3)."""
+    if data.GetNumberOfPoints() == 0:
+        return np.empty((0, 3))
+    return vtk_to_numpy(data.GetPoints().GetData()).copy()
+
+
+def snake_case(name: str) -> str:
+    """The name of an array as the program writes it."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+
+
+def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, Any]:
+    """Field data, or the wanted arrays of it, under the names of `crossfield --json`."""
+    report = {}
+    for i in range(data.GetFieldData().GetNumberOfArrays()):
+        array = data.GetFieldData().GetArray(i)
+        if array is None or (wanted is not None and array.GetName() not in wanted):
+            continue  # a text, or of no interest
+        values = vtk_to_numpy(array).tolist()
+        name = array.GetName()
+        if name in _FLAGS:
+            values = values[0] != 0
+        elif name == names.HoleDegreeReliable:
+            values = [value != 0 for value in values]
+        elif name not in _LISTS and len(values) == 1:
+            values = values[0]
+        report[snake_case(name)] = values
+    return report
+
+
+def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
+    """Writes a .vtu file, in a form that Debian's VTK can read back."""
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid)
+    writer.SetDataModeToBinary()
+    writer.WriteToOutputStringOn()
+    Pipeline().update_one(writer)
+    replace_file(writer.GetOutputString(), path)
+
+
+def replace_file(text: str, path: Union[str, "os.PathLike[str]"]) -> None:
+    """Puts a file into its place when it is complete, as the program does: until then what was there stays."""
+    place = os.path.realpath(path)
+    is_file = os.path.isfile(place)
+    if os.path.exists(place) and not is_file:  # a device or a pipe, of which nothing can take the place
+        with open(place, "w", encoding="utf-8") as file:
+            file.write(text)
+        return
+    part = "%s.part%d" % (place, os.getpid())
+    try:
+        with open(part, "w", encoding="utf-8") as file:
+            file.write(text)
+        if is_file:
+            shutil.copymode(place, part)
+        os.replace(part, place)
+    except BaseException:  # also Ctrl-C
+        with contextlib.suppress(OSError):
+            os.remove(part)
+        raise
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """A triangle mesh with a hole at every singularity.
+
+    points         (n, 3) float; in the plane of the domain
+    triangles      (t, 3) int, rows of `points`, counter-clockwise
+    edges          (b, 2) int, of the boundary, with the domain on the left
+    boundary_kind  (b,) int: 1 outer loop, 2 inner loop, 3 hole
+    boundary_id    (b,) int: number of the loop, or row of the singularity
+    quarter_index  (b,) int: of the hole, 0 elsewhere
+    grid           all of it as a vtkUnstructuredGrid
+    """
+
+    points: np.ndarray
+    triangles: np.ndarray
+    edges: np.ndarray
+    boundary_kind: np.ndarray
+    boundary_id: np.ndarray
+    quarter_index: np.ndarray
+    grid: vtkUnstructuredGrid
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes `grid` to a .vtu file, in a form that Debian's VTK can read back."""
+        write_grid(self.grid, path)
+
+
+@dataclass(frozen=True)
+class CrossField(Mesh):
+    """A cross field on a mesh. A cross at angle θ is u = exp(4iθ), |u| its norm.
+
+    u              (t, 3) complex, at the midpoints of p0p1, p1p2, p2p0 of each triangle: the exact
+                   discrete field
+    angle          (t,) float, of a branch at the centre of each triangle, in (-π/4, π/4], radians
+    norm           (t,) float, |u| at the centre of each triangle
+    cross          (t, 3) float, the branch at that angle as a unit vector of space
+    point_angle    (n,) float, the angle at each point
+    point_norm     (n,) float, |u| at each point
+    point_cross    (n, 3) float, the branch at each point
+    hole_degrees   (h,) int, quarter turns that the field really makes around each hole
+    report         the numbers of the solver, under the names of `crossfield solve --json`
+    grid           all of it as a vtkUnstructuredGrid
+
+    u and the angles are in the frame of the plane: of (x, y) if z is constant, of (y, z) if x is, of
+    (x, z) if y is, and in other planes of the nearest of these three, turned into the plane by the
+    shortest rotation. Crosses and what is at points are arrays of `grid`, in its single precision, and None where
+    the choice of `arrays` leaves them out: crosses and norms with "exact", the angles at points also with "display".
+    """
+
+    u: np.ndarray
+    angle: np.ndarray
+    norm: np.ndarray
+    cross: Optional[np.ndarray]
+    point_angle: Optional[np.ndarray]
+    point_norm: Optional[np.ndarray]
+    point_cross: Optional[np.ndarray]
+    hole_degrees: np.ndarray
+    report: dict[str, Any]
+
+    def singularities(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points (m, 3) and quarter indices (m,) of the singularities that are not in holes."""
+        finder = vtkCrossFieldSingularities()
+        finder.SetInputData(self.grid)
+        found = Pipeline().update_one(finder).GetOutput()
+        return places(found), copied(found.GetPointData(), names.QuarterIndex)
+
+
+@dataclass(frozen=True)
+class HField(CrossField):
+    """A cross field of norm one with singularities as points, the scalar H and its size map.
+
+    h              (n,) float, at each point
+    size_map       (n,) float, e^H, up to a factor the local size of quads, larger where the lines spread
+    """
+
+    h: np.ndarray
+    size_map: np.ndarray
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """Singularities that were proposed or optimised; all functions take it as `singularities`.
+
+    points         (m, 3) float
+    quarter_index  (m,) int
+    radius         (m,) float of their holes, or None where they have none
+    events         what was decided, a sentence each
+    report         the numbers of the optimiser, under the names of `crossfield optimize --json`
+    data           the points as vtkPolyData
+    corners        the corners whose quarter index was chosen, as vtkPolyData, or None
+    """
+
+    points: np.ndarray
+    quarter_index: np.ndarray
+    radius: Optional[np.ndarray]
+    events: list[str]
+    report: dict[str, Any]
+    data: vtkPolyData
+    corners: Optional[vtkPolyData]
+
+
+def configuration_of(algorithm: Any) -> Configuration:
+    """The singularities in the first output of a filter, and the corners in its second, if any."""
+    data = algorithm.GetOutput()
+    events = data.GetFieldData().GetAbstractArray(names.Events)
+    has_radii = bool(data.GetPointData().HasArray(names.Radius))
+    corners = algorithm.GetOutputDataObject(1)
+    return Configuration(
+        points=places(data), quarter_index=copied(data.GetPointData(), names.QuarterIndex),
+        radius=copied(data.GetPointData(), names.Radius) if has_radii else None,
+        events=[events.GetValue(i) for i in range(events.GetNumberOfValues())] if events else [],
+        report=report_of(data), data=data,
+        corners=corners if isinstance(corners, vtkPolyData) else None)
+
+
+def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
+    types = vtk_to_numpy(grid.GetCellTypesArray())
+    ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
+    lines = types == VTK_LINE
+
+    def corners(wanted: np.ndarray, count: int) -> np.ndarray:
+        return ids[starts[wanted][:, None] + np.arange(count)]
+
+    def of_lines(name: str) -> np.ndarray:
+        return vtk_to_numpy(grid.GetCellData().GetArray(name))[lines]
+
+    return {"points": places(grid), "triangles": corners(types == VTK_TRIANGLE, 3),
+            "edges": corners(lines, 2), "boundary_kind": of_lines(names.BoundaryKind),
+            "boundary_id": of_lines(names.BoundaryId),
+            "quarter_index": of_lines(names.QuarterIndex), "grid": grid}
+
+
+def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
+    """The arrays of a drilled mesh."""
+    return Mesh(**_mesh_arrays(grid))
+
+
+def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
+    mesh = _mesh_arrays(grid)
+    triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
+
+    def shown(attributes: Any, name: str, wanted: Any = slice(None)) -> Optional[np.ndarray]:
+        if not attributes.HasArray(name):
+            return None
+        return vtk_to_numpy(attributes.GetArray(name))[wanted].astype(float)
+
+    exact = vtk_to_numpy(grid.GetCellData().GetArray(names.CrossFieldCR))[triangles]
+    u = exact[:, 0::2] + 1j * exact[:, 1::2]
+    centre = u.mean(axis=1)
+    at_points = shown(grid.GetPointData(), names.Representation)
+    report = report_of(grid)
+    report["triangles"] = len(mesh["triangles"])
+    return {
+        **mesh, "u": u,
+        "angle": np.angle(centre) / 4, "norm": np.abs(centre),
+        "point_angle": None if at_points is None else np.arctan2(at_points[:, 1], at_points[:, 0]) / 4,
+        "point_norm": shown(grid.GetPointData(), names.CrossNorm),
+        "cross": shown(grid.GetCellData(), names.Cross, triangles),
+        "point_cross": shown(grid.GetPointData(), names.Cross),
+        "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree), "report": report}
+
+
+def field_of(grid: vtkUnstructuredGrid) -> CrossField:
+    """The arrays of a field."""
+    return CrossField(**_field_arrays(grid))
+
+
+def h_field_of(grid: vtkUnstructuredGrid) -> HField:
+    """The arrays of a field with H."""
+    return HField(**_field_arrays(grid), h=copied(grid.GetPointData(), names.H),
+                  size_map=np.exp(copied(grid.GetPointData(), names.H)))
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether singularities can exist on a domain, and why.
+
+    consistent         the sum of quarter indices is the one that the domain asks for
+    reason             one sentence
+    corner_points      (c, 3) float
+    corner_angles      (c,) float, inside the domain, radians
+    corner_quarters    (c,) int, quarter index of each corner
+    cancellable        (c,) bool, interior singularities can make it a regular point
+    report             the numbers, under the names of `crossfield check --json`
+    """
+
+    consistent: bool
+    reason: str
+    corner_points: np.ndarray
+    corner_angles: np.ndarray
+    corner_quarters: np.ndarray
+    cancellable: np.ndarray
+    report: dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Corners:
+    """The corners of a domain with their quarter indices.
+
+    points             (c, 3) float
+    angle              (c,) float, inside the domain, radians
+    quarter_index      (c,) int, of least energy
+    scarce, balanced, excess, conventional
+                       (c,) int, in the scenarios of the paper, and by the smallest rotation
+    corner_energy      (c,) float
+    cancellable, tied  (c,) bool
+    scenario           name of the scenario that the least energy belongs to
+    energy             of all corners and the interior singularities that they make necessary
+    interior_quarters  sum of the quarter indices in the interior
+    scenarios          name: {"sum", "energy", "feasible"}
+    data               the points as vtkPolyData; `solve` and `check` take it, or this object
+    """
+
+    points: np.ndarray
+    angle: np.ndarray
+    quarter_index: np.ndarray
+    scarce: np.ndarray
+    balanced: np.ndarray
+    excess: np.ndarray
+    conventional: np.ndarray
+    corner_energy: np.ndarray
+    cancellable: np.ndarray
+    tied: np.ndarray
+    scenario: str
+    energy: float
+    interior_quarters: int
+    scenarios: dict[str, dict[str, Any]]
+    data: vtkPolyData
+
+
+@dataclass(frozen=True)
+class Separatrices:
+    """The lines that leave the singularities of a cross field, and the rectangles between them.
+
+    lines          list of (n, 3) float, a polyline each; streamlines from seeds at the end
+    singularity    (l,) int, row of the singularity where a line starts; -1 at corners and of others
+    seed           (l,) int, of streamlines the seed, else -1
+    ends_at        (l,) int: 1 the side of another line, 2 the boundary, 3 head-on, 0 too long
+    length         (l,) float, in the map
+    faces          list of (n, 3) float, a polygon each, counter-clockwise
+    face_sizes     (f, 2) float, sides of the rectangles in the map, whose area is that of the domain
+    report         the numbers, under the names of `crossfield separatrices --json`
+    line_data, face_data, map
+                   all of it as vtkPolyData, and the map as a vtkUnstructuredGrid
+    """
+
+    lines: list[np.ndarray]
+    singularity: np.ndarray
+    seed: np.ndarray
+    ends_at: np.ndarray
+    length: np.ndarray
+    faces: list[np.ndarray]
+    face_sizes: np.ndarray
+    report: dict[str, Any]
+    line_data: vtkPolyData
+    face_data: vtkPolyData
+    map: vtkUnstructuredGrid
+
+
+def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
+    """The points of each polyline or polygon."""
+    ids = vtk_to_numpy(cells.GetConnectivityArray())
+    starts = vtk_to_numpy(cells.GetOffsetsArray())
+    return [points[ids[first:last]] for first, last in zip(starts[:-1], starts[1:])]
+
+
+def repair_of(report: dict[str, Any]) -> dict[str, Any]:
+    """What a repair of the holonomy did, as the program writes it; nothing where there was none."""
+    if "repair_distance" not in report:
+        return {}
+    return {"repair": {"distance": report["repair_distance"], "defect_before": report["defect_before"]}}
+
+
+def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
+                    map: vtkUnstructuredGrid) -> Separatrices:
+    """The arrays of lines, faces and their map."""
+    data, sizes = lines.GetCellData(), faces.GetCellData()
+    outline = copied(faces.GetPointData(), names.FaceId)  # of every face one after the other
+    return Separatrices(
+        lines=chains(places(lines), lines.GetLines()),
+        singularity=copied(data, names.Singularity), seed=copied(data, names.Seed),
+        ends_at=copied(data, names.EndsAt), length=copied(data, names.Length),
+        faces=np.split(places(faces), np.flatnonzero(np.diff(outline)) + 1) if len(outline) else [],
+        face_sizes=np.column_stack(
+            [copied(sizes, name)[np.unique(copied(sizes, names.FaceId), return_index=True)[1]]
+             for name in (names.USize, names.VSize)]),
+        report={**report_of(lines), **repair_of(report_of(map))},
+        line_data=lines, face_data=faces, map=map)

@@ -1,0 +1,184 @@
+#include "TMeshConversion.h"
+
+#include "ColumnWriting.h"
+#include "Error.h"
+#include "Index.h"
+#include "TraceGraph.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <string>
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+using crossfield::Index;
+using crossfield::Point;
+
+/** What is said of a line. */
+struct LineRow
+{
+  int line = -1;
+  int singularity = -1;
+  int quarterIndex = 0;
+  int endsAt = 0;
+  int seed = -1;
+  double length = 0.0;
+};
+
+/** Polylines with their rows. */
+class LineWriter
+{
+public:
+  LineWriter(const crossfield::DomainPlane& plane, vtkPolyData* output)
+    : Plane(plane)
+    , Output(output)
+  {
+    this->Points->SetDataTypeToDouble();
+  }
+
+  void Add(const std::vector<Point>& polyline, const LineRow& row)
+  {
+    this->Lines->InsertNextCell(static_cast<int>(polyline.size()));
+    for (const Point& point : polyline)
+    {
+      this->Lines->InsertCellPoint(
+        this->Points->InsertNextPoint(this->Plane.ToSpace(point).data()));
+    }
+    this->Rows.push_back(row);
+  }
+
+  void Write()
+  {
+    this->Output->SetPoints(this->Points);
+    this->Output->SetLines(this->Lines);
+    vtkCellData* data = this->Output->GetCellData();
+    const auto add = [&](const char* name, int LineRow::*member)
+    {
+      ColumnWriting::AddColumn<vtkIntArray>(
+        data, name, this->Rows, [member](const LineRow& row) { return row.*member; });
+    };
+    add(names::Line, &LineRow::line);
+    add(names::Singularity, &LineRow::singularity);
+    add(names::QuarterIndex, &LineRow::quarterIndex);
+    add(names::EndsAt, &LineRow::endsAt);
+    add(names::Seed, &LineRow::seed);
+    ColumnWriting::AddColumn<vtkDoubleArray>(
+      data, names::Length, this->Rows, [](const LineRow& row) { return row.length; });
+  }
+
+private:
+  const crossfield::DomainPlane& Plane;
+  vtkPolyData* Output;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  std::vector<LineRow> Rows;
+};
+
+/** The triangle that a point of the plane lies in, and its place in the map; −1 outside. */
+int Locate(const crossfield::SeamlessMap& map, const Point& place, Point& w)
+{
+  const auto& triangles = map.topology->mesh.triangles;
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+  {
+    const auto& v = triangles[Index(t)];
+    const Point& a = map.topology->PointAt(v[0]);
+    const Point b = map.topology->PointAt(v[1]) - a;
+    const Point c = map.topology->PointAt(v[2]) - a;
+    const double area = crossfield::Cross(b, c);
+    const double beta = crossfield::Cross(place - a, c) / area;
+    const double gamma = crossfield::Cross(b, place - a) / area;
+    // Rounding, so that no seed on an edge is lost.
+    constexpr double Tolerance = -1e-12;
+    if (beta >= Tolerance && gamma >= Tolerance && 1.0 - beta - gamma >= Tolerance)
+    {
+      w =
+        map.At(t, 0) + beta * (map.At(t, 1) - map.At(t, 0)) + gamma * (map.At(t, 2) - map.At(t, 0));
+      return t;
+    }
+  }
+  return -1;
+}
+}
+
+namespace TMeshConversion
+{
+//------------------------------------------------------------------------------
+void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph& graph,
+  const std::vector<Point>& seeds, double longest, vtkPolyData* output)
+{
+  const crossfield::SeamlessMap& map = traced.map;
+  const crossfield::LineWalk walk(map);
+  LineWriter writer(traced.plane, output);
+  for (std::size_t i = 0; i < graph.lines.size(); ++i)
+  {
+    const crossfield::TracedLine& line = graph.lines[i];
+    const crossfield::LineSegment& first = line.segments.front();
+    std::vector<Point> polyline = { walk.PlaneAt(first.triangle, first.entry) };
+    for (int s = 0; s < line.lastSegment; ++s)
+    {
+      const crossfield::LineSegment& segment = line.segments[Index(s)];
+      polyline.push_back(walk.PlaneAt(segment.triangle, segment.exit));
+    }
+    polyline.push_back(walk.PlaneAt(line.segments[Index(line.lastSegment)], line.length));
+    LineRow row;
+    row.line = static_cast<int>(i);
+    if (line.cone >= 0)
+    {
+      row.singularity = map.cones[Index(line.cone)].row;
+      row.quarterIndex = map.cones[Index(line.cone)].quarterIndex;
+    }
+    row.endsAt = static_cast<int>(line.end);
+    row.length = line.length;
+    writer.Add(polyline, row);
+  }
+  for (std::size_t seed = 0; seed < seeds.size(); ++seed)
+  {
+    Point w;
+    const int triangle = Locate(map, seeds[seed], w);
+    if (triangle < 0)
+    {
+      throw crossfield::Error("The seed " + std::to_string(seed) + " at " +
+        crossfield::Describe(seeds[seed]) + " lies outside the domain; move it inside.");
+    }
+    for (int direction = 0; direction < 4; ++direction)
+    {
+      const auto segments = crossfield::TraceStreamline(map, triangle, w, direction, longest);
+      std::vector<Point> polyline = { seeds[seed] };
+      for (const crossfield::LineSegment& segment : segments)
+      {
+        polyline.push_back(segment.exitLength <= longest
+            ? walk.PlaneAt(segment.triangle, segment.exit)
+            : walk.PlaneAt(segment, longest));
+      }
+      LineRow row;
+      row.seed = static_cast<int>(seed);
+      row.length = std::min(longest, segments.back().exitLength);
+      const bool ends = walk.Beyond(segments.back()) < 0 && segments.back().exitLength <= longest;
+      row.endsAt =
+        static_cast<int>(ends ? crossfield::LineEnd::Boundary : crossfield::LineEnd::None);
+      writer.Add(polyline, row);
+    }
+  }
+  writer.Write();
+}
+
+//------------------------------------------------------------------------------
+void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
+{
+  const auto count = [](std::size_t size) { return static_cast<int>(size); };
+  ColumnWriting::AddIntegers(field, names::Lines, { mesh.lineCount });
+  ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.faces.size()) });
+  ColumnWriting::AddIntegers(field, names::Arcs, { count(mesh.arcs.size()) });
+  ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraLines });
+  ColumnWriting::AddIntegers(field, names::HeadOn, { mesh.headOn });
+  ColumnWriting::AddIntegers(field, names::Flips, { 0 });
+  ColumnWriting::AddNumbers(field, names::Longest, { mesh.longest });
+  ColumnWriting::AddNumbers(field, names::Mismatch, { mesh.Mismatch() });
+}
+}

@@ -1,0 +1,256 @@
+#include "DefaultDisplay.h"
+
+#include "DesignerLook.h"
+#include "Look.h"
+#include "TextLook.h"
+
+#include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
+#include "pqObjectBuilder.h"
+#include "pqPipelineSource.h"
+#include "pqUndoStack.h"
+#include "pqView.h"
+#include "vtkDataObject.h"
+#include "vtkNew.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkSMTransferFunctionProxy.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace
+{
+using Look::Set;
+
+//------------------------------------------------------------------------------
+void ShowOutline(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+  Set(shown, "LineWidth", 3.0);
+}
+
+//------------------------------------------------------------------------------
+void ShowMesh(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Surface With Edges");
+  Look::SetColour(shown, Look::PaleBlue);
+  vtkSMPropertyHelper(shown, "EdgeColor").Set(Look::Grey.data(), 3);
+}
+
+//------------------------------------------------------------------------------
+void ShowNorm(vtkSMProxy* shown)
+{
+  // Dark where the field vanishes; black crosses are seen on the norm 1.
+  std::vector<double> points;
+  Look::AddColour(points, 0, { 0.2, 0.08, 0.3 });
+  Look::AddColour(points, 0.5, { 0.35, 0.55, 0.8 });
+  Look::AddColour(points, 1, { 0.93, 0.96, 1 });
+  Look::ColourBy(shown, vtkDataObject::POINT, "CrossNorm", points);
+}
+
+//------------------------------------------------------------------------------
+void ShowSizes(vtkSMProxy* shown)
+{
+  vtkSMPVRepresentationProxy::SetScalarColoring(shown, "SizeMap", vtkDataObject::POINT);
+  if (vtkSMProxy* colours = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy())
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(colours, "Viridis (matplotlib)");
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShowCrosses(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+}
+
+//------------------------------------------------------------------------------
+void ShowLines(vtkSMProxy* shown)
+{
+  Look::SetColour(shown, Look::Black);
+  Set(shown, "LineWidth", 2.0);
+}
+
+//------------------------------------------------------------------------------
+void ShowQuads(vtkSMProxy* shown)
+{
+  Set(shown, "Representation", "Surface With Edges");
+  vtkSMPropertyHelper(shown, "EdgeColor").Set(Look::Grey.data(), 3);
+  Look::ColourBy(shown, vtkDataObject::CELL, "BlockId", Look::PaleColours());
+}
+
+//------------------------------------------------------------------------------
+void HideIt(vtkSMProxy* shown)
+{
+  Set(shown, "Visibility", 0.0);
+}
+
+struct Rule
+{
+  const char* proxy;
+  int port;
+  void (*show)(vtkSMProxy*);
+  bool hasLegend = false;
+};
+
+constexpr std::array<Rule, 17> Rules = { {
+  { "PlanarDomainSource", 0, ShowOutline },
+  { "PlanarDomainReader", 0, ShowOutline },
+  { "SingularitySource", 0, Look::ShowSingularities },
+  { "SingularityHandles", 0, Look::ShowSingularities },
+  { "ConfigurationProposal", 0, Look::ShowSingularities },
+  { "SingularityOptimizer", 0, Look::ShowSingularities },
+  { "CrossFieldSingularities", 0, Look::ShowSingularities },
+  { "DrillHoles", 0, ShowMesh },
+  { "PerforatedCrossField", 0, ShowNorm, true },
+  { "GinzburgLandauCrossField", 0, ShowNorm, true },
+  { "HField", 0, ShowSizes, true },
+  { "CrossGlyphs", 0, ShowCrosses },
+  { "Separatrices", 0, ShowLines },
+  { "Separatrices", 1, Look::ShowFaces },
+  { "QuadMesher", 0, ShowQuads },
+  { "QuadMesher", 1, HideIt }, // the blocks would lie on the quads
+  { "QuadMesher", 2, ShowOutline },
+} };
+
+/** An output that is a text for the view. */
+struct Text
+{
+  const char* proxy;
+  int port;
+  const char* location;
+};
+
+// What is wrong with an input above, what has come of it below.
+constexpr std::array<Text, 3> Texts = { {
+  { "PoincareHopfCheck", 3, "Upper Left Corner" },
+  { "PerforatedCrossField", 1, "Lower Center" },
+  { "LayoutDesigner", 4, "Lower Center" },
+} };
+
+bool Is(pqPipelineSource* source, const char* proxy)
+{
+  return std::strcmp(source->getProxy()->GetXMLName(), proxy) == 0;
+}
+
+//------------------------------------------------------------------------------
+const Text* TextOf(pqPipelineSource* source, int port)
+{
+  const auto* text = std::find_if(Texts.begin(), Texts.end(),
+    [&](const Text& one) { return one.port == port && Is(source, one.proxy); });
+  return text == Texts.end() ? nullptr : text;
+}
+
+//------------------------------------------------------------------------------
+void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
+{
+  // It belongs to what has been made.
+  SCOPED_UNDO_EXCLUDE();
+  if (Is(source, "LayoutDesigner"))
+  {
+    DesignerLook::Show(source, representation, port);
+    return;
+  }
+  for (const Rule& rule : Rules)
+  {
+    if (Is(source, rule.proxy) && rule.port == port)
+    {
+      vtkSMProxy* shown = representation->getProxy();
+      vtkSMProxy* view = representation->getView() ? representation->getView()->getProxy() : nullptr;
+      vtkSMProxy* chosen = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // by ParaView
+      Look::SetFlat(shown);
+      rule.show(shown);
+      shown->UpdateVTKObjects();
+      if (chosen && view)
+      {
+        vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(chosen, view);
+      }
+      if (view && vtkSMPVRepresentationProxy::GetUsingScalarColoring(shown))
+      {
+        vtkSMPVRepresentationProxy::SetScalarBarVisibility(shown, view, rule.hasLegend);
+      }
+      representation->renderViewEventually();
+    }
+  }
+}
+
+bool HasData(pqPipelineSource* source, int port)
+{
+  const auto output = static_cast<unsigned int>(port);
+  return source->getSourceProxy()->GetDataInformation(output)->GetNumberOfPoints() > 0;
+}
+
+//------------------------------------------------------------------------------
+void ShowAtFirst(pqPipelineSource* source)
+{
+  QObject::connect(source, &pqPipelineSource::representationAdded, source,
+    [](pqPipelineSource* made, pqDataRepresentation* added, int port)
+    {
+      if (const Text* text = TextOf(made, port))
+      {
+        // Also where there is nothing else to see.
+        TextLook::Show(made, added, port, text->location);
+        return;
+      }
+      // A spreadsheet or the like has none of this.
+      if (!vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
+      {
+        return;
+      }
+      if (HasData(made, port))
+      {
+        // ParaView's own defaults come first.
+        QTimer::singleShot(0, added, [made, added, port] { Show(made, added, port); });
+        return;
+      }
+      // When what is wrong with the input has been mended; ParaView warns of colours by arrays that there are not.
+      const auto later = std::make_shared<QMetaObject::Connection>();
+      *later = QObject::connect(made,
+        QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), added,
+        [made, added, port, later](pqPipelineSource*)
+        {
+          if (HasData(made, port))
+          {
+            QObject::disconnect(*later);
+            Show(made, added, port);
+          }
+        });
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+DefaultDisplay::DefaultDisplay(QObject* parent)
+  : QObject(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+void DefaultDisplay::startup()
+{
+  pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
+  QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ShowAtFirst);
+  QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ShowAtFirst);
+  QObject::connect(builder,
+    QOverload<pqPipelineSource*, const QString&>::of(&pqObjectBuilder::readerCreated), this,
+    [](pqPipelineSource* reader, const QString&) { ShowAtFirst(reader); });
+}
+
+//------------------------------------------------------------------------------
+void DefaultDisplay::shutdown()
+{
+  if (pqApplicationCore* core = pqApplicationCore::instance())
+  {
+    QObject::disconnect(core->getObjectBuilder(), nullptr, this, nullptr);
+  }
+}

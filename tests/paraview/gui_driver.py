@@ -1,0 +1,80 @@
+"""A person who uses ParaView's client: the library of GuiDriver.cxx, and what tests in the client need around it."""
+import ctypes
+import os
+import sys
+import traceback
+
+import numpy as np
+from paraview import simple
+
+gui = ctypes.PyDLL(os.environ["GUI_DRIVER"])
+gui.gui_time_of_move.restype = gui.gui_number.restype = ctypes.c_double
+gui.gui_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
+for function in gui.gui_undo_label, gui.gui_messages:
+    function.restype = ctypes.c_char_p
+for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_take:
+    function.restype = ctypes.c_bool
+gui.gui_listen()
+
+
+def check(condition, message):
+    if not condition:
+        raise AssertionError(message)
+
+
+def check_equal(found, wanted, what):
+    check(found == wanted, "%s: %r, not %r" % (what, found, wanted))
+
+
+def wait(milliseconds=100):
+    gui.gui_wait(milliseconds)
+
+
+def picture(name, is_whole=True):
+    wait(300)
+    check(gui.gui_picture(os.path.join(os.environ["FOLDER"], name).encode(), is_whole), "no picture")
+
+
+def messages():
+    """What the client has shown as warnings and errors since the last call."""
+    return gui.gui_messages().decode()
+
+
+def pixel(view, x, y, z=0):
+    renderer = view.GetRenderer()
+    renderer.SetWorldPoint(x, y, z, 1)
+    renderer.WorldToDisplay()
+    return np.array(renderer.GetDisplayPoint()[:2])
+
+
+def drag(view, path):
+    """Along places of space, without z in z = 0; yields the seconds of each move, with the button down."""
+    path = [tuple(map(int, np.rint(pixel(view, *place)))) for place in path]
+    gui.gui_press(*path[0])
+    wait()
+    for place in path[1:]:
+        yield gui.gui_time_of_move(*place)
+    gui.gui_release(*path[-1])
+    wait()
+
+
+def run(prefix, names, each, window=None):
+    """Calls `each` with every function of `names` whose name begins so, in order, and ends the client.
+
+    `window` is its size: width, height, width of the panel. An exception is told, with a picture; run_client.py looks
+    for "all well".
+    """
+    try:
+        if window:
+            gui.gui_window(*window)
+        wait(500)
+        simple.LoadPlugin(os.environ["PLUGIN"], remote=False, ns=names)
+        for name, function in [item for item in names.items() if item[0].startswith(prefix)]:
+            print(name, flush=True)
+            each(function)
+        print("all well")
+    except BaseException:
+        traceback.print_exc()
+        picture("failed.png")
+    sys.stdout.flush()
+    gui.gui_quit()

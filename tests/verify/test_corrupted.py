@@ -1,0 +1,118 @@
+"""The verifier finds what is wrong: good files pass, and of each that is corrupted it names just that.
+
+    python3 test_corrupted.py PROGRAM CASE
+
+CASE is one of the functions of corrupted_*.py, `good_files`, `good_files_of_every_size` or
+`every_check_can_fail`.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import corrupted_fields  # noqa: F401, for its cases
+import corrupted_h  # noqa: F401
+import corrupted_maps  # noqa: F401
+import corrupted_meshes  # noqa: F401
+import corrupted_quads  # noqa: F401
+from corrupting import CASES, Spoiled
+from verify import verify
+
+HEADER = "x,y,quarter_index,radius"
+FOUR = [HEADER, "0.42,0.42,1,0.1", "-0.42,0.42,1,0.1", "-0.42,-0.42,1,0.1", "0.42,-0.42,1,0.1"]
+FIVE = [HEADER, "0.6,0,1,0.1", "0.18,0.57,1,0.1", "-0.49,0.35,1,0.1", "-0.49,-0.35,1,0.1",
+        "0.18,-0.57,1,0.1"]
+RING = [HEADER, "0.8,0.08,1,0.02", "-0.8,-0.08,1,0.02", "-0.08,0.8,1,0.02", "0.08,-0.8,1,0.02",
+        "0.55,0.05,-1,0.02", "-0.55,-0.05,-1,0.02", "-0.05,0.55,-1,0.02", "0.05,-0.55,-1,0.02"]
+PAIR = [HEADER, "0.7,0,1,0.05", "-0.7,0,-1,0.05"]
+ELBOW = [HEADER, "0.3,0.3,1,0.02", "0.7,0.2,-1,0.02"]
+
+# By name: subcommand, domain, singularities, options.
+GOOD = {
+    "drilled": ("drill", "builtin:disk", FOUR, "--size 0.1"),
+    "imprinted": ("solve", "builtin:disk", FOUR, "--mode imprint --size 0.1"),
+    "constrained": ("solve", "builtin:disk", FOUR, "--method constrained --size 0.1"),
+    "unit_holes": ("solve", "builtin:disk", FOUR, "--unit-holes --size 0.1"),
+    "by_sum": ("solve", "builtin:disk", FOUR, "--global-constraint --size 0.1"),
+    "penalty": ("solve", "builtin:disk", FIVE, "--epsilon 0.1 --size 0.1"),
+    "unit_norm": ("solve", "builtin:disk", FOUR, "--method unit-norm --size 0.1"),
+    "ring": ("solve", "builtin:ring", PAIR, "--method unit-norm --size 0.1"),
+    "display": ("solve", "builtin:disk", FOUR, "--method constrained --size 0.1 --arrays display"),
+    "exact": ("solve", "builtin:disk", FOUR, "--size 0.1 --arrays exact"),
+    "exact_h": ("hfield", "builtin:disk", FOUR, "--size 0.1 --arrays exact"),
+    "reference": ("solve", "builtin:disk", None, "--method ginzburg-landau --epsilon 0.2 --size 0.15"),
+    "h": ("hfield", "builtin:l-shape", ELBOW, ""),
+    "h_on_holes": ("hfield", "drilled.vtu", None, ""),
+    "quads": ("quads", "builtin:ring", RING, "--size 0.08"),
+    "map": ("separatrices", "builtin:ring", RING, "--size 0.08"),
+    "h_of_ring": ("hfield", "builtin:ring", PAIR, "--size 0.1"),
+}
+# Arrays in units of length.
+LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange", "SeamTranslation", "UV", "Length", "USize", "VSize",
+           "Longest", "Mismatch")
+
+
+def make(name, folder):
+    """A good file, computed by the program."""
+    subcommand, domain, rows, options = GOOD[name]
+    if domain == "drilled.vtu":
+        make("drilled", folder)
+    command = [PROGRAM, subcommand, domain, "-o", name + ".vtu", *options.split()]
+    if subcommand == "separatrices":
+        command[4:5] = [name + ".lines.vtp", "--faces", name + ".faces.vtp", "--map", name + ".vtu"]
+    if rows is not None:
+        (folder / "rows.csv").write_text("\n".join(rows) + "\n")
+        command += ["-s", "rows.csv"]
+    subprocess.run(command, cwd=folder, check=True, timeout=60, stdout=subprocess.DEVNULL,
+                   stderr=subprocess.DEVNULL)
+    return folder / (name + ".vtu")
+
+
+def good_files(folder):
+    for name in GOOD:
+        report = verify(make(name, folder))
+        if report.failures() or not report.checks:
+            sys.exit(report.text(everything=False))
+
+
+def good_files_of_every_size(folder):
+    """In another unit of length all numbers but lengths are the same, within the limits of the program."""
+    for name in GOOD:
+        made = make(name, folder)
+        for scale in (1e-59, 1e-35, 1e35, 1e59):
+            file = Spoiled(made)
+            for part in (file, *file.beside.values()):
+                part.scale(scale, LENGTHS)
+            file.write(folder / "scaled.vtu")
+            report = verify(folder / "scaled.vtu")
+            if report.failures() or not report.checks:
+                sys.exit("%s, scaled by %g: %s" % (name, scale, report.text(everything=False)))
+
+
+def every_check_can_fail(folder):
+    made = {check[0] for name in GOOD for check in verify(make(name, folder)).checks}
+    corrupted = set().union(*(names for _, _, names in CASES.values()))
+    if made - corrupted:
+        sys.exit("No case spoils what these checks look at: %s" % sorted(made - corrupted))
+
+
+def run(case, folder):
+    base, spoil, expected = CASES[case]
+    file = Spoiled(make(base, folder))
+    spoil(file)
+    file.write(folder / "corrupted.vtu")
+    report = verify(folder / "corrupted.vtu")
+    named = {check[0] for check in report.failures()}
+    if named != expected:
+        sys.exit("Named without need: %s\nNot named: %s\n%s" % (
+            sorted(named - expected), sorted(expected - named), report.text()))
+
+
+if __name__ == "__main__":
+    PROGRAM, wanted = sys.argv[1:]
+    with tempfile.TemporaryDirectory(prefix="crossfield-") as place:
+        if wanted in CASES:
+            run(wanted, pathlib.Path(place))
+        else:
+            {"good_files": good_files, "good_files_of_every_size": good_files_of_every_size,
+             "every_check_can_fail": every_check_can_fail}[wanted](pathlib.Path(place))
