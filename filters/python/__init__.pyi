@@ -9,7 +9,7 @@ from ._input import configuration as configuration, read as read
 from ._quads import QuadMesh as QuadMesh, quads as quads
 from ._results import (
     Configuration as Configuration, Corners as Corners, CrossField as CrossField, HField as HField,
-    Mesh as Mesh, Separatrices as Separatrices, Verdict as Verdict)
+    Mesh as Mesh, Separatrices as Separatrices, ConsistencyCheck as ConsistencyCheck)
 from ._run import Error as Error
 from .vtkCrossFieldFilters import *
 

@@ -7,7 +7,7 @@ from . import names
 from ._configurations import checked, chosen as choose, corner_points, give, report_choice
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
-    Corners, CrossField, HField, Mesh, Separatrices, Verdict, copied, field_of, h_field_of, mesh_of,
+    Corners, CrossField, HField, Mesh, Separatrices, ConsistencyCheck, copied, field_of, h_field_of, mesh_of,
     places, report_of, separatrices_of)
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
@@ -174,7 +174,7 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
 
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
-          holonomy: bool = True) -> Verdict:
+          holonomy: bool = True) -> ConsistencyCheck:
     """Whether singularities can exist on a domain, and why; by the Poincaré-Hopf theorem.
 
     The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
@@ -182,8 +182,8 @@ def check(domain: Domain, singularities: Singularities = None, *,
     corner. `holonomy` says whether the defects of inner loops are computed, which takes a solve.
     A configuration that cannot exist is no error.
 
-    >>> verdict = check("builtin:disk", [(0, 0, 1)])
-    >>> verdict.consistent, verdict.report["required_interior_quarters"]
+    >>> checked = check("builtin:disk", [(0, 0, 1)])
+    >>> checked.consistent, checked.report["required_interior_quarters"]
     (False, 4)
     """
     pipeline = Pipeline()
@@ -203,7 +203,7 @@ def check(domain: Domain, singularities: Singularities = None, *,
     report["holonomy_defect"] = report_of(checked, (names.HolonomyDefect,)).get(
         "holonomy_defect", [])
     data = found.GetPointData()
-    return Verdict(
+    return ConsistencyCheck(
         consistent=report["consistent"],
         reason=checked.GetFieldData().GetAbstractArray(names.Reason).GetValue(0),
         corner_points=places(found), corner_angles=copied(data, names.Angle),

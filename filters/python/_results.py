@@ -268,7 +268,7 @@ def h_field_of(grid: vtkUnstructuredGrid) -> HField:
 
 
 @dataclass(frozen=True)
-class Verdict:
+class ConsistencyCheck:
     """Whether singularities can exist on a domain, and why.
 
     consistent         the sum of quarter indices is the one that the domain asks for

@@ -131,7 +131,6 @@ constexpr const char* HeadOn = "HeadOn";
 constexpr const char* Longest = "Longest";
 constexpr const char* Mismatch = "Mismatch";
 // Texts for a view, and field data of them: vtkPoincareHopfCheck, vtkPerforatedCrossField, vtkLayoutDesigner.
-constexpr const char* Verdict = "Verdict";
 constexpr const char* Alarm = "Alarm";
 // Field data of singularities that are not in z = const: origin and axes of their plane.
 constexpr const char* Plane = "Plane";

@@ -211,7 +211,7 @@ int vtkLayoutDesigner::RequestData(
       crossfield::Configuration now;
       const double energyBefore =
         session.design ? session.design->energy.energy : std::numeric_limits<double>::quiet_NaN();
-      // A configuration that cannot be is a step of designing one: what was there before stays, and the sentence is the verdict.
+      // A configuration that cannot be is a step of designing one: what was there before stays, and the sentence is the reason.
       try
       {
         now = session.Start(question, this->Rows, progress.Part(0.0, 0.2));

@@ -1,6 +1,6 @@
 /**
  * @class   vtkLayoutDesigner
- * @brief   the layout of singularities that are moved by hand: lines, faces, verdict, quality, quads
+ * @brief   the layout of singularities that are moved by hand: lines, faces, consistency, quality, quads
  *
  * For the eye of a person who designs blocks: at every change of a singularity the separatrices, the faces between them and what
  * they are good for. The domain is read, meshed and factored once and kept until it changes; a moved singularity then costs a
@@ -23,17 +23,17 @@
  * field data `Alarm` (int) is 1 where it says what is wrong.
  *
  * A configuration that cannot be, as one whose quarter indices have a wrong sum or with a singularity outside, is no failure:
- * outputs 0, 1 and 3 are those of the last one that could be, `Stale` is 1, and `Verdict` says why.
+ * outputs 0, 1 and 3 are those of the last one that could be, `Stale` is 1, and `Reason` says why.
  *
  * Field data of outputs 0 and 2:
- * - `Verdict` (text): one sentence; `Summary` (text): the numbers below in one line, or why there are none;
+ * - `Reason` (text): one sentence; `Summary` (text): the numbers below in one line, or why there are none;
  * - `Stale` (int): 1 where lines, faces and quads are those of an earlier configuration;
  * and, where there are lines,
  * - `RenormalizedEnergy`: W; `Faces` (int); `ShortestArc`: of the T-mesh, in sides of quads;
  * - `Events` (text): after a command what it did, one sentence each;
  * - `LeastAngle`: 90° minus the largest deviation of a corner of a quad from it; with quads.
  *
- * An empty domain gives empty outputs. Failure, with outputs that are empty but for `Stale` 1 and the sentence in `Verdict` and
+ * An empty domain gives empty outputs. Failure, with outputs that are empty but for `Stale` 1 and the sentence in `Reason` and
  * `Summary`: a domain that vtkDrillHoles refuses; arrays that are missing or not integer.
  *
  * @sa vtkSeparatrices, vtkQuadMesher, vtkConfigurationProposal, crossfield::DesignLayout

@@ -39,9 +39,9 @@ std::string Sentence(const crossfield::SolvedField& field)
                               : "the given ones do not have the sum that the domain asks for.");
 }
 
-void WriteVerdict(const std::string& verdict, bool isAlarm, vtkInformationVector* outputVector)
+void WriteSummary(const std::string& text, bool isAlarm, vtkInformationVector* outputVector)
 {
-  ViewText::Write(vtkCrossFieldArrayNames::Verdict, ViewText::InLines(verdict), isAlarm,
+  ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::InLines(text), isAlarm,
     vtkTable::GetData(outputVector, 1));
 }
 }
@@ -87,7 +87,7 @@ int vtkPerforatedCrossField::FillOutputPortInformation(int port, vtkInformation*
 void vtkPerforatedCrossField::SayWhyThereIsNoField(
   const char* sentence, vtkInformationVector* outputVector)
 {
-  WriteVerdict(sentence, true, outputVector);
+  WriteSummary(sentence, true, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& 
   this->Publish(cells, field,
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), vtkUnstructuredGrid::GetData(outputVector));
-  WriteVerdict(Sentence(field), field.unwantedSingularities > 0, outputVector);
+  WriteSummary(Sentence(field), field.unwantedSingularities > 0, outputVector);
 }
 
 //------------------------------------------------------------------------------

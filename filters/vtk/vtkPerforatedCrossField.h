@@ -35,7 +35,7 @@
  * - `CrossNorm` (cells and points, float, 1): |u|; not 1, the minimisation is over the plane.
  * All but the first follow from it, are in single precision, and can be left out: see Arrays.
  *
- * Output 1 (vtkTable): one column, `Verdict`, with one row, a text for a view: how many singularities nobody asked for, or why there is
+ * Output 1 (vtkTable): one column, `Summary`, with one row, a text for a view: how many singularities nobody asked for, or why there is
  * no field; its field data `Alarm` (int) is 1 where there are some, or no field.
  *
  * Field data, one value each unless said: `Energy` (½ ∫ |∇u|², or ½ ∫ |∇φ|²), `Iterations`,

@@ -89,7 +89,7 @@ Findings CheckConfiguration(vtkDataSet* input, vtkDataSet* singularities, vtkDat
     result.holonomyDefects =
       crossfield::HolonomyDefects(domain, configuration, choices, progress.Part(0.1, 1.0));
   }
-  result.reason = crossfield::Verdict(result.count, result.holonomyDefects);
+  result.reason = crossfield::ConsistencyReason(result.count, result.holonomyDefects);
   return result;
 }
 
@@ -123,7 +123,7 @@ Findings CheckField(
     crossfield::CheckField(CrossFieldArrays::ReadField(cells, input), choices, points, byItself);
   result.count = check.count;
   result.consistent = check.asPrescribed;
-  result.reason = check.verdict;
+  result.reason = check.reason;
   result.isField = true;
   for (const crossfield::HoleReading& hole : check.holes)
   {
@@ -162,11 +162,11 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   ColumnWriting::AddText(data, names::Reason, findings.reason);
 }
 
-/** The verdict, and the reason below it. */
-void WriteVerdict(const char* verdict, const std::string& reason, bool isAlarm, vtkTable* table)
+/** Writes a heading and, below it, the reason. */
+void WriteSummary(const char* heading, const std::string& reason, bool isAlarm, vtkTable* table)
 {
   ViewText::Write(
-    names::Verdict, std::string(verdict) + "\n" + ViewText::InLines(reason), isAlarm, table);
+    names::Summary, std::string(heading) + "\n" + ViewText::InLines(reason), isAlarm, table);
 }
 }
 
@@ -223,7 +223,7 @@ int vtkPoincareHopfCheck::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  vtkTable* verdict = vtkTable::GetData(outputVector, 3);
+  vtkTable* summary = vtkTable::GetData(outputVector, 3);
   const auto check = [&](const crossfield::Progress& progress)
   {
     vtkUnstructuredGrid* field = AsField(domain);
@@ -238,12 +238,12 @@ int vtkPoincareHopfCheck::RequestData(
       findings.count, findings.holonomyDefects, vtkTable::GetData(outputVector, 1));
     CornerConversion::WriteCountedCorners(
       findings.count.corners, findings.plane, vtkPolyData::GetData(outputVector, 2));
-    WriteVerdict(findings.consistent ? "Consistent" : "Inconsistent", findings.reason,
-      !findings.consistent, verdict);
+    WriteSummary(findings.consistent ? "Consistent" : "Inconsistent", findings.reason,
+      !findings.consistent, summary);
   };
   FilterRun::Run(this, this->ErrorCode, domain, check,
-    [verdict](const char* sentence) { WriteVerdict("No verdict", sentence, true, verdict); });
-  // Not 0 after an error: then a view would not draw again, and go on showing the last verdict.
+    [summary](const char* sentence) { WriteSummary("Not checked", sentence, true, summary); });
+  // Not 0 after an error: then a view would not draw again, and go on showing the last result.
   return 1;
 }
 

@@ -40,8 +40,8 @@
  * `QuarterIndex` (int, as counted or, of a field, as taken) and `Cancellable` (int, 1 in [3π/4, π):
  * interior singularities can make them regular points of the boundary).
  *
- * Output 3 (vtkTable, field data `Alarm` 1 unless all is well): the column `Verdict` with one entry, a text for the 3D view: whether it is
- * consistent, and the reason; after a failure its sentence, so that a view never shows a verdict that
+ * Output 3 (vtkTable, field data `Alarm` 1 unless all is well): the column `Summary` with one entry, a text for the 3D view: whether it is
+ * consistent, and the reason; after a failure its sentence, so that a view never shows a result that
  * is out of date. For this the filter goes on after a failure, with empty outputs.
  *
  * An inconsistent configuration is not a failure. An empty domain gives empty outputs. Failure,

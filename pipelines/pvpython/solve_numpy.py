@@ -15,9 +15,9 @@ angles = np.linspace(0, 2 * np.pi, 60, endpoint=False)
 hole = np.column_stack([3 + 0.8 * np.cos(angles), 2 + 0.8 * np.sin(angles)])
 singularities = [(x, y, -1, 0.1) for x in (1.5, 4.5) for y in (1.0, 3.0)]  # x, y, 4 x index, radius
 
-verdict = crossfield.check([plate, hole], singularities)
-print(verdict.reason)
-if not verdict.consistent:
+checked = crossfield.check([plate, hole], singularities)
+print(checked.reason)
+if not checked.consistent:
     sys.exit(1)
 field = crossfield.solve([plate, hole], singularities, size=0.1, method="unit-norm")
 print("energy %.4f, degrees of the holes %s" % (field.report["energy"], field.hole_degrees))

@@ -172,9 +172,9 @@ def solve(label, rows):
     try:
         points = points_of(rows)
         # 1. Can it exist?
-        verdict = crossfield.check(domain, points, holonomy=False)
-        if not verdict.consistent:
-            row.update(status="inconsistent", reason=verdict.reason)
+        checked = crossfield.check(domain, points, holonomy=False)
+        if not checked.consistent:
+            row.update(status="inconsistent", reason=checked.reason)
             return row
         # 2. Its energy; each alone, because the mesh of several would depend on who shares it.
         energy = crossfield.vtkSingularityEnergy()

@@ -71,13 +71,13 @@ def test_check(domain, points):
     SetActiveSource(domain)
     make("Poincare Hopf Check", Singularities="Points")
     text, colour = drawn("Upper Left Corner")
-    check(text.startswith("Inconsistent") and colour == RED, "the verdict on a wrong sum: %s %s" % (text, colour))
+    check(text.startswith("Inconsistent") and colour == RED, "the check on a wrong sum: %s %s" % (text, colour))
     picture("check.png", is_whole=False)
     points.Singularities = [0.4, 0, 4, 0.1]
     Render()
     wait(400)
     text, colour = drawn("Upper Left Corner")
-    check(text.startswith("Consistent") and colour == BLACK, "the verdict on a right sum: %s %s" % (text, colour))
+    check(text.startswith("Consistent") and colour == BLACK, "the check on a right sum: %s %s" % (text, colour))
 
 
 def test_designer(domain, points):

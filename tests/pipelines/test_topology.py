@@ -83,7 +83,7 @@ class Check(TopologyTest):
         self.assertRegex(result.stderr, SENTENCE)
         self.assertIn("required 4, given 1", result.stdout)
 
-    def test_the_verdict_comes_first_and_hints_at_other_corners(self):
+    def test_the_result_comes_first_and_hints_at_other_corners(self):
         for domain, hint in (("builtin:disk", False), ("builtin:hexagonal", True)):
             lines = self.run_program("check", domain).stdout.splitlines()
             self.assertTrue(lines[0].startswith("The quarter indices"), lines)

@@ -119,17 +119,17 @@ def test_check_and_corners_are_the_program():
     for domain, arguments, rows in (("builtin:square", ("-s", "pair.csv"), PAIR),
                                     ("builtin:star", (), None), ("builtin:angular-hole", (), None)):
         with silence():
-            verdict = crossfield.check(domain, rows)
+            checked = crossfield.check(domain, rows)
         expected = program("check", domain, *arguments)
         places = [[corner["x"], corner["y"]] for corner in expected["corners"]]
-        check_equal(verdict.corner_points[:, :2].tolist(), places, "the corners")
+        check_equal(checked.corner_points[:, :2].tolist(), places, "the corners")
         for name, key in (("corner_angles", "angle"), ("corner_quarters", "quarter_index"),
                           ("cancellable", "cancellable")):
-            check_equal(getattr(verdict, name).tolist(),
+            check_equal(getattr(checked, name).tolist(),
                         [corner[key] for corner in expected["corners"]], name)
-        check_equal(verdict.reason, expected["reason"], "the reason")
-        check_report(verdict.report, {key: expected[key] for key in verdict.report}, "the report")
-        check_equal(verdict.consistent, rows is not None, "consistent of " + domain)
+        check_equal(checked.reason, expected["reason"], "the reason")
+        check_report(checked.report, {key: expected[key] for key in checked.report}, "the report")
+        check_equal(checked.consistent, rows is not None, "consistent of " + domain)
 
         with silence():
             found = crossfield.corners(domain)

@@ -357,17 +357,17 @@ def test_changed_input():
 def test_topology():
     domain = PlanarDomainSource(DomainName="angular-hole")
     proposal = ConfigurationProposal(Input=domain, CancelFlatCorners=1)
-    verdict = PoincareHopfCheck(Input=domain, Singularities=proposal)
-    data = fetch(verdict)
+    poincare_check = PoincareHopfCheck(Input=domain, Singularities=proposal)
+    data = fetch(poincare_check)
     check_equal(value(data, "RequiredInteriorQuarters"), -2, "RequiredInteriorQuarters")
     check_equal(value(data, "GivenInteriorQuarters"), -2, "GivenInteriorQuarters")
     check_equal(value(data, "Consistent"), 1, "Consistent")
     check_equal(len(values(data, "HolonomyDefect")), 1, "the number of holonomy defects")
-    corners = servermanager.Fetch(verdict, idx=2)
+    corners = servermanager.Fetch(poincare_check, idx=2)
     check_equal(corners.GetNumberOfPoints(), 6, "the number of corners")
-    verdict = PoincareHopfCheck(Input=domain)
-    check_equal(value(fetch(verdict), "Consistent"), 0, "Consistent without singularities")
-    sentence = fetch(verdict).GetFieldData().GetAbstractArray("Reason").GetValue(0)
+    poincare_check = PoincareHopfCheck(Input=domain)
+    check_equal(value(fetch(poincare_check), "Consistent"), 0, "Consistent without singularities")
+    sentence = fetch(poincare_check).GetFieldData().GetAbstractArray("Reason").GetValue(0)
     check("total -2" in sentence, "'%s' does not say what to add" % sentence)
 
     domain = PlanarDomainSource(DomainName="angular-negative")
@@ -418,15 +418,15 @@ def test_handles_of_a_proposal():
         handles.Singularities = []  # and it starts again
 
 
-def test_verdict():
+def test_summary_of_the_check():
     singularities = SingularitySource()
-    verdict = PoincareHopfCheck(Input=PlanarDomainSource(), Singularities=singularities)
+    poincare_check = PoincareHopfCheck(Input=PlanarDomainSource(), Singularities=singularities)
     for rows, beginning in ((list(singularities.Singularities), "Consistent\n"),
                             ([0, 0, 1, 0.1], "Inconsistent\n")):
         singularities.Singularities = rows
-        verdict.UpdatePipeline()
-        text = servermanager.Fetch(verdict, idx=3).GetValueByName(0, "Verdict").ToString()
-        check(text.startswith(beginning), "the verdict is '%s'" % text)
+        poincare_check.UpdatePipeline()
+        text = servermanager.Fetch(poincare_check, idx=3).GetValueByName(0, "Summary").ToString()
+        check(text.startswith(beginning), "the summary is '%s'" % text)
 
 
 def server_data(proxy):
@@ -456,7 +456,7 @@ def test_input_untouched():
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_menus, test_default_chain, test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
              test_energies, test_size_arrays, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
-             test_handles, test_handles_of_a_proposal, test_verdict,
+             test_handles, test_handles_of_a_proposal, test_summary_of_the_check,
              test_changed_input, test_input_untouched):
     test()
     print(test.__name__, "passed")

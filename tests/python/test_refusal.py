@@ -21,13 +21,13 @@ good = list(singularities.Singularities)
 drilled = DrillHoles(Input=domain, Singularities=singularities, MeshSize=0.1)
 field = PerforatedCrossField(Input=drilled)
 crosses = CrossGlyphs(Input=field)
-verdict = PoincareHopfCheck(Input=domain, Singularities=singularities)
+poincare_check = PoincareHopfCheck(Input=domain, Singularities=singularities)
 view = CreateRenderView(ViewSize=[400, 300], UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0)
 surface = Show(field, view)
 ColorBy(surface, ("POINTS", "CrossNorm"))
 Show(crosses, view)
-text = Show(OutputPort(verdict, 3), view)
+text = Show(OutputPort(poincare_check, 3), view)
 text.Color = [1, 1, 1]  # it is updated, and not seen
 ResetCamera(view)
 

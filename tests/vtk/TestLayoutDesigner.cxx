@@ -134,9 +134,9 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   EXPECT_EQ(this->CountOf(0), lines);
   EXPECT_EQ(this->Value("Stale"), 1);
   EXPECT_EQ(this->Shades(), std::set<double>({ 0.0 })) << "a stale layout is grey";
-  EXPECT_NE(this->Text("Verdict").find("outside"), std::string::npos) << this->Text("Verdict");
-  EXPECT_EQ(this->Text("Summary"), this->Text("Verdict"));
-  EXPECT_EQ(this->TextInView(true), this->Text("Verdict"));
+  EXPECT_NE(this->Text("Reason").find("outside"), std::string::npos) << this->Text("Reason");
+  EXPECT_EQ(this->Text("Summary"), this->Text("Reason"));
+  EXPECT_EQ(this->TextInView(true), this->Text("Reason"));
   EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
   // Back again, all is well.
   this->SetFour();
@@ -147,7 +147,7 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Stale"), 1);
-  EXPECT_NE(this->Text("Verdict").find("total"), std::string::npos) << this->Text("Verdict");
+  EXPECT_NE(this->Text("Reason").find("total"), std::string::npos) << this->Text("Reason");
   // No number of quarters at all.
   this->Filter->SetSingularity(0, 0.4, 0.4, 0.5, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -233,7 +233,7 @@ TEST_F(LayoutDesigner, ObeysCommands)
   this->Filter->AddPair();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 6);
-  EXPECT_EQ(this->Value("Stale"), 0) << this->Text("Verdict");
+  EXPECT_EQ(this->Value("Stale"), 0) << this->Text("Reason");
   this->Filter->RemoveSingularity(4);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 5);

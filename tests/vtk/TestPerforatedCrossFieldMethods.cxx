@@ -45,7 +45,7 @@ TEST_F(PerforatedCrossFieldMethods, UnwantedSingularitiesAreAWarning)
     EXPECT_TRUE(messages.errors.empty());
     EXPECT_EQ(messages.warnings.empty(), unitNorm);
     EXPECT_EQ(this->Value("UnwantedSingularities") == 0.0, unitNorm);
-    const auto [text, isAlarm] = FilterChecks::TextForView(this->Filter, 1, "Verdict");
+    const auto [text, isAlarm] = FilterChecks::TextForView(this->Filter, 1, "Summary");
     EXPECT_EQ(isAlarm, !unitNorm);
     const std::string number =
       unitNorm ? "No" : std::to_string(static_cast<int>(this->Value("UnwantedSingularities")));

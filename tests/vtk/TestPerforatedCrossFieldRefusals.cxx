@@ -62,7 +62,7 @@ public:
   {
     this->Filter->SetInputData(mesh);
     EXPECT_EQ(CaptureError(this->Filter, parts), code);
-    const auto [text, isAlarm] = FilterChecks::TextForView(this->Filter, 1, "Verdict");
+    const auto [text, isAlarm] = FilterChecks::TextForView(this->Filter, 1, "Summary");
     EXPECT_TRUE(isAlarm);
     for (const std::string& part : parts)
     {

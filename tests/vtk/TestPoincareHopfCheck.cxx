@@ -45,10 +45,10 @@ public:
     return reason == nullptr ? "" : std::string(reason->GetValue(0));
   }
   vtkTable* Loops() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
-  std::string Verdict()
+  std::string Summary()
   {
     auto* table = vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(3));
-    return table->GetNumberOfRows() == 1 ? table->GetValueByName(0, "Verdict").ToString() : "";
+    return table->GetNumberOfRows() == 1 ? table->GetValueByName(0, "Summary").ToString() : "";
   }
   vtkPolyData* Corners() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2)); }
 
@@ -82,7 +82,7 @@ TEST_F(PoincareHopfCheck, ConsistentOnTheDisk)
   EXPECT_EQ(this->Value("Consistent"), 1.0);
   EXPECT_EQ(this->Field()->GetArray("HolonomyDefect"), nullptr);
   EXPECT_NE(this->Reason().find("as the Poincaré-Hopf theorem asks"), std::string::npos);
-  EXPECT_EQ(this->Verdict().rfind("Consistent\n", 0), 0u);
+  EXPECT_EQ(this->Summary().rfind("Consistent\n", 0), 0u);
   // The domain passes through.
   vtkPolyData* domain = this->Source->GetOutput();
   EXPECT_EQ(FilterChecks::Output(this->Filter)->GetNumberOfPoints(), domain->GetNumberOfPoints());
@@ -96,8 +96,8 @@ TEST_F(PoincareHopfCheck, InconsistentIsNoError)
   EXPECT_EQ(this->Value("Consistent"), 0.0);
   EXPECT_NE(this->Reason().find("add up to 1 "), std::string::npos);
   EXPECT_NE(this->Reason().find("; add singularities of total 3."), std::string::npos);
-  // The verdict says the same in short lines.
-  std::istringstream lines(this->Verdict());
+  // The summary says the same in short lines.
+  std::istringstream lines(this->Summary());
   std::string joined;
   std::string line;
   std::getline(lines, line);
@@ -265,7 +265,7 @@ TEST_F(PoincareHopfCheck, Refusals)
     EXPECT_EQ(this->Loops()->GetNumberOfRows(), 0);
     EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 0);
     // A view that shows the text must not go on showing an old one.
-    EXPECT_EQ(this->Verdict().rfind("No verdict\n", 0), 0u) << this->Verdict();
+    EXPECT_EQ(this->Summary().rfind("Not checked\n", 0), 0u) << this->Summary();
   };
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.1 } }));
   refuse({ "singularity 1", "(3, 0)", "outside" });

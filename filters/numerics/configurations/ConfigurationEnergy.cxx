@@ -52,7 +52,7 @@ std::vector<ConfigurationEnergy> Compare(const std::shared_ptr<const PotentialSo
       }
       energy.consistent = true;
       energy.reason =
-        Verdict(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
+        ConsistencyReason(points.GetProblem().alignment.count, energy.renormalized.holonomyDefect);
     }
     catch (const Error& error)
     {

@@ -14,7 +14,7 @@ struct ConfigurationEnergy
 {
   int configuration = 0;   ///< Number in the list that was given.
   bool consistent = false; ///< Otherwise nothing else but the reason is set.
-  std::string reason;      ///< Verdict of the Poincaré-Hopf theorem.
+  std::string reason;      ///< Result of the Poincaré-Hopf count.
   /// E_ρ, with a hole at every singularity, on the mesh of EnergyMesh.h.
   std::optional<PerforatedEnergy> perforated;
   RenormalizedEnergyValue renormalized;

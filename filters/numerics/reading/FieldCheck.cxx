@@ -145,7 +145,7 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   const int otherCorners = CountOtherCorners(asked.corners, check.count.corners);
   check.asPrescribed =
     reading.wrongDegrees == 0 && check.unwantedSingularities == 0 && otherCorners == 0;
-  check.verdict = Describe(check, otherCorners);
+  check.reason = Describe(check, otherCorners);
   return check;
 }
 }

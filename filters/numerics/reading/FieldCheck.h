@@ -17,7 +17,7 @@ struct FieldCheck
   int unwantedSingularities = 0;
   /// Degrees and chosen corners are as prescribed, and there are no unwanted singularities.
   bool asPrescribed = false;
-  std::string verdict; ///< One sentence.
+  std::string reason; ///< One sentence.
 };
 
 /// Reads degrees of holes, interior indices and the indices of corners from a field; `choices` are the

@@ -120,7 +120,8 @@ PoincareHopfCount CountMeshQuarters(
   return CountQuarters(topology.AlignedLoops(), given, DefaultCornerAngle, choices);
 }
 
-std::string Verdict(const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)
+std::string ConsistencyReason(
+  const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)
 {
   const std::string sums = "The quarter indices of the singularities add up to " +
     std::to_string(count.givenInteriorQuarters);
@@ -151,7 +152,7 @@ void RequireConsistent(const PoincareHopfCount& count)
 {
   if (!count.Consistent())
   {
-    throw Error(Verdict(count), Error::Kind::Inconsistent);
+    throw Error(ConsistencyReason(count), Error::Kind::Inconsistent);
   }
 }
 }

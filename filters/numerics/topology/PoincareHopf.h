@@ -72,9 +72,9 @@ constexpr double NoticeableDefect = 1e-2;
 /// One sentence: the sums agree, or by how much they differ and what to add, or to remove if the sum given
 /// says that there is as much. When they
 /// agree it also names the first inner loop with a NoticeableDefect (HolonomyCheck.h).
-std::string Verdict(
+std::string ConsistencyReason(
   const PoincareHopfCount& count, const std::vector<double>& holonomyDefects = {});
 
-/// Throws Error with the verdict when the sums differ.
+/// Throws Error with this sentence when the sums differ.
 void RequireConsistent(const PoincareHopfCount& count);
 }

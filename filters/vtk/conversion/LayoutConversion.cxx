@@ -62,8 +62,9 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
 {
   const bool shown = report.refusal.empty();
   ColumnWriting::AddIntegers(data, names::Stale, { shown ? 0 : 1 });
-  ColumnWriting::AddText(data, names::Verdict,
-    shown ? crossfield::Verdict(design->count, design->energy.holonomyDefect) : report.refusal);
+  ColumnWriting::AddText(data, names::Reason,
+    shown ? crossfield::ConsistencyReason(design->count, design->energy.holonomyDefect)
+          : report.refusal);
   ColumnWriting::AddText(data, names::Summary, Summary(design, report));
   if (design == nullptr)
   {

@@ -68,7 +68,7 @@ TEST(ConfigurationSpread, IsConsistentAndCanBeDrilledAndSolved)
       EXPECT_TRUE(field.converged);
       EXPECT_EQ(field.unwantedSingularities, 0);
       const FieldCheck check = CheckField({ ShareTopology(mesh), field.u });
-      EXPECT_TRUE(check.asPrescribed) << check.verdict;
+      EXPECT_TRUE(check.asPrescribed) << check.reason;
     }
   }
 }
@@ -229,12 +229,12 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
       wrong.pop_back();
     }
     const TriangleMesh mesh = DrillHoles(domain, wrong);
-    const std::string verdict = Verdict(CountQuarters(domain.loops, TotalQuarters(wrong)));
+    const std::string reason = ConsistencyReason(CountQuarters(domain.loops, TotalQuarters(wrong)));
     for (const auto method : { PerforatedMethod::Constrained, PerforatedMethod::UnitNorm })
     {
       PerforatedOptions options;
       options.method = method;
-      EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { verdict },
+      EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { reason },
         Error::Kind::Inconsistent));
     }
   }
@@ -268,7 +268,7 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   EXPECT_TRUE(check.asPrescribed);
   EXPECT_TRUE(check.count.Consistent());
   EXPECT_EQ(check.count.givenInteriorQuarters, 4);
-  EXPECT_NE(check.verdict.find("prescribed degrees"), std::string::npos);
+  EXPECT_NE(check.reason.find("prescribed degrees"), std::string::npos);
 
   // The same field on a mesh that asks for other degrees.
   TriangleMesh other = mesh;
@@ -279,7 +279,7 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   const FieldCheck wrong = CheckField({ ShareTopology(other), field.u });
   EXPECT_FALSE(wrong.asPrescribed);
   EXPECT_TRUE(wrong.count.Consistent()) << "the sums agree for every field";
-  EXPECT_NE(wrong.verdict.find("4 holes"), std::string::npos) << wrong.verdict;
+  EXPECT_NE(wrong.reason.find("4 holes"), std::string::npos) << wrong.reason;
 
   // Without holes the singularities are where the field likes them, but there have to be four: here
   // u = e^{4iφ} around the origin.
@@ -298,9 +298,9 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
       whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
   }
   const FieldCheck free = CheckField({ ShareTopology(whole), own });
-  EXPECT_TRUE(free.asPrescribed) << free.verdict;
+  EXPECT_TRUE(free.asPrescribed) << free.reason;
   EXPECT_EQ(free.interiorQuarters, 4);
-  EXPECT_NE(free.verdict.find("total 4"), std::string::npos) << free.verdict;
+  EXPECT_NE(free.reason.find("total 4"), std::string::npos) << free.reason;
 
   ComplexVector bad = field.u;
   bad[0] = std::nan("");

@@ -236,13 +236,14 @@ TEST(PoincareHopfInvariance, RefusesChoicesThatAreNotOnTheBoundary)
   EXPECT_TRUE(Refuses([&] { count({ { Point(none, 0.0), 1 } }); }, { "not a vertex" }));
 }
 
-TEST(PoincareHopfInvariance, VerdictSaysWhatToAddOrRemove)
+TEST(PoincareHopfInvariance, ReasonSaysWhatToAddOrRemove)
 {
   PoincareHopfCount count = CountQuarters(Builtin("disk").loops, 6);
-  EXPECT_NE(Verdict(count).find("add singularities of total -2 or remove some of total 2."),
+  EXPECT_NE(
+    ConsistencyReason(count).find("add singularities of total -2 or remove some of total 2."),
     std::string::npos);
   count.givenInteriorQuarters = 4;
-  EXPECT_EQ(Verdict(count),
+  EXPECT_EQ(ConsistencyReason(count),
     "The quarter indices of the singularities add up to 4, as the "
     "Poincaré-Hopf theorem asks on this domain.");
 }
