@@ -277,7 +277,7 @@ SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration
   progress.Report(0.5);
   const Eigen::VectorXd w = SolveSeamless(map, poisson, prolongation, progress.Part(0.5, 0.95));
 
-  SetPoints(w, poisson.Residual(map, w), map);
+  SetPoints(w, poisson.ObjectiveAt(map, w), map);
   RequireInjective(map);
   progress.Report(1.0);
   return map;
