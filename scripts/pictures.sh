@@ -19,6 +19,8 @@ draw() {
 }
 
 draw docs_pictures.py --folder "$folder"
+python=$("$crossfield" --paths | sed -n 's/^python: //p')
+PYTHONPATH=$python /usr/bin/python3 scripts/pictures/glossary.py docs/glossary
 
 build=$(dirname "$(dirname "$(command -v "$crossfield")")")
 ctest --test-dir "$build" -R '^ParaView\.RecordedRun$' --output-on-failure

@@ -7,6 +7,8 @@ import pathlib
 import sys
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE
 
 import crossfield
 
@@ -54,8 +56,7 @@ class Panel:
                           'dominant-baseline="middle">%s</text>' % (x, y, size, colour, words))
 
     def caption(self, words):
-        x = self.shift[0] + self.scale * 0  # the caption is centred under the panel
-        column = int((x + 1) // SIDE)
+        column = int(self.shift[0] // SIDE)
         self.items.append('<text x="%d" y="%d" font-size="12" fill="%s" text-anchor="middle">%s</text>'
                           % (column * SIDE + SIDE // 2, SIDE + 12, BLACK, words))
 
@@ -135,7 +136,7 @@ def cross_field(folder):
 def irregular_node(folder):
     drawn = panels(3)
     for panel, sides, index in zip(drawn, (3, 4, 5), (1, 0, -1)):
-        mesh = crossfield.quads(regular_polygon(sides), [(0, 0, index)] if index else [], count=60)
+        mesh = crossfield.quads(regular_polygon(sides), [(0, 0, index)] if index else [], size=0.17)
         panel.quads(mesh, edge=BLACK)
         panel.irregular_nodes(mesh)
         panel.caption("valence %d, k = %s" % (sides, str(index).replace("-", "−")))
@@ -216,12 +217,10 @@ def sums(folder):
 def holonomy_defect(folder):
     drawn = panels(2)
     for panel, start in zip(drawn, (0.0, 0.12)):
-        for radius, colour in ((0.3, BLACK), (1.0, BLACK)):
-            panel.circle((0, 0), radius, colour)
+        for radius in (0.3, 1.0):
+            panel.circle((0, 0), radius, BLACK)
         turns = np.linspace(0, 2 * math.pi, 121)
-        panel.polyline([((0.6 + start * t) * math.cos(t), (0.6 + start * t) * math.sin(t)) for t in turns / 3],
-                       BLUE, 2)
-        panel.polyline([((0.6 + start * t / 3) * math.cos(t), (0.6 + start * t / 3) * math.sin(t)) for t in turns],
+        panel.polyline([((0.6 + start * t / 4) * math.cos(t), (0.6 + start * t / 4) * math.sin(t)) for t in turns],
                        BLUE, 2)
         panel.dot((0.6, 0), BLUE)
         panel.caption("closes up" if start == 0 else "holonomy defect")
@@ -253,7 +252,11 @@ def energy(folder):
 def seamless_map(folder):
     made = crossfield.separatrices(DISK, four(0.6))
     drawn = panels(2)
-    uv, points, triangles = made.uv, made.map_points, made.map_triangles
+    points = vtk_to_numpy(made.map.GetPoints().GetData())
+    uv = vtk_to_numpy(made.map.GetPointData().GetArray(crossfield.names.UV))[:, :2]
+    triangles = np.array([[made.map.GetCell(i).GetPointId(j) for j in range(3)]
+                          for i in range(made.map.GetNumberOfCells())
+                          if made.map.GetCellType(i) == VTK_TRIANGLE])
     drawn[1] = Panel(uv.min(axis=0), uv.max(axis=0), 1)
     for panel, where in zip(drawn, (points, uv)):
         mesh_edges = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
@@ -303,7 +306,7 @@ def chord_of(mesh, first):
 
 
 def quantisation(folder):
-    [panel] = panels(1, (0, 0), (2.2, 2.2))
+    [panel] = panels(1, (-0.15, -0.15), (2.35, 2.35))
     for low, high, across, up in (((0, 0), (2.2, 1.2), 6, 3), ((0, 1.2), (1.3, 2.2), 4, 3), ((1.3, 1.2), (2.2, 2.2), 2, 3)):
         (x, y), (a, b) = low, high
         for i in range(across + 1):
