@@ -8,13 +8,14 @@
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "SeamlessMapSolve.h"
 #include "HolonomyConversion.h"
 #include "MeshForPoints.h"
 #include "QuadConversion.h"
+#include "SeamlessMapSolve.h"
 #include "SizeConversion.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
+#include "TMeshPatches.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
@@ -27,6 +28,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkQuadMesher);
@@ -126,9 +128,12 @@ int vtkQuadMesher::RequestData(
         options.size *= sizes.mean;
       }
       options.coarse = this->Coarse;
+      stopwatch.Lap();
+      crossfield::TMesh separatrices =
+        crossfield::MakeTMesh(map, crossfield::TraceLines(map, rest.Part(0.5, 0.6)));
+      this->StageSeconds[2] = stopwatch.Lap();
       const crossfield::QuadResult result =
-        crossfield::MakeQuads(map, options, rest.Part(0.5, 0.95));
-      this->StageSeconds[2] = result.traceSeconds;
+        crossfield::MakeQuads(map, std::move(separatrices), options, rest.Part(0.6, 0.95));
       this->StageSeconds[3] = result.counts.seconds;
       this->StageSeconds[4] = result.layoutSeconds;
       this->StageSeconds[5] = result.smoothSeconds;

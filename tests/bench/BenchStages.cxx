@@ -9,13 +9,13 @@
 #include "BuiltinDomains.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
-#include "SeamlessMapSolve.h"
 #include "HField.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
 #include "PerforatedSolve.h"
 #include "QuadMesher.h"
 #include "RenormalizedEnergy.h"
+#include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -213,7 +213,8 @@ void MapToQuads(benchmark::State& state)
   const SharedTopology topology = TopologyOnPoints(state.range(0));
   for (auto _ : state)
   {
-    const QuadResult result = MakeQuads(SolveSeamlessMap(topology, EightHoles()), {});
+    const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
+    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), {});
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
   }
 }
@@ -226,7 +227,7 @@ void Quads(benchmark::State& state)
   options.count = static_cast<int>(state.range(0));
   for (auto _ : state)
   {
-    const QuadResult result = MakeQuads(map, options);
+    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
     state.counters["iterations"] = result.smoothing.iterations;
     state.counters["layout"] = result.layoutSeconds;

@@ -34,8 +34,8 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   design.singularities = singularities;
   Rate(domain, options.map, design);
   progress.Report(0.1);
-  design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities, options.map,
-    progress.Part(0.1, 0.6));
+  design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities,
+    options.map, progress.Part(0.1, 0.6));
   design.lines = TraceLines(design.map, progress.Part(0.6, 0.7));
   design.mesh = MakeTMesh(design.map, design.lines);
   design.shortestArc = std::numeric_limits<double>::infinity();
@@ -45,7 +45,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   }
   if (options.quads)
   {
-    design.quads = MakeQuads(design.map, *options.quads, progress.Part(0.7, 1.0));
+    design.quads = MakeQuads(design.map, design.mesh, *options.quads, progress.Part(0.7, 1.0));
   }
   design.seconds = stopwatch.Lap();
   progress.Report(1.0);

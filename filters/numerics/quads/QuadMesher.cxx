@@ -7,7 +7,6 @@
 #include "QuadSymmetry.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
-#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,7 +207,6 @@ private:
         {});
       QuadResult result;
       result.lines = lines;
-      result.traceSeconds = this->Result.traceSeconds;
       this->Take(found, result);
       result.blocks = FindBlocks(LayQuads(this->Map, lines, result.counts.counts, result.size));
       results.push_back(std::move(result));
@@ -226,23 +224,22 @@ private:
 };
 }
 
-QuadResult MakeQuads(const SeamlessMap& map, const QuadOptions& options, const Progress& progress)
+QuadResult MakeQuads(
+  const SeamlessMap& map, TMesh lines, const QuadOptions& options, const Progress& progress)
 {
   if (!(options.size >= 0.0) || !std::isfinite(options.size) ||
     (options.size == 0.0 && options.count < 1))
   {
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }
-  Stopwatch stopwatch;
   QuadResult result;
-  result.lines = MakeTMesh(map, TraceLines(map, progress.Part(0.0, 0.2)));
-  result.traceSeconds = stopwatch.Lap();
+  result.lines = std::move(lines);
   Mesher mesher(map, options, result);
-  mesher.Count(progress.Part(0.2, 0.4));
+  mesher.Count(progress.Part(0.0, 0.3));
   mesher.Lay(result);
-  progress.Report(0.5);
+  progress.Report(0.4);
   const double smoothed = options.coarse ? 0.7 : 1.0;
-  mesher.Smooth(result, progress.Part(0.5, smoothed));
+  mesher.Smooth(result, progress.Part(0.4, smoothed));
   if (options.coarse)
   {
     mesher.Coarsen(progress.Part(smoothed, 1.0));

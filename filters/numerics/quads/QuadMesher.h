@@ -29,12 +29,13 @@ struct QuadResult
   SmoothingReport smoothing;
   QuadQuality quality;
   QuadBlocks blocks;
-  double traceSeconds = 0.0;
   double layoutSeconds = 0.0;
   double smoothSeconds = 0.0;
 };
 
-/// Lines, numbers, quads, smoothing (docs/method.md §14). Throws Error as TraceLines, MakeTMesh, CountArcs and
-/// LayQuads do, and before it lays more quads than there is memory for.
-QuadResult MakeQuads(const SeamlessMap& map, const QuadOptions& options, const Progress& progress = {});
+/// Builds a quad mesh of the T-mesh of a map: edge counts, quads, smoothing (docs/method.md §14). The T-mesh is that of
+/// MakeTMesh for the same map. Throws Error as CountArcs and LayQuads do, and before more quads are built than fit into
+/// memory.
+QuadResult MakeQuads(
+  const SeamlessMap& map, TMesh lines, const QuadOptions& options, const Progress& progress = {});
 }

@@ -2,10 +2,11 @@
 
 #include "BoundarySymmetry.h"
 #include "DomainQueries.h"
-#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
+#include "SeamlessMapSolve.h"
 #include "Support.h"
+#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,8 @@ RandomCase MakeRandomCase(int number)
 SeamlessMap MapOf(const RandomCase& random)
 {
   const double meshSize = 0.05 * std::sqrt(random.domain.Area() / Pi);
-  return SolveSeamlessMap(ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
+  return SolveSeamlessMap(
+    ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
     random.configuration);
 }
 
@@ -240,7 +242,7 @@ TEST(QuadProperties, OfRandomDomains)
       {
         QuadOptions options;
         options.size = part * extent;
-        const QuadResult result = MakeQuads(map, options);
+        const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
         ExpectSound(result, map, options.size);
         ++meshes;
         far += FarApart(map, options.size) ? 1 : 0;
@@ -248,13 +250,12 @@ TEST(QuadProperties, OfRandomDomains)
         {
           std::printf(
             "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d forced %d gap %.3f "
-            "released %d moved %.2g s %.3f %.3f %.3f\n",
+            "released %d moved %.2g s %.3f %.3f\n",
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
             result.quality.inverted, FarApart(map, options.size), result.counts.zeroArcs,
             result.counts.nodes, result.counts.gap, result.smoothing.released,
-            result.smoothing.moved / options.size, result.traceSeconds, result.counts.seconds,
-            result.smoothSeconds);
+            result.smoothing.moved / options.size, result.counts.seconds, result.smoothSeconds);
         }
       }
       catch (const Error& error)
@@ -302,7 +303,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
       QuadOptions options;
       options.size = 0.2;
       options.sizes.sizing = sizing;
-      const QuadResult result = MakeQuads(map, options);
+      const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
       EXPECT_GE(result.smoothing.symmetries, 4);
       const double extent = symmetric.domain.Diagonal();
       for (const Isometry& isometry :

@@ -1,9 +1,10 @@
 #include "CoarseQuads.h"
-#include "SeamlessMapSolve.h"
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
+#include "SeamlessMapSolve.h"
 #include "Support.h"
+#include "TMeshPatches.h"
 
 #include <cmath>
 #include <random>
@@ -25,7 +26,7 @@ QuadResult QuadsOf(const SeamlessMap& map, int count, QuadSizing sizing = QuadSi
   QuadOptions options;
   options.count = count;
   options.sizes.sizing = sizing;
-  return MakeQuads(map, options);
+  return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
 }
 
 std::vector<bool> AllButFixed(const QuadMesh& mesh)

@@ -1,9 +1,10 @@
 #include "QuadMesher.h"
 
-#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
+#include "SeamlessMapSolve.h"
 #include "Support.h"
+#include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +17,15 @@ namespace
 {
 SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
-  return SolveSeamlessMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
+  return SolveSeamlessMap(
+    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
 }
 
 QuadResult QuadsOf(const SeamlessMap& map, double size)
 {
   QuadOptions options;
   options.size = size;
-  return MakeQuads(map, options);
+  return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
 }
 
 /// Exactly the asked irregular points, the domain's topology, and points of the boundary on its polyline.
@@ -68,12 +70,12 @@ std::string Tell(const QuadResult& r)
   char text[400];
   std::snprintf(text, sizeof text,
     "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f "
-    "iter %d kept %d released %d moved %.3g  s: trace %.3f int %.4f lay %.3f smooth %.3f ratio",
+    "iter %d kept %d released %d moved %.3g  s: int %.4f lay %.3f smooth %.3f ratio",
     r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.faces.size(), r.lines.arcs.size(),
     r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
     r.counts.zeroArcs, r.counts.nodes, r.counts.optimal, r.counts.gap, r.smoothing.iterations,
-    r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved, r.traceSeconds,
-    r.counts.seconds, r.layoutSeconds, r.smoothSeconds);
+    r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved, r.counts.seconds,
+    r.layoutSeconds, r.smoothSeconds);
   return text;
 }
 
@@ -96,7 +98,8 @@ TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
   for (const Row& row :
     { Row{ 0.85, { 77, 308, 1269, 7888 } }, Row{ 0.6, { 65, 297, 1276, 7865 } } })
   {
-    const SeamlessMap map = MapOf(DiskOfEdges(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
+    const SeamlessMap map =
+      MapOf(DiskOfEdges(0.025), OnCircle(4, row.radius, Pi / 4.0, 1, 0.0), 0.04);
     for (std::size_t i = 0; i < sizes.size(); ++i)
     {
       const QuadResult result = QuadsOf(map, sizes[i]);
@@ -204,12 +207,14 @@ TEST(Quads, OfACountAreNearlyAsMany)
   {
     QuadOptions options;
     options.count = count;
-    EXPECT_NEAR(
-      static_cast<double>(MakeQuads(map, options).mesh.quads.size()), count, 0.05 * count);
+    EXPECT_NEAR(static_cast<double>(
+                  MakeQuads(map, MakeTMesh(map, TraceLines(map)), options).mesh.quads.size()),
+      count, 0.05 * count);
   }
   QuadOptions none;
   none.size = -1.0;
-  EXPECT_TRUE(Refuses([&] { MakeQuads(map, none); }, { "size", "positive" }));
+  EXPECT_TRUE(Refuses(
+    [&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), none); }, { "size", "positive" }));
 }
 
 TEST(Quads, OfUniformSizingAreNearlyEqual)
@@ -220,9 +225,9 @@ TEST(Quads, OfUniformSizingAreNearlyEqual)
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
   QuadOptions options;
   options.count = 600;
-  const QuadResult conformal = MakeQuads(map, options);
+  const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   options.sizes.sizing = QuadSizing::Uniform;
-  const QuadResult uniform = MakeQuads(map, options);
+  const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   EXPECT_GT(conformal.quality.variation, 0.2);
   EXPECT_LT(uniform.quality.variation, 0.12);
   EXPECT_GE(uniform.quality.jacobian.min, 0.5);
@@ -241,7 +246,7 @@ TEST(Quads, FollowASizeField)
   options.count = 500;
   options.sizes.sizing = QuadSizing::Field;
   options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
-  const QuadResult result = MakeQuads(map, options);
+  const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   EXPECT_EQ(result.quality.inverted, 0);
   double left = 0.0;
   double right = 0.0;
@@ -258,7 +263,8 @@ TEST(Quads, FollowASizeField)
   // Columns alone can follow: rows go through. (1 + x/3) has means 1.08 and 1.92 there.
   EXPECT_NEAR(left / right, 1.92 / 1.08, 0.35);
   options.sizes.field = [](const Point& place) { return place.x() - 1.0; };
-  EXPECT_TRUE(Refuses([&] { MakeQuads(map, options); }, { "size", "not a positive number" }));
+  EXPECT_TRUE(Refuses([&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), options); },
+    { "size", "not a positive number" }));
 }
 
 TEST(Quads, CoarseOnesHaveFewerBlocks)
@@ -270,9 +276,9 @@ TEST(Quads, CoarseOnesHaveFewerBlocks)
   const SeamlessMap map = MapOf(domain, configuration, 0.05);
   QuadOptions options;
   options.size = 0.03;
-  const QuadResult fine = MakeQuads(map, options);
+  const QuadResult fine = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   options.coarse = true;
-  const QuadResult coarse = MakeQuads(map, options);
+  const QuadResult coarse = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   ExpectSound(coarse, map, 0.5 * fine.quality.jacobian.min);
   EXPECT_LT(coarse.blocks.blocks.size(), fine.blocks.blocks.size());
   EXPECT_NEAR(static_cast<double>(coarse.mesh.quads.size()),
