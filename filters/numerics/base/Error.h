@@ -5,7 +5,8 @@
 
 namespace crossfield
 {
-/// What every function of this library throws: one sentence that names the cause and the mend.
+/// Exception thrown by all functions of this library. Its message is one sentence that names the
+/// cause and the remedy.
 class Error : public std::runtime_error
 {
 public:

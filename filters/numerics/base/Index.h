@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// A number of an item, 0 or more, as containers of the standard library count.
+/// Converts a non-negative index to the index type of standard containers.
 inline std::size_t Index(int i)
 {
   return static_cast<std::size_t>(i);

@@ -23,7 +23,8 @@ void Lower(std::optional<double>& least, double bytes)
   least = std::max(0.0, least.has_value() ? std::min(*least, bytes) : bytes);
 }
 
-/// The number that is all of a file; nothing for "max", the word for no limit, or without a file.
+/// Returns the number that a file consists of; nothing if the file does not exist or contains
+/// "max", the kernel's word for no limit.
 std::optional<double> NumberIn(const std::string& file)
 {
   std::ifstream stream(file);
@@ -31,7 +32,7 @@ std::optional<double> NumberIn(const std::string& file)
   return stream >> number ? std::optional<double>(number) : std::nullopt;
 }
 
-/// The number behind a key at the beginning of a line.
+/// Returns the number that follows a key at the beginning of a line.
 std::optional<double> NumberBehind(const std::string& file, const std::string& key)
 {
   std::ifstream stream(file);
@@ -48,7 +49,8 @@ std::optional<double> NumberBehind(const std::string& file, const std::string& k
   return std::nullopt;
 }
 
-/// What the limit of one control group leaves. Page cache is given back when memory is needed.
+/// Applies the limit of one control group. Page cache does not count as used, because the kernel
+/// reclaims it when memory is needed.
 void LowerToGroup(std::optional<double>& least, const std::string& folder, const std::string& limit,
   const std::string& usage, const std::string& cachePrefix)
 {
@@ -62,7 +64,8 @@ void LowerToGroup(std::optional<double>& least, const std::string& folder, const
   }
 }
 
-/// A group and all above it: in a container the path is often not visible, but its root is.
+/// Applies the limits of a control group and of all its ancestors. In a container the path of the
+/// group is often not visible, but its root is.
 void LowerToGroups(std::optional<double>& least, const std::string& root, std::string path,
   const std::string& limit, const std::string& usage, const std::string& cachePrefix)
 {
@@ -104,8 +107,9 @@ void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& 
   }
 }
 
-/// OpenBLAS takes a buffer for each of the two threads that call it, and when a limit on the address
-/// space denies it, asks for ever. The threads have stacks of the default size, too.
+/// Address space reserved for two threads. OpenBLAS allocates a buffer for each of the two threads
+/// that call it and retries for ever when a limit on the address space denies it. The threads also
+/// need stacks of the default size.
 constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
 
 void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& files)

@@ -5,16 +5,16 @@
 
 namespace crossfield
 {
-/// Thrown out of a computation whose caller asked it to stop; not an error.
+/// Exception that ends a computation at its caller's request; it is not an error.
 class Aborted
 {
 };
 
-/// Reports the finished fraction of a computation, and carries the wish to stop back into it.
+/// Progress reporter of a computation. Its callback can also request an abort.
 class Progress
 {
 public:
-  /// Called with the finished fraction in [0, 1]; returns false to stop.
+  /// Receives the finished fraction in [0, 1]; returns false to abort.
   using Callback = std::function<bool(double)>;
 
   Progress() = default;
@@ -23,7 +23,7 @@ public:
   {
   }
 
-  /// Throws Aborted when the callback returns false.
+  /// Reports a fraction; throws Aborted if the callback returns false.
   void Report(double fraction) const
   {
     if (this->Function && !this->Function(this->From + fraction * (this->To - this->From)))
@@ -32,7 +32,7 @@ public:
     }
   }
 
-  /// The progress of one stage that runs from one fraction of this to another.
+  /// Returns the reporter of a stage that covers the range from one fraction to another.
   Progress Part(double from, double to) const
   {
     Progress part(this->Function);

@@ -2,9 +2,11 @@
 
 namespace crossfield
 {
-/// While it exists, parallel regions of OpenMP that this thread opens have one thread. CHOLMOD asks for four in every small
-/// loop, whatever OMP_NUM_THREADS says, and on fewer processors these wait for each other: with
-/// OMP_NUM_THREADS=1, where no region of ours is around them, a second became minutes.
+/// Scope guard that makes OpenMP parallel regions opened by this thread run with a single thread.
+///
+/// CHOLMOD requests four threads in every small loop, whatever the value of OMP_NUM_THREADS, and on
+/// fewer processors these wait for each other. With OMP_NUM_THREADS=1, where no parallel region of
+/// this library encloses the loops, a run of one second took minutes.
 class SerialRegions
 {
 public:

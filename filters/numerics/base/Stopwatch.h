@@ -4,7 +4,8 @@
 
 namespace crossfield
 {
-/// Seconds of wall-clock time between laps.
+/// Stopwatch for wall-clock time. Lap() returns the seconds since the previous call or the
+/// construction.
 class Stopwatch
 {
 public:

@@ -11,7 +11,7 @@ namespace crossfield
 {
 namespace
 {
-/// Adds up neighbours of the same row.
+/// Merges adjacent entries with the same row by adding them.
 void MergeRepeated(Eigen::SparseMatrix<double>& matrix)
 {
   int* const starts = matrix.outerIndexPtr();
@@ -39,10 +39,10 @@ void MergeRepeated(Eigen::SparseMatrix<double>& matrix)
   matrix.resizeNonZeros(kept);
 }
 
-/// Puts the entries of a column in order of their rows, those of one row in the order that they came in. Returns whether one has several.
+/// Sorts the entries of a column by row, stably. Returns whether a row occurs more than once.
 bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int, double>>& buffer)
 {
-  // Longer ones, of unknowns that many others depend on, are too long to be sorted by insertion.
+  // Columns of unknowns coupled to many others are too long for insertion sort.
   constexpr int MostToInsert = 32;
   if (count > MostToInsert)
   {
@@ -81,7 +81,7 @@ bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int,
 Eigen::SparseMatrix<double> AssembleSymmetric(
   const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal)
 {
-  // Each thread goes through all entries and takes those of its columns.
+  // Each thread reads all entries and processes those in its half of the columns.
   const auto size = static_cast<int>(diagonal.size());
   std::vector<int> next(static_cast<std::size_t>(size), 1);
   ForHalvesOf(size,

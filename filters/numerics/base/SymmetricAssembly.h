@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// The entry of a symmetric matrix in both places.
+/// Off-diagonal entry of a symmetric matrix, which stands for (row, column) and (column, row).
 struct SymmetricEntry
 {
   int row;
@@ -14,8 +14,10 @@ struct SymmetricEntry
   double value;
 };
 
-/// A symmetric matrix with both halves stored, compressed, rows in order; entries off the diagonal may come several times and
-/// are added up. Filled after a count, which is several times faster than sorting triplets.
+/// Assembles a symmetric matrix with both triangles stored, in compressed form with sorted rows.
+/// Repeated off-diagonal entries are added up.
+///
+/// Entries are counted before they are stored, which is several times faster than sorting triplets.
 Eigen::SparseMatrix<double> AssembleSymmetric(
   const Eigen::VectorXd& diagonal, const std::vector<SymmetricEntry>& offDiagonal);
 }

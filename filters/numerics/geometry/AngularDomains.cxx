@@ -15,7 +15,7 @@ Point Direction(double angle)
   return { std::cos(angle), std::sin(angle) };
 }
 
-/// Hexagon with two tips on the x axis, from which its sides rise by an angle.
+/// Returns a hexagon with two tips on the x axis, from which its sides rise at the angle `slope`.
 Loop TippedHexagon(double width, double slope)
 {
   const double tip = 0.5 * width;
@@ -48,7 +48,7 @@ std::vector<Loop> StarDomain(double radius, double innerRadius)
 
 std::vector<Loop> AngularBalancedDomain(double width)
 {
-  // The left side is broken twice, by 35°; the other corners turn by 72.5° each. Upper half:
+  // The left side bends twice, by 35° each; the other corners turn by 72.5° each. Upper half:
   const Point flat(0.0, 0.15 * width);
   const Point left = flat + 0.35 * width * Direction(55.0 * Degree);
   const Point along = Direction(-17.5 * Degree);
@@ -70,7 +70,7 @@ std::vector<Loop> AngularPositiveDomain(double width)
 std::vector<Loop> AngularHoleDomain(double width, double edgeLength)
 {
   const double radius = 0.1 * width;
-  // A polygon of fewer sides would have corners; a multiple of 4 keeps the symmetry.
+  // A polygon with fewer sides would have corners; a multiple of 4 preserves the symmetry.
   const double segments = std::max(4.0, std::ceil(0.5 * Pi * radius / edgeLength));
   if (!(segments < 2.5e5))
   {

@@ -4,25 +4,29 @@
 
 namespace crossfield
 {
-/// Regular hexagon around the origin with its corners at this distance, the first on the x axis.
+/// Returns a regular hexagon centred at the origin with circumradius `radius` and a corner on the
+/// positive x axis.
 std::vector<Loop> HexagonalDomain(double radius);
 
-/// Five-pointed star around the origin, one tip upwards: tips at the radius, the corners between
-/// them at the inner radius.
+/// Returns a five-pointed star centred at the origin, one tip pointing up. The tips are at distance
+/// `radius`, the corners between them at `innerRadius`.
 std::vector<Loop> StarDomain(double radius, double innerRadius);
 
 /// The angular domains of the paper (section "Generalized Poincaré-Hopf theorem"), drawn from its
-/// text, each with the total of interior quarter indices that the smallest rotations ask for.
-/// Widths are along x, and all are symmetric about the x axis.
+/// text. Each comment ends with the total of interior quarter indices that follows from the
+/// smallest rotations at the corners. Widths are along x, and all domains are symmetric about the x
+/// axis.
 ///@{
-/// Six sides with two angles of 145° at the left and four of 107.5°: 0.
+/// Returns a hexagon with two angles of 145° on the left and four of 107.5°: total 0.
 std::vector<Loop> AngularBalancedDomain(double width);
-/// Hexagon with angles of 100° at its two tips and four of 130°: −2, which is two −1/4.
+/// Returns a hexagon with angles of 100° at its two tips and four of 130°: total −2, two
+/// singularities of index −1/4.
 std::vector<Loop> AngularNegativeDomain(double width);
-/// Hexagon with angles of 80° at its two tips and four of 140°: 2, which is two +1/4.
+/// Returns a hexagon with angles of 80° at its two tips and four of 140°: total 2, two
+/// singularities of index +1/4.
 std::vector<Loop> AngularPositiveDomain(double width);
-/// AngularPositiveDomain with a round hole of radius width / 10 at its centre, in segments of at
-/// most the edge length: −2.
+/// Returns AngularPositiveDomain with a round hole of radius width / 10 at its centre, in segments
+/// no longer than `edgeLength`: total −2.
 std::vector<Loop> AngularHoleDomain(double width, double edgeLength);
 ///@}
 }

@@ -19,7 +19,7 @@ Corner DescribeVertex(const std::vector<Loop>& loops, std::size_t loop, std::siz
   corner.loop = static_cast<int>(loop);
   corner.vertex = static_cast<int>(vertex);
   corner.angle = Pi - TurningAt(points, vertex);
-  // The domain lies between the direction after and, counter-clockwise, the one back.
+  // The domain lies counter-clockwise from the next segment to the previous one.
   corner.inward = Eigen::Rotation2Dd(0.5 * corner.angle) * after.normalized();
   return corner;
 }

@@ -8,7 +8,7 @@ namespace crossfield
 {
 namespace
 {
-/// The segments without their direction, without repetitions and without points.
+/// Returns the segments as sorted vertex pairs, without duplicates and degenerate segments.
 std::vector<std::array<int, 2>> DistinctSegments(std::vector<std::array<int, 2>> segments)
 {
   for (auto& segment : segments)

@@ -6,15 +6,16 @@
 
 namespace crossfield
 {
-/// The domain with a vertex wherever a singularity lies on its boundary, within 1e-6 of the diagonal.
+/// Returns the domain with an additional vertex at each singularity on its boundary, within 1e-6 of
+/// the diagonal.
 PlanarDomain InsertBoundarySingularities(
   const PlanarDomain& domain, const Configuration& configuration);
 
-/// Whether a place is on the boundary, within 1e-6 of the diagonal.
+/// Returns whether a point is on the boundary, within 1e-6 of the diagonal.
 bool IsOnBoundary(const PlanarDomain& domain, const Point& place);
 
-/// The singularities on the boundary as chosen quarter indices of the vertices that
-/// InsertBoundarySingularities makes: there they take the place of the corner's own index.
+/// Returns the singularities on the boundary as prescribed quarter indices of the vertices that
+/// InsertBoundarySingularities creates. They replace the corner's own index there.
 std::vector<CornerChoice> BoundaryChoices(
   const PlanarDomain& domain, const Configuration& configuration);
 }

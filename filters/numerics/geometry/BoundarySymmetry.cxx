@@ -9,7 +9,7 @@ namespace crossfield
 {
 namespace
 {
-/// Without vertices at which the boundary goes straight on.
+/// Removes the vertices at which the boundary is straight.
 Loop Corners(const Loop& loop, double reach)
 {
   Loop corners;
@@ -27,12 +27,12 @@ Loop Corners(const Loop& loop, double reach)
   return corners;
 }
 
-/// Of the area that a loop encloses.
+/// Returns the centroid of the area enclosed by a loop.
 Point Centroid(const Loop& loop)
 {
   Point sum = Point::Zero();
   double area = 0.0;
-  const Point& origin = loop.front(); // far from it the products would lose digits
+  const Point& origin = loop.front(); // products of absolute coordinates would lose digits
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const Point from = loop[i] - origin;
@@ -43,8 +43,8 @@ Point Centroid(const Loop& loop)
   return origin + sum / (3.0 * area);
 }
 
-/// Whether vertices `from` on of one loop, forwards, are mapped to those of another, from `to` on, forwards
-/// or backwards.
+/// Returns whether an isometry maps vertices 0, 1, … of `a` to the vertices of `b` that start at
+/// `to`, in reverse order if it reflects.
 bool Fits(const Loop& a, const Loop& b, const Isometry& map, std::size_t to, double reach)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -71,7 +71,7 @@ public:
     this->Centre = Centroid(domain.loops[0]);
   }
 
-  /// The map that takes the first vertex of the outer loop to another one.
+  /// Returns the isometry that maps the first vertex of the outer loop to another one.
   Isometry To(std::size_t vertex, bool reflects) const
   {
     Point from = this->Loops[0][0] - this->Centre;
@@ -162,7 +162,7 @@ SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance)
   std::size_t step = search.Count();
   for (std::size_t vertex = 1; vertex < search.Count(); ++vertex)
   {
-    // The smallest rotation, so a divisor of the number of vertices.
+    // The step of the smallest rotation divides the number of vertices.
     if (search.Count() % vertex == 0 && search.IsSymmetry(search.To(vertex, false), vertex))
     {
       step = vertex;

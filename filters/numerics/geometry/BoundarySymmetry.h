@@ -4,7 +4,8 @@
 
 namespace crossfield
 {
-/// A rotation about a centre, after a reflection in the x axis through it or not.
+/// Rotation about a centre, optionally preceded by a reflection in the line through the centre
+/// parallel to the x axis.
 struct Isometry
 {
   Point centre = Point::Zero();
@@ -15,25 +16,26 @@ struct Isometry
   Isometry Inverse() const;
 };
 
-/// A group of symmetries about one centre: the rotations by multiples of 2π / order, and for each of them
-/// its product with one reflection, if there is any.
+/// Symmetry group about one centre: the rotations by multiples of 2π / order and, if there is a
+/// reflection, its product with each of them.
 struct SymmetryGroup
 {
   Point centre = Point::Zero();
   int order = 1; ///< Number of rotations.
   bool reflects = false;
-  double axis = 0.0; ///< Angle of one axis of reflection, in [0, π / order).
+  double axis = 0.0; ///< Angle of one reflection axis, in [0, π / order).
 
-  /// All elements, the identity first.
+  /// Returns all elements, the identity first.
   std::vector<Isometry> Elements() const;
   bool IsTrivial() const { return this->order == 1 && !this->reflects; }
 };
 
-/// The symmetries of a domain: every one maps the vertices of all loops to vertices, within a part of
-/// the diagonal, 1e-9 by default. Vertices on straight sides do not matter.
+/// Returns the symmetries of a domain. Each of them maps the vertices of all loops to vertices,
+/// within `tolerance` times the diagonal. Vertices on straight sides are ignored.
 ///
-/// The centre is that of the outer loop's area. The smallest rotation that maps the boundary to itself
-/// generates all, and one reflection gives the others, so the time is linear in the number of vertices,
-/// but for domains whose outer loop has symmetries that inner loops have not.
+/// The centre is the centroid of the outer loop's area. The smallest rotation that maps the
+/// boundary to itself generates all rotations, and one reflection yields all others. The running
+/// time is therefore linear in the number of vertices, except for domains whose outer loop has
+/// symmetries that the inner loops do not share.
 SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance = 1e-9);
 }

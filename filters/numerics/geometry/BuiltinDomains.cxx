@@ -20,16 +20,16 @@ double RequirePositive(double length, const char* what)
   return length;
 }
 
-/// Points of an arc of an ellipse centred at the origin, the end point left out.
+/// Returns points on an arc of an ellipse centred at the origin, without the end point.
 Loop Arc(double semiAxisX, double semiAxisY, double from, double to, double edgeLength)
 {
-  // The length is that of the circle with the larger semi-axis, so no segment is longer than asked;
-  // four equal quarters keep the symmetries of the shape.
+  // The length is that of the circle with the larger semi-axis, so no segment exceeds the edge
+  // length. Four equal quarters preserve the symmetries of the shape.
   const double length = std::max(semiAxisX, semiAxisY) * (to - from);
   const double quarters = (to - from) / (0.5 * Pi);
   const double segments =
     quarters * std::max(2.0, std::ceil(length / quarters / edgeLength * (1.0 - 1e-12)));
-  // A mesh with so many edges on its boundary has ten times as many triangles or more.
+  // A mesh with a million boundary edges has at least ten times as many triangles.
   if (!(segments < 1e6))
   {
     throw Error("The edge length of a built-in domain would cut its curve into more than a million "
@@ -45,8 +45,8 @@ Loop Arc(double semiAxisX, double semiAxisY, double from, double to, double edge
   return points;
 }
 
-/// Segments no longer than the edge length of a polygon's sides are the mesher's business: a side
-/// stays one segment.
+/// Function that makes the loops of a shape. A side of a polygon remains one segment; the mesher
+/// divides it.
 using Maker = std::function<std::vector<Loop>(const BuiltinDomain&)>;
 
 double EdgeLength(const BuiltinDomain& domain, double width, double height)
@@ -127,7 +127,7 @@ std::vector<Loop> Star(const BuiltinDomain& domain)
   return StarDomain(domain.radius, inner);
 }
 
-/// An angular domain of the paper that has a width only.
+/// Makes an angular domain of the paper that is described by its width alone.
 template <std::vector<Loop> (*Make)(double)>
 std::vector<Loop> Angular(const BuiltinDomain& domain)
 {

@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// The shape and size of a built-in domain; each shape reads the lengths named beside it.
+/// Shape and dimensions of a built-in domain. Each shape uses the lengths listed beside it.
 struct BuiltinDomain
 {
   /// disk (radius), ring (radius, innerRadius), ellipse (width, height), quarter-disk (radius),
@@ -18,16 +18,17 @@ struct BuiltinDomain
   double innerRadius = 0.4;
   double width = 1.0;
   double height = 0.5;
-  /// Length of the segments that stand for curves; 0: 1/40 of the bounding box's diagonal.
+  /// Length of the segments that approximate curves; 0 means 1/40 of the bounding box's diagonal.
   double edgeLength = 0.0;
 };
 
-/// The names that MakeBuiltinDomain knows.
+/// Returns the names of the shapes that MakeBuiltinDomain accepts.
 const std::vector<std::string>& BuiltinDomainNames();
 
-/// Boundary loops of a built-in domain, counter-clockwise, the outer one first. Disk, ring,
-/// ellipse, hexagonal, star and the angular domains but angular-balanced, whose left side is on the
-/// y axis, are centred at the origin; the other shapes have their lower left corner there.
-/// Throws Error for an unknown name or a length that is not positive.
+/// Returns the boundary loops of a built-in domain, counter-clockwise, the outer one first.
+///
+/// Disk, ring, ellipse, hexagonal, star and the angular domains are centred at the origin, except
+/// angular-balanced, whose left side is on the y axis. The other shapes have their lower left
+/// corner at the origin. Throws Error for an unknown name or a length that is not positive.
 std::vector<Loop> MakeBuiltinDomain(const BuiltinDomain& domain);
 }

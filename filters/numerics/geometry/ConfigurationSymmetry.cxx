@@ -10,7 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// The subgroups that contain rotations by 2π / d, the largest first: with one of the axes, or none.
+/// Returns the subgroups with at most `mostRotations` rotations, without a reflection or with one
+/// of the axes, the largest first.
 std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int mostRotations)
 {
   std::vector<SymmetryGroup> subgroups;
@@ -33,8 +34,9 @@ std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int mostRotatio
   return subgroups;
 }
 
-/// The rows that an isometry takes those of a configuration to, the nearest of equal quarter index;
-/// nothing where they are farther than a distance, or two would be the same.
+/// Maps each singularity by an isometry and returns the row of the nearest one with the same
+/// quarter index. Returns nothing if one of them is farther away than `distance`, or if two have
+/// the same image.
 std::optional<std::vector<std::size_t>> FindImages(
   const Configuration& configuration, const Isometry& map, double distance)
 {
@@ -70,7 +72,8 @@ std::optional<ConfigurationSymmetry> Match(
   ConfigurationSymmetry symmetry;
   for (const Isometry& map : group.Elements())
   {
-    // What is off by the distance may have its image off by as much, on the other side.
+    // A singularity may be displaced by `distance`, and its image by as much in the opposite
+    // direction.
     const auto images = FindImages(configuration, map, 2.0 * distance);
     if (!images)
     {
@@ -81,7 +84,7 @@ std::optional<ConfigurationSymmetry> Match(
   }
   Configuration projected = configuration;
   symmetry.Project(projected);
-  // The images of a group action: otherwise the mean is not symmetric.
+  // The mean is symmetric only if the images define a group action.
   Configuration again = projected;
   symmetry.Project(again);
   double rounding = 1e-9 * distance;
@@ -133,7 +136,7 @@ Eigen::VectorXd ConfigurationSymmetry::ProjectDirections(const Eigen::VectorXd& 
   for (std::size_t g = 0; g < this->elements.size(); ++g)
   {
     Isometry inverse = this->elements[g].Inverse();
-    inverse.centre = Point::Zero(); // directions have none
+    inverse.centre = Point::Zero(); // directions are mapped by the linear part only
     for (std::size_t i = 0; i < this->images[g].size(); ++i)
     {
       const Point way = directions.segment<2>(2 * static_cast<Eigen::Index>(this->images[g][i]));
@@ -146,7 +149,7 @@ Eigen::VectorXd ConfigurationSymmetry::ProjectDirections(const Eigen::VectorXd& 
 ConfigurationSymmetry MatchSymmetry(const Configuration& configuration, const SymmetryGroup& group,
   double distance, const IsometryTest& keeps)
 {
-  // One at the centre is alone, any other has as many images as there are rotations.
+  // A single singularity can be at the centre; any other has as many images as there are rotations.
   const int mostRotations =
     configuration.size() < 2 ? group.order : static_cast<int>(configuration.size());
   for (const SymmetryGroup& subgroup : Subgroups(group, mostRotations))

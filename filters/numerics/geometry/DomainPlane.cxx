@@ -15,7 +15,7 @@ namespace
 {
 using Eigen::Vector3d;
 
-/// The axes of a coordinate plane and its normal.
+/// Axes and normal of a coordinate plane.
 struct Frame
 {
   Vector3d axis1;
@@ -23,10 +23,10 @@ struct Frame
   Vector3d normal;
 };
 
-/// The frame of the coordinate plane nearest to that of a normal.
+/// Returns the frame of the coordinate plane nearest to the plane with the given normal.
 Frame NearestCoordinatePlane(const Vector3d& normal)
 {
-  // Where two are as near, as for a slope of 45°, rounding must not choose between them.
+  // If two planes are equally near, as at a slope of 45°, rounding must not decide between them.
   constexpr double Tie = 1e-6;
   const Vector3d size = normal.cwiseAbs();
   const double largest = size.maxCoeff() - Tie;
@@ -66,7 +66,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   const Vector3d lower = points.rowwise().minCoeff();
   const Vector3d extent = points.rowwise().maxCoeff() - lower;
   plane.Size = extent.norm();
-  // Coordinates that went through single precision are off by 6e-8 of their size.
+  // Coordinates stored in single precision have a relative error of 6e-8.
   constexpr double Flatness = 1e-6;
   if (extent.z() <= Flatness * (std::hypot(extent.x(), extent.y()) + std::abs(lower.z())))
   {
@@ -76,7 +76,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
 
   const bool isCoordinatePlane = extent.x() == 0.0 || extent.y() == 0.0;
   Vector3d normal = extent.x() == 0.0 ? Vector3d::UnitX() : Vector3d::UnitY();
-  if (!isCoordinatePlane && points.cols() > 2) // fewer do not make a loop
+  if (!isCoordinatePlane && points.cols() > 2) // fewer points do not form a loop
   {
     normal = LeastSquaresNormal(points);
   }
@@ -85,7 +85,7 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   {
     normal = -normal;
   }
-  // The shortest rotation that takes the base's normal to this one.
+  // The shortest rotation that maps the base's normal to this one.
   const Vector3d middle = (base.normal + normal) / (1.0 + base.normal.dot(normal));
   plane.Axis1 = base.axis1 - base.axis1.dot(normal) * middle;
   plane.Axis2 = base.axis2 - base.axis2.dot(normal) * middle;

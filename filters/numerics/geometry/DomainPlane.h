@@ -8,48 +8,52 @@
 
 namespace crossfield
 {
-/// The plane of a domain in space, with the right-handed frame in which its computations are done:
-/// p = x axis1 + y axis2 + offset normal.
+/// Plane of a domain in space, with the right-handed frame used for computations: p = x axis1 + y
+/// axis2 + offset normal.
 ///
-/// The frame is that of the nearest coordinate plane, turned with it by the shortest rotation: the
-/// axes (x, y) with the normal z, (y, z) with x, or (x, z) with −y. It depends on the direction of
-/// the plane only, so that a domain, its singularities and its mesh have the same. In coordinate
-/// planes coordinates are copied, bit for bit. In others they are rounded to 2^-44 of their size:
-/// rounding errors would else decide the many ties in the mesh of a symmetrical domain.
+/// The frame is that of the nearest coordinate plane, mapped by the shortest rotation to the plane
+/// of the domain: the axes (x, y) with the normal z, (y, z) with x, or (x, z) with −y. It depends
+/// only on the direction of the plane, so a domain, its singularities and its mesh have the same
+/// frame. In coordinate planes, coordinates are copied bit for bit. In other planes they are
+/// rounded to 2^-44 of their magnitude; otherwise rounding errors would decide the many ties in the
+/// mesh of a symmetric domain.
 class DomainPlane
 {
 public:
-  /// The plane z = 0.
+  /// Constructs the plane z = 0.
   DomainPlane() = default;
 
-  /// The plane z = const if z varies by no more than single precision makes it, else the plane of
-  /// least squares. One point a column. Throws Error, with the deviation, when the points are not
-  /// in one plane. Points that are not finite give z = 0: the mesh or loops of them are refused.
+  /// Finds the plane of points, given as columns: z = const if z varies by no more than single
+  /// precision explains, otherwise the least-squares plane.
+  ///
+  /// Throws Error, with the deviation, if the points are not coplanar. Points that are not finite
+  /// yield z = 0; a mesh or loops of such points are refused elsewhere.
   static DomainPlane Find(const Eigen::Matrix3Xd& points);
 
-  /// z = const: z is ignored in input that has to fit to the domain.
+  /// Returns whether the plane is z = const. The z coordinates of input that belongs to the domain
+  /// are then ignored.
   bool IsHorizontal() const { return this->Normal == Eigen::Vector3d::UnitZ(); }
 
-  /// The coordinates of the foot of a point of space.
+  /// Returns the plane coordinates of the orthogonal projection of a point in space.
   Point ToPlane(const Eigen::Vector3d& place) const;
 
-  /// As ToPlane; throws Error for a point that is not in the plane, unless that is z = const.
-  /// `what` begins the sentence. Off by 1/1000 of the domain is allowed: coordinates are typed with
-  /// few digits.
+  /// Works as ToPlane and throws Error if the point is not in the plane, unless the plane is z =
+  /// const. `what` begins the message. A distance of up to 1/1000 of the domain's size is accepted,
+  /// because coordinates are typed with few digits.
   Point RequireInPlane(const Eigen::Vector3d& place, const std::string& what) const;
 
-  /// The point of space with given coordinates.
+  /// Returns the point in space with the given plane coordinates.
   Eigen::Vector3d ToSpace(const Point& point) const;
 
-  /// A direction in the plane as one of space.
+  /// Returns the direction in space of a direction in the plane.
   Eigen::Vector3d DirectionToSpace(const Point& direction) const;
 
 private:
   Eigen::Vector3d Axis1 = Eigen::Vector3d::UnitX();
   Eigen::Vector3d Axis2 = Eigen::Vector3d::UnitY();
   Eigen::Vector3d Normal = Eigen::Vector3d::UnitZ();
-  double Offset = 0.0;  ///< Of the plane along the normal.
+  double Offset = 0.0;  ///< Signed distance of the plane from the origin along the normal.
   double Size = 0.0;    ///< Diagonal of the bounding box of its points.
-  double Quantum = 0.0; ///< Coordinates are rounded to multiples of it; 0: not at all.
+  double Quantum = 0.0; ///< Unit to which coordinates are rounded; 0 means no rounding.
 };
 }

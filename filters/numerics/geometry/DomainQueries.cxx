@@ -12,8 +12,8 @@ namespace crossfield
 {
 namespace
 {
-/// How a segment counts in the winding number around a point: whether it crosses the ray to the
-/// right of the point upwards, 1, or downwards, −1.
+/// Returns the contribution of a segment to the winding number around a point: 1 if it crosses the
+/// ray to the right of the point upwards, −1 if downwards, otherwise 0.
 int RayCrossing(const Point& point, const Point& from, const Point& to)
 {
   const bool below = from.y() <= point.y();
@@ -40,13 +40,13 @@ double SignedDistance(const Point& point, const PlanarDomain& domain)
       winding += RayCrossing(point, from, to);
     }
   }
-  // The loops wind once around a point of the domain and not at all around any other.
+  // The loops wind once around a point of the domain and not at all around any other point.
   return winding > 0 ? std::sqrt(distance) : -std::sqrt(distance);
 }
 
 double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction)
 {
-  // The segments that start or end here are not met again.
+  // Segments that start or end at `from` do not count.
   const double nearby = 1e-9 * domain.Diagonal();
   double clear = std::numeric_limits<double>::infinity();
   for (const Loop& loop : domain.loops)

@@ -36,7 +36,7 @@ double ChosenRadius(
   const Point& place = configuration[row].position;
   if (!place.allFinite())
   {
-    return meshSize; // which drilling refuses
+    return meshSize; // refused by DrillHoles
   }
   const double inside = SignedDistance(place, domain);
   const double next = NextSingularity(configuration, row);

@@ -5,17 +5,19 @@
 
 namespace crossfield
 {
-/// Half the room around a singularity: the least of its distance to the boundary, negative outside, and
-/// half of that to the next singularity. Holes of this radius would touch.
+/// Returns the radius at which the hole of a singularity touches the boundary or a neighbouring
+/// hole of the same radius: the minimum of its distance to the boundary, negative outside the
+/// domain, and half of its distance to the nearest other singularity.
 double RoomOf(const PlanarDomain& domain, const Configuration& configuration, std::size_t row);
 
-/// The radius of a hole where none is given: at most the mesh size, at most a third of the distance to
-/// the boundary or to the next singularity, so that triangles fit in between (docs/method.md §5.5). Outside the
-/// domain or on its boundary the mesh size, which drilling refuses by its name.
+/// Returns the default radius of a hole: at most the mesh size, and at most a third of the distance
+/// to the boundary or to the nearest other singularity, so that triangles fit in between
+/// (docs/method.md §5.5). Outside the domain or on its boundary it is the mesh size; DrillHoles
+/// then reports the singularity by its name.
 double ChosenRadius(
   const PlanarDomain& domain, const Configuration& configuration, std::size_t row, double meshSize);
 
-/// The configuration with a radius wherever it has none; given ones are kept.
+/// Returns the configuration with default radii where none is given.
 Configuration WithChosenRadii(
   const PlanarDomain& domain, const Configuration& configuration, double meshSize);
 }

@@ -63,7 +63,8 @@ std::size_t LoopArc::NearestVertex(double length) const
 //------------------------------------------------------------------------------
 double LoopArc::Nearest(const Point& place) const
 {
-  const double rounding = 1e-13 * this->Length(); // of a distance between points of the domain
+  // rounding error of a distance between points of the domain
+  const double rounding = 1e-13 * this->Length();
   const std::size_t count = this->Polyline.size();
   double nearest = 0.0;
   double least = std::numeric_limits<double>::infinity();

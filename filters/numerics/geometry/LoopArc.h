@@ -6,45 +6,47 @@
 
 namespace crossfield
 {
-/// A closed polyline by the length along it from its first vertex.
+/// Arc-length parametrisation of a closed polyline, starting at its first vertex.
 class LoopArc
 {
 public:
   explicit LoopArc(const Loop& loop);
 
-  /// One loop round.
+  /// Returns the length of the loop.
   double Length() const { return this->Starts.back(); }
-  /// Where a vertex is; that of the number of vertices is the length of the whole loop.
+  /// Returns the arc length at a vertex; for the number of vertices, the length of the loop.
   double Start(std::size_t vertex) const { return this->Starts[vertex]; }
   const Loop& Vertices() const { return this->Polyline; }
 
-  // Lengths may be of more than one round, or negative.
+  // Arc lengths may be negative or exceed the length of the loop.
 
-  /// The side at a length, that after a vertex at it, and which part of it is before: in [0, 1].
+  /// Returns the side at an arc length and the position on it as a fraction in [0, 1]. At a vertex
+  /// it is the side after the vertex.
   std::pair<std::size_t, double> SideAt(double length) const;
 
-  /// The place at a length.
+  /// Returns the point at an arc length.
   Point At(double length) const;
 
-  /// Unit vector along the side at a length.
+  /// Returns the unit vector along the side at an arc length.
   Point Tangent(double length) const;
 
-  /// The vertex nearest to a length along the loop.
+  /// Returns the vertex nearest to an arc length, measured along the loop.
   std::size_t NearestVertex(double length) const;
 
-  /// Where the point of the loop is that is nearest to a place; the vertex between two sides that are equally
-  /// near. Linear in the vertices.
+  /// Returns the arc length of the point of the loop nearest to a given point. If two adjacent
+  /// sides are equally near, it is the vertex between them. Takes time linear in the number of
+  /// vertices.
   double Nearest(const Point& place) const;
 
-  /// The same, if it is not farther than a reach; else negative.
+  /// Returns the same if the distance is at most `reach`, otherwise a negative number.
   double Find(const Point& place, double reach) const;
-  /// Where those of some places are that are not farther than a reach.
+  /// Returns the arc lengths of those points that are at most `reach` away from the loop.
   std::vector<double> FindAll(const std::vector<Point>& places, double reach) const;
 
-  /// Angles from side to side at the vertices, positive to the left.
+  /// Returns the turning angles at the vertices, positive to the left.
   std::vector<double> Turns() const;
 
-  /// Where the vertices are that turn by more than an angle (IsCorner), in order.
+  /// Returns the arc lengths of the vertices that are corners (IsCorner), in increasing order.
   std::vector<double> Corners(double cornerAngle) const;
 
 private:
@@ -55,20 +57,20 @@ private:
   }
 
   Loop Polyline;
-  std::vector<double> Starts; ///< One more than there are vertices.
+  std::vector<double> Starts; ///< Arc lengths of the vertices, followed by the length of the loop.
 };
 
-/// A vertex of a new loop, and which place of the old one it stands for.
+/// Vertex of a simplified loop, with its parameter on the original loop.
 struct ArcVertex
 {
-  double at = 0.0; ///< Length along the old loop, in [0, Length()).
+  double at = 0.0; ///< Arc length on the original loop, in [0, Length()).
   Point place = Point::Zero();
 };
 
-/// The largest distance of the vertices of a loop to the sides of a new one that stand for them: those from
-/// one of its vertices, whose `at` increase, to the next, round the loop.
+/// Returns the largest distance from a vertex of a loop to the side of the simplified loop that
+/// replaces it. Such a side joins two consecutive vertices, whose `at` increase around the loop.
 double LargestDistance(const LoopArc& arc, const std::vector<ArcVertex>& vertices);
 
-/// The places of vertices.
+/// Returns the positions of vertices.
 Loop PlacesOf(const std::vector<ArcVertex>& vertices);
 }

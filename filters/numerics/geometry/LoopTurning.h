@@ -4,6 +4,6 @@
 
 namespace crossfield
 {
-/// Angle in (−π, π] by which a loop turns at a vertex, counter-clockwise positive.
+/// Returns the angle in (−π, π] by which a loop turns at a vertex, counter-clockwise positive.
 double TurningAt(const Loop& loop, std::size_t vertex);
 }

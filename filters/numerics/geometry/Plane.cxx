@@ -19,7 +19,8 @@ double SignedArea(const Loop& loop)
   double twice = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    // Relative to the first point, so that a small loop far from the origin keeps its area.
+    // Relative to the first point, so that the area of a small loop far from the origin is
+    // accurate.
     twice += Cross(loop[i] - loop[0], loop[(i + 1) % loop.size()] - loop[0]);
   }
   return 0.5 * twice;

@@ -23,7 +23,7 @@ public:
     , Blocker(polygon.size(), -1)
   {
     const auto count = static_cast<int>(polygon.size());
-    // Points along straight sides are off by rounding.
+    // Points along straight sides are displaced by rounding.
     constexpr double Rounding = 1e-14;
     for (int i = 0; i < count; ++i)
     {
@@ -73,14 +73,14 @@ public:
 private:
   const Point& At(int i) const { return this->Points[Index(i)]; }
 
-  /// Twice the area of the triangle at a vertex.
+  /// Returns twice the signed area of the triangle that a vertex forms with its neighbours.
   double Turn(int i) const
   {
     const Point& here = this->At(i);
     return Cross(here - this->At(this->Before[Index(i)]), this->At(this->After[Index(i)]) - here);
   }
 
-  /// The square of its diagonal, if it is an ear.
+  /// Sets the cost of a vertex: the square of its diagonal if it is an ear.
   void Rate(int i)
   {
     const int before = this->Before[Index(i)];
@@ -123,9 +123,9 @@ private:
   std::vector<int> Before;
   std::vector<int> After;
   std::vector<double> Cost;
-  std::vector<int> Blocker; ///< A point in the triangle of a vertex that therefore is no ear.
+  std::vector<int> Blocker; ///< A point inside the triangle at a vertex, which therefore is no ear.
   std::vector<std::array<int, 3>> Triangles;
-  double Flat = 0.0; ///< Twice the area of a triangle that counts as none.
+  double Flat = 0.0; ///< Twice the area up to which a triangle counts as degenerate.
 };
 }
 

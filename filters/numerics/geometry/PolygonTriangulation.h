@@ -7,12 +7,12 @@
 
 namespace crossfield
 {
-/// Divides a polygon, counter-clockwise, into triangles of its own points, counter-clockwise, without
-/// those of no area: what a renderer needs, which draws concave polygons wrongly. Ears with the shortest
-/// diagonal are cut off first, in O(n²). Points may repeat, as along the slit of a ring that is cut
-/// open (vtkContourTriangulator gives up there, vtkPolygon leaves parts out).
+/// Triangulates a counter-clockwise polygon without additional points. Returns counter-clockwise
+/// triangles, without degenerate ones, for renderers that draw concave polygons wrongly.
 ///
-/// Where rounding leaves no ear the vertex that turns most to the left is taken all the same: signed
-/// areas always add up to that of the polygon, to rounding.
+/// Ears with the shortest diagonal are clipped first, in O(n²). Points may repeat, as along the
+/// slit of a ring that is cut open (vtkContourTriangulator fails there, vtkPolygon omits parts). If
+/// rounding leaves no ear, the vertex that turns most to the left is clipped instead; signed areas
+/// always add up to that of the polygon, up to rounding.
 std::vector<std::array<int, 3>> TriangulatePolygon(const Loop& polygon);
 }

@@ -6,9 +6,9 @@
 
 namespace crossfield
 {
-/// Wanted size of quads at a point of the plane. As a rule only its proportions count.
+/// Target size of quads at a point of the plane. Usually only its proportions matter.
 using SizeFunction = std::function<double(const Point&)>;
 
-/// Throws Error where it is not a positive number.
+/// Returns the target size at a point; throws Error if it is not a positive number.
 double TargetSize(const SizeFunction& sizes, const Point& place);
 }

@@ -15,7 +15,8 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
   const Eigen::Index functions = firstValues.size();
   Eigen::MatrixXd values(functions, edges.Count());
   std::vector<char> known(static_cast<std::size_t>(edges.Count()), 0);
-  // Breadth-first; every triangle is entered once, by an edge where the values are known already, and passed to the other two.
+  // Breadth-first search. Each triangle is entered once, through an edge with known values, and
+  // these are continued to its other two edges.
   std::vector<char> passed(mesh.triangles.size(), 0);
   struct Entry
   {

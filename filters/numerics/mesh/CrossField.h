@@ -5,26 +5,27 @@
 
 namespace crossfield
 {
-/// A Crouzeix-Raviart cross field on a mesh (docs/method.md §1, §2.1).
+/// Crouzeix-Raviart cross field on a mesh (docs/method.md §1, §2.1).
 struct CrossField
 {
   SharedTopology topology;
-  ComplexVector u; ///< Representation, about e^{4iθ}, at each edge.
+  ComplexVector u; ///< Representation of the cross at each edge, approximately e^{4iθ}.
 };
 
-/// The phase 4θ of a cross field without the ambiguity of 2π, as far as that is possible.
+/// Phase 4θ of a cross field, unwrapped along a spanning tree of the edges.
 struct UnwrappedPhase
 {
-  /// arg u + 2π n at each edge, n integer. Along a tree over all edges it goes by the shortest way from
-  /// one edge of a triangle to the next.
+  /// arg u + 2πn at each edge, n an integer. Along the tree, which joins edges of a common
+  /// triangle, the phase changes by the difference in (−π, π].
   Eigen::VectorXd atEdges;
-  /// Per triangle, for its sides p0p1, p1p2, p2p0: by how many turns the phase on the next side differs
-  /// from that of this side plus the shortest way. In quarters of a turn of the cross; zero on the tree,
-  /// and the sum over a triangle is minus its index.
+  /// For the sides p0p1, p1p2, p2p0 of each triangle: the number of turns by which the phase on the
+  /// next side differs from the phase on this side plus the difference in (−π, π]. One unit is a
+  /// quarter turn of the cross. The numbers are zero on the tree, and their sum over a triangle is
+  /// minus its index.
   std::vector<std::array<int, 3>> matching;
 };
 
-/// Computed breadth-first from an edge of the outer loop. Throws Error when there is none, or the field
-/// has no direction at an edge.
+/// Unwraps the phase, breadth-first from an edge of the outer loop. Throws Error if there is no
+/// such edge, or if the field is zero or not finite at an edge.
 UnwrappedPhase UnwrapPhase(const CrossField& field);
 }

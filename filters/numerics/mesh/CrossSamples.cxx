@@ -20,7 +20,8 @@ CrossSamples SampleField(
     samples.atTriangles[static_cast<Eigen::Index>(t)] = sum / 3.0;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      // The linear function with these midpoint values, at the vertex opposite edge i + 1.
+      // The linear function with these midpoint values, evaluated at the vertex opposite edge i +
+      // 1.
       samples.atVertices[triangle[i]] += area * (sum - 2.0 * u[numbers[(i + 1) % 3]]);
       weights[triangle[i]] += area;
     }

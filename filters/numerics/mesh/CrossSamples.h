@@ -4,20 +4,21 @@
 
 namespace crossfield
 {
-/// A Crouzeix-Raviart field sampled where it is shown.
+/// Samples of a Crouzeix-Raviart field for visualisation.
 struct CrossSamples
 {
   ComplexVector atTriangles; ///< u at each centroid.
-  /// u at each vertex: the mean of the values that the adjacent triangles have there, weighted by
-  /// area; second-order accurate up to the boundary. Zero at a vertex without triangles.
+  /// u at each vertex: the area-weighted mean of the values in the adjacent triangles. Second-order
+  /// accurate up to the boundary; zero at a vertex without triangles.
   ComplexVector atVertices;
 };
 
-/// `u` has one value per edge.
+/// Samples a field `u`, given by one value per edge.
 CrossSamples SampleField(
   const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u);
 
-/// Unit vector along a branch of the cross that u represents: (cos θ, sin θ) with θ = arg(u) / 4.
+/// Returns a unit vector along a branch of the cross that u represents: (cos θ, sin θ) with θ =
+/// arg(u) / 4.
 inline Point CrossBranch(const Complex& u)
 {
   const double angle = 0.25 * std::arg(u);

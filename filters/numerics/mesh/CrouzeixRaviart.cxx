@@ -12,7 +12,7 @@ SparseMatrix CrouzeixRaviartStiffness(
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto& triangle = mesh.triangles[t];
-    Point along[3]; // edge vectors p0p1, p1p2, p2p0: rotated and divided by the area they are ∇ψ
+    Point along[3]; // edge vectors p0p1, p1p2, p2p0; rotated and divided by the area they are ∇ψ
     for (std::size_t i = 0; i < 3; ++i)
     {
       along[i] = mesh.points[static_cast<std::size_t>(triangle[(i + 1) % 3])] -

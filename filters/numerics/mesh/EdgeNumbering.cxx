@@ -11,7 +11,7 @@ namespace crossfield
 {
 namespace
 {
-/// The edges grouped by their smaller vertex: a table that is linear in the size of the mesh.
+/// Table of edges grouped by their smaller vertex; its size is linear in that of the mesh.
 class EdgeTable
 {
 public:
@@ -20,7 +20,7 @@ public:
   {
   }
 
-  /// The number of an edge, a new one if it was not seen before.
+  /// Returns the number of an edge, and adds the edge if it is new.
   int Number(int a, int b, std::vector<std::array<int, 2>>& vertices)
   {
     const int smaller = std::min(a, b);
@@ -40,11 +40,11 @@ public:
 
 private:
   static constexpr int None = -1;
-  std::vector<int> First; ///< Last edge made for each smaller vertex,
-  std::vector<int> Next;  ///< and the one made before it.
+  std::vector<int> First; ///< Last edge added for each smaller vertex.
+  std::vector<int> Next;  ///< For each edge, the one added before it for the same vertex.
 };
 
-/// Chains directed edges of any kinds into loops.
+/// Chains directed edges into loops, one for each kind and id.
 std::vector<BoundaryLoop> FindLoops(const std::vector<BoundaryEdge>& edges, std::size_t vertexCount)
 {
   std::map<std::tuple<int, int>, std::vector<int>> groups;
@@ -56,7 +56,7 @@ std::vector<BoundaryLoop> FindLoops(const std::vector<BoundaryEdge>& edges, std:
   std::vector<BoundaryLoop> loops;
   for (const auto& [key, group] : groups)
   {
-    // Group by group: imprinted triangles may share a vertex.
+    // One group at a time, because imprinted triangles may share a vertex.
     for (const int i : group)
     {
       outgoing[static_cast<std::size_t>(edges[static_cast<std::size_t>(i)].vertices[0])] = i;

@@ -4,15 +4,16 @@
 
 namespace crossfield
 {
-/// The edges of a triangle mesh, numbered from 0; the degrees of freedom of Crouzeix-Raviart
-/// functions. All members are in the numbering of the mesh they were made from.
+/// Numbering of the edges of a triangle mesh from 0; edges carry the degrees of freedom of
+/// Crouzeix-Raviart functions. All members refer to the numbering of the mesh from which they were
+/// computed.
 struct EdgeNumbering
 {
-  /// Edge e joins vertices[e][0] < vertices[e][1].
+  /// End points of each edge, vertices[e][0] < vertices[e][1].
   std::vector<std::array<int, 2>> vertices;
   /// Edges p0p1, p1p2, p2p0 of triangle (p0, p1, p2).
   std::vector<std::array<int, 3>> ofTriangle;
-  /// The one or two triangles at each edge; −1 where there is none.
+  /// One or two triangles at each edge; −1 if there is no second one.
   std::vector<std::array<int, 2>> triangles;
   /// Edge of each entry of mesh.boundary.
   std::vector<int> ofBoundary;
@@ -20,36 +21,40 @@ struct EdgeNumbering
   std::vector<int> ofImprinted;
 
   int Count() const { return static_cast<int>(this->vertices.size()); }
-  /// Vertices − edges + triangles; only vertices that a triangle uses are counted.
+  /// Returns vertices − edges + triangles. Only vertices used by a triangle are counted.
   int EulerCharacteristic(const TriangleMesh& mesh) const;
 };
 
-/// Throws Error when an edge has more than two triangles, a boundary entry is not an edge of the
-/// mesh, or an edge with one triangle is missing from mesh.boundary; or when an imprinted entry is
-/// not an edge with two triangles, or is there twice.
+/// Numbers the edges of a mesh.
+///
+/// Throws Error if an edge has more than two triangles, if a boundary entry is not an edge of the
+/// mesh, if an edge with one triangle is missing from mesh.boundary, or if an imprinted entry is
+/// repeated or not an edge with two triangles.
 EdgeNumbering NumberEdges(const TriangleMesh& mesh);
 
-/// A closed chain of boundary edges.
+/// Closed chain of boundary edges.
 struct BoundaryLoop
 {
   BoundaryKind kind;
   int id;
   int quarterIndex;
-  /// Positions in mesh.boundary, counter-clockwise around what the loop encloses: the outer loop
-  /// as its edges are directed, inner loops and holes against it. Of imprinted circles, positions in
-  /// mesh.imprinted.
+  /// Indices into mesh.boundary, counter-clockwise around the region that the loop encloses: along
+  /// the direction of the edges for the outer loop, against it for inner loops and holes. For
+  /// imprinted circles they are indices into mesh.imprinted.
   std::vector<int> edges;
 };
 
-/// The edges of the mesh that a loop consists of, in its order.
+/// Returns the mesh edges of a loop, in its order.
 std::vector<int> EdgesOf(const BoundaryLoop& loop, const EdgeNumbering& edges);
 
-/// Centre of mass of a loop as a wire: that of a circle also where its edges were split unevenly.
+/// Returns the centre of mass of a loop as a wire. For a circle this is the centre even if its
+/// edges are divided unevenly.
 Point CentreOf(const BoundaryLoop& loop, const TriangleMesh& mesh);
 
-/// The loops of the marked edges, ordered by kind and id. Throws Error when one is not closed.
+/// Returns the loops of the boundary edges, ordered by kind and id. Throws Error if one is not
+/// closed.
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
 
-/// The imprinted circles likewise, ordered by id.
+/// Returns the imprinted circles, ordered by id. Throws Error if one is not closed.
 std::vector<BoundaryLoop> FindImprintedLoops(const TriangleMesh& mesh);
 }

@@ -4,11 +4,12 @@ namespace crossfield
 {
 namespace
 {
-/// So many distances may be multiplied before the product is taken for itself,
+/// Maximum number of squared distances in a product before its logarithm or angle is evaluated.
 constexpr int MostFactors = 4;
 
-/// and none after it has left these bounds. Squares of distances within domains of the extents allowed
-/// (DomainExtent.h) are between 1e-160 and 1e121, so no product overflows.
+/// Returns whether a product is out of the bounds up to which factors may be multiplied. Squared
+/// distances within domains of the permitted extents (DomainExtent.h) are between 1e-160 and 1e121,
+/// so no product overflows.
 bool MustBeTaken(double product)
 {
   constexpr double Largest = 1e140;
@@ -74,7 +75,7 @@ double SumOfTurns(const LogSource* begin, const LogSource* end, const Point& fro
     const double turned = log->strength < 0.0 ? -across : across;
     for (int i = 0; i < power; ++i)
     {
-      // Of two numbers with positive real parts the angles add up to less than π.
+      // The angles of two numbers with positive real parts add up to less than π.
       const double before = real;
       real = before * along - imaginary * turned;
       imaginary = before * turned + imaginary * along;
@@ -133,7 +134,8 @@ double LogIntegral(const std::vector<std::array<Point, 2>>& boundary, const Poin
   double integral = 0.0;
   for (const auto& [from, to] : boundary)
   {
-    // The outward normal is the tangent turned by −90°: (x − centre) · ν is the same on all the edge.
+    // The outward normal is the tangent rotated by −90°, so (x − centre) · ν is constant along the
+    // edge.
     const double length = (to - from).norm();
     const double height = Cross(from - centre, to - from) / length;
     integral += 0.5 * height * (LogIntegral(from, to, centre) - 0.5 * length);

@@ -8,14 +8,14 @@ namespace
 {
 constexpr int None = -1;
 
-/// Position of an edge in a triangle.
+/// Returns the local index of an edge in a triangle.
 std::size_t PositionIn(const std::array<int, 3>& edgesOfTriangle, int edge)
 {
   return static_cast<std::size_t>(
     std::find(edgesOfTriangle.begin(), edgesOfTriangle.end(), edge) - edgesOfTriangle.begin());
 }
 
-/// How a strip passes a triangle from one of its edges to another.
+/// Returns the step of a strip that crosses a triangle from one of its edges to another.
 LoopStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int to)
 {
   const auto& numbers = edges.ofTriangle[static_cast<std::size_t>(triangle)];
@@ -24,12 +24,12 @@ LoopStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int to)
   LoopStrip::Step step{ triangle, { 0.0, 0.0, 0.0 } };
   if (out == (in + 2) % 3)
   {
-    // Edges i and i + 2 meet in vertex i; the way turns counter-clockwise around it.
+    // Edges i and i + 2 meet in vertex i; the path turns counter-clockwise around it.
     step.left[in] = 1.0;
   }
   else
   {
-    // Edges i and i + 1 meet in vertex i + 1; the other two are on the left.
+    // Edges i and i + 1 meet in vertex i + 1; the other two vertices are on the left.
     step.left[in] = 1.0;
     step.left[(in + 2) % 3] = 1.0;
   }
@@ -49,7 +49,8 @@ std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumber
   }
   // Breadth-first over triangles, from all edges of the outer loop at once.
   const auto& triangles = edges.triangles;
-  std::vector<int> entry(mesh.triangles.size(), None); // edge by which a triangle was entered
+  // edge through which each triangle was entered
+  std::vector<int> entry(mesh.triangles.size(), None);
   std::vector<int> queue;
   for (const BoundaryLoop& loop : loops)
   {
@@ -90,7 +91,7 @@ std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumber
     {
       continue;
     }
-    // The edge of the loop that the search reached first, and the way back from it.
+    // The edge of the loop that the search reached first, and the path back from it.
     const auto reached = [&](int boundaryEdge)
     {
       const int edge = edges.ofBoundary[static_cast<std::size_t>(boundaryEdge)];

@@ -42,7 +42,7 @@ std::vector<std::vector<int>> FindAlignedVertices(
     }
     if (loop.kind == BoundaryKind::Inner)
     {
-      // BoundaryLoop runs counter-clockwise around the island, the domain is then on the right.
+      // BoundaryLoop runs counter-clockwise around the island, with the domain on the right.
       std::reverse(vertices.back().begin(), vertices.back().end());
     }
   }

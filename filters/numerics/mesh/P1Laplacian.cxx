@@ -23,7 +23,7 @@ double PositiveArea(const TriangleMesh& mesh, std::size_t t)
   return area;
 }
 
-/// The entry of a triangle's element matrix for two of its vertices.
+/// Returns the entry of a triangle's element matrix for two of its vertices.
 double OffDiagonal(const TriangleMesh& mesh, std::size_t t, const std::array<int, 2>& vertices)
 {
   const auto& triangle = mesh.triangles[t];
@@ -53,7 +53,7 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
   const int edgeCount = edges.Count();
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(vertexCount);
   std::vector<SymmetricEntry> ofEdge(static_cast<std::size_t>(edgeCount));
-  // 1. Edge by edge, from the one or two triangles there.
+  // 1. Off-diagonal entries: each edge sums over its one or two triangles.
   ForHalvesOf(edgeCount,
     [&](int begin, int end)
     {
@@ -70,7 +70,7 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
         ofEdge[e] = { edges.vertices[e][0], edges.vertices[e][1], sum };
       }
     });
-  // 2. The constants are the kernel: rows add up to zero.
+  // 2. Diagonal: rows add up to zero, because the constants are the kernel.
   ForHalvesOf(vertexCount,
     [&](int begin, int end)
     {

@@ -6,13 +6,14 @@
 
 namespace crossfield
 {
-/// Stiffness matrix of continuous piecewise linear functions: K_vw = ∫ ∇λ_v · ∇λ_w (docs/method.md §2.1).
+/// Assembles the stiffness matrix of continuous piecewise linear functions: K_vw = ∫ ∇λ_v · ∇λ_w
+/// (docs/method.md §2.1).
 ///
-/// Rows and columns are the vertices of the mesh. Symmetric, both halves stored, compressed;
-/// positive semidefinite with the constants as kernel; independent of the mesh's size. Throws Error
-/// for a triangle without area.
+/// Rows and columns are the vertices of the mesh. The matrix is symmetric with both triangles
+/// stored, compressed, and positive semidefinite with the constants as kernel; it is invariant
+/// under scaling of the mesh. Throws Error for a triangle without area.
 Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumbering& edges);
 
-/// Element matrix of triangle t in the order of its vertices.
+/// Returns the element matrix of triangle t, in the order of its vertices.
 Eigen::Matrix3d P1ElementStiffness(const TriangleMesh& mesh, std::size_t t);
 }

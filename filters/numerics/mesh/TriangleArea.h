@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// Positive where the corners are counter-clockwise.
+/// Returns the signed area of a triangle, positive if its corners are counter-clockwise.
 inline double TriangleArea(const TriangleMesh& mesh, const std::array<int, 3>& triangle)
 {
   const Point& origin = mesh.points[static_cast<std::size_t>(triangle[0])];

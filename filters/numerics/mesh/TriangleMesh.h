@@ -6,7 +6,8 @@
 
 namespace crossfield
 {
-/// What a marked edge of a drilled mesh is part of; the codes of the array `BoundaryKind`.
+/// Part of the domain to which a marked edge of a drilled mesh belongs; the values are those of the
+/// array `BoundaryKind`.
 enum class BoundaryKind
 {
   Outer = 1,
@@ -15,27 +16,27 @@ enum class BoundaryKind
   ImprintedCircle = 4
 };
 
-/// A directed edge of the mesh with the domain on its left.
+/// Directed edge of the mesh with the domain on its left.
 struct BoundaryEdge
 {
   std::array<int, 2> vertices{};
   BoundaryKind kind = BoundaryKind::Outer;
-  int id = 0;           ///< Loop number; for holes and circles the row of the configuration.
-  int quarterIndex = 0; ///< Prescribed on holes and circles, else 0.
+  int id = 0;           ///< Loop number; for holes and circles, the row of the configuration.
+  int quarterIndex = 0; ///< Quarter index prescribed on holes and circles, otherwise 0.
 
-  /// On the outer or an inner loop, where crosses follow the boundary.
+  /// Returns whether the edge is on the outer or an inner loop, where crosses follow the boundary.
   bool IsAligned() const { return kind == BoundaryKind::Outer || kind == BoundaryKind::Inner; }
 };
 
-/// A conforming triangulation of a planar domain, triangles counter-clockwise.
+/// Conforming triangulation of a planar domain with counter-clockwise triangles.
 struct TriangleMesh
 {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
   std::vector<BoundaryEdge> boundary;
-  /// Edges of circles that are imprinted and not drilled (docs/method.md §3.7, variants 4 and 5). They are
-  /// interior edges, kept apart so that nothing takes them for boundary; the outside of the circle is
-  /// on their left, as the domain is at a hole.
+  /// Edges of circles that are imprinted rather than drilled (docs/method.md §3.7, variants 4 and
+  /// 5). They are interior edges and stored separately, so that they are not taken for boundary
+  /// edges. The outside of the circle is on their left, like the domain at a hole.
   std::vector<BoundaryEdge> imprinted;
 };
 }
