@@ -16,15 +16,15 @@ public:
     Inconsistent ///< Valid input, but no cross field with these singularities exists.
   };
 
-  explicit Error(const std::string& sentence, Kind kind = Kind::BadInput)
-    : std::runtime_error(sentence)
-    , Reason(kind)
+  explicit Error(const std::string& message, Kind kind = Kind::BadInput)
+    : std::runtime_error(message)
+    , ErrorKind(kind)
   {
   }
 
-  Kind GetKind() const { return this->Reason; }
+  Kind GetKind() const { return this->ErrorKind; }
 
 private:
-  Kind Reason;
+  Kind ErrorKind;
 };
 }

@@ -18,14 +18,14 @@ namespace
 {
 constexpr double GiB = 1024.0 * 1024.0 * 1024.0;
 
-void Lower(std::optional<double>& least, double bytes)
+void Lower(std::optional<double>& minimum, double bytes)
 {
-  least = std::max(0.0, least.has_value() ? std::min(*least, bytes) : bytes);
+  minimum = std::max(0.0, minimum.has_value() ? std::min(*minimum, bytes) : bytes);
 }
 
 /// Returns the number that a file consists of; nothing if the file does not exist or contains
 /// "max", the kernel's word for no limit.
-std::optional<double> NumberIn(const std::string& file)
+std::optional<double> ReadNumber(const std::string& file)
 {
   std::ifstream stream(file);
   double number = 0.0;
@@ -33,7 +33,7 @@ std::optional<double> NumberIn(const std::string& file)
 }
 
 /// Returns the number that follows a key at the beginning of a line.
-std::optional<double> NumberBehind(const std::string& file, const std::string& key)
+std::optional<double> ReadValue(const std::string& file, const std::string& key)
 {
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);)
@@ -51,27 +51,27 @@ std::optional<double> NumberBehind(const std::string& file, const std::string& k
 
 /// Applies the limit of one control group. Page cache does not count as used, because the kernel
 /// reclaims it when memory is needed.
-void LowerToGroup(std::optional<double>& least, const std::string& folder, const std::string& limit,
-  const std::string& usage, const std::string& cachePrefix)
+void LowerToGroup(std::optional<double>& minimum, const std::string& folder,
+  const std::string& limit, const std::string& usage, const std::string& cachePrefix)
 {
-  const std::optional<double> most = NumberIn(folder + "/" + limit);
-  const std::optional<double> used = NumberIn(folder + "/" + usage);
-  if (most.has_value() && used.has_value())
+  const std::optional<double> limitBytes = ReadNumber(folder + "/" + limit);
+  const std::optional<double> used = ReadNumber(folder + "/" + usage);
+  if (limitBytes.has_value() && used.has_value())
   {
     const auto cache = [&](const char* key)
-    { return NumberBehind(folder + "/memory.stat", cachePrefix + key).value_or(0.0); };
-    Lower(least, *most - (*used - cache("inactive_file") - cache("active_file")));
+    { return ReadValue(folder + "/memory.stat", cachePrefix + key).value_or(0.0); };
+    Lower(minimum, *limitBytes - (*used - cache("inactive_file") - cache("active_file")));
   }
 }
 
 /// Applies the limits of a control group and of all its ancestors. In a container the path of the
 /// group is often not visible, but its root is.
-void LowerToGroups(std::optional<double>& least, const std::string& root, std::string path,
+void LowerToGroups(std::optional<double>& minimum, const std::string& root, std::string path,
   const std::string& limit, const std::string& usage, const std::string& cachePrefix)
 {
   while (true)
   {
-    LowerToGroup(least, root + path, limit, usage, cachePrefix);
+    LowerToGroup(minimum, root + path, limit, usage, cachePrefix);
     if (path.empty())
     {
       return;
@@ -80,7 +80,7 @@ void LowerToGroups(std::optional<double>& least, const std::string& root, std::s
   }
 }
 
-void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& files)
+void LowerToControlGroups(std::optional<double>& minimum, const MemoryLimitFiles& files)
 {
   std::ifstream groups(files.process + "/self/cgroup");
   for (std::string line; std::getline(groups, line);) // number:controllers:/path
@@ -97,11 +97,11 @@ void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& 
     path.erase(path.find_last_not_of('/') + 1);
     if (controllers == ",,")
     {
-      LowerToGroups(least, files.controlGroups, path, "memory.max", "memory.current", "");
+      LowerToGroups(minimum, files.controlGroups, path, "memory.max", "memory.current", "");
     }
     else if (controllers.find(",memory,") != std::string::npos)
     {
-      LowerToGroups(least, files.controlGroups + "/memory", path, "memory.limit_in_bytes",
+      LowerToGroups(minimum, files.controlGroups + "/memory", path, "memory.limit_in_bytes",
         "memory.usage_in_bytes", "total_");
     }
   }
@@ -112,19 +112,19 @@ void LowerToControlGroups(std::optional<double>& least, const MemoryLimitFiles& 
 /// need stacks of the default size.
 constexpr double ThreadReserve = 2.0 * (128.0 + 8.0) * 1024.0 * 1024.0;
 
-void LowerToAddressSpace(std::optional<double>& least, const MemoryLimitFiles& files)
+void LowerToAddressSpace(std::optional<double>& minimum, const MemoryLimitFiles& files)
 {
 #ifdef RLIMIT_AS
   rlimit limit = {};
-  const std::optional<double> pages = NumberIn(files.process + "/self/statm");
+  const std::optional<double> pages = ReadNumber(files.process + "/self/statm");
   if (pages.has_value() && getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
   {
-    Lower(least,
+    Lower(minimum,
       static_cast<double>(limit.rlim_cur) - *pages * static_cast<double>(sysconf(_SC_PAGESIZE)) -
         ThreadReserve);
   }
 #else
-  (void)least;
+  (void)minimum;
   (void)files;
 #endif
 }
@@ -139,17 +139,17 @@ const char* const OutOfThreads =
 
 std::optional<double> AvailableMemory(const MemoryLimitFiles& files)
 {
-  std::optional<double> least;
-  if (const auto kilobytes = NumberBehind(files.process + "/meminfo", "MemAvailable:"))
+  std::optional<double> minimum;
+  if (const auto kilobytes = ReadValue(files.process + "/meminfo", "MemAvailable:"))
   {
-    Lower(least, *kilobytes * 1024.0);
+    Lower(minimum, *kilobytes * 1024.0);
   }
-  LowerToControlGroups(least, files);
-  LowerToAddressSpace(least, files);
-  return least;
+  LowerToControlGroups(minimum, files);
+  LowerToAddressSpace(minimum, files);
+  return minimum;
 }
 
-void RequireMemory(double bytes, const std::string& what, const std::string& mend)
+void RequireMemory(double bytes, const std::string& what, const std::string& remedy)
 {
   const std::optional<double> available = AvailableMemory();
   if (available.has_value() && !(bytes <= *available))
@@ -157,7 +157,7 @@ void RequireMemory(double bytes, const std::string& what, const std::string& men
     std::ostringstream text;
     text.precision(3);
     text << what << " would need about " << bytes / GiB << " GiB of memory, more than the "
-         << *available / GiB << " GiB available; " << mend << ".";
+         << *available / GiB << " GiB available; " << remedy << ".";
     throw Error(text.str());
   }
 }

@@ -23,7 +23,7 @@ std::optional<double> AvailableMemory(const MemoryLimitFiles& files = {});
 ///
 /// Linux grants more memory than there is and kills the process that uses it, so std::bad_alloc is
 /// thrown too late or never. Large stages therefore call this function before they allocate.
-void RequireMemory(double bytes, const std::string& what, const std::string& mend);
+void RequireMemory(double bytes, const std::string& what, const std::string& remedy);
 
 /// Message for std::bad_alloc, when memory runs out in spite of these checks.
 extern const char* const OutOfMemory;

@@ -5,13 +5,13 @@
 namespace crossfield
 {
 SerialRegions::SerialRegions()
-  : Before(omp_get_max_active_levels())
+  : SavedLevels(omp_get_max_active_levels())
 {
   omp_set_max_active_levels(omp_get_active_level());
 }
 
 SerialRegions::~SerialRegions()
 {
-  omp_set_max_active_levels(this->Before);
+  omp_set_max_active_levels(this->SavedLevels);
 }
 }

@@ -16,6 +16,6 @@ public:
   SerialRegions& operator=(const SerialRegions&) = delete;
 
 private:
-  int Before;
+  int SavedLevels;
 };
 }

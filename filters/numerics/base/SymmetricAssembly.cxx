@@ -43,8 +43,8 @@ void MergeRepeated(Eigen::SparseMatrix<double>& matrix)
 bool SortColumn(int* rows, double* values, int count, std::vector<std::pair<int, double>>& buffer)
 {
   // Columns of unknowns coupled to many others are too long for insertion sort.
-  constexpr int MostToInsert = 32;
-  if (count > MostToInsert)
+  constexpr int MaximumToInsert = 32;
+  if (count > MaximumToInsert)
   {
     buffer.clear();
     for (int i = 0; i < count; ++i)

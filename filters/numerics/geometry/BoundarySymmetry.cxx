@@ -10,7 +10,7 @@ namespace crossfield
 namespace
 {
 /// Removes the vertices at which the boundary is straight.
-Loop Corners(const Loop& loop, double reach)
+Loop RemoveStraightVertices(const Loop& loop, double reach)
 {
   Loop corners;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -18,8 +18,8 @@ Loop Corners(const Loop& loop, double reach)
     const Point& before =
       corners.empty() ? loop[(i + loop.size() - 1) % loop.size()] : corners.back();
     const Point chord = loop[(i + 1) % loop.size()] - before;
-    const Point way = loop[i] - before;
-    if (std::abs(Cross(chord, way)) > reach * chord.norm() || chord.dot(way) < 0.0)
+    const Point offset = loop[i] - before;
+    if (std::abs(Cross(chord, offset)) > reach * chord.norm() || chord.dot(offset) < 0.0)
     {
       corners.push_back(loop[i]);
     }
@@ -45,7 +45,7 @@ Point Centroid(const Loop& loop)
 
 /// Returns whether an isometry maps vertices 0, 1, … of `a` to the vertices of `b` that start at
 /// `to`, in reverse order if it reflects.
-bool Fits(const Loop& a, const Loop& b, const Isometry& map, std::size_t to, double reach)
+bool MapsVertices(const Loop& a, const Loop& b, const Isometry& map, std::size_t to, double reach)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
   {
@@ -58,21 +58,21 @@ bool Fits(const Loop& a, const Loop& b, const Isometry& map, std::size_t to, dou
   return true;
 }
 
-class Search
+class SymmetrySearch
 {
 public:
-  Search(const PlanarDomain& domain, double tolerance)
+  SymmetrySearch(const PlanarDomain& domain, double tolerance)
     : Reach(tolerance * domain.Diagonal())
   {
     for (const Loop& loop : domain.loops)
     {
-      this->Loops.push_back(Corners(loop, this->Reach));
+      this->Loops.push_back(RemoveStraightVertices(loop, this->Reach));
     }
     this->Centre = Centroid(domain.loops[0]);
   }
 
   /// Returns the isometry that maps the first vertex of the outer loop to another one.
-  Isometry To(std::size_t vertex, bool reflects) const
+  Isometry MapFirstVertexTo(std::size_t vertex, bool reflects) const
   {
     Point from = this->Loops[0][0] - this->Centre;
     const Point to = this->Loops[0][vertex] - this->Centre;
@@ -86,7 +86,7 @@ public:
   bool IsSymmetry(const Isometry& map, std::size_t vertex) const
   {
     const Loop& outer = this->Loops[0];
-    if (!Fits(outer, outer, map, vertex, this->Reach))
+    if (!MapsVertices(outer, outer, map, vertex, this->Reach))
     {
       return false;
     }
@@ -110,7 +110,8 @@ private:
         }
         for (std::size_t i = 0; i < other.size(); ++i)
         {
-          if ((first - other[i]).norm() <= this->Reach && Fits(loop, other, map, i, this->Reach))
+          if ((first - other[i]).norm() <= this->Reach &&
+            MapsVertices(loop, other, map, i, this->Reach))
           {
             return true;
           }
@@ -127,12 +128,12 @@ private:
 
 Point Isometry::operator()(const Point& point) const
 {
-  Point way = point - this->centre;
+  Point offset = point - this->centre;
   if (this->reflects)
   {
-    way.y() = -way.y();
+    offset.y() = -offset.y();
   }
-  return this->centre + Eigen::Rotation2Dd(this->angle) * way;
+  return this->centre + Eigen::Rotation2Dd(this->angle) * offset;
 }
 
 Isometry Isometry::Inverse() const
@@ -156,24 +157,25 @@ std::vector<Isometry> SymmetryGroup::Elements() const
 
 SymmetryGroup FindSymmetries(const PlanarDomain& domain, double tolerance)
 {
-  const Search search(domain, tolerance);
+  const SymmetrySearch symmetries(domain, tolerance);
   SymmetryGroup group;
-  group.centre = search.GetCentre();
-  std::size_t step = search.Count();
-  for (std::size_t vertex = 1; vertex < search.Count(); ++vertex)
+  group.centre = symmetries.GetCentre();
+  std::size_t step = symmetries.Count();
+  for (std::size_t vertex = 1; vertex < symmetries.Count(); ++vertex)
   {
     // The step of the smallest rotation divides the number of vertices.
-    if (search.Count() % vertex == 0 && search.IsSymmetry(search.To(vertex, false), vertex))
+    if (symmetries.Count() % vertex == 0 &&
+      symmetries.IsSymmetry(symmetries.MapFirstVertexTo(vertex, false), vertex))
     {
       step = vertex;
-      group.order = static_cast<int>(search.Count() / vertex);
+      group.order = static_cast<int>(symmetries.Count() / vertex);
       break;
     }
   }
   for (std::size_t vertex = 0; vertex < step; ++vertex)
   {
-    const Isometry map = search.To(vertex, true);
-    if (search.IsSymmetry(map, vertex))
+    const Isometry map = symmetries.MapFirstVertexTo(vertex, true);
+    if (symmetries.IsSymmetry(map, vertex))
     {
       group.reflects = true;
       const double period = Pi / group.order;

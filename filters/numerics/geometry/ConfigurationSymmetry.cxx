@@ -10,12 +10,12 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the subgroups with at most `mostRotations` rotations, without a reflection or with one
+/// Returns the subgroups with at most `maximumRotations` rotations, without a reflection or with one
 /// of the axes, the largest first.
-std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int mostRotations)
+std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int maximumRotations)
 {
   std::vector<SymmetryGroup> subgroups;
-  for (int order = 1; order <= std::min(group.order, mostRotations); ++order)
+  for (int order = 1; order <= std::min(group.order, maximumRotations); ++order)
   {
     if (group.order % order != 0)
     {
@@ -41,7 +41,7 @@ std::optional<std::vector<std::size_t>> FindImages(
   const Configuration& configuration, const Isometry& map, double distance)
 {
   std::vector<std::size_t> images;
-  std::vector<bool> taken(configuration.size(), false);
+  std::vector<bool> isUsed(configuration.size(), false);
   for (const Singularity& singularity : configuration)
   {
     const Point place = map(singularity.position);
@@ -56,11 +56,11 @@ std::optional<std::vector<std::size_t>> FindImages(
         image = j;
       }
     }
-    if (!(nearest <= distance) || taken[image])
+    if (!(nearest <= distance) || isUsed[image])
     {
       return std::nullopt;
     }
-    taken[image] = true;
+    isUsed[image] = true;
     images.push_back(image);
   }
   return images;
@@ -139,24 +139,26 @@ Eigen::VectorXd ConfigurationSymmetry::ProjectDirections(const Eigen::VectorXd& 
     inverse.centre = Point::Zero(); // directions are mapped by the linear part only
     for (std::size_t i = 0; i < this->images[g].size(); ++i)
     {
-      const Point way = directions.segment<2>(2 * static_cast<Eigen::Index>(this->images[g][i]));
-      means.segment<2>(2 * static_cast<Eigen::Index>(i)) += inverse(way);
+      const Point direction =
+        directions.segment<2>(2 * static_cast<Eigen::Index>(this->images[g][i]));
+      means.segment<2>(2 * static_cast<Eigen::Index>(i)) += inverse(direction);
     }
   }
   return means / static_cast<double>(this->elements.size());
 }
 
 ConfigurationSymmetry MatchSymmetry(const Configuration& configuration, const SymmetryGroup& group,
-  double distance, const IsometryTest& keeps)
+  double distance, const IsometryTest& isInvariant)
 {
   // A single singularity can be at the centre; any other has as many images as there are rotations.
-  const int mostRotations =
+  const int maximumRotations =
     configuration.size() < 2 ? group.order : static_cast<int>(configuration.size());
-  for (const SymmetryGroup& subgroup : Subgroups(group, mostRotations))
+  for (const SymmetryGroup& subgroup : Subgroups(group, maximumRotations))
   {
     const auto symmetry = Match(configuration, subgroup, distance);
     if (symmetry &&
-      (!keeps || std::all_of(symmetry->elements.begin(), symmetry->elements.end(), keeps)))
+      (!isInvariant ||
+        std::all_of(symmetry->elements.begin(), symmetry->elements.end(), isInvariant)))
     {
       return *symmetry;
     }

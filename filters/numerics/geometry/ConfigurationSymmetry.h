@@ -34,5 +34,5 @@ using IsometryTest = std::function<bool(const Isometry&)>;
 /// decreasing order of size, and among those with rotations by 2π / d only the ones where d does
 /// not exceed the number of singularities. If a test is given, all elements must pass it.
 ConfigurationSymmetry MatchSymmetry(const Configuration& configuration, const SymmetryGroup& group,
-  double distance, const IsometryTest& keeps = {});
+  double distance, const IsometryTest& isInvariant = {});
 }

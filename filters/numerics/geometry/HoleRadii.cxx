@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-double NextSingularity(const Configuration& configuration, std::size_t row)
+double DistanceToNearest(const Configuration& configuration, std::size_t row)
 {
   double next = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -26,8 +26,8 @@ double NextSingularity(const Configuration& configuration, std::size_t row)
 
 double RoomOf(const PlanarDomain& domain, const Configuration& configuration, std::size_t row)
 {
-  return std::min(
-    SignedDistance(configuration[row].position, domain), 0.5 * NextSingularity(configuration, row));
+  return std::min(SignedDistance(configuration[row].position, domain),
+    0.5 * DistanceToNearest(configuration, row));
 }
 
 double ChosenRadius(
@@ -39,7 +39,7 @@ double ChosenRadius(
     return meshSize; // refused by DrillHoles
   }
   const double inside = SignedDistance(place, domain);
-  const double next = NextSingularity(configuration, row);
+  const double next = DistanceToNearest(configuration, row);
   const double distance = std::min(inside, next);
   return inside > BoundaryReach * domain.Diagonal() && distance > 0.0
     ? std::min(meshSize, distance / 3.0)

@@ -22,21 +22,21 @@ LoopArc::LoopArc(const Loop& loop)
 }
 
 //------------------------------------------------------------------------------
-double LoopArc::Folded(double length) const
+double LoopArc::Wrap(double length) const
 {
-  const double folded = std::fmod(length, this->Length());
-  return folded < 0.0 ? folded + this->Length() : folded;
+  const double wrapped = std::fmod(length, this->Length());
+  return wrapped < 0.0 ? wrapped + this->Length() : wrapped;
 }
 
 //------------------------------------------------------------------------------
 std::pair<std::size_t, double> LoopArc::SideAt(double length) const
 {
-  const double folded = this->Folded(length);
-  const auto after = std::upper_bound(this->Starts.begin(), this->Starts.end(), folded);
+  const double wrapped = this->Wrap(length);
+  const auto after = std::upper_bound(this->Starts.begin(), this->Starts.end(), wrapped);
   const std::size_t side =
     std::min(static_cast<std::size_t>(after - this->Starts.begin()), this->Polyline.size()) - 1;
   const double extent = this->Starts[side + 1] - this->Starts[side];
-  return { side, extent > 0.0 ? (folded - this->Starts[side]) / extent : 0.0 };
+  return { side, extent > 0.0 ? (wrapped - this->Starts[side]) / extent : 0.0 };
 }
 
 //------------------------------------------------------------------------------
@@ -67,7 +67,7 @@ double LoopArc::Nearest(const Point& place) const
   const double rounding = 1e-13 * this->Length();
   const std::size_t count = this->Polyline.size();
   double nearest = 0.0;
-  double least = std::numeric_limits<double>::infinity();
+  double smallest = std::numeric_limits<double>::infinity();
   std::size_t best = 0;
   for (std::size_t side = 0; side < count; ++side)
   {
@@ -75,13 +75,13 @@ double LoopArc::Nearest(const Point& place) const
     const Point& to = this->End(side);
     const double distance = WayFromSegment(place, from, to).norm();
     const bool isNext = side == best + 1 || (best == 0 && side + 1 == count);
-    if (std::abs(distance - least) <= rounding && isNext)
+    if (std::abs(distance - smallest) <= rounding && isNext)
     {
       nearest = side == best + 1 ? this->Starts[side] : 0.0;
     }
-    else if (distance < least)
+    else if (distance < smallest)
     {
-      least = distance;
+      smallest = distance;
       best = side;
       nearest = this->Starts[side] +
         NearestFraction(place, from, to) * (this->Starts[side + 1] - this->Starts[side]);

@@ -50,7 +50,7 @@ public:
   std::vector<double> Corners(double cornerAngle) const;
 
 private:
-  double Folded(double length) const;
+  double Wrap(double length) const;
   const Point& End(std::size_t side) const
   {
     return this->Polyline[(side + 1) % this->Polyline.size()];

@@ -36,16 +36,16 @@ public:
 
   std::vector<std::array<int, 3>> Run()
   {
-    auto left = static_cast<int>(this->Points.size());
-    if (left < 3)
+    auto remaining = static_cast<int>(this->Points.size());
+    if (remaining < 3)
     {
       return {};
     }
-    for (int i = 0; i < left; ++i)
+    for (int i = 0; i < remaining; ++i)
     {
-      this->Rate(i);
+      this->UpdateCost(i);
     }
-    for (int start = 0; left > 2; --left)
+    for (int start = 0; remaining > 2; --remaining)
     {
       const int ear = this->BestEar(start);
       const int before = this->Before[Index(ear)];
@@ -57,13 +57,13 @@ public:
       this->After[Index(before)] = after;
       this->Before[Index(after)] = before;
       start = after;
-      this->Rate(before);
-      this->Rate(after);
+      this->UpdateCost(before);
+      this->UpdateCost(after);
       for (int i = this->After[Index(after)]; i != before; i = this->After[Index(i)])
       {
         if (this->Blocker[Index(i)] == ear)
         {
-          this->Rate(i);
+          this->UpdateCost(i);
         }
       }
     }
@@ -81,7 +81,7 @@ private:
   }
 
   /// Sets the cost of a vertex: the square of its diagonal if it is an ear.
-  void Rate(int i)
+  void UpdateCost(int i)
   {
     const int before = this->Before[Index(i)];
     const int after = this->After[Index(i)];

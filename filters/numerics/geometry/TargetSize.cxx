@@ -11,7 +11,7 @@ double TargetSize(const SizeFunction& sizes, const Point& place)
   const double size = sizes(place);
   if (!(size > 0.0) || !std::isfinite(size))
   {
-    throw Error("The wanted size at " + Describe(place) +
+    throw Error("The target size at " + Describe(place) +
       " is not a positive number; give a size field that is positive in the whole domain.");
   }
   return size;

@@ -144,8 +144,8 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
   {
     if (edges.triangles[e][1] == None && !marked[e])
     {
-      throw Error("A boundary edge of the mesh has no line cell that says what it is part of; give "
-                  "a mesh made by the drill filter.");
+      throw Error("A boundary edge of the mesh has no line cell with its BoundaryKind; give a mesh "
+                  "made by the drill filter.");
     }
   }
   for (const BoundaryEdge& edge : mesh.imprinted)
@@ -154,7 +154,7 @@ EdgeNumbering NumberEdges(const TriangleMesh& mesh)
       static_cast<std::size_t>(table.Number(edge.vertices[0], edge.vertices[1], edges.vertices));
     if (number >= marked.size() || edges.triangles[number][1] == None || marked[number])
     {
-      throw Error("A line of an imprinted circle is not an edge between two triangles, or is there "
+      throw Error("A line of an imprinted circle is not an edge between two triangles, or occurs "
                   "twice; drill the mesh again.");
     }
     marked[number] = true;

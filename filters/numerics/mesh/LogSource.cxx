@@ -5,12 +5,12 @@ namespace crossfield
 namespace
 {
 /// Maximum number of squared distances in a product before its logarithm or angle is evaluated.
-constexpr int MostFactors = 4;
+constexpr int MaximumFactors = 4;
 
 /// Returns whether a product is out of the bounds up to which factors may be multiplied. Squared
 /// distances within domains of the permitted extents (DomainExtent.h) are between 1e-160 and 1e121,
 /// so no product overflows.
-bool MustBeTaken(double product)
+bool IsOutOfBounds(double product)
 {
   constexpr double Largest = 1e140;
   return !(product > 1.0 / Largest && product < Largest);
@@ -22,7 +22,7 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
   double sum = 0.0;
   double product = 1.0;
   int factors = 0;
-  const auto take = [&]
+  const auto evaluate = [&]
   {
     sum += 0.5 * std::log(product);
     product = 1.0;
@@ -32,26 +32,26 @@ double SumOfLogs(const std::vector<LogSource>& logs, const Point& x)
   {
     const double square = (x - log.position).squaredNorm();
     const int power = static_cast<int>(std::abs(log.strength));
-    if (static_cast<double>(power) != std::abs(log.strength) || power > MostFactors)
+    if (static_cast<double>(power) != std::abs(log.strength) || power > MaximumFactors)
     {
       sum += 0.5 * log.strength * std::log(square);
       continue;
     }
-    if (factors + power > MostFactors)
+    if (factors + power > MaximumFactors)
     {
-      take();
+      evaluate();
     }
     for (int i = 0; i < power; ++i)
     {
       product = log.strength > 0.0 ? product * square : product / square;
-      if (MustBeTaken(product))
+      if (IsOutOfBounds(product))
       {
-        take();
+        evaluate();
       }
     }
     factors += power;
   }
-  take();
+  evaluate();
   return sum;
 }
 
@@ -79,7 +79,7 @@ double SumOfTurns(const LogSource* begin, const LogSource* end, const Point& fro
       const double before = real;
       real = before * along - imaginary * turned;
       imaginary = before * turned + imaginary * along;
-      if (MustBeTaken(real))
+      if (IsOutOfBounds(real))
       {
         sum += std::atan2(imaginary, real);
         real = 1.0;
@@ -107,7 +107,7 @@ std::complex<double> UnitOfTurns(
     {
       product *= turn;
       const double square = std::norm(product);
-      if (++factors == MostFactors || MustBeTaken(square))
+      if (++factors == MaximumFactors || IsOutOfBounds(square))
       {
         product /= std::sqrt(square);
         factors = 0;

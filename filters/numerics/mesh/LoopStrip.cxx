@@ -40,10 +40,10 @@ LoopStrip::Step Pass(const EdgeNumbering& edges, int triangle, int from, int to)
 std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumbering& edges,
   const std::vector<BoundaryLoop>& loops, bool withHoles)
 {
-  const auto wanted = [withHoles](const BoundaryLoop& loop)
+  const auto hasStrip = [withHoles](const BoundaryLoop& loop)
   { return loop.kind == BoundaryKind::Inner || (withHoles && loop.kind == BoundaryKind::Hole); };
   std::vector<LoopStrip> strips;
-  if (std::none_of(loops.begin(), loops.end(), wanted))
+  if (std::none_of(loops.begin(), loops.end(), hasStrip))
   {
     return strips;
   }
@@ -87,7 +87,7 @@ std::vector<LoopStrip> FindLoopStrips(const TriangleMesh& mesh, const EdgeNumber
 
   for (const BoundaryLoop& loop : loops)
   {
-    if (!wanted(loop))
+    if (!hasStrip(loop))
     {
       continue;
     }

@@ -12,11 +12,12 @@ namespace crossfield
 {
 namespace
 {
-/// Of what is left out from the new sides, relative to their greatest length.
+/// Maximum distance of removed vertices from the new sides, relative to the maximum length of a
+/// side.
 constexpr double Deviation = 1e-3;
 
-/// Which vertices stay.
-std::vector<bool> Fixed(
+/// Marks the vertices that must not be removed.
+std::vector<bool> FindFixed(
   const Loop& loop, double cornerAngle, const std::vector<CornerChoice>& keep, double reach)
 {
   const std::size_t count = loop.size();
@@ -37,7 +38,8 @@ std::vector<bool> Fixed(
   return fixed;
 }
 
-/// Whether the vertices between two of a loop are near the side that joins these.
+/// Returns whether the vertices between two vertices of a loop are close to the side that joins
+/// these two.
 bool IsNear(const Loop& loop, std::size_t from, std::size_t to, double deviation)
 {
   const Point side = loop[to % loop.size()] - loop[from];
@@ -85,12 +87,12 @@ PlanarDomain CoarsenBoundary(const PlanarDomain& domain, double length, double c
   for (const Loop& loop : domain.loops)
   {
     const std::vector<bool> fixed =
-      Fixed(loop, cornerAngle, keep, BoundaryReach * domain.Diagonal());
+      FindFixed(loop, cornerAngle, keep, BoundaryReach * domain.Diagonal());
     coarse.loops.push_back(Coarsen(loop, fixed, length, cornerAngle));
   }
   try
   {
-    MakePlanarDomain(coarse.loops); // says whether they touch
+    MakePlanarDomain(coarse.loops); // throws if the loops touch
   }
   catch (const Error&)
   {

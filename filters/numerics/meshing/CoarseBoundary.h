@@ -4,12 +4,16 @@
 
 namespace crossfield
 {
-/// The domain with fewer vertices where its boundary is much finer than a length, for meshes that need
-/// not be finer than that. What is left out is within a thousandth of the length of the new sides; these are
-/// no longer than it, and turn by at most half of the corner angle along what they stand for. Corners, their
-/// neighbours and the vertices of `keep` stay, so corners keep their angles.
+/// Removes vertices where the boundary is much finer than a length, for meshes that need not be
+/// finer than that.
 ///
-/// Returns the domain as it is where its loops come so near each other that the new ones would touch.
+/// Removed vertices are within a thousandth of the length of the new sides. New sides are no longer
+/// than the length, and the vertices that they replace turn by at most half of the corner angle in
+/// total. Corners, their neighbours and the vertices of `keep` are retained, so corners keep their
+/// angles.
+///
+/// Returns the domain unchanged if its loops are so close to each other that the new ones would
+/// touch.
 PlanarDomain CoarsenBoundary(const PlanarDomain& domain, double length, double cornerAngle,
   const std::vector<CornerChoice>& keep);
 }

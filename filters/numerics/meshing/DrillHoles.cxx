@@ -51,7 +51,7 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
     const double distance = SignedDistance(here.position, domain);
     std::ostringstream text;
     text.precision(6);
-    // The points of a smaller hole would be lost in the rounding of the coordinates.
+    // The points of a smaller hole would coincide after rounding.
     const double smallest = 1e-9 * domain.Diagonal();
     if (here.radius < smallest)
     {
@@ -89,13 +89,13 @@ void CheckPlacement(const PlanarDomain& domain, const Configuration& configurati
   }
 }
 
-/// Number of edges of a hole; see DrillOptions::minimumHoleEdges.
+/// Returns the number of edges of a hole; see DrillOptions::minimumHoleEdges.
 int HoleEdges(std::size_t row, const Singularity& hole, double meshSize, int minimum)
 {
   const double edges =
     std::max({ static_cast<double>(minimum), 8.0 * std::abs(static_cast<double>(hole.quarterIndex)),
       std::ceil(2.0 * Pi * hole.radius / meshSize) });
-  // A ring of triangles around the hole, two to an edge, at the least.
+  // At the minimum, the mesh has a ring of triangles around the hole, two for each edge.
   RequireMemory(2.0 * edges * MeshBytesPerTriangle,
     "The hole of " + Describe(row, hole) + " with " + std::to_string(std::llround(edges)) +
       " edges",
@@ -109,7 +109,7 @@ int HoleEdges(std::size_t row, const Singularity& hole, double meshSize, int min
   return static_cast<int>(edges);
 }
 
-/// Clockwise, so that the domain lies on the left.
+/// Returns the polygon of a hole, clockwise, so that the domain is on its left.
 Loop HolePolygon(const Singularity& singularity, int edges)
 {
   Loop polygon;
@@ -122,7 +122,7 @@ Loop HolePolygon(const Singularity& singularity, int edges)
   return polygon;
 }
 
-/// What the loops of a domain are part of.
+/// Returns the marks of the loops of a domain: outer loop, inner loops.
 std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
 {
   std::vector<BoundaryEdge> marks;
@@ -134,8 +134,8 @@ std::vector<BoundaryEdge> LoopMarks(const PlanarDomain& domain)
   return marks;
 }
 
-/// Throws Error where the coordinates are too coarse for the smallest edges: rounding a vertex must
-/// not turn an edge by more than about a thousandth.
+/// Throws Error if coordinates are too coarse for the shortest edges: rounding a vertex must not
+/// rotate an edge by more than about a thousandth of a radian.
 void RequireResolution(
   const std::vector<SizeSource>& sources, double meshSize, const Eigen::AlignedBox2d& box)
 {
@@ -175,7 +175,7 @@ SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const Drill
     }
   }
   RequireResolution(sources, meshSize, box);
-  if (options.gradation > 0.0) // or SizeField says so
+  if (options.gradation > 0.0) // otherwise SizeField throws
   {
     RequireMemoryForMesh(domain, sources, meshSize, options.gradation);
   }
@@ -196,7 +196,8 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   const DrillOptions& options, const Progress& progress)
 {
   const double meshSize = ResolveMeshSize(options, domain);
-  RequireMemoryForMesh(domain, {}, meshSize, options.gradation); // before anything of that size
+  // before anything of that size is allocated
+  RequireMemoryForMesh(domain, {}, meshSize, options.gradation);
   if (options.minimumHoleEdges < 3)
   {
     throw Error("A hole needs at least 3 edges; raise the smallest number of edges of a hole.");

@@ -7,18 +7,19 @@ namespace crossfield
 {
 namespace
 {
-/// Marks what is within `reach` of something marked in a line of `count` elements, `stride` apart.
+/// Marks the elements within `reach` of a marked one in a line of `count` elements, `stride` apart.
 void Widen(std::vector<bool>& marks, std::size_t first, std::size_t stride, int count, int reach)
 {
   const auto at = [&](int i) { return first + static_cast<std::size_t>(i) * stride; };
-  int markedUpTo = 0; // all before are done
+  int markedUpTo = 0; // all elements before it are final
   for (int i = 0; i < count; ++i)
   {
     if (!marks[at(i)])
     {
       continue;
     }
-    // To the left of i; to its right as far as it is not marked anyway, so that new marks do not spread.
+    // Marks to the left of i, then to its right up to the next marked element, so that new marks do
+    // not spread.
     for (int j = std::max(markedUpTo, i - reach); j < i; ++j)
     {
       marks[at(j)] = true;
@@ -37,7 +38,8 @@ void Widen(std::vector<bool>& marks, std::size_t first, std::size_t stride, int 
   }
 }
 
-/// Points of the lattice that are near to one of others: all within so many spacings, and some beyond.
+/// Marks the points of the lattice within `spacings` spacings of one of the other points, and some
+/// beyond.
 std::vector<bool> MarkNear(
   const TriangularLattice& lattice, const std::vector<Point>& others, int spacings)
 {
@@ -50,7 +52,7 @@ std::vector<bool> MarkNear(
     near[lattice.NumberOf(nearest(place.x() / lattice.spacing, lattice.columns),
       nearest(place.y() / lattice.RowHeight(), lattice.rows))] = true;
   }
-  // One more for rounding to a point, and for the shift of odd rows.
+  // One more for rounding to a lattice point and for the shift of odd rows.
   const auto rows = static_cast<int>(std::ceil(spacings * lattice.spacing / lattice.RowHeight()));
   for (int row = 0; row < lattice.rows; ++row)
   {
@@ -83,7 +85,8 @@ LatticeCore::LatticeCore(const TriangularLattice& lattice, const std::vector<Poi
       }
       if (column == 0 || near[number - 1])
       {
-        inside = isInside(lattice.At(column, row)); // no boundary before the next one that is near
+        // no boundary before the next point that is near one
+        inside = isInside(lattice.At(column, row));
       }
       this->Core[number] = inside;
     }
@@ -108,35 +111,36 @@ bool LatticeCore::IsInterior(int column, int row) const
 
 void LatticeCore::CollectTriangles()
 {
-  // Upwards and downwards from each pair of neighbours in a row.
+  // Triangles above and below each pair of neighbours in a row.
   for (int row = 0; row < this->Lattice.rows; ++row)
   {
-    for (const int way : { 1, -1 })
+    for (const int side : { 1, -1 })
     {
-      bool beside = false; // whether the triangle before is in the core
+      bool beside = false; // whether the previous triangle of the row is in the core
       for (int column = 0; column + 1 < this->Lattice.columns; ++column)
       {
         const int between = TriangularLattice::ColumnBetween(column, row);
         if (!this->IsCore(column, row) || !this->IsCore(column + 1, row) ||
-          !this->IsCore(between, row + way))
+          !this->IsCore(between, row + side))
         {
           beside = false;
           continue;
         }
         const std::size_t left = this->Lattice.NumberOf(column, row);
         const std::size_t right = left + 1;
-        const std::size_t apex = this->Lattice.NumberOf(between, row + way);
+        const std::size_t apex = this->Lattice.NumberOf(between, row + side);
         if (!beside)
         {
           this->Firsts.push_back(this->Triangles.size());
         }
         beside = true;
-        // Counter-clockwise, and across each edge the point that would make the neighbour.
+        // Corners are counter-clockwise; `hasNeighbour` is whether the point across each edge is in
+        // the core.
         const Triangle triangle =
-          way > 0 ? Triangle{ left, right, apex } : Triangle{ right, left, apex };
+          side > 0 ? Triangle{ left, right, apex } : Triangle{ right, left, apex };
         this->Triangles.push_back(triangle);
-        const std::array<bool, 3> hasNeighbour = { this->IsCore(between, row - way),
-          this->IsCore(between + way, row + way), this->IsCore(between - way, row + way) };
+        const std::array<bool, 3> hasNeighbour = { this->IsCore(between, row - side),
+          this->IsCore(between + side, row + side), this->IsCore(between - side, row + side) };
         for (std::size_t i = 0; i < 3; ++i)
         {
           if (!hasNeighbour[i])

@@ -7,17 +7,17 @@ namespace crossfield
 {
 namespace
 {
-/// A place on a loop, unrolled from one that stays.
+/// Point on a loop, with its arc length from a fixed point.
 struct Station
 {
   double at = 0.0;
   Point place = Point::Zero();
-  double turn = 0.0; ///< Absolute; 0 at places between vertices.
+  double turn = 0.0; ///< Absolute turning angle; 0 at points between vertices.
   bool stays = false;
-  bool isAbsorbed = false; ///< By a corner nearby: no vertex of the new loop.
+  bool isAbsorbed = false; ///< Merged into a corner nearby; not a vertex of the new loop.
 };
 
-/// Whether one of the runs, in order, has a place.
+/// Returns whether one of the sorted runs contains an arc length.
 bool IsInside(const std::vector<std::pair<double, double>>& runs, double at)
 {
   const auto after = std::upper_bound(
@@ -25,7 +25,8 @@ bool IsInside(const std::vector<std::pair<double, double>>& runs, double at)
   return after != runs.begin() && at <= (after - 1)->second;
 }
 
-/// The vertices of a loop and the places that stay, once round from the first of these to it.
+/// Returns the vertices and fixed points of a loop in order, starting and ending at the first fixed
+/// point.
 std::vector<Station> Unroll(const LoopArc& arc, const std::vector<double>& turns,
   const KeptPlaces& kept, const Thinning& thinning)
 {
@@ -51,7 +52,7 @@ std::vector<Station> Unroll(const LoopArc& arc, const std::vector<double>& turns
   }
   std::sort(stations.begin(), stations.end(),
     [](const Station& a, const Station& b) { return a.at < b.at; });
-  // A vertex that stays is there twice.
+  // A fixed vertex occurs twice, once as a fixed point.
   std::vector<Station> once;
   for (const Station& station : stations)
   {
@@ -72,7 +73,8 @@ std::vector<Station> Unroll(const LoopArc& arc, const std::vector<double>& turns
   return once;
 }
 
-/// Divides the loop between two stations that stay, so that neither direction along it is preferred.
+/// Divides a loop between two fixed stations symmetrically, so that neither direction along it is
+/// preferred.
 class Division
 {
 public:
@@ -87,7 +89,7 @@ public:
     }
   }
 
-  /// Appends what the new loop has between the stations `begin` and `end`.
+  /// Appends the vertices of the new loop between the stations `begin` and `end`.
   void Divide(std::size_t begin, std::size_t end, std::vector<ArcVertex>& vertices) const
   {
     this->Divide(begin, this->Stations[begin].at, end, this->Stations[end].at, vertices);
@@ -96,13 +98,13 @@ public:
 private:
   const std::vector<Station>& Stations;
   Thinning Limits;
-  std::vector<double> Turns; ///< Sums before the stations.
+  std::vector<double> Turns; ///< Sums of turning angles before each station.
 
-  /// From `from` to `to`, with the stations begin + 1 to end − 1 strictly between.
+  /// Divides the part from `from` to `to`, with the stations begin + 1 to end − 1 strictly between.
   void Divide(std::size_t begin, double from, std::size_t end, double to,
     std::vector<ArcVertex>& vertices) const
   {
-    // The candidates nearest to the middle, before and after it.
+    // The candidates closest to the middle, before and after it.
     const double middle = 0.5 * (from + to);
     const auto first = this->Stations.begin() + static_cast<std::ptrdiff_t>(begin) + 1;
     const auto last = this->Stations.begin() + static_cast<std::ptrdiff_t>(end);
@@ -139,7 +141,7 @@ private:
       this->Divide(at, this->Stations[at].at, end, to, vertices);
       return;
     }
-    if (toRight <= this->Limits.rounding) // one station in the middle
+    if (toRight <= this->Limits.rounding) // a single station in the middle
     {
       this->Divide(begin, from, right, middle, vertices);
       vertices.push_back({ middle, this->Stations[right].place });
@@ -148,7 +150,7 @@ private:
     }
     if (toLeft + toRight <= 0.5 * this->Limits.length &&
       this->Stations[left].turn + this->Stations[right].turn <= this->Limits.turn)
-    { // Two at the same distance that could go both: what is halfway between them.
+    { // Two stations at the same distance that may both be removed: their midpoint replaces them.
       this->Divide(begin, from, right, middle, vertices);
       vertices.push_back(
         { middle, 0.5 * (this->Stations[left].place + this->Stations[right].place) });
@@ -182,7 +184,7 @@ std::vector<ArcVertex> DivideLoop(const LoopArc& arc, const std::vector<double>&
     division.Divide(begin, end, vertices);
     begin = end;
   }
-  // Back to lengths from the first vertex of the loop.
+  // Convert to arc lengths from the first vertex of the loop.
   const double first = *std::min_element(kept.places.begin(), kept.places.end());
   for (ArcVertex& vertex : vertices)
   {

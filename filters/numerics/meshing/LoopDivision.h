@@ -5,9 +5,10 @@
 
 namespace crossfield
 {
-/// The vertices that a loop has when its sides are made longer between places that stay, at least one, so that neither
-/// direction along it is preferred: where a side would be too long or turn too much, it gets the vertex
-/// nearest to its middle, or of two as near what is halfway between them.
+/// Returns the vertices of a loop with longer sides between the fixed points, of which there must
+/// be at least one. Neither direction along the loop is preferred: a side that would be too long or
+/// turn too much is divided at the vertex closest to its middle or, if two are equally close, at
+/// their midpoint.
 std::vector<ArcVertex> DivideLoop(const LoopArc& arc, const std::vector<double>& turns,
   const KeptPlaces& kept, const Thinning& thinning);
 }

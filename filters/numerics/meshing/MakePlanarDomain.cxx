@@ -43,7 +43,8 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
       box.extend(point);
     }
   }
-  RequireExtent(box.sizes().maxCoeff()); // its square may be zero or infinite
+  // the square of an extent beyond the bounds may be zero or infinite
+  RequireExtent(box.sizes().maxCoeff());
   const std::vector<int> depths = NestingDepths(loops);
   if (std::count(depths.begin(), depths.end(), 0) > 1)
   {

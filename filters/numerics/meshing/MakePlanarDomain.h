@@ -4,11 +4,12 @@
 
 namespace crossfield
 {
-/// Orients, nests and checks boundary loops given in any order and orientation.
+/// Checks, orients and nests boundary loops given in any order and orientation.
 ///
-/// Every loop of the result starts at its leftmost point (of several the lowest) and inner loops
-/// are sorted by it, so that the same curves give the same domain however they were written down.
-/// Throws Error when there is no loop, a loop has fewer than three points or no area, loops cross
-/// or touch, a loop lies outside the outer one or inside another inner one.
+/// Each loop of the result starts at its leftmost point (the lowest one if there are several), and
+/// inner loops are sorted by it. The same curves therefore give the same domain, in whatever order
+/// and direction they are given. Throws Error if there is no loop, a loop has fewer than three
+/// points or no area, loops cross or touch, or a loop is outside the outer one or inside another
+/// inner one.
 PlanarDomain MakePlanarDomain(std::vector<Loop> loops);
 }

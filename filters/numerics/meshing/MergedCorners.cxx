@@ -7,8 +7,9 @@ namespace crossfield
 {
 namespace
 {
-/// Runs of corners, each at most a length from the last: [begin, end] along the loop, `end` maybe beyond its length.
-std::vector<std::pair<double, double>> RunsOf(
+/// Returns the runs [begin, end] of corners, each at most `length` from the previous one; `end` may
+/// exceed the length of the loop.
+std::vector<std::pair<double, double>> FindRuns(
   const std::vector<double>& corners, double round, double length)
 {
   std::vector<std::pair<double, double>> runs;
@@ -31,8 +32,9 @@ std::vector<std::pair<double, double>> RunsOf(
   return runs;
 }
 
-/// What a run of corners, and what is between them, turns by; to the left, into the domain, positive.
-double TurnOf(const LoopArc& arc, const std::vector<double>& turns, double begin, double end)
+/// Returns the total turning angle of a run of corners and the vertices between them, positive to
+/// the left, into the domain.
+double TotalTurning(const LoopArc& arc, const std::vector<double>& turns, double begin, double end)
 {
   const std::size_t last = arc.NearestVertex(end);
   std::size_t vertex = arc.NearestVertex(begin);
@@ -45,17 +47,18 @@ double TurnOf(const LoopArc& arc, const std::vector<double>& turns, double begin
   return turn;
 }
 
-/// A side to a merged corner leads past where the boundary was by half of the run's length; so it is that many times as long
-/// as the run where the boundary is smooth enough, and turns by little.
+/// Length of the sides next to a merged corner, relative to the length of its run of corners. Such
+/// a side deviates from the original boundary by half of the run's length, so it is long and turns
+/// by a small angle where the boundary is smooth enough.
 constexpr double SideOfMerged = 8.0;
-/// And at least so many times: else corners are not merged.
-constexpr double LeastSideOfMerged = 2.0;
+/// Minimum length of these sides relative to the run; otherwise the corners are not merged.
+constexpr double MinimumSideOfMerged = 2.0;
 
-/// Of the way from the end of a run of corners on, in one direction.
+/// Vertices beside a run of corners, in one direction.
 struct Approach
 {
-  double absorbed = 0.0; ///< How far the last vertex is that goes.
-  double next = 0.0;     ///< How far the first one is that does not.
+  double absorbed = 0.0; ///< Distance of the last vertex that is removed.
+  double next = 0.0;     ///< Distance of the first vertex that is retained.
 };
 
 Approach FindApproach(const LoopArc& arc, const std::vector<double>& turns,
@@ -63,15 +66,15 @@ Approach FindApproach(const LoopArc& arc, const std::vector<double>& turns,
   const Thinning& thinning)
 {
   const std::size_t count = turns.size();
-  const auto wayTo = [&](double at)
+  const auto distanceTo = [&](double at)
   {
-    const double way = forward ? at - from : from - at;
-    return way - std::floor((way - thinning.rounding) / arc.Length()) * arc.Length();
+    const double distance = forward ? at - from : from - at;
+    return distance - std::floor((distance - thinning.rounding) / arc.Length()) * arc.Length();
   };
   double nearestGiven = arc.Length();
   for (const double at : given)
   {
-    nearestGiven = std::min(nearestGiven, wayTo(at));
+    nearestGiven = std::min(nearestGiven, distanceTo(at));
   }
   std::size_t vertex = arc.NearestVertex(from);
   Approach approach;
@@ -79,14 +82,14 @@ Approach FindApproach(const LoopArc& arc, const std::vector<double>& turns,
   for (std::size_t steps = 1; steps < count; ++steps)
   {
     vertex = forward ? (vertex + 1) % count : (vertex + count - 1) % count;
-    const double way = wayTo(arc.Start(vertex));
+    const double distance = distanceTo(arc.Start(vertex));
     turn += std::abs(turns[vertex]);
-    if (way > reach || turn > thinning.turn || way > nearestGiven - thinning.rounding)
+    if (distance > reach || turn > thinning.turn || distance > nearestGiven - thinning.rounding)
     {
-      approach.next = std::min(way, nearestGiven);
+      approach.next = std::min(distance, nearestGiven);
       break;
     }
-    approach.absorbed = way;
+    approach.absorbed = distance;
   }
   return approach;
 }
@@ -99,8 +102,8 @@ KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, 
 {
   const std::vector<double> corners = arc.Corners(cornerAngle);
   KeptPlaces kept;
-  std::vector<bool> isTaken(given.size(), false);
-  for (const auto& [begin, end] : RunsOf(corners, arc.Length(), thinning.length))
+  std::vector<bool> isMerged(given.size(), false);
+  for (const auto& [begin, end] : FindRuns(corners, arc.Length(), thinning.length))
   {
     std::vector<double> inside;
     for (std::size_t i = 0; i < given.size(); ++i)
@@ -110,7 +113,7 @@ KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, 
         if (at >= begin - thinning.rounding && at <= end + thinning.rounding)
         {
           inside.push_back(at);
-          isTaken[i] = true;
+          isMerged[i] = true;
         }
       }
     }
@@ -121,12 +124,12 @@ KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, 
       continue;
     }
     if (span <= thinning.length && inside.size() < 2 &&
-      TurnOf(arc, turns, begin, end) <= Pi - cornerAngle)
+      TotalTurning(arc, turns, begin, end) <= Pi - cornerAngle)
     {
       const double reach = SideOfMerged * span;
       const Approach before = FindApproach(arc, turns, given, begin, false, reach, thinning);
       const Approach after = FindApproach(arc, turns, given, end, true, reach, thinning);
-      if (std::min(before.next, after.next) >= LeastSideOfMerged * span)
+      if (std::min(before.next, after.next) >= MinimumSideOfMerged * span)
       {
         kept.places.push_back(inside.empty() ? 0.5 * (begin + end) : inside[0]);
         kept.merged.emplace_back(begin - before.absorbed, end + after.absorbed);
@@ -143,7 +146,7 @@ KeptPlaces FindKeptPlaces(const LoopArc& arc, const std::vector<double>& turns, 
   }
   for (std::size_t i = 0; i < given.size(); ++i)
   {
-    if (!isTaken[i])
+    if (!isMerged[i])
     {
       kept.places.push_back(given[i]);
     }

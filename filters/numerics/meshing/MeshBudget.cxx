@@ -11,12 +11,14 @@ namespace crossfield
 {
 namespace
 {
-const double TrianglesPerArea = 4.0 / std::sqrt(3.0); ///< For edges of length 1.
+/// Equilateral triangles with edges of length 1 per unit area.
+const double TrianglesPerArea = 4.0 / std::sqrt(3.0);
 
-/// The Crouzeix-Raviart matrix has five entries for each of 3/2 edges per triangle, with int indices.
-constexpr double MostTriangles = 2147483647.0 / 7.5;
+/// Maximum number of triangles: the Crouzeix-Raviart matrix has five entries for each of 3/2 edges
+/// per triangle, with int indices.
+constexpr double MaximumTriangles = 2147483647.0 / 7.5;
 
-/// ∫ (h⁻² − maximum⁻²) over a square, by the midpoint rule on a quadtree.
+/// Integral of h⁻² − maximum⁻² over a square, by the midpoint rule on a quadtree.
 class Excess
 {
 public:
@@ -37,7 +39,8 @@ public:
     {
       size = std::min(size, valueOf(source));
     }
-    // h changes by at most `reach` between the centre and a corner. Further sources do not matter.
+    // h differs by at most `reach` between the centre and a corner. Sources with larger values have
+    // no effect.
     std::vector<SizeSource> kept;
     double smallest = this->Maximum;
     for (const SizeSource& source : sources)
@@ -48,8 +51,9 @@ public:
         smallest = std::min(smallest, std::max(source.size, valueOf(source) - reach));
       }
     }
-    // Within a factor of two h is constant; below the rounding of coordinates it cannot be told. It is least in
-    // the middle where a source is there, and then larger all around.
+    // Stop where h is constant within a factor of two, or where the square is too small for
+    // coordinates to resolve. If a source is at the centre, h has its minimum there and is larger
+    // all around.
     const double largest = std::min(this->Maximum, size + reach);
     if (kept.empty() || (smallest >= 0.5 * size && largest <= 2.0 * size) ||
       halfWidth <= 1e-12 * centre.norm())
@@ -82,7 +86,7 @@ Eigen::AlignedBox2d BoundingBox(const PlanarDomain& domain)
   return box;
 }
 
-/// Two digits, rounded up.
+/// Rounds up to two significant digits.
 double RoundUp(double length)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
@@ -107,18 +111,18 @@ double PredictTriangles(const PlanarDomain& domain, const std::vector<SizeSource
 void RequireMemoryForMesh(const PlanarDomain& domain, const std::vector<SizeSource>& sources,
   double maximum, double gradation)
 {
-  constexpr double Countless = 1e300; // finite, where the square of the edge length is not
+  constexpr double Countless = 1e300; // finite even if the square of the edge length underflows
   const double bulk = std::min(Countless, PredictTriangles(domain, {}, maximum, gradation));
   const double triangles = sources.empty() || bulk == Countless
     ? bulk
     : PredictTriangles(domain, sources, maximum, gradation);
-  // The lattice of points fills the box, two triangles to a point, before those outside are dropped;
-  // a vector that grows takes twice its size.
+  // The lattice of points fills the box, with two triangles per point, before those outside are
+  // dropped; a growing vector needs twice its size.
   const double latticeBytesPerTriangle =
     0.5 * 2.0 * sizeof(Point) * BoundingBox(domain).volume() / domain.Area();
   const double bytes = std::max(triangles * MeshBytesPerTriangle, bulk * latticeBytesPerTriangle);
   const double available = AvailableMemory().value_or(bytes);
-  if (bytes <= available && triangles <= MostTriangles)
+  if (bytes <= available && triangles <= MaximumTriangles)
   {
     return;
   }
@@ -126,25 +130,26 @@ void RequireMemoryForMesh(const PlanarDomain& domain, const std::vector<SizeSour
   what.precision(3);
   what << "A mesh with edge length " << maximum << " would have about " << triangles
        << " triangles";
-  std::ostringstream mend;
-  mend.precision(3);
-  mend << "choose ";
+  std::ostringstream remedy;
+  remedy.precision(3);
+  remedy << "choose ";
   if (bulk < 0.5 * triangles)
   {
-    mend << "larger holes, longer segments of the boundary or a larger gradation";
+    remedy << "larger holes, longer segments of the boundary or a larger gradation";
   }
   else
   {
     const double possible = std::clamp(
-      available / std::max(MeshBytesPerTriangle, latticeBytesPerTriangle), 1.0, MostTriangles);
-    mend << "a larger edge length, about "
-         << RoundUp(std::sqrt(TrianglesPerArea * domain.Area() / possible) * triangles / bulk);
+      available / std::max(MeshBytesPerTriangle, latticeBytesPerTriangle), 1.0, MaximumTriangles);
+    remedy << "a larger edge length, about "
+           << RoundUp(std::sqrt(TrianglesPerArea * domain.Area() / possible) * triangles / bulk);
   }
-  RequireMemory(bytes, what.str() + " and", mend.str());
-  if (triangles <= MostTriangles)
+  RequireMemory(bytes, what.str() + " and", remedy.str());
+  if (triangles <= MaximumTriangles)
   {
-    return; // memory has become free meanwhile
+    return; // memory has become available in the meantime
   }
-  throw Error(what.str() + ", more than the 280 million that can be numbered; " + mend.str() + ".");
+  throw Error(
+    what.str() + ", more than the 280 million that can be numbered; " + remedy.str() + ".");
 }
 }

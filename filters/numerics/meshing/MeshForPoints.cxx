@@ -12,8 +12,8 @@ namespace crossfield
 {
 namespace
 {
-/// What asks for small edges at each singularity.
-std::vector<SizeSource> SmallAt(
+/// Returns size sources that refine the mesh at each singularity.
+std::vector<SizeSource> RefinementSources(
   const Configuration& configuration, const PlanarDomain& domain, double size)
 {
   std::vector<SizeSource> sources;
@@ -21,22 +21,22 @@ std::vector<SizeSource> SmallAt(
   {
     if (!singularity.position.allFinite())
     {
-      continue; // SolveHField refuses it
+      continue; // refused by SolveHField
     }
-    double room = std::abs(SignedDistance(singularity.position, domain));
-    room = room <= BoundaryReach * domain.Diagonal() ? size : std::min(room, size);
+    double spacing = std::abs(SignedDistance(singularity.position, domain));
+    spacing = spacing <= BoundaryReach * domain.Diagonal() ? size : std::min(spacing, size);
     for (const Singularity& other : configuration)
     {
       const double apart = (other.position - singularity.position).norm();
-      room = apart > 0.0 ? std::min(room, apart) : room;
+      spacing = apart > 0.0 ? std::min(spacing, apart) : spacing;
     }
-    // A thousandth is fine enough for any picture, and bounds the number of triangles.
-    sources.push_back({ singularity.position, std::max(0.25 * room, 1e-3 * size) });
+    // A thousandth is fine enough for any picture and bounds the number of triangles.
+    sources.push_back({ singularity.position, std::max(0.25 * spacing, 1e-3 * size) });
   }
   return sources;
 }
 
-/// Options with edges small enough at each singularity of each configuration.
+/// Returns options that refine the mesh at each singularity of each configuration.
 DrillOptions RefineAt(
   const std::vector<Configuration>& configurations, const PlanarDomain& domain, double meshSize)
 {
@@ -45,7 +45,7 @@ DrillOptions RefineAt(
   const double size = ResolveMeshSize(options, domain);
   for (const Configuration& configuration : configurations)
   {
-    const std::vector<SizeSource> sources = SmallAt(configuration, domain, size);
+    const std::vector<SizeSource> sources = RefinementSources(configuration, domain, size);
     options.refinements.insert(options.refinements.end(), sources.begin(), sources.end());
   }
   return options;
@@ -64,7 +64,7 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
   for (const Singularity& singularity : configuration)
   {
-    // On the boundary they become vertices of it; SolveSeamlessMap refuses those outside.
+    // Singularities on the boundary become vertices of it; SolveSeamlessMap refuses those outside.
     if (singularity.position.allFinite() &&
       SignedDistance(singularity.position, domain) > BoundaryReach * domain.Diagonal())
     {

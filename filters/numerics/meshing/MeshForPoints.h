@@ -10,16 +10,18 @@
 namespace crossfield
 {
 /// Triangulates a domain without holes for SolveHField: four times finer at the singularities, and
-/// fine enough to tell them from each other and from the boundary. `meshSize` 0: 1/40 of the diagonal.
+/// fine enough to separate them from each other and from the boundary. `meshSize` 0 means 1/40 of
+/// the diagonal.
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 
-/// One mesh that serves each of several configurations as well as its own; that of a single one is the same.
+/// Triangulates a domain for several configurations. The mesh is fine enough for each of them; for
+/// a single one it equals that of MeshForPoints.
 TriangleMesh MeshForAll(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, double meshSize = 0.0,
   const Progress& progress = {});
 
-/// MeshForPoints with a vertex on every singularity, as SolveSeamlessMap needs it.
+/// Works as MeshForPoints with a vertex at each singularity, as SolveSeamlessMap requires.
 TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 }

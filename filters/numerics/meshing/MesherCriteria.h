@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the one file that includes CGAL.
+// Part of PlanarMesher.cxx, the only file that includes CGAL.
 #include "MesherTriangulation.h"
 #include "SizeField.h"
 
@@ -11,18 +11,19 @@
 
 namespace crossfield::mesher
 {
-/// Criteria of Delaunay_mesher_2: a triangle is bad when it has an angle below 27° (20.7° if it is
-/// much smaller than wanted), or a longest edge well above the size wanted at its centre.
+/// Criteria for Delaunay_mesher_2. A triangle is bad if it has an angle below 27° (20.7° if it is
+/// much smaller than the target size), or a longest edge well above the target size at its centre.
 class GradedCriteria : public CGAL::Delaunay_mesh_criteria_2<Triangulation>
 {
 public:
   using Base = CGAL::Delaunay_mesh_criteria_2<Triangulation>;
 
-  /// Ordered by how urgent the refinement is: oversized triangles first, then by their angle.
+  /// Quality of a triangle, ordered by urgency of refinement: oversized triangles first, then by
+  /// angle.
   struct Quality
   {
-    double sineSquared = 1.0; ///< Of the smallest angle.
-    double bound = 0.0;       ///< What it should be at least.
+    double sineSquared = 1.0; ///< sin² of the smallest angle.
+    double bound = 0.0;       ///< Lower bound of sineSquared.
     double oversize = 0.0;    ///< (longest edge / longest allowed edge)².
     bool TooLarge() const { return this->oversize > 1.0; }
     bool operator<(const Quality& other) const
@@ -62,14 +63,16 @@ public:
       }
       std::sort(lengths, lengths + 3);
       const double twiceArea = Cross(p[1] - p[0], p[2] - p[0]);
-      const double wanted = this->Size((p[0] + p[1] + p[2]) / 3.0);
-      // Between the lattice and the boundary triangles are up to half as long again as wanted.
+      const double target = this->Size((p[0] + p[1] + p[2]) / 3.0);
+      // Between the lattice and the boundary, triangles are up to half as long again as the target
+      // size.
       constexpr double Slack = 1.5;
-      quality.oversize = lengths[2] / (Slack * Slack * wanted * wanted);
-      // sin² 20.7° = 1/8: up to here the refinement provably ends (CGAL manual, Mesh_2). 27° is
-      // asked of triangles above a fifth of the wanted size: their number is limited, so this ends too.
+      quality.oversize = lengths[2] / (Slack * Slack * target * target);
+      // sin² 20.7° = 1/8: with this bound refinement provably terminates (CGAL manual, Mesh_2). The
+      // bound of 27° applies only to triangles above a fifth of the target size; their number is
+      // limited, so refinement still terminates.
       const double sine = std::sin(27.0 / 180.0 * Pi);
-      quality.bound = lengths[2] > 0.04 * wanted * wanted ? sine * sine : 0.125;
+      quality.bound = lengths[2] > 0.04 * target * target ? sine * sine : 0.125;
       quality.sineSquared = twiceArea * twiceArea / (lengths[1] * lengths[2]);
       return (*this)(quality);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the one file that includes CGAL: the choice of points to insert.
+// Part of PlanarMesher.cxx, the only file that includes CGAL: the choice of points to insert.
 #include "MesherTriangulation.h"
 #include "PlanarDomain.h"
 #include "SizeField.h"
@@ -10,13 +10,13 @@
 
 namespace crossfield::mesher
 {
-/// Whether a point keeps its distance, relative to the wanted size, from the vertices and segments
-/// of the face that it lies in; points of a boundary-only triangulation near a segment or vertex
-/// lie in a face that has it.
+/// Returns whether a point is far enough, relative to the target size, from the vertices and
+/// segments of the face that contains it. In a triangulation of the boundary alone, the face of a
+/// point close to a segment or vertex has that segment or vertex.
 inline bool IsClear(const Triangulation::Face_handle& face, const Point& point, double size)
 {
-  // Half an edge from a segment and two thirds from a vertex leave triangles with angles above 27°
-  // in most places; the mesher mends the others.
+  // A distance of half an edge from a segment and of two thirds from a vertex leaves angles above
+  // 27° in most places; the mesher refines the other triangles.
   constexpr double FromSegment = 0.5;
   constexpr double FromVertex = 0.65;
   for (int i = 0; i < 3; ++i)
@@ -39,8 +39,8 @@ inline bool IsClear(const Triangulation::Face_handle& face, const Point& point, 
   return true;
 }
 
-/// The points among the candidates that lie in the domain and keep their distance.
-inline std::vector<CgalPoint> KeepClear(
+/// Returns the candidates that are inside the domain and far enough from the boundary.
+inline std::vector<CgalPoint> SelectClear(
   const Triangulation& triangulation, const std::vector<Point>& candidates, const SizeField& size)
 {
   std::vector<CgalPoint> kept;
@@ -57,8 +57,9 @@ inline std::vector<CgalPoint> KeepClear(
   return kept;
 }
 
-/// Two rings of points around every hole and imprinted circle, staggered against its vertices: the
-/// field is steepest there, and the same triangles on all sides keep its numerical error even.
+/// Returns two rings of points around each hole and imprinted circle, staggered relative to its
+/// vertices. The field is steepest there, and identical triangles on all sides keep its numerical
+/// error uniform.
 inline std::vector<Point> HoleRings(
   const PlanarDomain& domain, const std::vector<BoundaryEdge>& loopMarks, const SizeField& size)
 {
@@ -83,7 +84,7 @@ inline std::vector<Point> HoleRings(
       radius += 0.5 * std::sqrt(3.0) * 2.0 * Pi * radius / count;
       if (2.0 * Pi * radius / count > 1.25 * size(centre + Point(radius, 0.0)))
       {
-        break; // as many points as the hole has would be too few
+        break; // edges between as many points as the hole has would be too long
       }
       const double start = std::atan2(hole[0].y() - centre.y(), hole[0].x() - centre.x());
       for (double i = 0.5 * ring; i < count + 0.5 * ring - 0.25; i += 1.0)

@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the one file that includes CGAL: the mesh from the triangulation.
+// Part of PlanarMesher.cxx, the only file that includes CGAL: the mesh from the triangulation.
 #include "LatticeCore.h"
 #include "MesherTriangulation.h"
 #include "PlanarDomain.h"
@@ -14,19 +14,20 @@
 
 namespace crossfield::mesher
 {
-/// Whether a piece of a segment of a convex loop has its direction.
+/// Returns whether a directed piece of a convex loop has the direction of the loop.
 inline bool RunsAlong(const Loop& loop, const Point& from, const Point& to)
 {
-  const Point middle = 0.5 * (loop[0] + loop[loop.size() / 2]); // inside, as it is on a chord
+  const Point middle = 0.5 * (loop[0] + loop[loop.size() / 2]); // inside, because it is on a chord
   return (Cross(from - middle, to - middle) > 0.0) == (SignedArea(loop) > 0.0);
 }
 
-/// The triangles of the core and the faces of the domain, along Hilbert's curve through their centroids: neighbours are near to each
-/// other in memory, and in files, where zlib then finds the value of an edge in both of its triangles.
-class ReadOut
+/// Extracts the triangles of the core and the faces of the domain in the order of a Hilbert curve
+/// through their centroids. Neighbours are then close in memory, and in files, where zlib finds the
+/// value of an edge in both of its triangles.
+class MeshExtractor
 {
 public:
-  ReadOut(const Triangulation& triangulation, const PlanarDomain& domain,
+  MeshExtractor(const Triangulation& triangulation, const PlanarDomain& domain,
     const std::vector<BoundaryEdge>& loopMarks, const LatticeCore& core)
     : Domain(domain)
     , LoopMarks(loopMarks)
@@ -50,13 +51,13 @@ public:
     }
   }
 
-  TriangleMesh Take() { return std::move(this->Mesh); }
+  TriangleMesh Release() { return std::move(this->Mesh); }
 
 private:
-  /// A centroid and its number: of the triangles of the core, and after them of the faces.
+  /// Centroid and index of a triangle; triangles of the core come first, then faces.
   using Place = std::pair<CgalPoint, std::size_t>;
 
-  /// In order; the faces of the domain are collected.
+  /// Returns the triangles in order and collects the faces of the domain.
   std::vector<Place> Order(
     const Triangulation& triangulation, std::vector<Triangulation::Face_handle>& faces) const
   {
@@ -78,7 +79,8 @@ private:
         places.emplace_back(CGAL::centroid(triangulation.triangle(face)), places.size());
       }
     }
-    // At the medians: by halves of the square it would not end where two centroids round to one point.
+    // Divided at medians: halving the square would not terminate if two centroids round to one
+    // point.
     CGAL::hilbert_sort(places.begin(), places.end(),
       CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::First_of_pair_property_map<Place>>());
     return places;
@@ -124,7 +126,7 @@ private:
     {
       const auto from = face->vertex(Triangulation::ccw(i));
       const auto to = face->vertex(Triangulation::cw(i));
-      if (face->is_constrained(i) && from->info().loop != None) // not the border of the core
+      if (face->is_constrained(i) && from->info().loop != None) // not on the border of the core
       {
         const auto loop = static_cast<std::size_t>(from->info().loop);
         BoundaryEdge edge = this->LoopMarks[loop];
@@ -136,7 +138,8 @@ private:
         else if (RunsAlong(
                    this->Domain.loops[loop], FromCgal(from->point()), FromCgal(to->point())))
         {
-          this->Mesh.imprinted.push_back(edge); // seen from the outside; the inside sees it as well
+          // seen from the outside; the face inside has the same edge
+          this->Mesh.imprinted.push_back(edge);
         }
       }
     }
@@ -145,7 +148,7 @@ private:
   const PlanarDomain& Domain;
   const std::vector<BoundaryEdge>& LoopMarks;
   const LatticeCore& Core;
-  std::vector<int> NumberInCore; ///< Of every point of the lattice.
+  std::vector<int> NumberInCore; ///< Mesh vertex of each lattice point.
   TriangleMesh Mesh;
 };
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Part of PlanarMesher.cxx, the one file that includes CGAL.
+// Part of PlanarMesher.cxx, the only file that includes CGAL.
 #include "Plane.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -17,15 +17,15 @@ namespace crossfield::mesher
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 constexpr int None = -1;
 
-/// Of a vertex: its boundary loop, its number in the lattice if it is a corner of the lattice's core, and its number in the
-/// mesh that is read out.
+/// Data of a vertex: its boundary loop, its index in the lattice if it is a border vertex of the
+/// lattice's core, and its index in the extracted mesh.
 struct VertexInfo
 {
   int loop = None;
   std::int64_t lattice = None;
   int number = None;
 };
-/// Of a face: how many loops enclose it.
+/// Data of a face: the number of loops that enclose it.
 struct FaceInfo
 {
   int depth = None;

@@ -1,4 +1,4 @@
-// The one file that includes CGAL: its headers take long to compile.
+// The only file that includes CGAL, whose headers take long to compile.
 #include "PlanarMesher.h"
 
 #include "Error.h"
@@ -6,6 +6,7 @@
 #include "MeshBudget.h"
 #include "MesherCore.h"
 #include "MesherCriteria.h"
+#include "MesherLoops.h"
 #include "MesherPoints.h"
 #include "MesherReadOut.h"
 #include "MesherTriangulation.h"
@@ -27,71 +28,16 @@ namespace
 {
 using namespace mesher;
 
-[[noreturn]] void ThrowTouching(const Point& point)
-{
-  throw Error("The boundary crosses or touches itself near " + Describe(point) +
-    "; separate or remove the segments that meet there.");
-}
+/// Maximum number of vertices that refinement may add beyond doubling their number.
+///
+/// Where boundaries are much closer to each other than the target size, on either side, refinement
+/// adds as many points as the gap fits into its length. All other points are inserted beforehand,
+/// so this limits what gaps may cost: three hundred thousand triangles, about a second. Doubling is
+/// permitted because along a boundary of very many points on a circle, whose Delaunay triangles are
+/// flat, refinement adds nearly as many points as the lattice had.
+constexpr std::size_t MaximumAddedVertices = 150000;
 
-/// Inserts the segments of all loops; refuses loops that cross, overlap or touch.
-Triangulation TriangulateLoops(const std::vector<Loop>& loops)
-{
-  Triangulation triangulation;
-  std::size_t pointCount = 0;
-  for (std::size_t l = 0; l < loops.size(); ++l)
-  {
-    std::vector<Triangulation::Vertex_handle> handles;
-    Triangulation::Face_handle hint;
-    for (const Point& point : loops[l])
-    {
-      handles.push_back(triangulation.insert(ToCgal(point), hint));
-      hint = handles.back()->face();
-      handles.back()->info().loop = static_cast<int>(l);
-      if (triangulation.number_of_vertices() != ++pointCount)
-      {
-        ThrowTouching(point);
-      }
-    }
-    for (std::size_t i = 0; i < handles.size(); ++i)
-    {
-      try
-      {
-        triangulation.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
-      }
-      catch (const Triangulation::Intersection_of_constraints_exception&)
-      {
-        ThrowTouching(loops[l][i]);
-      }
-    }
-  }
-  // A segment through another point is split there without an exception: then a vertex has other
-  // than two constrained edges.
-  for (auto vertex = triangulation.finite_vertices_begin();
-       vertex != triangulation.finite_vertices_end(); ++vertex)
-  {
-    int constrained = 0;
-    auto edge = triangulation.incident_edges(vertex);
-    const auto end = edge;
-    do
-    {
-      constrained += triangulation.is_constrained(*edge) ? 1 : 0;
-    } while (++edge != end);
-    if (constrained != 2)
-    {
-      ThrowTouching(FromCgal(vertex->point()));
-    }
-  }
-  return triangulation;
-}
-
-/// Where boundaries come much closer than the edges wanted, on either side, refinement adds as many
-/// points as the gap fits into its length. The other points are there before, so this is what gaps
-/// may cost: three hundred thousand triangles, about a second, and as many as were there: along a boundary of very
-/// many points on a circle, whose Delaunay triangles are flat ones, refinement adds nearly as many as the
-/// lattice had.
-constexpr std::size_t MostAddedVertices = 150000;
-
-/// Names the place where a segment comes nearest to a vertex that is not its end.
+/// Throws an Error that names the point where a segment is closest to a vertex other than its ends.
 [[noreturn]] void ThrowNarrow(const Triangulation& loops)
 {
   double narrowest = std::numeric_limits<double>::infinity();
@@ -103,7 +49,8 @@ constexpr std::size_t MostAddedVertices = 150000;
       const Point from = FromCgal(face->vertex(Triangulation::ccw(i))->point());
       const Point to = FromCgal(face->vertex(Triangulation::cw(i))->point());
       const Point apex = FromCgal(face->vertex(i)->point());
-      // From the segment, not from its line: the next vertex of a fine polyline lies low over the line.
+      // Distance from the segment rather than from its line, because the next vertex of a fine
+      // polyline is close to that line.
       const double distance = WayFromSegment(apex, from, to).norm();
       if (face->is_constrained(i) && distance < narrowest)
       {
@@ -114,65 +61,13 @@ constexpr std::size_t MostAddedVertices = 150000;
   }
   std::ostringstream text;
   text.precision(3);
-  text
-    << "The boundary comes within " << narrowest << " of itself near " << Describe(place)
-    << ", and triangles as small as this gap were not asked for; widen the gap, close it, or give "
-       "a mesh size of its width.";
+  text << "The boundary comes within " << narrowest << " of itself near " << Describe(place)
+       << ", much less than the target size of triangles there; widen the gap, close it, or give "
+          "a mesh size of its width.";
   throw Error(text.str());
 }
 
-/// Whether each loop is an imprinted circle, which separates nothing.
-std::vector<bool> FindImprinted(const std::vector<BoundaryEdge>& loopMarks)
-{
-  std::vector<bool> imprinted;
-  imprinted.reserve(loopMarks.size());
-  for (const BoundaryEdge& mark : loopMarks)
-  {
-    imprinted.push_back(mark.kind == BoundaryKind::ImprintedCircle);
-  }
-  return imprinted;
-}
-
-/// Numbers every face by the count of loops that enclose it, those that are imprinted not counted,
-/// and marks those of depth 1, the domain, for the mesher.
-void ComputeDepths(Triangulation& triangulation, const std::vector<bool>& imprinted)
-{
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
-  {
-    face->info().depth = None;
-  }
-  std::vector<Triangulation::Face_handle> current = { triangulation.infinite_face() };
-  current.front()->info().depth = 0;
-  for (int depth = 0; !current.empty(); ++depth)
-  {
-    std::vector<Triangulation::Face_handle> next;
-    while (!current.empty())
-    {
-      const Triangulation::Face_handle face = current.back();
-      current.pop_back();
-      if (face->info().depth != depth)
-      {
-        continue; // reached on a shorter way in the meantime
-      }
-      face->set_in_domain(depth == 1);
-      for (int i = 0; i < 3; ++i)
-      {
-        const Triangulation::Face_handle neighbour = face->neighbor(i);
-        if (neighbour->info().depth == None)
-        {
-          // Loops do not touch: the ends of a segment are of the same one.
-          const bool crosses = triangulation.is_constrained({ face, i }) &&
-            !imprinted[static_cast<std::size_t>(face->vertex(Triangulation::cw(i))->info().loop)];
-          neighbour->info().depth = depth + (crosses ? 1 : 0);
-          (crosses ? next : current).push_back(neighbour);
-        }
-      }
-    }
-    current = std::move(next);
-  }
-}
-
-/// Points on the loops at the spacing that the size field asks for; the given ones are kept.
+/// Divides the segments of loops by the spacing of the size field; the given points are retained.
 std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& size)
 {
   std::vector<Loop> result;
@@ -184,8 +79,8 @@ std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& siz
       const Point& from = loop[i];
       const Point along = loop[(i + 1) % loop.size()] - from;
       const double length = along.norm();
-      // March along the segment collecting ∫ ds / h; steps of h/4 resolve a size that varies by
-      // at most the gradation.
+      // Integrates ds / h along the segment; steps of h/4 resolve a size that varies by at most the
+      // gradation.
       std::vector<std::pair<double, double>> marks = { { 0.0, 0.0 } };
       while (marks.back().first < 1.0)
       {
@@ -198,86 +93,19 @@ std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& siz
       std::size_t mark = 1;
       for (double piece = 1.0; piece < pieces; piece += 1.0)
       {
-        const double wanted = marks.back().second * piece / pieces;
-        while (marks[mark].second < wanted)
+        const double target = marks.back().second * piece / pieces;
+        while (marks[mark].second < target)
         {
           ++mark;
         }
         const auto& [t0, s0] = marks[mark - 1];
         const auto& [t1, s1] = marks[mark];
-        fine.push_back(from + (t0 + (t1 - t0) * (wanted - s0) / (s1 - s0)) * along);
+        fine.push_back(from + (t0 + (t1 - t0) * (target - s0) / (s1 - s0)) * along);
       }
     }
     result.push_back(std::move(fine));
   }
   return result;
-}
-
-/// One point inside every inner loop: the centroid of the largest triangle there.
-std::vector<CgalPoint> HoleSeeds(const Triangulation& triangulation, std::size_t loopCount)
-{
-  std::vector<double> areas(loopCount, 0.0);
-  std::vector<CgalPoint> seeds(loopCount);
-  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end();
-       ++face)
-  {
-    if (face->info().depth == 2)
-    {
-      // All corners of a triangle inside an inner loop lie on that loop.
-      const auto loop = static_cast<std::size_t>(face->vertex(0)->info().loop);
-      const double area = triangulation.triangle(face).area();
-      if (area > areas[loop])
-      {
-        areas[loop] = area;
-        seeds[loop] = CGAL::centroid(triangulation.triangle(face));
-      }
-    }
-  }
-  std::vector<CgalPoint> result;
-  for (std::size_t loop = 0; loop < loopCount; ++loop)
-  {
-    if (areas[loop] > 0.0)
-    {
-      result.push_back(seeds[loop]);
-    }
-  }
-  return result;
-}
-
-/// Gives the points that the mesher put on a segment the number of that segment's loop.
-void SpreadLoopNumbers(Triangulation& triangulation)
-{
-  std::vector<Triangulation::Vertex_handle> stack;
-  for (auto vertex = triangulation.finite_vertices_begin();
-       vertex != triangulation.finite_vertices_end(); ++vertex)
-  {
-    if (vertex->info().loop != None)
-    {
-      stack.push_back(vertex);
-    }
-  }
-  while (!stack.empty())
-  {
-    const Triangulation::Vertex_handle vertex = stack.back();
-    stack.pop_back();
-    auto edge = triangulation.incident_edges(vertex);
-    const auto end = edge;
-    do
-    {
-      if (triangulation.is_constrained(*edge))
-      {
-        for (int other : { Triangulation::cw(edge->second), Triangulation::ccw(edge->second) })
-        {
-          const auto neighbour = edge->first->vertex(other);
-          if (neighbour->info().loop == None)
-          {
-            neighbour->info().loop = vertex->info().loop;
-            stack.push_back(neighbour);
-          }
-        }
-      }
-    } while (++edge != end);
-  }
 }
 
 [[noreturn]] void ThrowBroken()
@@ -318,7 +146,7 @@ try
   const std::vector<CgalPoint> holeSeeds = HoleSeeds(triangulation, domain.loops.size());
 
   const std::vector<CgalPoint> rings =
-    KeepClear(triangulation, HoleRings(domain, loopMarks, size), size);
+    SelectClear(triangulation, HoleRings(domain, loopMarks, size), size);
   triangulation.insert(rings.begin(), rings.end());
   for (const Point& vertex : vertices)
   {
@@ -335,11 +163,11 @@ try
   };
   progress.Report(0.3);
   const LatticeCore core(lattice.coarsest, others, CoreMargin, isInside);
-  const std::vector<std::size_t> corners = CornersOf(core);
+  const std::vector<std::size_t> corners = BorderVertices(core);
   const std::vector<CgalPoint> bulk =
-    KeepClear(triangulation, OutsideOf(core, corners, lattice), size);
-  // What was predicted is right within a factor of two where holes grade the mesh. There are two
-  // triangles to a point; the lattice and the points kept of it are in memory already.
+    SelectClear(triangulation, PointsOutsideCore(core, corners, lattice), size);
+  // The prediction is accurate within a factor of two where holes grade the mesh. There are two
+  // triangles per point; the lattice and its selected points are in memory already.
   const std::size_t triangles = 2 * bulk.size() + core.GetTriangles().size();
   RequireMemory(static_cast<double>(triangles) * (MeshBytesPerTriangle - sizeof(CgalPoint)),
     "A mesh with " + std::to_string(triangles) + " triangles",
@@ -355,16 +183,17 @@ try
   mesher.set_seeds(seeds.begin(), seeds.end(), false);
   mesher.init();
   const std::size_t inCore = core.GetTriangles().size() / 2;
-  const std::size_t mostVertices =
-    2 * (triangulation.number_of_vertices() + inCore) + MostAddedVertices;
-  // Asked now and then whether to stop; the number of steps to come is not known.
+  const std::size_t maximumVertices =
+    2 * (triangulation.number_of_vertices() + inCore) + MaximumAddedVertices;
+  // Progress is reported from time to time, which allows an abort; the number of steps ahead is
+  // unknown.
   constexpr int StepsBetweenReports = 4096;
   for (int step = 1; mesher.try_one_step_refine_mesh(); ++step)
   {
     if (step % StepsBetweenReports == 0)
     {
       progress.Report(0.5 + 0.4 * (1.0 - 1.0 / (1.0 + step * 1e-5)));
-      if (triangulation.number_of_vertices() > mostVertices)
+      if (triangulation.number_of_vertices() > maximumVertices)
       {
         ThrowNarrow(TriangulateLoops(domain.loops));
       }
@@ -378,17 +207,17 @@ try
     }
   }
   SpreadLoopNumbers(triangulation);
-  TriangleMesh mesh = ReadOut(triangulation, domain, loopMarks, core).Take();
+  TriangleMesh mesh = MeshExtractor(triangulation, domain, loopMarks, core).Release();
   progress.Report(1.0);
   return mesh;
 }
-catch (const CGAL::Failure_exception&) // its text is of several lines about CGAL's source
+catch (const CGAL::Failure_exception&) // its message has several lines about CGAL's source
 {
   ThrowBroken();
 }
 
 //------------------------------------------------------------------------------
-struct KeptTriangulation::Kept
+struct KeptTriangulation::State
 {
   Triangulation triangulation;
   PlanarDomain domain;
@@ -403,24 +232,24 @@ KeptTriangulation::KeptTriangulation(
   inside.reserve(points.size());
   std::transform(points.begin(), points.end(), std::back_inserter(inside), ToCgal);
   triangulation.insert(inside.begin(), inside.end());
-  this->What = std::make_unique<const Kept>(
-    Kept{ std::move(triangulation), std::move(domain), std::move(loopMarks) });
+  this->Current = std::make_unique<const State>(
+    State{ std::move(triangulation), std::move(domain), std::move(loopMarks) });
 }
 
 KeptTriangulation::~KeptTriangulation() = default;
 
 TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double clear) const
 {
-  Triangulation triangulation = this->What->triangulation;
-  std::vector<Triangulation::Vertex_handle> put;
+  Triangulation triangulation = this->Current->triangulation;
+  std::vector<Triangulation::Vertex_handle> inserted;
   for (const Point& point : points)
   {
-    put.push_back(triangulation.insert(ToCgal(point)));
+    inserted.push_back(triangulation.insert(ToCgal(point)));
   }
-  for (const Triangulation::Vertex_handle& vertex : put)
+  for (const Triangulation::Vertex_handle& vertex : inserted)
   {
     const Point place = FromCgal(vertex->point());
-    // The nearest of all vertices is a neighbour.
+    // The nearest vertex is always a neighbour.
     for (bool found = true; found;)
     {
       found = false;
@@ -431,7 +260,7 @@ TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double cl
         found = neighbour->info().loop == None && // neither infinite nor on the boundary
           !triangulation.is_infinite(neighbour) &&
           (FromCgal(neighbour->point()) - place).norm() < clear &&
-          std::find(put.begin(), put.end(), neighbour) == put.end();
+          std::find(inserted.begin(), inserted.end(), neighbour) == inserted.end();
       } while (!found && ++neighbour != end);
       if (found)
       {
@@ -439,7 +268,8 @@ TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double cl
       }
     }
   }
-  ComputeDepths(triangulation, FindImprinted(this->What->loopMarks));
-  return ReadOut(triangulation, this->What->domain, this->What->loopMarks, {}).Take();
+  ComputeDepths(triangulation, FindImprinted(this->Current->loopMarks));
+  return MeshExtractor(triangulation, this->Current->domain, this->Current->loopMarks, {})
+    .Release();
 }
 }

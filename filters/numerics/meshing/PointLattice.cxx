@@ -7,13 +7,14 @@ namespace crossfield
 {
 namespace
 {
-/// Level l whose spacing 2⁻ˡ × largest comes closest to a size, in the sense of ratios.
+/// Returns the level l whose spacing 2⁻ˡ × largest is closest to a size, by ratio.
 int LevelFor(double size, double largest)
 {
   return std::max(0, static_cast<int>(std::lround(std::log2(largest / size))));
 }
 
-/// By how many levels the coarsest lattice that has the point (i, j) of a level is coarser.
+/// Returns by how many levels the coarsest lattice that contains the point (i, j) of a level is
+/// coarser.
 int CoarserLevels(long long i, long long j, int level)
 {
   int coarser = 0;
@@ -26,7 +27,7 @@ int CoarserLevels(long long i, long long j, int level)
   return coarser;
 }
 
-/// Of all numbers from 0, those that are below when multiplied by a step.
+/// Returns the number of multiples of a step, from 0, that are below a length.
 int CountBelow(double length, double step)
 {
   return static_cast<int>(std::ceil(length / step));

@@ -61,8 +61,8 @@ void SizeField::Split(int cell, const Square& square, const std::vector<int>& ca
     values.push_back(source.size + this->Gradation * (square.centre - source.position).norm());
     centreSize = std::min(centreSize, values.back());
   }
-  // Over the cell every source's function changes by at most gradation × half-diagonal, so a source
-  // above the minimum by more than twice that at the centre never attains it.
+  // Within the cell the function of a source changes by at most gradation × half-diagonal, so a
+  // source above the minimum by more than twice that at the centre never attains it.
   const double reach = this->Gradation * std::sqrt(2.0) * square.halfWidth;
   std::vector<int> kept;
   for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -72,7 +72,7 @@ void SizeField::Split(int cell, const Square& square, const std::vector<int>& ca
       kept.push_back(candidates[i]);
     }
   }
-  constexpr int MaximumDepth = 48; // beyond it a double cannot tell the children apart
+  constexpr int MaximumDepth = 48; // beyond it, coordinates cannot separate the children
   if (kept.empty() || square.halfWidth <= centreSize || depth == MaximumDepth)
   {
     Cell& leaf = this->Cells[static_cast<std::size_t>(cell)];

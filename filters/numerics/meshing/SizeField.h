@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-/// A place that asks for a small edge length around it.
+/// Point around which edges are short.
 struct SizeSource
 {
   Point position;
@@ -17,28 +17,29 @@ struct SizeSource
 
 /// Graded target edge length: h(x) = min(maximum, min_i (size_i + gradation |x − position_i|)).
 ///
-/// Stored on a quadtree whose leaves are about as large as h in them; within a leaf only the
-/// sources that can attain the minimum are kept, so a look-up costs the depth of the tree.
+/// Stored as a quadtree whose leaves are about as large as h in them. A leaf has only the sources
+/// that can attain the minimum in it, so the cost of an evaluation is the depth of the tree.
 class SizeField
 {
 public:
-  /// `box` is where the field is asked for. Throws Error unless maximum and gradation are positive.
+  /// Constructs the field on `box`. Throws Error unless maximum and gradation are positive.
   SizeField(const std::vector<SizeSource>& sources, double maximum, double gradation,
     const Eigen::AlignedBox2d& box);
 
-  /// Target edge length at a point; meaningless outside the box.
+  /// Returns the target edge length at a point; undefined outside the box.
   double operator()(const Point& point) const;
 
   double GetMaximum() const { return this->Maximum; }
   const Eigen::AlignedBox2d& GetBox() const { return this->Box; }
 
-  /// A part of the box, half-open towards the upper right, in which few sources matter.
+  /// Part of the box, half-open towards the upper right, in which only a few sources attain the
+  /// minimum.
   class Leaf
   {
   public:
     Eigen::AlignedBox2d box;
     double SizeAt(const Point& point) const { return this->Field.Evaluate(point, this->Range); }
-    /// Not above the size anywhere in the leaf.
+    /// Returns a lower bound of the size in the leaf.
     double LowerBound() const;
 
   private:
@@ -53,14 +54,14 @@ public:
     std::array<int, 2> Range;
   };
 
-  /// The leaves that tile the box, in a fixed order.
+  /// Returns the leaves, which tile the box, in a fixed order.
   std::vector<Leaf> Leaves() const;
 
 private:
   struct Cell
   {
-    int firstChild = -1;                 ///< −1: a leaf; the other three children follow it.
-    std::array<int, 2> range = { 0, 0 }; ///< Of a leaf: where its sources are in Candidates.
+    int firstChild = -1;                 ///< First of four consecutive children; −1 for a leaf.
+    std::array<int, 2> range = { 0, 0 }; ///< Range of the leaf's sources in Candidates.
   };
   struct Square
   {

@@ -14,23 +14,28 @@ namespace crossfield
 {
 namespace
 {
-constexpr std::size_t SamplesPerLength = 8; ///< A wave of the length has so many.
+constexpr std::size_t SamplesPerLength = 8; ///< Samples per wave of the given length.
 constexpr std::size_t SamplesPerSide = 2;
-constexpr double Deviation = 0.4;    ///< Of the Gaussian, in lengths.
-constexpr int Rounds = 20;           ///< The most; three or four are enough for a coast.
-constexpr double Settled = 0.05;     ///< A round that shortens a curve by less is the last.
-constexpr double ShortestLoop = 4.0; ///< In lengths: shorter ones would shrink.
-constexpr double Unmoved = 1e-3;     ///< In lengths: a curve that moves by less is smooth already.
+constexpr double Deviation = 0.4; ///< Standard deviation of the Gaussian, in lengths.
+/// Maximum number of smoothing rounds; three or four are enough for a coastline.
+constexpr int MaximumRounds = 20;
+/// Relative change of a curve's length below which no further round follows.
+constexpr double Settled = 0.05;
+/// Minimum length of a smoothed loop, in lengths; shorter loops would shrink.
+constexpr double ShortestLoop = 4.0;
+/// Displacement, in lengths, up to which a curve counts as smooth already.
+constexpr double Unmoved = 1e-3;
 
-/// A part of a loop between two places that stay, or a whole loop.
+/// Part of a loop between two fixed points, or an entire loop.
 struct Curve
 {
-  std::vector<ArcVertex> samples; ///< Of a part both ends; `at` may go beyond the loop's length.
+  /// Samples, including both ends of a part; `at` may exceed the loop's length.
+  std::vector<ArcVertex> samples;
   bool isClosed = false;
 };
 
-/// A sample, also beyond the ends of a part, where it goes on as its image in the end point: so ends stay and straight
-/// lines are straight.
+/// Returns a sample. Beyond the ends of a part the curve continues as its point reflection in the
+/// end point, so ends stay fixed and straight lines stay straight.
 Point Extended(const Curve& curve, std::ptrdiff_t i)
 {
   const auto count = static_cast<std::ptrdiff_t>(curve.samples.size());
@@ -41,7 +46,8 @@ Point Extended(const Curve& curve, std::ptrdiff_t i)
     return place(((i % count) + count) % count);
   }
   const std::ptrdiff_t last = count - 1;
-  // Of a part shorter than the Gaussian's reach the images repeat, each moved by twice what the ends are apart.
+  // For a part shorter than the Gaussian's reach the reflections repeat, each displaced by twice
+  // the vector between the ends.
   const std::ptrdiff_t period = 2 * last;
   const std::ptrdiff_t turns = (i >= 0 ? i : i - period + 1) / period;
   const std::ptrdiff_t rest = i - turns * period;
@@ -49,7 +55,7 @@ Point Extended(const Curve& curve, std::ptrdiff_t i)
   return shift + (rest <= last ? place(rest) : Point(2.0 * place(last) - place(period - rest)));
 }
 
-/// The mean with the weights of a Gaussian, at every sample.
+/// Returns the mean with Gaussian weights at each sample.
 std::vector<Point> Blurred(const Curve& curve)
 {
   const double deviation = Deviation * SamplesPerLength; // in samples
@@ -76,7 +82,8 @@ std::vector<Point> Blurred(const Curve& curve)
   return means;
 }
 
-/// 2 G − G²: unlike G alone it moves a curve by what is of fourth order in its curvature, and so keeps circles.
+/// Smooths a curve by the filter 2 G − G². Unlike G alone, its displacement is of fourth order in
+/// the curvature, so it preserves circles.
 Curve Smoothed(const Curve& curve)
 {
   Curve rest = curve;
@@ -94,7 +101,7 @@ Curve Smoothed(const Curve& curve)
   return smooth;
 }
 
-/// Samples at equal distances along a curve, at most `spacing` apart; `round` is the length of the loop.
+/// Resamples a curve at equal distances of at most `spacing`; `round` is the length of the loop.
 Curve Resample(const Curve& curve, double spacing, double round)
 {
   std::vector<ArcVertex> points = curve.samples;
@@ -139,12 +146,13 @@ double LengthOf(const Curve& curve)
     (curve.isClosed ? (curve.samples.front().place - curve.samples.back().place).norm() : 0.0);
 }
 
-/// The vertices of the smooth curve, without the end of a part; none where it is smooth already.
+/// Returns the vertices of the smoothed curve, without the end of a part; none if the curve is
+/// smooth already.
 std::vector<ArcVertex> SmoothCurve(const Curve& given, double length, double round)
 {
   const double spacing = length / SamplesPerLength;
   Curve curve = Resample(given, spacing, round);
-  for (int i = 0; i < Rounds; ++i)
+  for (int i = 0; i < MaximumRounds; ++i)
   {
     const Curve smooth = Smoothed(curve);
     double moved = 0.0;
@@ -157,7 +165,8 @@ std::vector<ArcVertex> SmoothCurve(const Curve& given, double length, double rou
       return {};
     }
     const bool isSettled = LengthOf(smooth) > (1.0 - Settled) * LengthOf(curve);
-    // Along a ragged curve its waves are shorter than they are long: with its new length again.
+    // The wavelength measured along a ragged curve exceeds the true one, so the curve is resampled
+    // by its new length.
     curve = Resample(smooth, spacing, round);
     if (isSettled)
     {
@@ -173,7 +182,8 @@ std::vector<ArcVertex> SmoothCurve(const Curve& given, double length, double rou
   return vertices;
 }
 
-/// The lengths along a loop at which it stays: corners farther than a length from all others, and given places.
+/// Returns the arc lengths of the fixed points of a loop: given points, and corners farther than a
+/// length from all others.
 std::vector<double> FindKept(
   const LoopArc& arc, const std::vector<double>& given, double length, double cornerAngle)
 {
@@ -196,7 +206,7 @@ std::vector<double> FindKept(
   return kept;
 }
 
-/// The vertices of a loop from one length along it to another, and both ends.
+/// Returns the vertices of a loop from one arc length to another, including both ends.
 std::vector<ArcVertex> Between(const LoopArc& arc, double from, double to)
 {
   std::vector<ArcVertex> vertices{ { from, arc.At(from) } };

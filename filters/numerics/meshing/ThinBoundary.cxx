@@ -17,11 +17,12 @@ namespace crossfield
 {
 namespace
 {
-/// Of a mesh size: what is thinned unless asked otherwise.
+/// Default length of thinning relative to the mesh size.
 constexpr double PartOfMeshSize = 0.02;
 
-/// Where a loop without corners may begin so that symmetries of the domain stay: the vertices farthest from its
-/// centre, or, of a circle around it, those at the extremes of x and y.
+/// Returns the start points of a loop without corners, chosen to preserve symmetries of the domain:
+/// the vertices farthest from the domain's centre or, for a circle around it, those at the extremes
+/// of x and y.
 std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double rounding)
 {
   const Loop& loop = arc.Vertices();
@@ -38,7 +39,7 @@ std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double ro
       seeds.push_back(arc.Start(i));
     }
   }
-  if (seeds.size() <= 8) // a symmetry about the centre makes two, four or eight of one
+  if (seeds.size() <= 8) // symmetries about the centre map one vertex to two, four or eight
   {
     return seeds;
   }
@@ -52,7 +53,7 @@ std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double ro
   return seeds;
 }
 
-/// The new vertices of a loop; none where it stays as it is.
+/// Returns the vertices of the thinned loop; none if the loop is unchanged.
 std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& given,
   const Point& centre, double cornerAngle, const Thinning& thinning)
 {
@@ -89,7 +90,7 @@ SimplifiedBoundary ThinBoundary(
   const PlanarDomain& domain, double length, const std::vector<Point>& keep, double cornerAngle)
 {
   const double diagonal = domain.Diagonal();
-  // Coordinates of symmetric domains may be written with ten digits.
+  // Coordinates of symmetric domains may be stored with ten digits.
   const Thinning thinning{ length, cornerAngle / 6.0, std::min(1e-9 * diagonal, 1e-3 * length) };
   SimplifiedBoundary result;
   std::vector<Loop> loops;
@@ -107,7 +108,7 @@ SimplifiedBoundary ThinBoundary(
       ThinLoop(arc, given, box.center(), cornerAngle, thinning);
     if (vertices.size() < 3)
     {
-      loops.push_back(loop); // nothing to thin, or all of it is such detail
+      loops.push_back(loop); // nothing to thin, or the entire loop is short detail
       continue;
     }
     isThinned = true;
@@ -120,7 +121,7 @@ SimplifiedBoundary ThinBoundary(
   }
   try
   {
-    result.domain = MakePlanarDomain(std::move(loops)); // says whether they touch
+    result.domain = MakePlanarDomain(std::move(loops)); // throws if the loops touch
   }
   catch (const Error&)
   {

@@ -4,26 +4,29 @@
 
 namespace crossfield
 {
-/// A boundary with less detail.
+/// Domain with a simplified boundary.
 struct SimplifiedBoundary
 {
   PlanarDomain domain;
-  double moved = 0.0; ///< The largest distance of a vertex of the old boundary to the new one.
+  double moved = 0.0; ///< Largest distance from a vertex of the original boundary to the new one.
 };
 
-/// The length that is thinned unless one is given (docs/method.md §10.5), of a domain that is meant for a mesh size, 0 for
-/// the default one: 0.02 of it, and of the default one where that is less. Throws Error as ResolveMeshSize does.
+/// Returns the default length of thinning (docs/method.md §10.5) for a mesh size, where 0 means the
+/// default mesh size: 0.02 of the smaller of the given and the default mesh size. Throws Error as
+/// ResolveMeshSize does.
 double DefaultThinning(const PlanarDomain& domain, double meshSize = 0.0);
 
-/// Takes detail out of a boundary that is shorter than a length (docs/method.md §10.5): corners within it become
-/// one, in the middle of the boundary between them, which turns by the sum of their turns; between
-/// corners, sides become longer, up to that length, while they turn by at most a sixth of the corner angle.
+/// Removes boundary detail shorter than a length (docs/method.md §10.5). Corners within the length
+/// are merged into one, at the middle of the boundary between them, which turns by the sum of their
+/// turns. Between corners, sides become longer, up to the length, as long as they turn by at most a
+/// sixth of the corner angle.
 ///
-/// Corners that would make one sharper than the corner angle, as the end of a narrow channel, stay.
-/// Vertices at the places of `keep` that lie on the boundary stay, and corners within the length of one of them become one
-/// there. Nothing moves by more than the length, and nothing at all where all sides are longer. The
-/// symmetries of a domain stay, to rounding. A loop that would have fewer than three vertices stays as it is, and so does a
-/// domain whose new loops would touch.
+/// Corners that would merge into one sharper than the corner angle, such as the end of a narrow
+/// channel, are retained. Vertices at the points of `keep` on the boundary are retained, and corners
+/// within the length of one of them are merged there. No point moves by more than the length.
+/// Symmetries of the domain are preserved, up to rounding. A loop is unchanged if all its sides are
+/// longer than the length, or if fewer than three vertices would be left; a domain is unchanged if
+/// its new loops would touch.
 SimplifiedBoundary ThinBoundary(const PlanarDomain& domain, double length,
   const std::vector<Point>& keep = {}, double cornerAngle = DefaultCornerAngle);
 }

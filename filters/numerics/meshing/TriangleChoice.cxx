@@ -26,7 +26,7 @@ std::string Name(std::size_t row, const Singularity& singularity)
   return "singularity " + std::to_string(row + 1) + " at " + Describe(singularity.position);
 }
 
-/// How far a point is inside a triangle: its least distance to a side, negative outside.
+/// Returns the minimum distance of a point to the sides of a triangle, negative outside.
 double Depth(const TriangleMesh& mesh, const std::array<int, 3>& triangle, const Point& point)
 {
   double depth = std::numeric_limits<double>::infinity();

@@ -224,7 +224,7 @@ TEST(SizeUniformity, RefusesASizeThatIsNotPositive)
          std::numeric_limits<double>::infinity() })
   {
     EXPECT_TRUE(Refuses([&] { SizeUniformity(potential, [size](const Point&) { return size; }); },
-      { "The wanted size at", "not a positive number" }));
+      { "The target size at", "not a positive number" }));
   }
 }
 
