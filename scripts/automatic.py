@@ -21,30 +21,25 @@ FINER = 4
 DEFAULT_SIZE = 1 / 40  # of the diagonal
 THINNING = 0.02 * DEFAULT_SIZE  # by default; finer meshes are of the same boundary
 
-PAGE = """# Singularities of bare domains
+PAGE = """# Singularities chosen from the boundary alone
 
-Made by `scripts/automatic.sh`. Every domain goes in alone: `crossfield optimize DOMAIN`. Its singularities are
-proposed from a coarse Ginzburg-Landau field and moved to where the renormalised energy W is least
-([the method](method.md), sections 5.5 and 5.6). The column *finer* is W of the result, moved on to rest on a
-mesh with edges of a quarter of the length, and *changes by* the difference, as a part of the energy at a core radius of
-1/100 of the diagonal, which does not depend on the unit of length as W does. *Random starts*
-are three of as many singularities of the same indices at random places: how many end within 1 %% of 1 + |W|, with
-the same singularities, and what the others end with. Seconds are those of a processor for whole runs, files included.
-Indices that end on the boundary come after a bar. In the pictures red is positive, blue is negative, and quads that
-follow the field are small where it is dark.
+The domain is the only input: `crossfield optimize DOMAIN` proposes singularities from a coarse Ginzburg-Landau field and moves them
+to positions of minimum renormalised energy W ([the method](method.md), sections 5.5 and 5.6). `scripts/automatic.sh` makes this
+page.
 
-W is the middle of a lower and an upper bound. The lower one alone, W of earlier versions, is up to 5 %% too low beside small
-holes and fillets, where triangles are as long as the sides of the polygon and grow by a quarter of the way from them, however
-small the mesh size, until it is below these sides: with the singularities held where they are, 31.66, 32.30 and 33.03 with edges of 1,
-1/4 and 1/16 of the default length in the bracket, where the middle is 32.98, 33.00 and 33.08
-([the method](method.md), section 5.3, has more of them).
+The column *finer* is W after continuing to convergence on a mesh with a quarter of the edge length; *changes by* is the difference,
+relative to the energy at a core radius of 1/100 of the diagonal, which, unlike W, does not depend on the unit of length. *Random
+starts* are three starts with the same number of singularities of the same indices at random positions: the column gives how many
+converge to within 1 %% of 1 + |W| with the same singularities, and the results of the others. Seconds are processor seconds of whole
+runs, including files. Indices after a bar are on the boundary. In the pictures red is positive and blue is negative; dark areas have
+small quads.
 
 | domain | singularities | W of the proposal | W of the optimum | steps | seconds | finer | changes by | random starts |
 | --- | --- | --- | --- | --- | --- | --- | --- | --- |
 %s
 
-W before and after have different coefficients of the logarithm where singularities became part of the boundary, and
-do not compare there.
+Where singularities have become part of the boundary, W before and after belong to different coefficients of the logarithm and
+cannot be compared.
 
 %s
 """
@@ -145,7 +140,7 @@ def compare_starts(domain, proposed, best):
         else:
             others.append("%s%.2f" % ("" if found == domain.indices(best) else describe(*found) + ": ", energy))
             if not report["converged"]:
-                others[-1] += " (not at rest)"
+                others[-1] += " (not converged)"
     return "; ".join(["%d of %d" % (same, STARTS), *others])
 
 
@@ -162,7 +157,7 @@ def row(domain):
     domain.run("hfield", domain.file, "-s", domain.name + ".csv", "-o", domain.name + ".vtu")
     return "| %s | %s | %.2f | %.2f | %d%s | %.1f | %.2f | %.2f %% | %s |" % (
         domain.name.replace("_", " "), describe(*domain.indices(best)), best["renormalized_energy_before"], energy,
-        best["iterations"], "" if best["converged"] else " (not at rest)", seconds, other,
+        best["iterations"], "" if best["converged"] else " (not converged)", seconds, other,
         100 * abs(other - energy) / abs(core) if core else 0.0,
         compare_starts(domain, domain.indices(proposed), best))
 

@@ -13,13 +13,13 @@ import tempfile
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests/corpus"))
 import verified  # noqa: E402
 
-PAGE = """# Exact values and what is computed
+PAGE = """# Exact and computed values
 
-Made by `scripts/exact.py build/bin/crossfield`. `Program.Exact` makes the table again and compares: the exact
-values, what is found, and that the errors fall with the mesh size. Sources: [the method](method.md), §5, §7 and §11,
-and `tests/numerics/ExactFields.h` for images of the disk.
+This table compares computed values with known ones. Sources: [the method](method.md), §5, §7 and §11, and, for images of the disk,
+`tests/numerics/ExactFields.h`. `scripts/exact.py build/bin/crossfield` makes the page; the test `Program.Exact` recomputes it,
+compares the values, and checks that the errors decrease with the mesh size.
 
-| what | exact | found for h = 0.1, 0.05, 0.025, unless it says others |
+| quantity | exact | computed for h = 0.1, 0.05, 0.025, unless stated otherwise |
 | --- | --- | --- |
 """
 SIZES = (0.1, 0.05, 0.025)

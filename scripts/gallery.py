@@ -2,14 +2,13 @@
 import csv
 import sys
 
-PAGE = """# Gallery: the figures of the paper, computed again
+PAGE = """# Gallery: the figures of the paper, reproduced
 
-Made by `scripts/figures.sh`, which runs `crossfield figures` and draws what it writes. In the pictures
-red lines are holes, imprinted circles and triangles; red dots are positive singularities, blue dots
-negative ones; blue areas have |u| < 1, orange ones |u| > 1. `--only NAME` computes one figure.
+`scripts/figures.sh` runs `crossfield figures`, draws the results and makes this page; `--only NAME` computes one figure. In the
+pictures red lines are holes, imprinted circles and triangles. Red dots are positive singularities, blue dots negative ones. Blue
+areas have |u| < 1, orange areas |u| > 1.
 
-The numbers are those of coarse meshes, a few seconds for all of them. `Program.Figures` computes them again and
-compares.
+The meshes are coarse, so that all figures together take a few seconds. The test `Program.Figures` recomputes and compares the numbers.
 """
 ENTRY = """
 ## {figure}
@@ -27,7 +26,7 @@ crossfield figures --only {figure} -o figures
 def entry(row):
     found = "no singularities" if row["singularities"] == "none" else row["singularities"]
     if int(row["unwanted_singularities"]) and row["method"].find("ginzburg-landau") < 0:
-        found += ", %s of them not asked for" % row["unwanted_singularities"]
+        found += ", %s of them unwanted" % row["unwanted_singularities"]
     work = "" if row["converged"] == "1" else ", NOT converged"
     return ENTRY.format(found=found, work=work, **{**row, "energy": float(row["energy"])})
 

@@ -17,16 +17,17 @@ import engineering  # noqa: E402
 PARTS = ("plate3", "bracket", "elbow", "naca_blunt", "tjunction")
 BUILT_IN = ("disk", "ring", "ellipse", "quarter-disk", "l-shape", "star")
 
-PAGE = """# Gallery of quads: a domain in, quads out
+PAGE = """# Gallery of quads: meshes made from the boundary alone
 
-Made by `scripts/quads.sh`. Every domain goes in alone, with `--quads %d` and no other option: its singularities
-are proposed from a coarse Ginzburg-Landau field, moved to where the renormalised energy is least, and become the
-irregular nodes. In the pictures blocks have pale colours; nodes of valence 3 are red, those of valence 5 blue.
-Every mesh has exactly the nodes that were asked for. Scaled Jacobians are least sines of angles; with an
-irregular node of valence 5 they are at most 0.951, with one of valence 3 at most 0.866, at a corner of the domain
-at most the sine of its part of the angle. Seconds are those of whole runs, files included, on 2 cores.
+The domain is the only input: `crossfield quads DOMAIN --quads %d` proposes singularities from a coarse Ginzburg-Landau field, moves
+them to positions of minimum renormalised energy, and makes quads with these irregular nodes. `scripts/quads.sh` makes this page.
 
-| domain | quads | irregular nodes | blocks | scaled Jacobian: least, attainable, mean | seconds |
+In the pictures blocks have pale colours; nodes of valence 3 are red, nodes of valence 5 blue. Every mesh has exactly the requested
+nodes. The scaled Jacobian of a quad is the minimum sine of its angles. It is at most 0.951 at a node of valence 5, at most 0.866 at a
+node of valence 3, and at a corner of the domain at most the sine of the angle that each quad has there. Seconds are the time of whole
+runs on 2 cores, including files.
+
+| domain | quads | irregular nodes | blocks | scaled Jacobian: minimum, attainable, mean | seconds |
 | --- | --- | --- | --- | --- | --- |
 %s
 
