@@ -3,6 +3,7 @@
 Every proxy exists and is documented, the default chain gives the field it should, bad input gives
 an empty output, a changed input gives another result, and no filter changes its input.
 """
+import glob
 import math
 import os
 import re
@@ -20,12 +21,13 @@ from checks import check, check_default_field, check_equal, fingerprint, value, 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
 import kept  # noqa: E402
 
-ICONS = os.path.join(os.path.dirname(__file__), "..", "..", "paraview-plugin", "icons")
+PLUGIN = os.path.join(os.path.dirname(__file__), "..", "..", "paraview-plugin")
+ICONS = os.path.join(PLUGIN, "icons")
 
 PROXIES = {
     "BoundaryCornerClassifier": (
         "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
-    "BoundarySimplifier": ("filters", "Input Kept MeshSize ThinningLength SmoothingLength CornerAngle"),
+    "BoundarySimplifier": ("filters", "Input FixedPoints MeshSize ThinningLength SmoothingLength CornerAngle"),
     "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
     "ConfigurationProposal": (
         "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
@@ -60,44 +62,51 @@ def properties_of(prototype):
         iterator.Next()
 
 
-def check_documentation(documentation, what):
-    check(documentation is not None, "%s has no documentation" % what)
-    check(documentation.GetShortHelp(), "%s has no short help" % what)
-    check(documentation.GetLongHelp(), "%s has no long help" % what)
-    check("Example" in (documentation.GetDescription() or ""), "%s has no example" % what)
+def check_tooltip(item, name):
+    """The tooltip of a parameter states what the parameter does and its default."""
+    documentation = item.GetDocumentation()
+    text = documentation.GetDescription() if documentation is not None else ""
+    check(text, "%s has no documentation" % name)
+    is_parameter = item.IsA("vtkSMVectorProperty") and not item.GetInformationOnly()
+    hidden = item.GetPanelVisibility() == "never"
+    if is_parameter and not item.IsA("vtkSMInputProperty") and not hidden:
+        check("Default: " in text, "%s states no default" % name)
 
 
 def test_proxies():
     for name, (group, wanted) in PROXIES.items():
         prototype = servermanager.ProxyManager().GetPrototypeProxy(group, name)
         check(prototype is not None, "there is no proxy %s" % name)
-        check_documentation(prototype.GetDocumentation(), name)
+        documentation = prototype.GetDocumentation()
+        check(documentation.GetShortHelp() and documentation.GetLongHelp(), "%s has no help" % name)
+        for part in ("Example", "glossary"):
+            check(part in documentation.GetDescription(), "the help of %s has no %s" % (name, part))
         # Python names come from labels, so a label must be the name with spaces.
         check_equal(prototype.GetXMLLabel().replace(" ", ""), name, "the label")
-        if name != "PlanarDomainReader":  # which File, Open makes
+        if name != "PlanarDomainReader":  # which File, Open creates
             menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
             # A category here would come before menus.xml, and in another order.
             check_equal(menu.GetAttribute("category"), None, "the menu of %s" % name)
             icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
-            xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises when it is no drawing
+            xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises if it is not valid XML
         found = dict(properties_of(prototype))
         check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
         for key, item in found.items():
-            check_documentation(item.GetDocumentation(), "%s.%s" % (name, key))
+            check_tooltip(item, "%s.%s" % (name, key))
             check_equal(item.GetXMLLabel().replace(" ", ""), key, "the label")
 
 
 def test_menus():
-    """The menus, which are in the order of work, have every proxy of the plugin."""
-    menus = xml.dom.minidom.parse(os.path.join(ICONS, "..", "menus", "menus.xml"))
-    for group in ("sources", "filters"):
-        listed = [item.getAttribute("name") for item in menus.getElementsByTagName("Proxy")
-                  if item.getAttribute("group") == group]
-        with open(os.path.join(ICONS, "..", "CrossField%s.xml" % group.capitalize()), encoding="utf-8") as file:
-            definitions = xml.dom.minidom.parse(file)
-        shown = [menu.parentNode.parentNode.getAttribute("name")
-                 for menu in definitions.getElementsByTagName("ShowInMenu")]
-        check_equal(sorted(listed), sorted(shown), "the list of %s in the menu" % group)
+    """The menus, which are in the order of work, list every proxy of the plugin and no abstract one."""
+    menus = xml.dom.minidom.parse(os.path.join(PLUGIN, "menus", "menus.xml"))
+    listed = [(item.getAttribute("group"), item.getAttribute("name"))
+              for item in menus.getElementsByTagName("Proxy")]
+    shown = []
+    for file_name in glob.glob(os.path.join(PLUGIN, "CrossField*.xml")):
+        for menu in xml.dom.minidom.parse(file_name).getElementsByTagName("ShowInMenu"):
+            proxy = menu.parentNode.parentNode
+            shown.append((proxy.parentNode.getAttribute("name"), proxy.getAttribute("name")))
+    check_equal(sorted(listed), sorted(shown), "the proxies in the menus")
 
 
 def field_of(singularities, **domain):
@@ -133,22 +142,22 @@ def test_layout_designer():
     designer.UpdatePropertyInformation()
     rows = list(designer.GetPropertyValue("Rows"))
     check_equal(len(rows), 16, "values of the chosen rows")
-    # A hand takes them over and moves one.
+    # A user takes the rows over and moves one.
     rows[0:2] = [0.3, 0.5]
     designer.Singularities = rows
     moved = fetch(designer)
-    check(value(moved, "RenormalizedEnergy") > value(lines, "RenormalizedEnergy"), "W rises")
+    check(value(moved, "RenormalizedEnergy") > value(lines, "RenormalizedEnergy"), "a move from the minimum raises W")
     designer.InvokeCommand("Optimise")
     designer.UpdatePipeline()
     designer.UpdatePropertyInformation()
     best = fetch(designer)
-    check(abs(value(best, "RenormalizedEnergy") - value(lines, "RenormalizedEnergy")) < 0.05, "W is the least again")
+    check(abs(value(best, "RenormalizedEnergy") - value(lines, "RenormalizedEnergy")) < 0.05, "the optimiser restores the minimum of W")
     rows = list(designer.GetPropertyValue("Rows"))
     rows[0] = 7.0
     designer.Singularities = rows
     stale = fetch(designer)
     check_equal(value(stale, "Stale"), 1, "whether a layout with a singularity outside is stale")
-    check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the lines that stay")
+    check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the separatrices of the last layout")
     check("outside" in stale.GetFieldData().GetAbstractArray("Summary").GetValue(0), "the sentence")
     check("outside" in servermanager.Fetch(designer, idx=4).GetValueByName(0, "Summary").ToString(), "the text")
 
@@ -190,7 +199,7 @@ def test_separatrices():
     data = fetch(lines)
     check_equal(data.GetNumberOfCells(), 12, "the number of lines")
     faces = servermanager.Fetch(lines, idx=1)
-    # docs/method.md §13.3: T - N + 1, where no two of them meet head-on.
+    # docs/method.md §13.3: T - N + 1 patches, less those of separatrices that meet head-on.
     check_equal(faces.GetCellData().GetArray("FaceId").GetRange()[1] + 1,
                 9 - value(data, "HeadOn"), "the number of faces")
     check(value(data, "Mismatch") < 1e-12, "opposite sides of faces")
@@ -202,7 +211,7 @@ def test_energies():
     better = SingularityOptimizer(Input=PlanarDomainSource(), Singularities=SingularitySource())
     moved = fetch(better)
     check_equal(value(moved, "Converged"), 1, "Converged")
-    check(abs(value(moved, "RenormalizedEnergyAfter") + 7.2962) < 0.1, "the least energy")
+    check(abs(value(moved, "RenormalizedEnergyAfter") + 7.2962) < 0.1, "the minimum energy")
     for i in range(4):
         x, y, _ = moved.GetPoint(i)
         check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
@@ -219,10 +228,10 @@ def test_energies():
 
 
 def test_size_arrays():
-    """Domains need no array, as every domain of the source has none; where there is one it is in the list."""
+    """A domain without arrays is accepted; the point arrays of a domain are offered as size arrays."""
     bare = PlanarDomainSource()
     sized = Calculator(Input=bare, ResultArrayName="Length", Function="1 + coordsX * coordsX")
-    sized.UpdatePipeline()  # or nobody knows its arrays
+    sized.UpdatePipeline()  # makes its arrays known
     for make in (QuadMesher, SingularityOptimizer):
         for domain, arrays in ((bare, {"None"}), (sized, {"None", "Length"})):
             proxy = make(Input=domain, Singularities=SingularitySource(), Sizing="Field").SMProxy
@@ -235,7 +244,7 @@ def test_size_arrays():
                                      Sizing="Field", SizeArray="Length")
     moved = fetch(optimizer)
     check_equal(value(moved, "Converged"), 1, "Converged")
-    check(value(moved, "SizeSpreadAfter") < 0.95 * value(moved, "SizeSpreadBefore"), "the sizes that are wanted")
+    check(value(moved, "SizeSpreadAfter") < 0.95 * value(moved, "SizeSpreadBefore"), "the spread of sizes does not shrink")
 
 
 def test_default_chain():
@@ -245,7 +254,7 @@ def test_default_chain():
     crosses = fetch(CrossGlyphs(Input=field, Spacing=0))
     triangles = [data.GetCellType(cell) for cell in range(data.GetNumberOfCells())].count(VTK_TRIANGLE)
     check_equal(crosses.GetNumberOfLines(), 2 * triangles, "the number of lines")
-    # At first 40 across, and two lines each: nearly pi / 4 of their square, less those beside the holes.
+    # By default 40 crosses of two lines across: pi / 4 of their square, less those at the holes.
     first = fetch(CrossGlyphs(Input=field)).GetNumberOfLines()
     check(0.8 * 2 * math.pi / 4 * 40**2 < first < 2.2 * math.pi / 4 * 40**2, "%d lines at first" % first)
     thinned = fetch(CrossGlyphs(Input=field, Spacing=0.1, ScaleByNorm=1))
@@ -259,7 +268,7 @@ def write(name, text):
 
 
 def readers_of(name):
-    """The proxies among which File, Open lets one choose."""
+    """Returns the readers that File, Open offers for a file."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
     found = factory.GetReaders(name, servermanager.ActiveConnection.Session)
     return [found.GetString(i + 1) for i in range(0, found.GetLength(), 3)]
@@ -277,7 +286,7 @@ def test_domain_files():
             data = fetch(PlanarDomainReader(FileName=name))
             check_equal((data.GetNumberOfCells(), data.GetNumberOfPoints()), (1, 4), "cells and points")
         check("PlanarDomainReader" not in readers_of(other), "a table without x and y is no domain")
-        # A table that ParaView itself has written.
+        # A table written by ParaView itself.
         exported = os.path.join(folder, "exported.csv")
         SaveData(exported, proxy=PlanarDomainReader(FileName=table))
         data = fetch(PlanarDomainReader(FileName=exported))
@@ -292,7 +301,7 @@ def test_domain_files():
 
 
 def test_other_domains():
-    """Domains on which another set of quarter indices, or none, is right."""
+    """Domains that need other quarter indices, or none."""
     for rows, domain in (([], dict(DomainName="ring")),
                          ([], dict(DomainName="square")),
                          ([], dict(DomainName="rectangle", Width=3, Height=0.5)),
@@ -332,7 +341,7 @@ def test_bad_input():
         check_equal(fetch(field).GetNumberOfCells(), 0, "%s: the number of cells" % what)
         check(fetch(field).GetFieldData().GetArray("Energy") is None, "%s: there is an energy" % what)
 
-    # On a ring a field without singularities exists, so a lost configuration must not pass for none.
+    # On a ring a field without singularities exists, so a missing file must not count as none.
     field = field_of(SingularitySource(FileName="/no/such/file.csv"), DomainName="ring")
     field.UpdatePipeline()
     check_equal(fetch(field).GetNumberOfCells(), 0, "a ring, no file: the number of cells")
@@ -381,13 +390,13 @@ def test_topology():
     check_equal(value(fetch(solved), "UnwantedSingularities"), 0, "UnwantedSingularities")
     first = value(fetch(classifier), "Energy")
     classifier.Overrides = [-1, 0, 0]
-    check(value(fetch(classifier), "Energy") > first, "an override costs nothing")
+    check(value(fetch(classifier), "Energy") > first, "an override does not raise the energy")
     classifier.Overrides = []
     check_equal(value(fetch(classifier), "Energy"), first, "the energy without overrides")
 
 
 def test_handles():
-    """Dragging a handle moves its singularity; a bad place is a sentence, and dragging back mends."""
+    """Dragging a handle moves its singularity; dragging back from a bad position restores the field."""
     singularities = SingularitySource()
     field = field_of(singularities)
     first = value(fetch(field), "Energy")
@@ -415,7 +424,7 @@ def test_handles_of_a_proposal():
         check_equal(len(rows), 16, "values of the rows")
         handles.Singularities = [0.125, 0.25] + rows[2:]
         check_equal(fetch(handles).GetPoint(0), (0.125, 0.25, 0), "the handle that was dragged")
-        handles.Singularities = []  # and it starts again
+        handles.Singularities = []  # the input is used again
 
 
 def test_summary_of_the_check():
@@ -430,7 +439,7 @@ def test_summary_of_the_check():
 
 
 def server_data(proxy):
-    """The object of the server itself: a fetched one might be a copy."""
+    """Returns the data object of the server itself; a fetched one may be a copy."""
     return proxy.GetClientSideObject().GetOutputDataObject(0)
 
 
