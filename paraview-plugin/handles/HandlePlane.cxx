@@ -21,7 +21,7 @@ double Dot(const Vector& a, const Vector& b)
 }
 
 //------------------------------------------------------------------------------
-HandlePlane HandlePlane::Of(const std::vector<double>& numbers)
+HandlePlane HandlePlane::FromNumbers(const std::vector<double>& numbers)
 {
   HandlePlane plane;
   if (numbers.size() == 9)
@@ -59,7 +59,7 @@ Vector HandlePlane::ToSpace(const std::array<double, 2>& point) const
 }
 
 //------------------------------------------------------------------------------
-std::optional<std::array<double, 2>> HandlePlane::Meet(
+std::optional<std::array<double, 2>> HandlePlane::IntersectRay(
   const Vector& eye, const Vector& beyond) const
 {
   const Vector normal = this->Normal();
@@ -68,7 +68,7 @@ std::optional<std::array<double, 2>> HandlePlane::Meet(
   const double t = -Dot(normal, toEye) / Dot(normal, sight);
   const std::array<double, 2> point = { Dot(this->Axis1, toEye) + t * Dot(this->Axis1, sight),
     Dot(this->Axis2, toEye) + t * Dot(this->Axis2, sight) };
-  // Where the plane is seen along itself, a part of the screen shows what is behind the eye.
+  // In an edge-on view, part of the screen corresponds to points behind the eye.
   if (!(t >= 0) || !std::isfinite(point[0]) || !std::isfinite(point[1]))
   {
     return std::nullopt;

@@ -1,4 +1,4 @@
-// The part of pqSingularityHandlesWidget that lives in the 3D view: handles and mouse.
+// The part of pqSingularityHandlesWidget in the 3D view: handles and mouse.
 
 #include "pqSingularityHandlesWidget.h"
 
@@ -22,19 +22,22 @@
 
 namespace
 {
-// Before ParaView's own styles, which have priority 0: what meets a handle does not turn the camera.
+// Above ParaView's interactor styles, which have priority 0: a click on a handle does not turn the
+// camera.
 constexpr float MousePriority = 1;
 
 /**
- * While it lives the client is not told that pipelines have run: it would gather numbers for panels and load the icons of all
- * filters anew, which takes as long as the layout itself. What follows the last move of a drag tells it.
+ * Blocks the client's signals of pipeline updates during its lifetime. The client would collect
+ * numbers for panels and reload the icons of all filters, which takes as long as the layout itself.
+ * The update after the last move of a drag is signalled.
  */
-class Quiet
+class PipelineSignalBlocker
 {
 public:
-  Quiet()
+  PipelineSignalBlocker()
   {
-    for (auto* item : pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>())
+    for (auto* item :
+      pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>())
     {
       this->Blockers.emplace_back(item);
     }
@@ -100,8 +103,8 @@ void pqSingularityHandlesWidget::changeEvent(QEvent* event)
 //------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::UpdateHandles()
 {
-  const bool isWanted = this->isSelected() && this->isVisible() && this->isEnabled();
-  if (!isWanted || !this->view())
+  const bool isShown = this->isSelected() && this->isVisible() && this->isEnabled();
+  if (!isShown || !this->view())
   {
     this->Detach();
     return;
@@ -113,13 +116,13 @@ void pqSingularityHandlesWidget::UpdateHandles()
   vtkSMViewProxy* viewProxy = this->view()->getViewProxy();
   if (!viewProxy || !this->view()->widget())
   {
-    return; // at the end of a session, where a panel is shown once more while the items before it are deleted
+    return; // at the end of a session the panel is shown once more while pipeline items are deleted
   }
   auto* renderView = vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject());
   vtkRenderWindowInteractor* interactor = viewProxy->GetInteractor();
   if (!renderView || !interactor)
   {
-    return; // a chart or a table
+    return; // not a 3D view
   }
   this->Handles.SetRenderer(
     renderView->GetNonCompositedRenderer(), this->view()->widget()->devicePixelRatioF());
@@ -168,7 +171,7 @@ void pqSingularityHandlesWidget::OnMouse(
     if (self->IsDragging)
     {
       self->Pixel = { static_cast<double>(pixel[0]), static_cast<double>(pixel[1]) };
-      self->IsBehind = true;
+      self->HasPendingMove = true;
       self->FollowTimer.start();
     }
     else
@@ -193,36 +196,36 @@ void pqSingularityHandlesWidget::Press(int x, int y)
 {
   if (this->IsDragging)
   {
-    this->Release(); // its own release went elsewhere
+    this->Release(); // the release event of the last drag was not delivered
   }
   const int row = this->Handles.RowAt(x, y);
   if (row < 0)
   {
     return;
   }
-  // Taken beside its middle, a handle does not jump.
-  const SingularityRow& taken = this->Rows[static_cast<std::size_t>(row)];
-  const std::array<double, 2> middle = this->Handles.PixelOf({ taken[0], taken[1] });
+  // A handle that is pressed off its centre does not jump.
+  const SingularityRow& pressed = this->Rows[static_cast<std::size_t>(row)];
+  const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
   this->Grip = { x - middle[0], y - middle[1] };
   this->RowsBeforeDrag = this->Rows;
-  this->IsBehind = false;
+  this->HasPendingMove = false;
   this->Choose(row);
   this->IsDragging = true;
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::Follow()
+void pqSingularityHandlesWidget::FollowMouse()
 {
-  // ParaView handles events while filters tell their progress.
-  if (this->IsFollowing || !this->IsDragging || !this->IsBehind)
+  // ParaView processes events while filters report their progress.
+  if (this->IsHandlingMove || !this->IsDragging || !this->HasPendingMove)
   {
     return;
   }
   {
-    const QScopedValueRollback<bool> following(this->IsFollowing, true);
-    this->IsBehind = false;
-    const auto point = this->Handles.PlanePointAt(
-      this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
+    const QScopedValueRollback<bool> handling(this->IsHandlingMove, true);
+    this->HasPendingMove = false;
+    const auto point =
+      this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
     if (!point)
     {
       return;
@@ -234,15 +237,15 @@ void pqSingularityHandlesWidget::Follow()
     if (this->LiveBox->isChecked())
     {
       SCOPED_UNDO_EXCLUDE();
-      this->TellDragging(true);
+      this->SetDragging(true);
       this->WriteProperty(this->Rows);
     }
-    // It takes a software renderer 10 ms a frame, and edges that move are not looked at so closely.
+    // Anti-aliasing takes a software renderer 10 ms a frame and is hardly visible on moving edges.
     this->SmoothEdges(false);
-    const Quiet quiet;
+    const PipelineSignalBlocker blocker;
     this->view()->forceRender();
   }
-  if (this->IsBehind)
+  if (this->HasPendingMove)
   {
     this->FollowTimer.start();
   }
@@ -251,7 +254,7 @@ void pqSingularityHandlesWidget::Follow()
 //------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::Release()
 {
-  this->Follow();
+  this->FollowMouse();
   this->EndDrag();
   if (this->Rows != this->RowsBeforeDrag)
   {
@@ -271,26 +274,26 @@ void pqSingularityHandlesWidget::EndDrag()
     this->IsDragging = false;
     this->SmoothEdges(true);
   }
-  this->TellDragging(false);
+  this->SetDragging(false);
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::SmoothEdges(bool isWanted)
+void pqSingularityHandlesWidget::SmoothEdges(bool isEnabled)
 {
   vtkSMViewProxy* viewProxy = this->view() ? this->view()->getViewProxy() : nullptr;
   auto* renderView =
     viewProxy ? vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject()) : nullptr;
   if (renderView)
   {
-    // Not its property: a state or a trace of this moment is to have what a person has set.
-    renderView->SetUseFXAA(isWanted && vtkSMPropertyHelper(viewProxy, "UseFXAA").GetAsInt() != 0);
+    // The property stays unchanged, so that a state or trace saved now has the user's setting.
+    renderView->SetUseFXAA(isEnabled && vtkSMPropertyHelper(viewProxy, "UseFXAA").GetAsInt() != 0);
   }
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::TellDragging(bool isDragging)
+void pqSingularityHandlesWidget::SetDragging(bool isDragging)
 {
-  // A filter is asked again where that changes; undo and trace have no such step.
+  // The filter runs again after a change; undo and trace have no such step.
   if (this->Dragging && vtkSMPropertyHelper(this->Dragging).GetAsInt() != (isDragging ? 1 : 0))
   {
     SCOPED_UNDO_EXCLUDE();

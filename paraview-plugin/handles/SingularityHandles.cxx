@@ -20,17 +20,22 @@
 
 namespace
 {
-// Pixels at a pixel ratio of 1. A disc is large enough to be hit and small enough to see what it moves.
+// Pixels at a pixel ratio of 1. A disc is large enough to hit and small enough not to hide the
+// mesh.
 constexpr double DiscRadius = 8;
 constexpr double LabelSize = 16;
 
-/** To the right and up; the number itself last, upon the copies that make its rim. */
+/**
+ * Offsets to the right and up of the copies that outline a label; the label itself is last, on top.
+ */
 constexpr std::array<std::array<double, 2>, 9> LabelCopies = { { { -1, -1 }, { 0, -1.5 }, { 1, -1 },
   { -1.5, 0 }, { 1.5, 0 }, { -1, 1 }, { 0, 1.5 }, { 1, 1 }, { 0, 0 } } };
 
 using Colour = std::array<double, 4>;
 
-/** Red, blue and grey as in the pictures of the pages; told apart by the colour-blind, too. */
+/**
+ * Returns red, blue or grey as in the documentation, which colour-blind readers can distinguish.
+ */
 std::array<double, 3> ColourOf(int quarterIndex)
 {
   if (quarterIndex == 0)
@@ -41,14 +46,16 @@ std::array<double, 3> ColourOf(int quarterIndex)
                           : std::array<double, 3>{ 0.1, 0.2, 0.85 };
 }
 
-/** A ring of the drawing: its colour begins at this radius and goes over into that of the next. */
+/** Ring of a disc: its colour starts at this radius and blends into that of the next ring. */
 struct Ring
 {
   double Radius;
   Colour Shade;
 };
 
-/** A disc with a white rim, a thin dark one around it, and edges that fade within a pixel. */
+/**
+ * Returns the rings of a disc with a white rim, a thin dark rim around it, and anti-aliased edges.
+ */
 std::vector<Ring> RingsOf(int quarterIndex, bool isChosen)
 {
   const auto [red, green, blue] = ColourOf(quarterIndex);
@@ -104,7 +111,7 @@ std::string TextOf(int quarterIndex)
   {
     return "0";
   }
-  // The minus sign of typography, which is as wide as the plus.
+  // U+2212, the minus sign, is as wide as the plus sign.
   return (quarterIndex > 0 ? "+" : "\u2212") + std::to_string(std::abs(quarterIndex));
 }
 }
@@ -126,8 +133,8 @@ SingularityHandles::Handle SingularityHandles::MakeHandle() const
 {
   Handle handle;
   handle.Disc = vtkSmartPointer<vtkActor2D>::New();
-  vtkCoordinate* place = handle.Disc->GetPositionCoordinate();
-  place->SetCoordinateSystemToWorld();
+  vtkCoordinate* position = handle.Disc->GetPositionCoordinate();
+  position->SetCoordinateSystemToWorld();
   vtkNew<vtkPolyDataMapper2D> mapper;
   handle.Disc->SetMapper(mapper);
   handle.Disc->PickableOff();
@@ -135,10 +142,10 @@ SingularityHandles::Handle SingularityHandles::MakeHandle() const
   for (const auto& [right, up] : LabelCopies)
   {
     auto label = vtkSmartPointer<vtkTextActor>::New();
-    // It goes with the disc, to its upper right.
+    // Placed relative to the disc, at its upper right.
     vtkCoordinate* corner = label->GetPositionCoordinate();
     corner->SetCoordinateSystemToViewport();
-    corner->SetReferenceCoordinate(place);
+    corner->SetReferenceCoordinate(position);
     corner->SetValue((DiscRadius + 3 + right) * this->PixelRatio, (3 + up) * this->PixelRatio);
     vtkTextProperty* text = label->GetTextProperty();
     text->SetFontFamilyToArial();
@@ -213,7 +220,7 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
   this->Chosen = chosen;
   if (!this->Renderer)
   {
-    return; // SetRenderer will make the discs
+    return; // SetRenderer creates the discs
   }
   while (this->Handles.size() > rows.size())
   {
@@ -263,15 +270,15 @@ double SingularityHandles::GetDiscRadius() const
 int SingularityHandles::RowAt(int x, int y) const
 {
   int nearest = -1;
-  // Three pixels more than what is drawn: hands are not steady.
-  double least = this->GetDiscRadius() + 3 * this->PixelRatio;
+  // A margin of three pixels around the disc makes it easier to hit.
+  double smallest = this->GetDiscRadius() + 3 * this->PixelRatio;
   for (std::size_t i = 0; this->Renderer && i < this->Rows.size(); ++i)
   {
     const std::array<double, 2> pixel = this->PixelOf({ this->Rows[i][0], this->Rows[i][1] });
     const double distance = std::hypot(pixel[0] - x, pixel[1] - y);
-    if (distance < least)
+    if (distance < smallest)
     {
-      least = distance;
+      smallest = distance;
       nearest = static_cast<int>(i);
     }
   }
@@ -297,5 +304,5 @@ std::optional<std::array<double, 2>> SingularityHandles::PlanePointAt(double x, 
       ends[static_cast<std::size_t>(end)][i] = world[i] / world[3];
     }
   }
-  return this->Plane.Meet(ends[0], ends[1]);
+  return this->Plane.IntersectRay(ends[0], ends[1]);
 }

@@ -1,10 +1,11 @@
 /**
  * @class   SingularityHandles
- * @brief   discs of constant size on the screen that stand for singularities in a 3D view
+ * @brief   discs of constant screen size that represent singularities in a 3D view
  *
- * A singularity of positive quarter index is a red disc, of negative a blue one, of zero a grey one, with
- * the quarter index beside it; the chosen one has a wide dark rim. They lie in a plane of space and are
- * drawn over everything else. No Qt here; ParaView's client owns the renderer.
+ * Discs are red for a positive quarter index, blue for a negative one and grey for zero, with the
+ * quarter index beside them; the selected one has a wide dark rim. They are placed in a plane of
+ * space and drawn over everything else. This class does not use Qt; ParaView's client owns the
+ * renderer.
  */
 
 #ifndef SingularityHandles_h
@@ -30,34 +31,41 @@ public:
   SingularityHandles(const SingularityHandles&) = delete;
   SingularityHandles& operator=(const SingularityHandles&) = delete;
 
-  /** Where they are drawn; none (nullptr) hides them. `pixelRatio`: pixels of the screen per unit of it. */
+  /**
+   * Sets the renderer; nullptr hides the handles. `pixelRatio` is in device pixels per logical
+   * pixel.
+   */
   void SetRenderer(vtkRenderer* renderer, double pixelRatio = 1);
   vtkRenderer* GetRenderer() const;
 
-  /** The plane that x and y of the rows are coordinates of. The next call of SetRows or SetRenderer puts the handles there. */
+  /**
+   * Sets the plane of the coordinates x and y of rows, for the next call of SetRows or SetRenderer.
+   */
   void SetPlane(const HandlePlane& plane);
   const HandlePlane& GetPlane() const;
 
-  /** One handle for each row. `chosen`: the row with the dark rim, or -1. The next render shows them. */
+  /**
+   * Sets one handle for each row; `chosen` is the selected row, or -1. The next render shows them.
+   */
   void SetRows(const std::vector<SingularityRow>& rows, int chosen);
 
-  /** The row whose disc is under a pixel, the nearest if there are several, or -1. */
+  /** Returns the row whose disc is under a pixel, the nearest one of several, or -1. */
   int RowAt(int x, int y) const;
 
-  /** The point of the plane under a pixel; nothing where the line of sight does not meet the plane. */
+  /** Returns the point of the plane under a pixel, if the line of sight meets the plane. */
   std::optional<std::array<double, 2>> PlanePointAt(double x, double y) const;
 
-  /** The pixel of a point of the plane. */
+  /** Returns the pixel of a point of the plane. */
   std::array<double, 2> PixelOf(const std::array<double, 2>& point) const;
 
-  /** The pixels from the middle of a disc to its rim. */
+  /** Returns the radius of a disc in pixels. */
   double GetDiscRadius() const;
 
 private:
   struct Handle
   {
     vtkSmartPointer<vtkActor2D> Disc;
-    /** The last one is coloured; the others are white and a pixel beside it, which makes its rim. */
+    /** The last label is coloured; the others are white copies offset by a pixel, its outline. */
     std::vector<vtkSmartPointer<vtkTextActor>> Labels;
   };
   Handle MakeHandle() const;

@@ -29,7 +29,7 @@ int QuarterIndexOf(const SingularityRow& row)
   return static_cast<int>(std::lround(row[2]));
 }
 
-bool HaveSamePlaces(
+bool HaveSamePositions(
   const std::vector<SingularityRow>& rows, const std::vector<SingularityRow>& others)
 {
   double largest = 0;
@@ -45,20 +45,21 @@ bool HaveSamePlaces(
   return std::equal(rows.begin(), rows.end(), others.begin(), others.end(), areSame);
 }
 
-std::array<double, 2> FreePlace(
-  const std::vector<SingularityRow>& rows, const std::array<double, 2>& wanted, double distance)
+std::array<double, 2> FindFreePosition(
+  const std::vector<SingularityRow>& rows, const std::array<double, 2>& preferred, double distance)
 {
   const double goldenAngle = 2.399963229728653; // 180° (3 - √5)
-  std::array<double, 2> place = wanted;
+  std::array<double, 2> position = preferred;
   const auto isTaken = [&](const SingularityRow& row)
-  { return std::hypot(row[0] - place[0], row[1] - place[1]) < distance; };
-  // A row covers π distance² of the plane, and n places lie in a disc of n π distance² / 4.
-  const std::size_t enough = 16 * (rows.size() + 1);
-  for (std::size_t n = 1; n <= enough && std::any_of(rows.begin(), rows.end(), isTaken); ++n)
+  { return std::hypot(row[0] - position[0], row[1] - position[1]) < distance; };
+  // A row excludes π distance² of the plane; the first n positions fill a disc of n π distance² /
+  // 4.
+  const std::size_t maximum = 16 * (rows.size() + 1);
+  for (std::size_t n = 1; n <= maximum && std::any_of(rows.begin(), rows.end(), isTaken); ++n)
   {
     const double radius = distance * std::sqrt(static_cast<double>(n)) / 2;
     const double angle = goldenAngle * static_cast<double>(n);
-    place = { wanted[0] + radius * std::cos(angle), wanted[1] + radius * std::sin(angle) };
+    position = { preferred[0] + radius * std::cos(angle), preferred[1] + radius * std::sin(angle) };
   }
-  return place;
+  return position;
 }

@@ -27,7 +27,7 @@ QString ShortText(double number, int column)
   return quarterIndex == 0 ? digits : (quarterIndex > 0 ? "+" : "\u2212") + digits;
 }
 
-/** Shows numbers shortly; the model keeps them as they are unless a person types another. */
+/** Shows rounded numbers; the model keeps all digits unless the user types another number. */
 class NumberDelegate final : public QStyledItemDelegate
 {
 public:
@@ -45,7 +45,7 @@ public:
     else
     {
       auto* validator = new QDoubleValidator(editor);
-      validator->setLocale(QLocale::c()); // 0.5 in every language, as everywhere in ParaView
+      validator->setLocale(QLocale::c()); // a decimal point in every language, as in ParaView
       if (index.column() == RadiusColumn)
       {
         validator->setBottom(0);
@@ -82,7 +82,7 @@ public:
     if (index.column() == QuarterIndexColumn && qRound(number) != 0)
     {
       option->font.setBold(true);
-      // The colours of the handles.
+      // Same colours as the handles.
       option->palette.setColor(
         QPalette::Text, number > 0 ? QColor(217, 26, 26) : QColor(26, 51, 217));
     }
@@ -97,11 +97,13 @@ SingularityTable::SingularityTable(QWidget* parent)
   this->setObjectName("SingularityTable");
   this->setHorizontalHeaderLabels({ "x", "y", "k", "radius" });
   this->horizontalHeaderItem(QuarterIndexColumn)
-    ->setToolTip("Quarter index, four times the index of the singularity: "
-                 "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5.");
-  this->horizontalHeaderItem(RadiusColumn)->setToolTip("Radius of the hole that is drilled there.");
-  // ParaView's panel may be wider than what is seen of it: as narrow as the numbers are, and k, which tells
-  // handles from each other, first.
+    ->setToolTip(
+      "Quarter index, four times the index of the singularity: "
+      "+1 is a node of valence 3 of a quad mesh, \u22121 one of valence 5; see docs/glossary.md.");
+  this->horizontalHeaderItem(RadiusColumn)
+    ->setToolTip("Radius of the hole that Drill Holes drills there.");
+  // The panel may be wider than its visible part: columns are as narrow as the numbers allow, and
+  // k, which identifies handles, comes first.
   this->horizontalHeader()->setDefaultSectionSize(
     this->fontMetrics().horizontalAdvance("-0.12345") + 8);
   this->horizontalHeader()->resizeSection(
@@ -122,25 +124,25 @@ SingularityTable::SingularityTable(QWidget* parent)
       const QModelIndexList chosen = this->selectionModel()->selectedRows();
       Q_EMIT this->RowChosen(chosen.empty() ? -1 : chosen.front().row());
     });
-  this->AskForSize(0);
+  this->UpdateFixedSize(0);
 }
 
 //------------------------------------------------------------------------------
 void SingularityTable::HideRadius()
 {
   this->setColumnHidden(RadiusColumn, true);
-  this->AskForSize(this->rowCount());
+  this->UpdateFixedSize(this->rowCount());
 }
 
 //------------------------------------------------------------------------------
 void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int chosen)
 {
-  const QSignalBlocker quiet(this);
+  const QSignalBlocker blocker(this);
   const int count = static_cast<int>(rows.size());
   if (this->rowCount() != count)
   {
     this->setRowCount(count);
-    this->AskForSize(count);
+    this->UpdateFixedSize(count);
   }
   for (int row = 0; row < count; ++row)
   {
@@ -168,9 +170,9 @@ void SingularityTable::ShowRows(const std::vector<SingularityRow>& rows, int cho
 }
 
 //------------------------------------------------------------------------------
-void SingularityTable::AskForSize(int rows)
+void SingularityTable::UpdateFixedSize(int rows)
 {
-  // All rows of the usual configurations without scrolling, and room for one at least.
+  // Usual configurations fit without scrolling.
   const int shown = std::clamp(rows, 2, 12);
   const int height = this->horizontalHeader()->sizeHint().height() +
     shown * this->verticalHeader()->defaultSectionSize();

@@ -2,8 +2,8 @@
  * @class   SingularityTable
  * @brief   the table of singularities in the panel: k, x, y, radius
  *
- * Numbers are shown with three digits, and the quarter index with its sign and colour; what is not
- * edited keeps all its digits. One row can be chosen.
+ * Numbers are shown with three digits, and the quarter index with its sign and colour; numbers that
+ * are not edited keep all their digits. One row can be selected.
  */
 
 #ifndef SingularityTable_h
@@ -22,20 +22,20 @@ class SingularityTable : public QTableWidget
 public:
   explicit SingularityTable(QWidget* parent = nullptr);
 
-  /** Shows these rows; the row `chosen` is highlighted, none with -1. Emits nothing. */
+  /** Shows rows and highlights the row `chosen`, or none if it is -1. Emits no signal. */
   void ShowRows(const std::vector<SingularityRow>& rows, int chosen);
 
-  /** Without the column of radii. */
+  /** Hides the column of radii. */
   void HideRadius();
 
 Q_SIGNALS:
-  /** A person has typed a number. */
+  /** Emitted when the user has typed a number. */
   void NumberTyped(int row, int column, double number);
-  /** A person has chosen a row; -1: none. */
+  /** Emitted when the user has selected a row; -1 is none. */
   void RowChosen(int row);
 
 private:
-  void AskForSize(int rows);
+  void UpdateFixedSize(int rows);
 };
 
 #endif

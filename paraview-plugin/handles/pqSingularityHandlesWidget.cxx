@@ -40,15 +40,16 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
 
   this->Mouse->SetCallback(&pqSingularityHandlesWidget::OnMouse);
   this->Mouse->SetClientData(this);
-  // After the events that wait: of several moves the last counts.
+  // Fires after pending events, so only the last of several moves is handled.
   this->FollowTimer.setSingleShot(true);
   this->FollowTimer.setInterval(0);
-  QObject::connect(&this->FollowTimer, &QTimer::timeout, this, [this] { this->Follow(); });
+  QObject::connect(&this->FollowTimer, &QTimer::timeout, this, [this] { this->FollowMouse(); });
 
   if (!this->Singularities)
   {
-    qCritical("A property group of the widget SingularityHandles has no property of the function "
-              "Singularities; name it in the XML of the proxy.");
+    qCritical(
+      "A property group with the widget SingularityHandles has no property with the function "
+      "Singularities. Add it in the XML of the proxy.");
     this->setEnabled(false);
     return;
   }
@@ -56,7 +57,8 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
     this->Singularities, vtkCommand::ModifiedEvent, this, SLOT(ReadProperty()));
   if (this->OutputRows || this->Plane)
   {
-    this->Connections->Connect(proxy, vtkCommand::UpdateDataEvent, this, SLOT(ReadOutputLater()));
+    this->Connections->Connect(
+      proxy, vtkCommand::UpdateDataEvent, this, SLOT(ScheduleReadOutput()));
   }
   this->ReadPlane();
   this->ReadProperty();
@@ -72,17 +74,17 @@ pqSingularityHandlesWidget::~pqSingularityHandlesWidget()
 //------------------------------------------------------------------------------
 void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
 {
-  auto* whole = new QVBoxLayout(this);
-  whole->setContentsMargins(0, 0, 0, 0);
+  auto* panel = new QVBoxLayout(this);
+  panel->setContentsMargins(0, 0, 0, 0);
   this->Table = new SingularityTable(this);
   if (!hasRadius)
   {
     this->Table->HideRadius();
   }
-  whole->addWidget(this->Table);
+  panel->addWidget(this->Table);
 
   auto* buttons = new QHBoxLayout;
-  whole->addLayout(buttons);
+  panel->addLayout(buttons);
   const auto addButton = [&](const QString& text, const QString& name, const QString& help)
   {
     auto* button = new QPushButton(text, this);
@@ -92,10 +94,10 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
     return button;
   };
   const QPushButton* add = addButton("Add", "Add",
-    "Adds a singularity of quarter index +1 beside the chosen one, or in the middle of the view.");
+    "Adds a singularity of quarter index +1 beside the selected one, or in the middle of the view.");
   const QPushButton* addPair = addButton("Add pair", "AddPair",
-    "Adds a singularity of quarter index +1 and one of \u22121, which leave the sum as it is.");
-  this->RemoveButton = addButton("Remove", "Remove", "Removes the chosen singularity (Delete).");
+    "Adds a singularity of quarter index +1 and one of \u22121, which does not change the sum.");
+  this->RemoveButton = addButton("Remove", "Remove", "Removes the selected singularity (Delete).");
   buttons->addStretch();
   auto* deleteKey = new QShortcut(QKeySequence::Delete, this->Table);
   deleteKey->setContext(Qt::WidgetShortcut);
@@ -106,14 +108,14 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
     this->RemoveButton, &QPushButton::clicked, this, [this] { this->RemoveChosen(); });
 
   auto* bottom = new QHBoxLayout;
-  whole->addLayout(bottom);
+  panel->addLayout(bottom);
   this->SumLabel = new QLabel(this);
   bottom->addWidget(this->SumLabel);
   this->LiveBox = new QCheckBox("Live", this);
   this->LiveBox->setObjectName("Live");
   this->LiveBox->setChecked(true);
-  this->LiveBox->setToolTip("What follows in the pipeline is updated while a handle is dragged; "
-                            "off: when it is let go.");
+  this->LiveBox->setToolTip("Updates the pipeline while a handle is dragged; "
+                            "off: when it is released.");
   bottom->addSpacing(20);
   bottom->addWidget(this->LiveBox);
   bottom->addStretch();
@@ -135,22 +137,22 @@ void pqSingularityHandlesWidget::ReadProperty()
   std::vector<SingularityRow> rows = this->PropertyRows();
   if (rows.empty() && this->OutputRows)
   {
-    rows = this->Rows; // until the filter has found others
+    rows = this->Rows; // until the filter has computed new ones
   }
-  this->TakeRows(rows);
+  this->AdoptRows(rows);
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::ReadOutputLater()
+void pqSingularityHandlesWidget::ScheduleReadOutput()
 {
-  // Properties are not to be changed while a pipeline is updated; and if the property has changed until
-  // then, by undo for example, what came out is not what comes of it.
+  // Properties must not change during a pipeline update. If the property changes before the timer
+  // fires, by undo for example, the output is out of date.
   QTimer::singleShot(0, this,
     [this, changes = this->Changes]
     {
       if (this->IsDragging)
       {
-        return; // nor does the plane change then
+        return; // the plane does not change during a drag
       }
       this->ReadPlane();
       if (changes == this->Changes)
@@ -169,7 +171,7 @@ void pqSingularityHandlesWidget::ReadPlane()
   }
   this->proxy()->UpdatePropertyInformation(this->Plane);
   const HandlePlane plane =
-    HandlePlane::Of(vtkSMPropertyHelper(this->Plane).GetDoubleArray());
+    HandlePlane::FromNumbers(vtkSMPropertyHelper(this->Plane).GetDoubleArray());
   if (plane == this->Handles.GetPlane())
   {
     return;
@@ -195,9 +197,9 @@ void pqSingularityHandlesWidget::ReadOutput()
   const std::vector<SingularityRow> before = this->PropertyRows();
   if (before.empty())
   {
-    this->TakeRows(rows);
+    this->AdoptRows(rows);
   }
-  else if (!rows.empty() && !HaveSamePlaces(rows, before))
+  else if (!rows.empty() && !HaveSamePositions(rows, before))
   {
     this->Commit(before, rows, "Move Singularities");
   }
@@ -210,9 +212,9 @@ std::vector<SingularityRow> pqSingularityHandlesWidget::PropertyRows() const
 }
 
 //------------------------------------------------------------------------------
-void pqSingularityHandlesWidget::TakeRows(const std::vector<SingularityRow>& rows)
+void pqSingularityHandlesWidget::AdoptRows(const std::vector<SingularityRow>& rows)
 {
-  // What was dragged may not be there any more.
+  // The dragged row may have been removed.
   this->EndDrag();
   this->Rows = rows;
   this->Chosen = std::min(this->Chosen, static_cast<int>(rows.size()) - 1);
@@ -239,7 +241,8 @@ void pqSingularityHandlesWidget::Commit(const std::vector<SingularityRow>& befor
   const std::vector<SingularityRow>& after, const QString& what)
 {
   {
-    // Moves of a drag have been written already; undo and trace see one change from before to after.
+    // The moves of a drag have been written already; undo and trace record one change from before
+    // to after.
     SCOPED_UNDO_EXCLUDE();
     this->WriteProperty(before);
   }
@@ -268,7 +271,7 @@ void pqSingularityHandlesWidget::ShowRows()
   {
     sum += QuarterIndexOf(row);
   }
-  this->SumLabel->setText(QString("Sum of k: %1").arg(sum));
+  this->SumLabel->setText(QString("Sum of quarter indices k: %1").arg(sum));
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +301,7 @@ void pqSingularityHandlesWidget::SetNumber(int row, int column, double number)
 void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
 {
   std::vector<SingularityRow> rows = this->Rows;
-  // Without a view, as in the panel of another kind of view, at the origin, a tenth apart.
+  // Defaults if the active view has no handles: at the origin, 0.1 apart.
   std::array<double, 2> middle = { 0, 0 };
   double distance = 0.1;
   if (vtkRenderer* renderer = this->Handles.GetRenderer())
@@ -310,7 +313,7 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
       const SingularityRow& chosen = rows[static_cast<std::size_t>(this->Chosen)];
       pixel = this->Handles.PixelOf({ chosen[0], chosen[1] });
     }
-    // Five radii from middle to middle: what goes on between them is seen.
+    // Centres are five disc radii apart, so that the field between them is visible.
     const auto found = this->Handles.PlanePointAt(pixel[0], pixel[1]);
     const auto beside =
       this->Handles.PlanePointAt(pixel[0] + 5 * this->Handles.GetDiscRadius(), pixel[1]);
@@ -320,15 +323,15 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
       distance = std::hypot((*beside)[0] - middle[0], (*beside)[1] - middle[1]);
     }
   }
-  double radius = 0.1; // that of the defaults
+  double radius = 0.1; // as in the default rows
   if (!rows.empty())
   {
     radius = this->Chosen >= 0 ? rows[static_cast<std::size_t>(this->Chosen)][3] : rows.back()[3];
   }
   for (const int quarterIndex : quarterIndices)
   {
-    const std::array<double, 2> place = FreePlace(rows, middle, distance);
-    rows.push_back({ place[0], place[1], static_cast<double>(quarterIndex), radius });
+    const std::array<double, 2> position = FindFreePosition(rows, middle, distance);
+    rows.push_back({ position[0], position[1], static_cast<double>(quarterIndex), radius });
   }
   this->Chosen = static_cast<int>(rows.size()) - 1;
   this->Commit(

@@ -2,25 +2,28 @@
  * @class   pqSingularityHandlesWidget
  * @brief   places singularities with handles in the 3D view and a table in the panel
  *
- * For a property group with panel_widget="SingularityHandles" whose property of the function
- * `Singularities` holds rows of four numbers: x, y, quarter index, radius. What a person does is written to
- * the property at once, without *Apply*: while a handle is dragged, each move of the mouse is written and
- * the active view rendered, so that the pipeline behind the proxy is seen to follow. Moves that arrive
- * while the pipeline works are one move afterwards. A drag is one step of undo and of the trace.
+ * Use it for a property group with panel_widget="SingularityHandles" whose property with the
+ * function `Singularities` holds rows of four numbers: x, y, quarter index, radius. Changes by the
+ * user are written to the property at once, without *Apply*: while a handle is dragged, each mouse
+ * move is written and the active view rendered, so the pipeline downstream of the proxy follows.
+ * Moves that arrive while the pipeline updates are merged into one. A drag is one step of undo and
+ * of the trace.
  *
- * A filter that finds or moves rows itself has an information property of the function `Rows`, with the rows
- * of its last update. They are shown where the property of rows is empty, and become its value where a command
- * of the filter has changed them, so that undo, trace and states have them.
+ * A filter that computes or moves rows itself has an information property with the function `Rows`,
+ * the rows of its last update. They are shown if the property of rows is empty, and become its
+ * value after a command of the filter has changed them, so that undo, trace and states include
+ * them.
  *
- * A proxy whose rows are in another plane than z = 0 tells it by an information property of the function `Plane`: nine numbers,
- * the origin and the axes of its coordinates.
+ * A proxy whose rows are not in the plane z = 0 reports their plane in an information property with
+ * the function `Plane`: nine numbers, the origin and the two axes of its coordinates.
  *
- * A filter that can do with less while a handle is dragged has a property of the function `Dragging`, which is 1 then.
+ * A filter that can compute a draft while a handle is dragged has a property with the function
+ * `Dragging`, which is 1 during a drag.
  *
- * The hint <WithoutRadius/> of the group hides the column of radii where they mean nothing.
+ * The hint <WithoutRadius/> of the group hides the column of radii.
  *
- * The handles are seen while the panel shows the proxy. Changes of the property by Python, undo or a state
- * are shown by handles and table.
+ * The handles are visible while the panel shows the proxy. Handles and table follow changes of the
+ * property by Python, undo or a state.
  */
 
 #ifndef pqSingularityHandlesWidget_h
@@ -70,18 +73,18 @@ protected:
 
 private Q_SLOTS:
   void ReadProperty();
-  void ReadOutputLater();
+  void ScheduleReadOutput();
 
 private:
   Q_DISABLE_COPY(pqSingularityHandlesWidget)
 
   void MakePanel(bool hasRadius);
 
-  // The rows.
+  // Rows.
   std::vector<SingularityRow> PropertyRows() const;
   void ReadPlane();
   void ReadOutput();
-  void TakeRows(const std::vector<SingularityRow>& rows);
+  void AdoptRows(const std::vector<SingularityRow>& rows);
   void WriteProperty(const std::vector<SingularityRow>& rows);
   void Commit(const std::vector<SingularityRow>& before, const std::vector<SingularityRow>& after,
     const QString& what);
@@ -91,26 +94,26 @@ private:
   void RemoveChosen();
   void SetNumber(int row, int column, double number);
 
-  // The view.
+  // View.
   void UpdateHandles();
   void Detach();
   static void OnMouse(vtkObject* caller, unsigned long event, void* self, void* data);
   void Press(int x, int y);
-  void Follow();
+  void FollowMouse();
   void Release();
   void EndDrag();
   void SmoothEdges(bool isWanted);
-  void TellDragging(bool isDragging);
+  void SetDragging(bool isDragging);
   void Hover(int x, int y);
 
   vtkSMProperty* Singularities = nullptr;
-  vtkSMProperty* OutputRows = nullptr; ///< Maybe none.
-  vtkSMProperty* Plane = nullptr;      ///< Maybe none.
-  vtkSMProperty* Dragging = nullptr;   ///< Maybe none.
+  vtkSMProperty* OutputRows = nullptr; ///< Optional.
+  vtkSMProperty* Plane = nullptr;      ///< Optional.
+  vtkSMProperty* Dragging = nullptr;   ///< Optional.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
   bool IsWriting = false;
-  int Changes = 0; ///< How often the property has changed.
+  int Changes = 0; ///< Number of changes of the property.
 
   SingularityHandles Handles;
   vtkNew<vtkCallbackCommand> Mouse;
@@ -118,13 +121,14 @@ private:
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   bool IsHovering = false;
 
-  // A drag: the rows before it, where the handle is taken, and where the mouse is now, in pixels.
+  // State of a drag: rows before it, offset of the mouse from the handle's centre, and mouse
+  // position, in pixels.
   bool IsDragging = false;
   std::vector<SingularityRow> RowsBeforeDrag;
   std::array<double, 2> Grip = { 0, 0 };
   std::array<double, 2> Pixel = { 0, 0 };
-  bool IsBehind = false;
-  bool IsFollowing = false;
+  bool HasPendingMove = false;
+  bool IsHandlingMove = false;
   QTimer FollowTimer;
 
   SingularityTable* Table = nullptr;

@@ -16,14 +16,14 @@
 
 namespace
 {
-void AddWhatFollows(const pqPipelineSource* source, QSet<vtkSMProxy*>& found)
+void AddDownstream(const pqPipelineSource* source, QSet<vtkSMProxy*>& found)
 {
   for (const pqPipelineSource* consumer : source->getAllConsumers())
   {
     if (!found.contains(consumer->getProxy()))
     {
       found.insert(consumer->getProxy());
-      AddWhatFollows(consumer, found);
+      AddDownstream(consumer, found);
     }
   }
 }
@@ -35,14 +35,14 @@ pqOptionalInputWidget::pqOptionalInputWidget(
   : pqInputSelectorWidget(proxy, property, parent)
   , Choices(this->findChild<QComboBox*>())
 {
-  // The list is filled again whenever the pipeline changes.
+  // The list is refilled whenever the pipeline changes.
   QObject::connect(this->Choices->model(), &QAbstractItemModel::rowsInserted, this,
-    [this](const QModelIndex&, int first, int last) { this->GreyWhatFollows(first, last); });
-  this->GreyWhatFollows(0, this->Choices->count() - 1);
+    [this](const QModelIndex&, int first, int last) { this->DisableDownstream(first, last); });
+  this->DisableDownstream(0, this->Choices->count() - 1);
 }
 
 //------------------------------------------------------------------------------
-void pqOptionalInputWidget::GreyWhatFollows(int firstRow, int lastRow)
+void pqOptionalInputWidget::DisableDownstream(int firstRow, int lastRow)
 {
   const auto* model = pqApplicationCore::instance()->getServerManagerModel();
   const auto* filter = model->findItem<pqPipelineSource*>(this->proxy());
@@ -50,13 +50,13 @@ void pqOptionalInputWidget::GreyWhatFollows(int firstRow, int lastRow)
   {
     return;
   }
-  QSet<vtkSMProxy*> following;
-  AddWhatFollows(filter, following);
+  QSet<vtkSMProxy*> downstream;
+  AddDownstream(filter, downstream);
   for (int row = firstRow; row <= lastRow; ++row)
   {
     auto* port = vtkSMOutputPort::SafeDownCast(
       static_cast<vtkSMProxy*>(this->Choices->itemData(row).value<void*>()));
-    if (port && following.contains(port->GetSourceProxy()))
+    if (port && downstream.contains(port->GetSourceProxy()))
     {
       qobject_cast<QStandardItemModel*>(this->Choices->model())->item(row)->setEnabled(false);
     }
@@ -68,7 +68,7 @@ void pqOptionalInputWidget::apply()
 {
   const QPointer<pqPipelineSource> active = pqActiveObjects::instance().activeSource();
   pqInputSelectorWidget::apply();
-  // A filter of two inputs moves to another place in the pipeline browser, which then selects its neighbour.
+  // A filter with a second input moves in the pipeline browser, which then selects its neighbour.
   QTimer::singleShot(0, this,
     [this, active]
     {

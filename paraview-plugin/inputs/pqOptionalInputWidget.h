@@ -1,12 +1,13 @@
 /**
  * @class   pqOptionalInputWidget
- * @brief   a list in the panel from which an optional input of a filter is chosen
+ * @brief   list in the panel for the choice of an optional input of a filter
  *
- * ParaView's list of that kind, with what follows from the filter itself greyed: that would be a pipeline in a circle, which
- * ends ParaView. Without it an optional input is in the window of Change Input only, and several selected items are no
- * input of a filter that takes one at its first port.
+ * ParaView's list of inputs, with sources downstream of the filter disabled: they would make the
+ * pipeline cyclic, which crashes ParaView. Without this widget, optional inputs can only be set in
+ * the dialog *Change Input*, since a selection of several items is not accepted by a filter with
+ * one input at port 0.
  *
- * In the XML of a proxy: `panel_widget="optional_input"` of an InputProperty.
+ * In the XML of a proxy, set `panel_widget="optional_input"` on an InputProperty.
  */
 
 #ifndef pqOptionalInputWidget_h
@@ -24,7 +25,7 @@ public:
   void apply() override;
 
 private:
-  void GreyWhatFollows(int firstRow, int lastRow);
+  void DisableDownstream(int firstRow, int lastRow);
 
   class QComboBox* Choices;
 };

@@ -50,7 +50,7 @@ void ShowMesh(vtkSMProxy* shown)
 //------------------------------------------------------------------------------
 void ShowNorm(vtkSMProxy* shown)
 {
-  // Dark where the field vanishes; black crosses are seen on the norm 1.
+  // Dark where the field vanishes, light at norm 1, where black crosses are visible.
   std::vector<double> points;
   Look::AddColour(points, 0, { 0.2, 0.08, 0.3 });
   Look::AddColour(points, 0.5, { 0.35, 0.55, 0.8 });
@@ -90,7 +90,7 @@ void ShowQuads(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void HideIt(vtkSMProxy* shown)
+void Hide(vtkSMProxy* shown)
 {
   Set(shown, "Visibility", 0.0);
 }
@@ -117,13 +117,13 @@ constexpr std::array<Rule, 17> Rules = { {
   { "HField", 0, ShowSizes, true },
   { "CrossGlyphs", 0, ShowCrosses },
   { "Separatrices", 0, ShowLines },
-  { "Separatrices", 1, Look::ShowFaces },
+  { "Separatrices", 1, Look::ShowPatches },
   { "QuadMesher", 0, ShowQuads },
-  { "QuadMesher", 1, HideIt }, // the blocks would lie on the quads
+  { "QuadMesher", 1, Hide }, // the blocks would cover the quads
   { "QuadMesher", 2, ShowOutline },
 } };
 
-/** An output that is a text for the view. */
+/** Output that is a text for the view. */
 struct Text
 {
   const char* proxy;
@@ -131,14 +131,14 @@ struct Text
   const char* location;
 };
 
-// What is wrong with an input above, what has come of it below.
+// Texts on inputs are at the top, texts on results at the bottom.
 constexpr std::array<Text, 3> Texts = { {
   { "PoincareHopfCheck", 3, "Upper Left Corner" },
   { "PerforatedCrossField", 1, "Lower Center" },
   { "LayoutDesigner", 4, "Lower Center" },
 } };
 
-bool Is(pqPipelineSource* source, const char* proxy)
+bool IsProxy(pqPipelineSource* source, const char* proxy)
 {
   return std::strcmp(source->getProxy()->GetXMLName(), proxy) == 0;
 }
@@ -147,27 +147,29 @@ bool Is(pqPipelineSource* source, const char* proxy)
 const Text* TextOf(pqPipelineSource* source, int port)
 {
   const auto* text = std::find_if(Texts.begin(), Texts.end(),
-    [&](const Text& one) { return one.port == port && Is(source, one.proxy); });
+    [&](const Text& one) { return one.port == port && IsProxy(source, one.proxy); });
   return text == Texts.end() ? nullptr : text;
 }
 
 //------------------------------------------------------------------------------
-void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
+void ApplyDefaults(pqPipelineSource* source, pqDataRepresentation* representation, int port)
 {
-  // It belongs to what has been made.
+  // Part of the creation of the source, not an undo step of its own.
   SCOPED_UNDO_EXCLUDE();
-  if (Is(source, "LayoutDesigner"))
+  if (IsProxy(source, "LayoutDesigner"))
   {
     DesignerLook::Show(source, representation, port);
     return;
   }
   for (const Rule& rule : Rules)
   {
-    if (Is(source, rule.proxy) && rule.port == port)
+    if (IsProxy(source, rule.proxy) && rule.port == port)
     {
       vtkSMProxy* shown = representation->getProxy();
-      vtkSMProxy* view = representation->getView() ? representation->getView()->getProxy() : nullptr;
-      vtkSMProxy* chosen = vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // by ParaView
+      vtkSMProxy* view =
+        representation->getView() ? representation->getView()->getProxy() : nullptr;
+      vtkSMProxy* chosen =
+        vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // ParaView's choice
       Look::SetFlat(shown);
       rule.show(shown);
       shown->UpdateVTKObjects();
@@ -191,29 +193,30 @@ bool HasData(pqPipelineSource* source, int port)
 }
 
 //------------------------------------------------------------------------------
-void ShowAtFirst(pqPipelineSource* source)
+void ApplyAtFirstShow(pqPipelineSource* source)
 {
   QObject::connect(source, &pqPipelineSource::representationAdded, source,
     [](pqPipelineSource* made, pqDataRepresentation* added, int port)
     {
       if (const Text* text = TextOf(made, port))
       {
-        // Also where there is nothing else to see.
+        // Shown even if the other outputs are empty.
         TextLook::Show(made, added, port, text->location);
         return;
       }
-      // A spreadsheet or the like has none of this.
+      // Spreadsheets and charts have no such settings.
       if (!vtkSMPVRepresentationProxy::SafeDownCast(added->getProxy()))
       {
         return;
       }
       if (HasData(made, port))
       {
-        // ParaView's own defaults come first.
-        QTimer::singleShot(0, added, [made, added, port] { Show(made, added, port); });
+        // Applied after ParaView's own defaults.
+        QTimer::singleShot(0, added, [made, added, port] { ApplyDefaults(made, added, port); });
         return;
       }
-      // When what is wrong with the input has been mended; ParaView warns of colours by arrays that there are not.
+      // Without data, applied after the first update that gives some: ParaView warns of colouring
+      // by a missing array.
       const auto later = std::make_shared<QMetaObject::Connection>();
       *later = QObject::connect(made,
         QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), added,
@@ -222,7 +225,7 @@ void ShowAtFirst(pqPipelineSource* source)
           if (HasData(made, port))
           {
             QObject::disconnect(*later);
-            Show(made, added, port);
+            ApplyDefaults(made, added, port);
           }
         });
     });
@@ -239,11 +242,11 @@ DefaultDisplay::DefaultDisplay(QObject* parent)
 void DefaultDisplay::startup()
 {
   pqObjectBuilder* builder = pqApplicationCore::instance()->getObjectBuilder();
-  QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ShowAtFirst);
-  QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ShowAtFirst);
+  QObject::connect(builder, &pqObjectBuilder::filterCreated, this, &ApplyAtFirstShow);
+  QObject::connect(builder, &pqObjectBuilder::sourceCreated, this, &ApplyAtFirstShow);
   QObject::connect(builder,
     QOverload<pqPipelineSource*, const QString&>::of(&pqObjectBuilder::readerCreated), this,
-    [](pqPipelineSource* reader, const QString&) { ShowAtFirst(reader); });
+    [](pqPipelineSource* reader, const QString&) { ApplyAtFirstShow(reader); });
 }
 
 //------------------------------------------------------------------------------

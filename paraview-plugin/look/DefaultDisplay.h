@@ -1,15 +1,16 @@
 /**
  * @class   DefaultDisplay
- * @brief   how what a person makes in the menu is shown at first
+ * @brief   default display of sources and filters created from the menus
  *
- * Domains as thick black lines, singularities as red and blue spheres, meshes as their edges, fields by their norm on a map from 0 to 1,
- * sizes on a map of one hue after the other, crosses and separatrices as black lines, faces and blocks in pale colours, and
- * a Layout Designer as DesignerLook.h says, and texts as TextLook.h says. It acts once, when an output is shown for the first time; what Python or a state
- * file makes stays as it was made.
+ * Shows domains as thick black lines, singularities as red and blue spheres, meshes as their edges,
+ * fields coloured by their norm from 0 to 1, sizes in a sequential colour map, crosses and
+ * separatrices as black lines, patches and blocks in pale colours, a Layout Designer as in
+ * DesignerLook.h, and texts as in TextLook.h. It is applied once, when an output is shown for the
+ * first time; sources created by Python or a state file are not changed.
  */
 
-#ifndef FirstLook_h
-#define FirstLook_h
+#ifndef DefaultDisplay_h
+#define DefaultDisplay_h
 
 #include <QObject>
 
@@ -20,7 +21,7 @@ class DefaultDisplay : public QObject
 public:
   explicit DefaultDisplay(QObject* parent = nullptr);
 
-  /** Called by ParaView when the plugin is loaded, and at the end. */
+  /** Called by ParaView when the plugin is loaded, and when ParaView exits. */
   void startup();
   void shutdown();
 };

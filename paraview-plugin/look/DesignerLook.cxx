@@ -20,12 +20,12 @@ namespace
 {
 using Look::Set;
 
-/** The normal of the layout's plane, on the side that is looked at. */
+/** Returns the normal of the layout's plane towards the camera. */
 HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* representation)
 {
   designer->UpdatePropertyInformation(designer->GetProperty("Plane"));
   HandlePlane::Vector normal =
-    HandlePlane::Of(vtkSMPropertyHelper(designer, "Plane").GetDoubleArray()).Normal();
+    HandlePlane::FromNumbers(vtkSMPropertyHelper(designer, "Plane").GetDoubleArray()).Normal();
   if (representation->getView() != nullptr)
   {
     vtkSMProxy* view = representation->getView()->getProxy();
@@ -51,10 +51,10 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
   const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
   const auto lift = [&](double part)
   {
-    // By less than can be seen from aside.
+    // Too small to be visible from the side.
     const double height = box.IsValid() ? part * box.GetDiagonalLength() : 0;
-    const HandlePlane::Vector place = { height * up[0], height * up[1], height * up[2] };
-    vtkSMPropertyHelper(shown, "Position").Set(place.data(), 3);
+    const HandlePlane::Vector position = { height * up[0], height * up[1], height * up[2] };
+    vtkSMPropertyHelper(shown, "Position").Set(position.data(), 3);
   };
   Look::SetFlat(shown);
   switch (port)
@@ -65,7 +65,7 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::ColourBy(shown, vtkDataObject::CELL, "Shade", Look::SignColours(Look::PaleGrey));
     break;
   case 1:
-    Look::ShowFaces(shown);
+    Look::ShowPatches(shown);
     break;
   case 2:
     Look::ShowSingularities(shown);

@@ -1,6 +1,7 @@
 /**
- * How a Layout Designer is shown at first: faces in pale colours, quads as thin lines, separatrices as thick ones in the colours of
- * the handles, grey where they are stale, singularities as spheres, and no legends: as in states/design.py.
+ * Default display of a Layout Designer: patches in pale colours, quads as thin lines, separatrices
+ * as thick lines in the colours of the handles, grey if the layout is stale, singularities as
+ * spheres, and no legends, as in states/design.py.
  */
 
 #ifndef DesignerLook_h
@@ -11,7 +12,7 @@ class pqPipelineSource;
 
 namespace DesignerLook
 {
-/** Of an output that has data and is no text (TextLook.h). */
+/** Applies the display to an output that has data and is not a text (TextLook.h). */
 void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port);
 }
 

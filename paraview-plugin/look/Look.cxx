@@ -15,8 +15,8 @@ using Look::Colour;
 
 constexpr std::array<Colour, 5> Pale = { { { 0.98, 0.85, 0.8 }, { 0.82, 0.9, 0.98 },
   { 0.85, 0.96, 0.84 }, { 0.97, 0.94, 0.76 }, { 0.91, 0.85, 0.96 } } };
-// Of more faces or blocks the last colour; a layout that is a help has fewer.
-constexpr int Numbers = 200;
+// Patches or blocks beyond this number take the last colour; useful layouts have fewer.
+constexpr int PaleColourCount = 200;
 }
 
 namespace Look
@@ -69,7 +69,7 @@ std::vector<double> SignColours(const Colour& ofZero)
 std::vector<double> PaleColours()
 {
   std::vector<double> points;
-  for (int number = 0; number < Numbers; ++number)
+  for (int number = 0; number < PaleColourCount; ++number)
   {
     AddColour(points, number, Pale[static_cast<std::size_t>(number * 7 % 5)]);
   }
@@ -89,7 +89,7 @@ void ColourBy(
   vtkSMPropertyHelper(colours, "RGBPoints")
     .Set(points.data(), static_cast<unsigned int>(points.size()));
   colours->UpdateVTKObjects();
-  // Without a look at the data, which there may not be yet.
+  // Does not access the data, which may not exist yet.
   vtkSMPropertyHelper(shown, "ColorArrayName").SetInputArrayToProcess(association, array);
   vtkSMPropertyHelper(shown, "LookupTable").Set(colours);
 }
@@ -104,7 +104,7 @@ void ShowSingularities(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void ShowFaces(vtkSMProxy* shown)
+void ShowPatches(vtkSMProxy* shown)
 {
   ColourBy(shown, vtkDataObject::CELL, "FaceId", PaleColours());
 }

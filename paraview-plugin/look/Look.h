@@ -1,6 +1,6 @@
 /**
- * How things are shown: colours, and the settings of representations that make them. No light, as what is flat has no shades;
- * no legends but of numbers that one reads.
+ * Colours, and settings of representations. Lighting is off, since domains are flat; only
+ * quantities with a meaningful scale have a legend.
  */
 
 #ifndef Look_h
@@ -16,7 +16,7 @@ namespace Look
 {
 using Colour = std::array<double, 3>;
 
-// Those of the handles and of the states.
+// Colours of the handles and of the states.
 constexpr Colour Black = { 0, 0, 0 };
 constexpr Colour Blue = { 0.1, 0.2, 0.85 };
 constexpr Colour Grey = { 0.6, 0.6, 0.6 };
@@ -26,26 +26,27 @@ constexpr Colour Red = { 0.85, 0.1, 0.1 };
 
 void Set(vtkSMProxy* proxy, const char* name, double value);
 void Set(vtkSMProxy* proxy, const char* name, const char* value);
+/** Switches lighting off. */
 void SetFlat(vtkSMProxy* shown);
-/** One colour, by no array. */
+/** Sets a uniform colour. */
 void SetColour(vtkSMProxy* shown, const Colour& colour);
 
-/** Points of a colour map: a value and its colour. */
+/** Adds a point to a colour map: a value and its colour. */
 void AddColour(std::vector<double>& points, double value, const Colour& colour);
-/** Of quarter indices: red, blue, and the colour of 0. */
+/** Returns the colour map of quarter indices: blue for −1, red for 1, and `ofZero`. */
 std::vector<double> SignColours(const Colour& ofZero);
-/** Of numbers that mean nothing, as those of blocks: five pale colours in turn. */
+/** Returns a colour map for identifiers, as those of blocks: five pale colours in turn. */
 std::vector<double> PaleColours();
 
-/** Colours by an array, whatever data there are yet, with a map that stays. */
+/** Colours by an array, which may not exist yet, with a fixed colour map. */
 void ColourBy(
   vtkSMProxy* shown, int association, const char* array, const std::vector<double>& points);
-/** Places with a quarter index: red and blue spheres. */
+/** Shows points with a quarter index as red and blue spheres. */
 void ShowSingularities(vtkSMProxy* shown);
-/** Faces of a T-mesh. */
-void ShowFaces(vtkSMProxy* shown);
+/** Shows the patches of a T-mesh in pale colours. */
+void ShowPatches(vtkSMProxy* shown);
 
-/** That of the array by which it is coloured now. ParaView shows one after a representation was added. */
+/** Hides the legend of the colouring array, which ParaView shows for a new representation. */
 void HideLegend(pqDataRepresentation* representation);
 }
 

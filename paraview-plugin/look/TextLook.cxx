@@ -33,14 +33,14 @@ bool IsAlarm(pqPipelineSource* source, int port)
   return alarm && alarm->GetComponentRange(0)[1] > 0;
 }
 
-/** The colour of what is no alarm. */
+/** Returns the text colour without alarm. */
 Colour PlainColour(pqDataRepresentation* representation)
 {
   vtkSMProxy* view = representation->getView() ? representation->getView()->getProxy() : nullptr;
   Colour colour = Look::Black;
   if (!view || vtkSMPropertyHelper(view, "UseColorPaletteForBackground").GetAsInt() != 0)
   {
-    // ParaView's own goes with its palette.
+    // ParaView's own colour matches its palette.
     vtkSMPropertyHelper(representation->getProxy(), "Color").Get(colour.data(), 3);
     return colour;
   }
@@ -51,7 +51,10 @@ Colour PlainColour(pqDataRepresentation* representation)
   return colour;
 }
 
-/** Paints now and after every update of a proxy, as long as the representation lives. Signals of the client rest in a drag. */
+/**
+ * Paints now and after each update of a proxy, during the lifetime of the representation. Observes
+ * the proxy because the client's signals are blocked during a drag.
+ */
 class Painter final : public QObject
 {
 public:
@@ -61,8 +64,8 @@ public:
     , Proxy(proxy)
   {
     this->Update->SetClientData(this);
-    this->Update->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-      { static_cast<Painter*>(self)->Paint(); });
+    this->Update->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void*) { static_cast<Painter*>(self)->Paint(); });
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Update);
     this->Paint();
   }
@@ -89,7 +92,7 @@ void Paint(pqDataRepresentation* representation, const Colour& colour)
   {
     return;
   }
-  // It comes with the text, and goes with it: no step of its own.
+  // The colour belongs to the text and is not an undo step of its own.
   SCOPED_UNDO_EXCLUDE();
   vtkSMPropertyHelper(shown, "Color").Set(colour.data(), 3);
   shown->UpdateVTKObjects();
@@ -110,7 +113,7 @@ void TextLook::Show(
   vtkSMPropertyHelper(shown, "WindowLocation").Set(location);
   Look::Set(shown, "FontSize", 12.0);
   shown->UpdateVTKObjects();
-  // It is put into its view after that.
+  // The representation is added to its view after this call.
   QTimer::singleShot(0, representation,
     [source, representation, port]
     {

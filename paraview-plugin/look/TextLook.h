@@ -1,6 +1,6 @@
 /**
- * How a text is shown at first that a filter writes for the view: in black or white, whichever is seen on the background, and in red
- * as long as its field data `Alarm` is 1.
+ * Default display of a text that a filter writes for the view: black or white, in contrast to the
+ * background, and red while its field data `Alarm` is 1.
  */
 
 #ifndef TextLook_h
@@ -11,9 +11,12 @@ class pqPipelineSource;
 
 namespace TextLook
 {
-/** `location`: as ParaView calls it, "Lower Center" for example. A spreadsheet or the like stays as it is. */
-void Show(pqPipelineSource* source, pqDataRepresentation* representation, int port,
-  const char* location);
+/**
+ * Applies the display; `location` is ParaView's name, for example "Lower Center". Has no effect in
+ * a spreadsheet.
+ */
+void Show(
+  pqPipelineSource* source, pqDataRepresentation* representation, int port, const char* location);
 }
 
 #endif
