@@ -94,7 +94,7 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
     return button;
   };
   const QPushButton* add = addButton("Add", "Add",
-    "Adds a singularity of quarter index +1 beside the selected one, or in the middle of the view.");
+    "Adds a singularity of quarter index +1 beside the selected one, or at the view's centre.");
   const QPushButton* addPair = addButton("Add pair", "AddPair",
     "Adds a singularity of quarter index +1 and one of \u22121, which does not change the sum.");
   this->RemoveButton = addButton("Remove", "Remove", "Removes the selected singularity (Delete).");
