@@ -27,7 +27,7 @@ int RequireInteger(double quarterIndex)
     quarterIndex, "The quarter index that was given for a corner", "1 or 0");
 }
 
-/** Sets a row of a list that grows as needed. */
+/** Sets a row of a list, which grows as needed. */
 template <class Row>
 void SetRow(std::vector<Row>& rows, int row, const Row& value)
 {

@@ -51,16 +51,18 @@ bool HasSurfaceWithArrays(vtkDataSet* input)
   return hasSurface && input->GetPointData()->GetNumberOfArrays() > 0;
 }
 
-/** The input, without what was said of an earlier change: what is said is of this filter. */
-void PassOn(vtkDataSet* input, vtkDataSet* output)
+/** Copies the input to the output, without the field data of an earlier simplification. */
+void PassThrough(vtkDataSet* input, vtkDataSet* output)
 {
   output->ShallowCopy(input);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryMoved);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryPoints);
 }
 
-/** Gives points the arrays of the nearest points of the input that its cells use. */
-void CopyNearest(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
+/**
+ * Copies the point arrays of the input to `points`, each from the nearest point that a cell uses.
+ */
+void CopyNearestArrays(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
 {
   if (input->GetPointData()->GetNumberOfArrays() == 0)
   {
@@ -86,8 +88,8 @@ void CopyNearest(vtkDataSet* input, vtkPoints* points, vtkPointData* arrays)
   }
 }
 
-/** One closed polyline per loop with the arrays of the nearest points of the input. */
-void Write(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDataSet* output)
+/** Writes one closed polyline per loop, with the arrays of the nearest points of the input. */
+void WriteLoops(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDataSet* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -112,7 +114,7 @@ void Write(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDataSet
     grid->SetPoints(points);
     grid->SetCells(VTK_POLY_LINE, lines);
   }
-  CopyNearest(input, points, output->GetPointData());
+  CopyNearestArrays(input, points, output->GetPointData());
 }
 }
 
@@ -143,11 +145,11 @@ int vtkBoundarySimplifier::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(input);
-      const bool isAsked = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
+      const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
-        (!isAsked && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
+        (!isRequested && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
       {
-        PassOn(input, output);
+        PassThrough(input, output);
         return;
       }
       const DomainConversion::Domain given = DomainConversion::ReadDomain(input);
@@ -184,10 +186,10 @@ int vtkBoundarySimplifier::RequestData(
       }
       if (simple.domain.loops == given.domain.loops)
       {
-        PassOn(input, output);
+        PassThrough(input, output);
         return;
       }
-      Write(simple, input, output);
+      WriteLoops(simple, input, output);
       namespace names = vtkCrossFieldArrayNames;
       ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
       ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,

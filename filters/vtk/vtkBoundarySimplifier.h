@@ -1,26 +1,28 @@
 /**
  * @class   vtkBoundarySimplifier
- * @brief   takes detail out of the boundary of a domain
+ * @brief   remove detail from the boundary of a domain
  *
- * *Thinning* takes out what is far shorter than the triangles of a mesh and would make very many of them: corners within
- * `ThinningLength` L of each other become one, halfway between them, which turns by the sum of their
- * turns; between corners, sides become longer, up to L, while they turn by at most 5°. *Smoothing* takes the
- * waves out of ragged curves that are shorter than `SmoothingLength`; corners farther than that from
- * all others stay. See docs/method.md, sections 10.5 and 10.6.
+ * *Thinning* removes detail that is much shorter than the edges of the mesh and would cause very
+ * many triangles. Corners within `ThinningLength` L of each other are merged into one corner
+ * halfway between them, which turns by the sum of their turning angles. Between corners, segments
+ * are merged up to length L as long as they turn by at most 5°. *Smoothing* removes waves shorter
+ * than `SmoothingLength` from ragged curves; a corner stays if no other corner is within that
+ * distance. See docs/method.md §10.5 and §10.6.
  *
- * Input port 0: a domain, as for vtkDrillHoles. Input port 1, optional, repeatable: points at which the boundary stays where
- * it is, if they lie on it: singularities and corners that are given for it.
+ * Input port 0: the domain, as for vtkDrillHoles. Input port 1, optional, repeatable: points at
+ * which the boundary is kept if they are on it, such as the singularities and corners prescribed
+ * for the domain.
  *
- * Output (of the input's type): where something was taken out, one closed polyline per loop, in the plane of the domain, with
- * the point arrays of the nearest points of the input; else the input. Meshes of vtkDrillHoles, and by default
- * surfaces with point arrays, pass through. Field data, where something was taken out, and nowhere else:
+ * Output port 0 (same type as the input): if something was removed, one closed polyline per loop,
+ * in the plane of the domain, with the point arrays of the nearest points of the input; otherwise
+ * the input. Meshes of vtkDrillHoles pass through, and so do, by default, surfaces with point
+ * arrays. Field data, only if something was removed:
+ * - `BoundaryMoved` (double): the maximum distance of a point of the boundary from the new
+ *   boundary. After both thinning and smoothing it is the sum of the two distances, an upper bound;
+ * - `BoundaryPoints` (int, two values): the numbers of boundary points before and after.
  *
- * | array | meaning |
- * | --- | --- |
- * | `BoundaryMoved` | the largest distance of a point of the boundary to the new one; thinned and smoothed, the sum of both, a bound |
- * | `BoundaryPoints` | two values: its points before and after |
- *
- * Failure: a domain that vtkDrillHoles refuses; a smooth boundary that would cross itself. The output is then empty.
+ * The filter fails, with an empty output, if vtkDrillHoles would refuse the domain or if the
+ * smoothed boundary would cross itself.
  *
  * @sa vtkDrillHoles, vtkPlanarDomainReader
  */
@@ -39,33 +41,39 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Length of the edges of the mesh that the domain is meant for. Default: 0, 1/40 of the domain's diagonal. */
+  /**
+   * Sets the edge length of the mesh for which the domain is simplified. Default: 0, 1/40 of the
+   * diagonal of the bounding box of the domain. Range: 0 or more.
+   */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
   ///@}
 
   ///@{
   /**
-   * Detail below this length is thinned; 0: none. Default: -1, 0.02 of the mesh size, and of 1/40 of the diagonal
-   * where that is less.
+   * Sets the length below which detail is thinned; 0 disables thinning. Default: −1, 0.02 of the
+   * mesh size or of 1/40 of the diagonal, whichever is smaller.
    */
   vtkSetMacro(ThinningLength, double);
   vtkGetMacro(ThinningLength, double);
   ///@}
 
   ///@{
-  /** Waves below this length are smoothed. Default: 0, none. */
+  /** Sets the length below which waves are smoothed. Default: 0, no smoothing. Range: 0 or more. */
   vtkSetClampMacro(SmoothingLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SmoothingLength, double);
   ///@}
 
   ///@{
-  /** A boundary vertex that turns by more is a corner; degrees. Default: 30. Range: 1 to 45. */
+  /**
+   * Sets the turning angle, in degrees, above which a boundary vertex is a corner. Default: 30.
+   * Range: 1 to 45.
+   */
   vtkSetClampMacro(CornerAngle, double, 1.0, 45.0);
   vtkGetMacro(CornerAngle, double);
   ///@}
 
-  /** Adds points at which the boundary stays, port 1. */
+  /** Adds a connection to port 1, points at which the boundary is kept. */
   void AddKeptConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
 
 protected:

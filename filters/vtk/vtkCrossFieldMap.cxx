@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkCrossFieldMap);
 
 //------------------------------------------------------------------------------
 vtkCrossFieldMap::vtkCrossFieldMap()
-  : Kept(std::make_unique<CachedDomain>())
+  : Cache(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -77,7 +77,7 @@ int vtkCrossFieldMap::RequestData(
       }
       else
       {
-        const DomainConversion::Domain& input = this->Kept->Read(domain);
+        const DomainConversion::Domain& input = this->Cache->Read(domain);
         result.plane = input.plane;
         configuration = ConfigurationConversion::ReadConfiguration(singularities, result.plane);
         options.corners = CornerConversion::ReadCorners(corners, result.plane);
@@ -87,7 +87,7 @@ int vtkCrossFieldMap::RequestData(
             { options.corners, this->CapCorners, this->MeshSize }, field, progress.Part(0.0, 0.2));
         }
         topology = crossfield::ShareTopology(this->KeepMesh
-            ? this->Kept->Factor(configuration, this->MeshSize, progress.Part(0.2, 0.3))
+            ? this->Cache->Factor(configuration, this->MeshSize, progress.Part(0.2, 0.3))
                 .MeshOn(configuration)
             : crossfield::MeshOnPoints(
                 input.domain, configuration, this->MeshSize, progress.Part(0.2, 0.3)));

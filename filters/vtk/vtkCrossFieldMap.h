@@ -1,35 +1,43 @@
 /**
  * @class   vtkCrossFieldMap
- * @brief   flat coordinates (u, v) along the crosses of chosen singularities
+ * @brief   seamless map (u, v) that flattens the cross field of given singularities
  *
- * With H + iθ of vtkHField, dw = e^{−(H + iθ)} dz is closed: w = u + iv maps the domain to a flat surface on
- * which crosses are along the axes and the sides of the boundary are straight. A singularity of quarter index
- * k is a cone of angle (4 − k) π/2 there, a corner one of (2 − k) π/2. w is solved for with continuous
- * piecewise linear functions on the mesh cut along seams, from every singularity to the boundary and between boundary
- * loops; across a seam w changes by quarter turns and a translation, exactly. The area of the map is that
- * of the domain.
+ * With H + iθ of vtkHField, dw = e^{−(H + iθ)} dz is closed: w = u + iv maps the domain to a flat
+ * surface on which crosses are parallel to the axes and the sides of the boundary are straight. On
+ * this surface a singularity of quarter index k is a cone of angle (4 − k) π/2, and a corner one of
+ * (2 − k) π/2. The filter solves for w with continuous piecewise linear functions on the mesh cut
+ * along seams, which lead from every singularity to the boundary and connect the boundary loops.
+ * Across a seam w changes by quarter turns and a translation, exactly. The area of the map equals
+ * the area of the domain.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkHField, meshed here with a vertex on every
- * singularity; or a mesh of vtkDrillHoles without holes that has one, which is kept.
- * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField.
+ * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkHField, which is meshed
+ * with a vertex at every singularity; or a mesh of vtkDrillHoles without holes that has such
+ * vertices, which is used as it is. Input port 1, optional: singularities (points), and input port
+ * 2, optional: corners (points), both as for vtkHField.
  *
- * Output: triangles, then boundary lines, with points doubled along the seams, and
- * - `UV` (points, double, 2);
- * - `VertexId` (points, int): copies of one vertex have the same;
- * - `QuarterIndex` (points, int): of singularities and corners, else 0; `Cone` (points, int): their number,
- *   singularities in the order of port 1 before corners, else −1;
- * - `Seam` (cells, int, 3): per side p0p1, p1p2, p2p0 of a triangle 0, or ±(i + 1) where seam i leads to the neighbour;
- *   minus: against its direction;
- * - `Direction` (cells, int): of boundary lines in the chart of their triangle, i^Direction; −1 of triangles;
- * - `BoundaryKind`, `BoundaryId` (cells): as for vtkDrillHoles.
+ * Output port 0 (vtkUnstructuredGrid): triangles, then boundary lines, with points duplicated along
+ * the seams. Arrays:
+ * - `UV` (points, double, 2): the coordinates (u, v);
+ * - `VertexId` (points, int): the vertex of the mesh; copies of one vertex have the same value;
+ * - `QuarterIndex` (points, int): the index at singularities and corners, elsewhere 0;
+ * - `Cone` (points, int): the number of the cone, singularities in the order of port 1 before
+ *   corners; elsewhere −1;
+ * - `Seam` (cells, int, 3): for the sides p0p1, p1p2, p2p0 of a triangle, 0 or ±(i + 1) where
+ *   crossing seam i leads to the neighbour; the sign is negative against the direction of the seam;
+ * - `Direction` (cells, int): for boundary lines the direction i^Direction in the chart of their
+ *   triangle; −1 for triangles;
+ * - `BoundaryKind`, `BoundaryId` (cells, int): as for vtkDrillHoles.
  *
- * Field data: `SeamRotation` r and `SeamTranslation` (2) t per seam, w' = i^r w + t; `ConeRow` (row of port 1 per
- * singularity, −1 per corner); `Flips` (0: any would be an error); `MapResidual`, √(∫ e^{2H} |∇w − e^{−(H+iθ)}|² / area);
- * `HolonomyDefect` (per inner loop, radians of the phase): where it is not 0, the map exists but is not conformal.
+ * Field data: `SeamRotation` r and `SeamTranslation` t (2 components) for each seam, w' = i^r w +
+ * t; `ConeRow` (row of port 1 for each singularity, −1 for each corner); `Flips` (0, since a
+ * flipped triangle is an error); `MapResidual`, √(∫ e^{2H} |∇w − e^{−(H+iθ)}|² / area);
+ * `HolonomyDefect` (for each inner loop, radians of the phase). Where a defect is not 0 the map
+ * exists but is not conformal.
  *
- * An empty domain gives an empty output. Failure, with an empty output: as for vtkHField; a singularity of quarter
- * index 3 or more, or at no vertex; a corner of index 2 or more unless CapCorners; a map that folds over, which large
- * holonomy defects or very coarse meshes make, with the place.
+ * An empty domain gives an empty output. The filter fails, with an empty output, where vtkHField
+ * does; if a singularity has quarter index 3 or more, or is at no vertex of a given mesh; if a
+ * corner has index 2 or more and CapCorners is off; and if the map folds over, as it does with
+ * large holonomy defects or very coarse meshes. The message states where.
  *
  * Paper: "Further thoughts" leaves the map open.
  *
@@ -43,7 +51,7 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for what is kept
+#include <memory> // for the cached domain
 
 class CachedDomain;
 
@@ -55,15 +63,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * Target edge length of the mesh of a domain; 0: 1/40 of the diagonal of the bounding box. A mesh
-   * is kept as it is. Default: 0. Range: 0 or more.
+   * Sets the target edge length of the mesh of a domain; a given mesh is not changed. Default: 0,
+   * 1/40 of the diagonal of the bounding box. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
@@ -71,8 +79,10 @@ public:
 
   ///@{
   /**
-   * Meshes and factors a domain once, whatever its singularities, and keeps both until the domain, the mesh size or a singularity on
-   * the boundary changes: a moved singularity is then quick. The map factors once more, on the mesh with vertices at the singularities. A mesh is kept in any case. Default: off.
+   * Meshes and factors a domain only once and reuses both until the domain, the mesh size or a
+   * singularity on the boundary changes, so that an update after moving a singularity is fast. The
+   * map needs one more factorisation, on the mesh with vertices at the singularities. No effect on
+   * a given mesh. Default: off.
    */
   vtkSetMacro(KeepMesh, bool);
   vtkGetMacro(KeepMesh, bool);
@@ -81,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Sharp corners whose smallest rotation has quarter index 2 get 1; what is missing must be among the
-   * singularities. Default: off.
+   * Treats sharp corners whose smallest rotation has quarter index 2 as corners of index 1. The
+   * singularities must make up for the difference. Default: off.
    */
   vtkSetMacro(CapCorners, bool);
   vtkGetMacro(CapCorners, bool);
@@ -91,16 +101,20 @@ public:
 
   ///@{
   /**
-   * Moves the singularities inside the least way to where no inner loop has a holonomy defect, where a size is
-   * single-valued. Field data then has `RepairDistance`, the longest way of one, `RepairedPositions` (3), where they
-   * are, and `DefectBefore`. Not for meshes that are given. Default: off.
+   * Moves the interior singularities by the minimum distance that removes the holonomy defects of
+   * all inner loops, so that sizes are single-valued. Field data then has `RepairDistance`, the
+   * maximum displacement, `RepairedPositions` (3 components), the new positions, and
+   * `DefectBefore`. Not available for given meshes. Default: off.
    */
   vtkSetMacro(RepairHolonomy, bool);
   vtkGetMacro(RepairHolonomy, bool);
   vtkBooleanMacro(RepairHolonomy, bool);
   ///@}
 
-  /** Seconds that the last run spent in meshing and in the map. Not in the output. */
+  /**
+   * Returns the seconds that the last run spent in meshing and in computing the map. They are not
+   * part of the output.
+   */
   vtkGetVector2Macro(StageSeconds, double);
 
 protected:
@@ -116,7 +130,7 @@ private:
 
   double MeshSize = 0.0;
   bool KeepMesh = false;
-  std::unique_ptr<CachedDomain> Kept;
+  std::unique_ptr<CachedDomain> Cache;
   bool CapCorners = false;
   bool RepairHolonomy = false;
   double StageSeconds[2] = { 0.0, 0.0 };

@@ -1,6 +1,6 @@
 /**
- * vtkCrossFieldPortMacro(Name, port) defines SetNameConnection and SetNameData, which connect an input
- * port beyond the first and set it to a data object.
+ * Defines SetNameConnection and SetNameData, which connect an input port other than the first one
+ * or set it to a data object. Usage: vtkCrossFieldPortMacro(Name, port).
  */
 
 #ifndef vtkCrossFieldPortMacro_h

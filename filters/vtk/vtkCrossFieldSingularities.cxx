@@ -70,7 +70,7 @@ int vtkCrossFieldSingularities::RequestData(
       WriteSingularities(singularities, cells.plane, output);
       if (!this->IncludeHoles)
       {
-        // Only holes have a radius, and a radius of 0 could not be drilled.
+        // Only holes have a radius; vtkDrillHoles refuses a radius of 0.
         output->GetPointData()->RemoveArray(vtkCrossFieldArrayNames::Radius);
       }
     });

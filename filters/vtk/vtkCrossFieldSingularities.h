@@ -1,32 +1,34 @@
 /**
  * @class   vtkCrossFieldSingularities
- * @brief   the places where a cross field is singular
+ * @brief   find the singularities of a cross field
  *
- * Reads the quarter index of every triangle and vertex of a Crouzeix-Raviart cross field from the
- * turns of u = e^{4iθ} between neighbouring midpoints of edges. What is singular and next to each
- * other is one singularity: its quarter index is the sum, and neighbours that cancel are none.
+ * Computes the quarter index of every triangle and vertex of a Crouzeix-Raviart cross field from
+ * the rotation of u = e^{4iθ} between neighbouring midpoints of edges. Adjacent singular triangles
+ * and vertices count as one singularity whose quarter index is their sum; where they cancel there
+ * is none.
  *
- * Port 0, a field of vtkPerforatedCrossField, vtkGinzburgLandauCrossField or another filter of this
- * module (vtkUnstructuredGrid with the cell arrays of vtkDrillHoles and `CrossFieldCR`).
+ * Input port 0 (vtkUnstructuredGrid): a field of vtkPerforatedCrossField,
+ * vtkGinzburgLandauCrossField or another filter of this module, with the cell arrays of
+ * vtkDrillHoles and `CrossFieldCR`.
  *
- * Output (vtkPolyData): one vertex for every singularity. Point arrays, 1 component:
- * - `QuarterIndex` (int, not 0): u turns so often around the point;
+ * Output port 0 (vtkPolyData): one vertex for every singularity. Point arrays, 1 component:
+ * - `QuarterIndex` (int, not 0): the number of turns of u around the point;
  * - `BoundaryKind` (int): 0 inside, 1 on the outer loop, 2 on an inner loop (a singularity that has
  *   moved into the boundary, or a corner), 3 a hole of the mesh;
- * - `BoundaryId` (int): loop number on kinds 1 and 2, row of the singularity on holes, −1 inside;
- * - `Radius` (double, only with IncludeHoles): of the hole, 0 for all others.
+ * - `BoundaryId` (int): loop number for kinds 1 and 2, row of the singularity for holes, −1 inside;
+ * - `Radius` (double, only with IncludeHoles): radius of a hole, 0 for all others.
  *
- * Singularities inside come first, then those of kinds 1, 2 and 3, each sorted by x and y. The
- * position is the zero of the field for indices ±1 where there is one, else the weighted middle of
- * the singular triangles and vertices: within about one triangle. Two singularities within about
- * two triangles of each other may be read as one.
+ * Interior singularities come first, then those of kinds 1, 2 and 3, each group sorted by x and y.
+ * For indices ±1 the position is the zero of the field, if it has one; otherwise it is the weighted
+ * centre of the singular triangles and vertices. It is accurate to about one triangle. Two
+ * singularities within about two triangles of each other may be found as one.
  *
- * Without IncludeCorners and IncludeHoles the output can be given to vtkDrillHoles as its
- * singularities, unless one has moved into the boundary.
+ * Without IncludeCorners and IncludeHoles the output can be the singularities of vtkDrillHoles,
+ * unless one of them has moved into the boundary.
  *
- * An empty input gives an empty output. Failure, with an empty output: a missing array; values that
- * are not finite; indices inside, on the boundary and on holes that do not add up to 4χ, because
- * the field is not aligned with the boundary of its mesh.
+ * An empty input gives an empty output. The filter fails, with an empty output, if an array is
+ * missing, if values are not finite, or if the indices inside, on the boundary and on holes do not
+ * add up to 4χ because the field is not aligned with the boundary of its mesh.
  *
  * @sa vtkGinzburgLandauCrossField, vtkPoincareHopfCheck, crossfield::FindFieldSingularities
  */
@@ -46,8 +48,8 @@ public:
 
   ///@{
   /**
-   * Whether corners of the boundary are reported, with the quarter index that the field takes there
-   * if it is not 0. Default: off.
+   * Includes the corners of the boundary at which the field has a quarter index other than 0.
+   * Default: off.
    */
   vtkSetMacro(IncludeCorners, bool);
   vtkGetMacro(IncludeCorners, bool);
@@ -56,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Whether holes of the mesh are reported, at their centres, with the degree of the field on them
-   * if it is not 0. Default: off.
+   * Includes the holes of the mesh on which the field has a degree other than 0, at their centres.
+   * Default: off.
    */
   vtkSetMacro(IncludeHoles, bool);
   vtkGetMacro(IncludeHoles, bool);
@@ -66,8 +68,8 @@ public:
 
   ///@{
   /**
-   * A boundary vertex that turns by more is a corner, others stand for a curve; degrees. Default:
-   * 30. Range: 1 to 45.
+   * Sets the turning angle, in degrees, above which a boundary vertex is a corner. Other vertices
+   * are samples of a curve. Default: 30. Range: 1 to 45.
    */
   vtkSetClampMacro(CornerAngle, double, 1.0, 45.0);
   vtkGetMacro(CornerAngle, double);

@@ -20,7 +20,7 @@ int vtkCrossFieldSolver::RequestData(
       this->Compute(
         DrilledMeshConversion::ReadDrilledMesh(input), inputVector, progress, outputVector);
     },
-    [&](const char* sentence) { this->SayWhyThereIsNoField(sentence, outputVector); });
+    [&](const char* sentence) { this->ReportFailure(sentence, outputVector); });
 }
 
 //------------------------------------------------------------------------------

@@ -1,9 +1,9 @@
 /**
  * @class   vtkCrossFieldSolver
- * @brief   what the filters that compute a cross field by an iteration have in common
+ * @brief   base class of the filters that compute a cross field by an iteration
  *
- * Abstract: the parameters of the iteration, the time that it took, and the one way in which a field
- * and its report get into the output. See vtkPerforatedCrossField for the arrays.
+ * Abstract class with the parameters of the iteration, its times, and the method that writes a
+ * field and its report to the output. See vtkPerforatedCrossField for the arrays.
  *
  * @sa vtkPerforatedCrossField, vtkGinzburgLandauCrossField
  */
@@ -33,8 +33,8 @@ public:
 
   ///@{
   /**
-   * Most iterations. Default: 100 for vtkPerforatedCrossField, 500 for vtkGinzburgLandauCrossField.
-   * Range: at least 1.
+   * Sets the maximum number of iterations. Default: 100 for vtkPerforatedCrossField, 500 for
+   * vtkGinzburgLandauCrossField. Range: 1 or more.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
@@ -42,8 +42,8 @@ public:
 
   ///@{
   /**
-   * The iteration stops when the relative residual of the optimality conditions is below this.
-   * Default: 1e-10. Range: 1e-15 to 1e-2.
+   * Sets the relative residual of the optimality conditions at which the iteration stops. Default:
+   * 1e-10. Range: 1e-15 to 1e-2.
    */
   vtkSetClampMacro(Tolerance, double, 1e-15, 1e-2);
   vtkGetMacro(Tolerance, double);
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Which arrays are written, one of vtkCrossFieldArraySets: Exact, what the other filters need; Display,
-   * also what one looks at; All. Default: All.
+   * Selects the arrays of the output by a value of vtkCrossFieldArraySets: Exact (those that other
+   * filters need), Display (also those for viewing) or All. Default: All.
    */
   vtkSetClampMacro(Arrays, int, vtkCrossFieldArraySets::Exact, vtkCrossFieldArraySets::All);
   vtkGetMacro(Arrays, int);
@@ -62,8 +62,9 @@ public:
   ///@}
 
   /**
-   * Seconds that the last run spent in assembling, factoring (or computing the start) and solving.
-   * Not in the output, so that the same input gives the same output.
+   * Returns the seconds that the last run spent in assembling, in factoring (or computing the
+   * initial field) and in solving. They are not part of the output, so that equal inputs give equal
+   * outputs.
    */
   vtkGetVector3Macro(StageSeconds, double);
 
@@ -74,21 +75,24 @@ protected:
   }
   ~vtkCrossFieldSolver() override = default;
 
-  /** Reads the mesh and has the field computed, unless the mesh is empty. */
+  /** Reads the mesh and calls Compute unless the mesh is empty. */
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 #ifndef __VTK_WRAP__
-  /** Computes the field and publishes it. Errors may be thrown. */
+  /** Computes the field and publishes it. Throws crossfield::Error. */
   virtual void Compute(const DrilledMeshConversion::DrilledMesh& cells,
     vtkInformationVector** inputVector, const crossfield::Progress& progress,
     vtkInformationVector* outputVector) = 0;
 
-  /** Is told after an error. */
-  virtual void SayWhyThereIsNoField(const char* /*sentence*/, vtkInformationVector*) {}
+  /**
+   * Writes the message of an error to the outputs. Called after a failure; the default does
+   * nothing.
+   */
+  virtual void ReportFailure(const char* /*sentence*/, vtkInformationVector*) {}
 
   /**
-   * Copies the mesh and adds the field and its report; warns with `advice` when the iteration did not
-   * converge.
+   * Copies the mesh and adds the field and its report. Warns, with `advice`, if the iteration did
+   * not converge.
    */
   void Publish(const DrilledMeshConversion::DrilledMesh& cells,
     const crossfield::SolvedField& field, const char* advice, vtkUnstructuredGrid* input,

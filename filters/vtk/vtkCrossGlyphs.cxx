@@ -44,11 +44,14 @@ vtkDataArray* RequireArray(vtkDataSet* input, const char* name, int components)
   return array;
 }
 
-/** The cross of a triangle: its arrays, which filters for any data may have warped with the mesh, or what follows from the exact field. */
-class CrossReading
+/**
+ * Crosses of triangles. They are read from the display arrays, which other filters may have
+ * transformed with the mesh, or computed from the exact field.
+ */
+class CrossReader
 {
 public:
-  explicit CrossReading(vtkDataSet* input)
+  explicit CrossReader(vtkDataSet* input)
   {
     namespace names = vtkCrossFieldArrayNames;
     const auto has = [input](const char* name)
@@ -65,7 +68,7 @@ public:
     this->Norms = RequireArray(input, names::CrossNorm, 1);
   }
 
-  /** The two branches and |u| of a cell with a unit normal. */
+  /** Stores the two branches of the cross of a cell with a unit normal, and returns |u|. */
   double Read(vtkIdType cell, const Eigen::Vector3d& normal, Eigen::Vector3d (&branches)[2]) const
   {
     double norm = 0.0;
@@ -100,18 +103,18 @@ private:
   crossfield::DomainPlane Plane;
 };
 
-/** Where a cross is drawn, and how large it may be. */
-struct Place
+/** Position and size of a glyph. */
+struct GlyphPlace
 {
   vtkIdType cell;
   std::array<double, 3> centre;
-  double room;
+  double size;
   Eigen::Vector3d normal;
 };
 
-std::vector<Place> TrianglePlaces(vtkDataSet* input)
+std::vector<GlyphPlace> PlacesOfTriangles(vtkDataSet* input)
 {
-  std::vector<Place> places;
+  std::vector<GlyphPlace> places;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
@@ -125,9 +128,9 @@ std::vector<Place> TrianglePlaces(vtkDataSet* input)
     {
       input->GetPoint(ids->GetId(i), corners[i]);
     }
-    Place place{ cell, {}, 0.0, {} };
+    GlyphPlace place{ cell, {}, 0.0, {} };
     vtkTriangle::TriangleCenter(corners[0], corners[1], corners[2], place.centre.data());
-    place.room = std::sqrt(vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]));
+    place.size = std::sqrt(vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]));
     const Eigen::Vector3d origin(corners[0]);
     place.normal = (Eigen::Vector3d(corners[1]) - origin)
                      .cross(Eigen::Vector3d(corners[2]) - origin)
@@ -137,12 +140,15 @@ std::vector<Place> TrianglePlaces(vtkDataSet* input)
   return places;
 }
 
-/** Keeps in each square of the grid the place nearest to its middle, and moves it there if it can. */
-std::vector<Place> ThinOut(vtkDataSet* input, const std::vector<Place>& places, double spacing)
+/**
+ * Selects in each square of the grid the glyph nearest to its centre, and moves it there if its
+ * triangle contains the centre.
+ */
+std::vector<GlyphPlace> SelectOnGrid(vtkDataSet* input, const std::vector<GlyphPlace>& places, double spacing)
 {
   const crossfield::DomainPlane plane = DomainConversion::FindPlane(input);
-  std::map<std::array<double, 2>, std::pair<double, Place>> nearest;
-  for (const Place& place : places)
+  std::map<std::array<double, 2>, std::pair<double, GlyphPlace>> nearest;
+  for (const GlyphPlace& place : places)
   {
     const crossfield::Point centre = plane.ToPlane(Eigen::Vector3d(place.centre.data()));
     const std::array<double, 2> square = { std::floor(centre.x() / spacing),
@@ -155,17 +161,17 @@ std::vector<Place> ThinOut(vtkDataSet* input, const std::vector<Place>& places, 
       found->second = { distance, place };
     }
   }
-  std::vector<Place> kept;
+  std::vector<GlyphPlace> kept;
   vtkNew<vtkIdList> ids;
   for (const auto& entry : nearest)
   {
-    Place place = entry.second.second;
-    place.room = spacing;
+    GlyphPlace place = entry.second.second;
+    place.size = spacing;
     Eigen::Vector3d middle =
       plane.ToSpace({ (entry.first[0] + 0.5) * spacing, (entry.first[1] + 0.5) * spacing });
     if (plane.IsHorizontal())
     {
-      middle.z() = place.centre[2]; // as the crosses at the centres of triangles
+      middle.z() = place.centre[2]; // same height as the glyphs at centres of triangles
     }
     double corners[3][3];
     input->GetCellPoints(place.cell, ids);
@@ -203,23 +209,23 @@ int vtkCrossGlyphs::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(input);
-      const CrossReading crosses(input);
-      std::vector<Place> places = TrianglePlaces(input);
+      const CrossReader crosses(input);
+      std::vector<GlyphPlace> places = PlacesOfTriangles(input);
       progress.Report(0.5);
       if (this->Spacing > 0.0)
       {
-        places = ThinOut(input, places, this->Spacing);
+        places = SelectOnGrid(input, places, this->Spacing);
       }
       vtkNew<vtkPoints> points;
       points->SetDataTypeToDouble();
       vtkNew<vtkCellArray> lines;
       vtkNew<vtkDoubleArray> lineNorms;
       lineNorms->SetName(vtkCrossFieldArrayNames::CrossNorm);
-      for (const Place& place : places)
+      for (const GlyphPlace& place : places)
       {
         Eigen::Vector3d branches[2];
         const double norm = crosses.Read(place.cell, place.normal, branches);
-        const double half = 0.5 * this->Scale * place.room * (this->ScaleByNorm ? norm : 1.0);
+        const double half = 0.5 * this->Scale * place.size * (this->ScaleByNorm ? norm : 1.0);
         const Eigen::Vector3d centre(place.centre.data());
         for (const Eigen::Vector3d& along : branches)
         {

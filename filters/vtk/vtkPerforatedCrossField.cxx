@@ -84,7 +84,7 @@ int vtkPerforatedCrossField::FillOutputPortInformation(int port, vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-void vtkPerforatedCrossField::SayWhyThereIsNoField(
+void vtkPerforatedCrossField::ReportFailure(
   const char* sentence, vtkInformationVector* outputVector)
 {
   WriteSummary(sentence, true, outputVector);

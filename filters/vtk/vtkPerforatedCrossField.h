@@ -187,7 +187,7 @@ protected:
 #ifndef __VTK_WRAP__
   void Compute(const DrilledMeshConversion::DrilledMesh& cells, vtkInformationVector** inputVector,
     const crossfield::Progress& progress, vtkInformationVector* outputVector) override;
-  void SayWhyThereIsNoField(const char* sentence, vtkInformationVector* outputVector) override;
+  void ReportFailure(const char* sentence, vtkInformationVector* outputVector) override;
 #endif
 
 private:
