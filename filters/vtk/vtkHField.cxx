@@ -1,5 +1,6 @@
 #include "vtkHField.h"
 
+#include "CachedDomain.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "CrossFieldArrays.h"
@@ -8,7 +9,6 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HField.h"
-#include "CachedDomain.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
 #include "Stopwatch.h"
@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHField);
 
 //------------------------------------------------------------------------------
 vtkHField::vtkHField()
-  : Kept(std::make_unique<CachedDomain>())
+  : Cache(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -61,10 +61,10 @@ int vtkHField::RequestData(
       }
       else if (this->KeepMesh)
       {
-        const DomainConversion::Domain& input = this->Kept->Read(domain);
+        const DomainConversion::Domain& input = this->Cache->Read(domain);
         configuration = ConfigurationConversion::ReadConfiguration(singularities, input.plane);
-        potential =
-          this->Kept->Factor(configuration, this->MeshSize, progress.Part(0.0, 0.4)).GetPotential();
+        potential = this->Cache->Factor(configuration, this->MeshSize, progress.Part(0.0, 0.4))
+                      .GetPotential();
         cells = DrilledMeshConversion::NumberCells(potential->ShareTopology(), input.plane);
       }
       else
@@ -90,7 +90,7 @@ int vtkHField::RequestData(
           vtkWarningMacro("H is not single-valued: at inner loop "
             << k + 1 << " there is a holonomy defect of " << defect << " radians, and H jumps by "
             << field.periods[k]
-            << " along a way to it. Move singularities until the defect vanishes.");
+            << " along a path to it. Move singularities until the defect vanishes.");
         }
       }
       if (given != nullptr)

@@ -1,52 +1,60 @@
 /**
  * @class   vtkHField
- * @brief   the scalar H of singularities inside and on the boundary, its size map and cross field
+ * @brief   compute the scalar H of singularities inside and on the boundary, its size map and cross
+ * field
  *
- * H is the real part of the analytic function H + iθ, θ the angle of the cross (mod π/2):
+ * H is the real part of the analytic function H + iθ, where θ is the angle of the cross (mod π/2):
  *   ΔH = 2π Σ_j (k_j / 4) δ_{b_j} inside, ∂H/∂ν = curvature − Σ_c (k_c π/2) δ_{p_c} on the boundary,
- * for singularities of quarter indices k_j at b_j, and k_c at points p_c of the boundary. e^H is the
- * local length of the edges of quads that follow the crosses, up to a factor. The logarithms of the
- * singularities are subtracted analytically: the rest is smooth and is solved for with continuous
- * piecewise linear functions, one linear system. The cross follows from ∇θ = rot ∇H by summation
- * along edges, without cuts; there is no iteration.
+ * for singularities of quarter indices k_j at b_j inside and k_c at boundary points p_c. Up to a
+ * factor, e^H is the local edge length of quads that follow the crosses. The logarithms of the
+ * singularities are subtracted analytically. The remainder is smooth and is computed with
+ * continuous piecewise linear functions from one linear system. The cross follows from ∇θ = rot ∇H
+ * by summation along edges, without cuts and without iterations.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles, meshed here without
- * holes; or a mesh made by vtkDrillHoles, which is kept. On a mesh with holes the singularities are
- * its holes, on which H is constant, and the cross is that of vtkPerforatedCrossField (UnitNorm).
- * Port 1, optional, singularities (points): point arrays `QuarterIndex` (integers) and optionally
- * `Radius`, inside or on the boundary. A singularity within 1e-6 of the diagonal of a vertex of the
- * boundary is one of the boundary; elsewhere on the boundary of a domain a vertex is inserted. On a
- * mesh with holes they must be those of the holes, or on the boundary.
- * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkPerforatedCrossField.
- * Other corners make the smallest rotation of the cross; if the sum of quarter indices is then wrong,
- * they take those of vtkBoundaryCornerClassifier, around what was given.
+ * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkDrillHoles, which is
+ * meshed without holes; or a mesh made by vtkDrillHoles, which is used as it is. On a mesh with
+ * holes the singularities are its holes, on which H is constant, and the cross is that of
+ * vtkPerforatedCrossField (UnitNorm).
+ * Input port 1, optional: singularities (points) with the point arrays `QuarterIndex` (integers)
+ * and optionally `Radius`, inside or on the boundary. A singularity within 1e-6 of the diagonal of
+ * a boundary vertex is at that vertex; elsewhere on the boundary of a domain a vertex is inserted.
+ * On a mesh with holes the singularities must be those of the holes or be on the boundary.
+ * Input port 2, optional: corners (points) with `QuarterIndex` (integers), as for
+ * vtkPerforatedCrossField. All other corners have the index of the smallest rotation of the cross.
+ * If the sum of quarter indices is then wrong, they have the indices that
+ * vtkBoundaryCornerClassifier chooses for the given ones.
  *
- * Output: the mesh, with the arrays of vtkDrillHoles if it was made here, and
- * - `H` (points, double, 1), with area mean 0; at a point that is a singularity, where H is infinite,
- *   the mean over a disk of half the shortest edge there;
- * - `SizeMap` (points, float, 1): e^H, larger where the lines of the field spread; up to a factor
- *   the local edge length of quads;
+ * Output port 0 (vtkUnstructuredGrid): the mesh, with the arrays of vtkDrillHoles if it was made
+ * here, and
+ * - `H` (points, double, 1), with area mean 0. At a singular point, where H is infinite, the value
+ *   is the mean over a disk whose radius is half of the shortest edge there;
+ * - `SizeMap` (points, float, 1): e^H, which is larger where the lines of the field diverge; up to
+ *   a factor the local edge length of quads;
  * - the arrays of vtkPerforatedCrossField: `CrossFieldCR` (cells, 6), `Representation`, `Cross`,
  *   `Cross2` (cells and points, 3), `CrossNorm` (cells and points, 1; |u| = 1 at the midpoints of
  *   edges).
- * `H` and `CrossFieldCR` are exact; the others follow from them, are in single precision, and can be left
- * out: see Arrays.
+ * `H` and `CrossFieldCR` are exact. The others are computed from them in single precision and can
+ * be omitted; see Arrays.
  *
- * Field data: as vtkPerforatedCrossField, with `Iterations` 0. `Energy`: on a mesh with holes ½ ∫ |∇φ|²
- * of the phase φ = 4θ. Without, that is infinite, and Energy is its expansion for holes of the given
- * radii (1/40 of the diagonal where not given) Σ_j π k_j² log(1/ρ_j) + W; `RenormalizedEnergy` is W,
- * not there on a mesh with holes, nor is `PointSingularities` (x, y, z, quarter index of each row of port
- * 1), by which vtkPoincareHopfCheck knows what the field was asked for. `HolonomyDefect` (per inner loop, radians in (−π, π]): where it is not 0
- * the crosses are aligned all the same, but H is multivalued and jumps along a way from the outer loop
- * to the inner one; then there is a warning.
+ * Field data: as for vtkPerforatedCrossField, with `Iterations` 0, and
+ * - `Energy`: on a mesh with holes ½ ∫ |∇φ|² of the phase φ = 4θ. Without holes this is infinite,
+ *   and Energy is its expansion Σ_j π k_j² log(1/ρ_j) + W for holes of the given radii (1/40 of the
+ *   diagonal if not given);
+ * - `RenormalizedEnergy`: W; absent on a mesh with holes;
+ * - `PointSingularities` (x, y, z, quarter index of each row of port 1), which lets
+ *   vtkPoincareHopfCheck compare the field with the prescribed singularities; absent on a mesh with
+ *   holes;
+ * - `HolonomyDefect` (for each inner loop, radians in (−π, π]). Where it is not 0 the crosses are
+ *   still aligned, but H is multivalued and jumps along a path from the outer loop to the inner
+ *   loop; the filter then warns.
  *
- * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
- * refuses; a singularity outside of it; quarter indices that violate the Poincaré-Hopf theorem
- * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); arrays that are missing or not
- * integer.
+ * An empty domain gives an empty output. The filter fails, with an empty output, if vtkDrillHoles
+ * would refuse the domain, if a singularity is outside the domain, if the quarter indices violate
+ * the Poincaré-Hopf theorem (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent), or if
+ * arrays are missing or not integer.
  *
- * Paper: "Further thoughts". Differences from it: the logarithms are subtracted; the cross field and
- * the size map, which it leaves open.
+ * Paper: "Further thoughts". Differences from the paper: the logarithms are subtracted; the paper
+ * leaves the cross field and the size map open.
  *
  * @sa vtkPerforatedCrossField, vtkSingularityEnergy, crossfield::SolveHField
  */
@@ -59,7 +67,7 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <memory> // for what is kept
+#include <memory> // for the cached domain
 
 class CachedDomain;
 
@@ -71,15 +79,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * Target edge length of the mesh of a domain; 0: 1/40 of the diagonal of the bounding box. A mesh
-   * is kept as it is. Default: 0. Range: 0 or more.
+   * Sets the target edge length of the mesh of a domain; a given mesh is not changed. Default: 0,
+   * 1/40 of the diagonal of the bounding box. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
@@ -87,8 +95,9 @@ public:
 
   ///@{
   /**
-   * Meshes and factors a domain once, whatever its singularities, and keeps both until the domain, the mesh size or a singularity on
-   * the boundary changes: a moved singularity is then quick. The mesh is not refined at singularities. A mesh is kept in any case. Default: off.
+   * Meshes and factors a domain only once and reuses both until the domain, the mesh size or a
+   * singularity on the boundary changes, so that an update after moving a singularity is fast. The
+   * mesh is then not refined at singularities. No effect on a given mesh. Default: off.
    */
   vtkSetMacro(KeepMesh, bool);
   vtkGetMacro(KeepMesh, bool);
@@ -97,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Which arrays are written, one of vtkCrossFieldArraySets: Exact, what the other filters need; Display,
-   * also what one looks at; All. Default: All.
+   * Selects the arrays of the output by a value of vtkCrossFieldArraySets: Exact (those that other
+   * filters need), Display (also those for viewing) or All. Default: All.
    */
   vtkSetClampMacro(Arrays, int, vtkCrossFieldArraySets::Exact, vtkCrossFieldArraySets::All);
   vtkGetMacro(Arrays, int);
@@ -108,8 +117,8 @@ public:
   ///@}
 
   /**
-   * Seconds that the last run spent in meshing, assembling, factoring and solving. Not in the output,
-   * so that the same input gives the same output.
+   * Returns the seconds that the last run spent in meshing, assembling, factoring and solving. They
+   * are not part of the output, so that equal inputs give equal outputs.
    */
   vtkGetVector4Macro(StageSeconds, double);
 
@@ -126,7 +135,7 @@ private:
 
   double MeshSize = 0.0;
   bool KeepMesh = false;
-  std::unique_ptr<CachedDomain> Kept;
+  std::unique_ptr<CachedDomain> Cache;
   int Arrays = vtkCrossFieldArraySets::All;
   double StageSeconds[4] = { 0.0, 0.0, 0.0, 0.0 };
 };

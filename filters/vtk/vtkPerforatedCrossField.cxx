@@ -26,7 +26,8 @@ static_assert(
 
 namespace
 {
-std::string Sentence(const crossfield::SolvedField& field)
+/** Returns the text of the summary of a field. */
+std::string Describe(const crossfield::SolvedField& field)
 {
   if (field.unwantedSingularities == 0)
   {
@@ -35,8 +36,9 @@ std::string Sentence(const crossfield::SolvedField& field)
   return std::to_string(field.unwantedSingularities) +
     (field.unwantedSingularities == 1 ? " unwanted singularity" : " unwanted singularities") +
     ", counted by quarter index: " +
-    (field.count.Consistent() ? "the norm vanishes there. The method Unit Norm has none."
-                              : "the given ones do not have the sum that the domain asks for.");
+    (field.count.Consistent()
+        ? "the norm vanishes there. Use the method Unit Norm, which has none."
+        : "the given singularities do not have the sum that the domain needs.");
 }
 
 void WriteSummary(const std::string& text, bool isAlarm, vtkInformationVector* outputVector)
@@ -113,19 +115,19 @@ void vtkPerforatedCrossField::Compute(const DrilledMeshConversion::DrilledMesh& 
   }
   const crossfield::SolvedField field =
     crossfield::SolvePerforated(cells.topology, options, progress);
-  // With a sum that the domain does not ask for there must be others.
+  // If the given sum is inconsistent, other singularities are unavoidable.
   if (options.method == crossfield::PerforatedMethod::Constrained && field.count.Consistent() &&
     field.unwantedSingularities > 0)
   {
     vtkWarningMacro("The field has "
       << field.unwantedSingularities
       << " unwanted singularities, counted by quarter index, where its "
-         "norm vanishes; the method Unit Norm has none.");
+         "norm vanishes. Use the method Unit Norm, which has none.");
   }
   this->Publish(cells, field,
     "the field does not solve the problem. Make the holes larger or move them.",
     vtkUnstructuredGrid::GetData(inputVector[0]), vtkUnstructuredGrid::GetData(outputVector));
-  WriteSummary(Sentence(field), field.unwantedSingularities > 0, outputVector);
+  WriteSummary(Describe(field), field.unwantedSingularities > 0, outputVector);
 }
 
 //------------------------------------------------------------------------------

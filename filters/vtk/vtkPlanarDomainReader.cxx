@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkPlanarDomainReader);
 
 namespace
 {
-/** One closed polyline per loop. */
+/** Writes one closed polyline per loop. */
 void WriteLines(const std::vector<LoopText::Loop>& loops, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;

@@ -1,19 +1,22 @@
 /**
  * @class   vtkPlanarDomainReader
- * @brief   boundary loops of a planar domain from a table or an aerofoil
+ * @brief   read the boundary loops of a planar domain from a table or an aerofoil file
  *
- * Output (vtkPolyData): one closed polyline per loop of the file, its points in their order, no arrays.
- * A last point that is the first one again is kept; the filters count it once.
+ * Output port 0 (vtkPolyData): one closed polyline per loop of the file, with its points in their
+ * order and without arrays. A last point equal to the first one is kept; the filters count it once.
  *
- * | ending | file |
- * | --- | --- |
- * | .csv | a header, then a row for each point: columns `x`, `y` and maybe `z`, or those of ParaView's export, `Points:0` and so on, in large or small letters and any order; rows with the same entry in a column `loop` are one loop, without it all of them are |
- * | .dat | Selig's format of aerofoils, which plain loops have as well: maybe a line with a name, then x and y of a point in each line; two empty lines or a line `999 999` begin another loop |
+ * The format depends on the ending of the file name:
+ * - .csv: a header, then one row per point with the columns `x`, `y` and optionally `z`, or those
+ *   of ParaView's export, `Points:0` etc. Column names are case-insensitive and in any order. Rows
+ *   with the same entry in a column `loop` form one loop; without this column all rows do.
+ * - .dat: Selig's format of aerofoils, also used for plain loops: optionally a line with a name,
+ *   then x and y of one point per line. Two empty lines or a line `999 999` start another loop.
+ * A file with another ending is a table if its first line has a comma. Mesh files are read by VTK's
+ * own readers.
  *
- * Other files are tables if their first line has a comma. Files of meshes have VTK's own readers.
- *
- * Failure: a file that is missing, names no columns x and y, holds something that is no number or too
- * few points for a loop; an aerofoil in Lednicer's format. The output is then empty.
+ * The reader fails, with an empty output, if the file does not exist, has no columns x and y, has
+ * an entry that is not a number, or has too few points for a loop, or if an aerofoil is in
+ * Lednicer's format.
  *
  * @sa vtkPlanarDomainSource, vtkDrillHoles
  */
@@ -34,30 +37,35 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file. Default: empty, which is refused. */
+  /** Sets the name of the file. Default: empty, which is an error. */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);
   ///@}
-  /** As above; what ParaView calls. */
+  /** Sets the name of the file; overload for ParaView. */
   void SetFileName(const char* fileName)
   {
     this->SetFileName(std::string(fileName ? fileName : ""));
   }
 
   ///@{
-  /** Whether InputString is read instead of the file, whose name is then said in messages. Default: off. */
+  /**
+   * Reads InputString instead of the file, whose name is then used in messages only. Default: off.
+   */
   vtkSetMacro(ReadFromInputString, bool);
   vtkGetMacro(ReadFromInputString, bool);
   vtkBooleanMacro(ReadFromInputString, bool);
   ///@}
 
   ///@{
-  /** The text of a file. Default: empty. */
+  /** Sets the text to read instead of a file. Default: empty. */
   vtkSetMacro(InputString, std::string);
   vtkGetMacro(InputString, std::string);
   ///@}
 
-  /** 1 if the first two lines of a file look like those of one that is read here, else 0; for ParaView. */
+  /**
+   * Returns 1 if the first two lines of a file look like a supported format, else 0. Called by
+   * ParaView.
+   */
   static int CanReadFile(const char* fileName);
 
 protected:

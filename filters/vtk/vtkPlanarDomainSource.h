@@ -1,12 +1,12 @@
 /**
  * @class   vtkPlanarDomainSource
- * @brief   boundary loops of a built-in planar domain
+ * @brief   create the boundary loops of a built-in planar domain
  *
- * Output (vtkPolyData): one closed polyline per boundary loop in the plane z = 0,
- * counter-clockwise, the outer loop first. Straight sides are single segments; curves are segments
- * of about EdgeLength with their points on the curve.
+ * Output port 0 (vtkPolyData): one closed polyline per boundary loop in the plane z = 0,
+ * counter-clockwise, the outer loop first. Straight sides are single segments. Curves are divided
+ * into segments of about EdgeLength whose end points are on the curve.
  *
- * | DomainName | lengths read | place |
+ * | DomainName | lengths used | position |
  * | --- | --- | --- |
  * | disk | Radius | centred at the origin |
  * | ring | Radius, InnerRadius | centred at the origin |
@@ -16,18 +16,20 @@
  * | rectangle | Width, Height | lower left corner at the origin |
  * | l-shape | Width; the upper right quarter is missing | lower left corner at the origin |
  * | hexagonal | Radius of its corners | centred at the origin, regular |
- * | star | Radius, InnerRadius | centred at the origin, five tips |
+ * | star | Radius, InnerRadius | centred at the origin, five sharp corners |
  * | angular-balanced | Width | left side on the y axis, symmetric about the x axis |
  * | angular-negative | Width | centred at the origin |
  * | angular-positive | Width | centred at the origin |
  * | angular-hole | Width | centred at the origin |
  *
- * The angular domains are those of the paper's section "Generalized Poincaré-Hopf theorem", drawn
- * from its text: six sides with two angles of 145° and four of 107.5° (interior singularities of
- * total 0); a hexagon with angles of 100° and 130° (two −1/4); one with angles of 80° and 140° (two
- * +1/4); the latter with a round hole of radius Width / 10 (total −2/4, four flat angles).
+ * The angular domains are those of the paper's section "Generalized Poincaré-Hopf theorem",
+ * constructed from its text: angular-balanced has six sides with two angles of 145° and four of
+ * 107.5° (the interior singularities add up to 0); angular-negative is a hexagon with angles of
+ * 100° and 130° (two singularities of index −1/4); angular-positive is a hexagon with angles of 80°
+ * and 140° (two of +1/4); angular-hole is the latter with a round hole of radius Width / 10 (total
+ * −2/4, four flat angles).
  *
- * Failure: an unknown name or a length that is not positive; the output is then empty.
+ * The source fails, with an empty output, if the name is unknown or a length is not positive.
  *
  * @sa vtkDrillHoles, crossfield::MakeBuiltinDomain
  */
@@ -48,42 +50,42 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The shape; see the table above. Default: disk. */
+  /** Sets the name of the shape; see the table above. Default: disk. */
   vtkSetMacro(DomainName, std::string);
   vtkGetMacro(DomainName, std::string);
   ///@}
 
   ///@{
-  /** Radius of disk, ring (its outer circle), quarter-disk, hexagonal and star. Default: 1. */
+  /** Sets the radius of disk, ring (outer circle), quarter-disk, hexagonal and star. Default: 1. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
   /**
-   * Radius of the inner circle of the ring, and of the inner corners of the star. Default: 0.4, the
-   * ratio of the paper's first ring.
+   * Sets the radius of the inner circle of the ring and of the inner corners of the star. Default:
+   * 0.4, as in the first ring of the paper.
    */
   vtkSetMacro(InnerRadius, double);
   vtkGetMacro(InnerRadius, double);
   ///@}
 
   ///@{
-  /** Width of ellipse, square, rectangle, l-shape and the angular domains. Default: 2. */
+  /** Sets the width of ellipse, square, rectangle, l-shape and the angular domains. Default: 2. */
   vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);
   ///@}
 
   ///@{
-  /** Height of ellipse and rectangle. Default: 1. */
+  /** Sets the height of ellipse and rectangle. Default: 1. */
   vtkSetMacro(Height, double);
   vtkGetMacro(Height, double);
   ///@}
 
   ///@{
   /**
-   * Length of the segments that stand for curves. Default: 0, which means 1/40 of the diagonal of
-   * the bounding box, the default mesh size of vtkDrillHoles.
+   * Sets the length of the segments of curves. Default: 0, 1/40 of the diagonal of the bounding
+   * box, the default mesh size of vtkDrillHoles.
    */
   vtkSetMacro(EdgeLength, double);
   vtkGetMacro(EdgeLength, double);

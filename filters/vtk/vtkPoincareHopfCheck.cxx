@@ -40,7 +40,7 @@ namespace names = vtkCrossFieldArrayNames;
 using ColumnWriting::AddIntegers;
 using ColumnWriting::AddNumbers;
 
-/** What is known about a configuration or a field. */
+/** Results of checking a configuration or a field. */
 struct Findings
 {
   crossfield::PoincareHopfCount count;
@@ -101,7 +101,8 @@ Findings CheckField(
   progress.Report(0.5);
   std::vector<crossfield::CornerChoice> choices =
     CornerConversion::ReadCorners(corners, cells.plane);
-  // What vtkHField or vtkDrillHoles was asked for: singularities on the boundary are corners that were chosen.
+  // Singularities prescribed in vtkHField or vtkDrillHoles; those on the boundary are prescribed
+  // corners.
   vtkFieldData* data = input->GetFieldData();
   crossfield::Configuration points =
     SingularityRecord::Read(names::PointSingularities, cells.plane, data);
@@ -117,10 +118,10 @@ Findings CheckField(
     points = std::move(placed.interior);
     choices = std::move(placed.corners);
   }
-  // What vtkGinzburgLandauCrossField alone reports: its field was asked for nothing.
-  const bool byItself = data->GetArray(names::ConvexifiedSteps) != nullptr;
-  const crossfield::FieldCheck check =
-    crossfield::CheckField(CrossFieldArrays::ReadField(cells, input), choices, points, byItself);
+  // Only vtkGinzburgLandauCrossField writes this array; its singularities are not prescribed.
+  const bool isUnconstrained = data->GetArray(names::ConvexifiedSteps) != nullptr;
+  const crossfield::FieldCheck check = crossfield::CheckField(
+    CrossFieldArrays::ReadField(cells, input), choices, points, isUnconstrained);
   result.count = check.count;
   result.consistent = check.asPrescribed;
   result.reason = check.reason;
@@ -152,7 +153,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
   }
   else
   {
-    // One that came with the input belongs to another configuration.
+    // An array of the input belongs to another configuration.
     data->RemoveArray(names::HolonomyDefect);
   }
   if (!findings.holonomyDefects.empty())
@@ -243,7 +244,8 @@ int vtkPoincareHopfCheck::RequestData(
   };
   FilterRun::Run(this, this->ErrorCode, domain, check,
     [summary](const char* sentence) { WriteSummary("Not checked", sentence, true, summary); });
-  // Not 0 after an error: then a view would not draw again, and go on showing the last result.
+  // Returning 0 after an error would keep a view from redrawing, and it would still show the last
+  // result.
   return 1;
 }
 

@@ -59,7 +59,7 @@ int vtkSeparatrices::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkDataSet* seeds = vtkDataSet::GetData(inputVector[1]);
   vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* faces = vtkPolyData::GetData(outputVector, 1);
+  vtkPolyData* patches = vtkPolyData::GetData(outputVector, 1);
   return FilterRun::Run(this, this->ErrorCode, input,
     [&](const crossfield::Progress& progress)
     {
@@ -73,9 +73,9 @@ int vtkSeparatrices::RequestData(
       const crossfield::TMesh mesh = crossfield::MakeTMesh(map.map, graph);
       this->StageSeconds = stopwatch.Lap();
       TMeshConversion::WriteTraces(map, graph, places, longest, lines);
-      FaceConversion::WriteFaces(map, mesh, faces);
+      FaceConversion::WriteFaces(map, mesh, patches);
       TMeshConversion::AddCounts(mesh, lines->GetFieldData());
-      TMeshConversion::AddCounts(mesh, faces->GetFieldData());
+      TMeshConversion::AddCounts(mesh, patches->GetFieldData());
     });
 }
 

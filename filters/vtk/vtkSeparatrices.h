@@ -1,34 +1,47 @@
 /**
  * @class   vtkSeparatrices
- * @brief   the lines of a cross field that leave its singularities, and the rectangles between them
+ * @brief   trace the separatrices of a cross field and the patches between them
  *
- * In the map of vtkCrossFieldMap the lines of the field are straight, so they are followed exactly, from triangle to
- * triangle. From every interior singularity of quarter index k leave 4 − k lines, from every corner 1 − k if
- * that is positive. All advance together, the shortest first; each stops at the first line or side that it meets. Lines on one
- * isoline that meet head-on become one. What they divide the domain into are rectangles of the map: the T-mesh.
- * From a boundary loop that nothing meets, as of a ring without singularities, one line is drawn at right angles.
+ * In the map of vtkCrossFieldMap the lines of the field are straight, so they are traced exactly,
+ * from triangle to triangle. 4 − k separatrices start at every interior singularity of quarter
+ * index k, and 1 − k, if positive, at every corner. All advance together, the shortest first; each
+ * ends at the first separatrix or side that it meets. Separatrices on one isoline that meet head-on
+ * become one. They divide the domain into patches that are rectangles of the map: the T-mesh. From
+ * a boundary loop that no separatrix meets, for example on a ring without singularities, one extra
+ * line starts at a right angle.
  *
- * Port 0, the map (vtkUnstructuredGrid): output of vtkCrossFieldMap.
- * Port 1, optional, seeds (points): from each of them four streamlines of the cross field are drawn by the same tracing, as
- * far as the boundary or LongestStreamline; they stop at nothing else and belong to no face.
+ * Input port 0 (vtkUnstructuredGrid): the map, output of vtkCrossFieldMap.
+ * Input port 1, optional: seeds (points). Four streamlines of the cross field start at each seed
+ * and are traced to the boundary or up to LongestStreamline. They end at nothing else and are not
+ * part of the T-mesh.
  *
- * Output 0 (vtkPolyData): a polyline a line, with cell arrays
- * - `Line` (int): its number; −1 of streamlines; `Seed` (int): the seed of a streamline, else −1;
- * - `Singularity` (int): row of the singularity where it starts, −1 at corners and of extra lines; `QuarterIndex` (int) there;
- * - `EndsAt` (int): 1 the side of another line, 2 the boundary, 3 head-on with another line; 0 at LongestStreamline;
- * - `Length` (double): in the map.
- * Output 1 (vtkPolyData): the faces of the T-mesh in triangles, since concave polygons are drawn wrongly. Every face has points of
- * its own, its outline, counter-clockwise from a corner of its rectangle. Cell arrays
- * - `FaceId` (int), from 0; `USize`, `VSize` (double): the lengths of the face's sides in the map;
- * point arrays
- * - `FaceId` (int); `UV` (double, 2): in the rectangle, whose first corner is the origin;
- * - `NodeKind` (int): 1 singularity, 2 corner, 3 on the boundary, 4 a line ends at a line; 0 of other points.
+ * Output port 0 (vtkPolyData): one polyline for each separatrix and streamline. Cell arrays:
+ * - `Line` (int): the number of the separatrix; −1 for streamlines;
+ * - `Seed` (int): the seed of a streamline, else −1;
+ * - `Singularity` (int): the row of the singularity where it starts; −1 at corners and for extra
+ *   lines;
+ * - `QuarterIndex` (int): the index where it starts;
+ * - `EndsAt` (int): 1 at the side of another separatrix, 2 at the boundary, 3 head-on with another
+ *   separatrix; 0 at LongestStreamline;
+ * - `Length` (double): the length in the map.
+ * Output port 1 (vtkPolyData): the patches of the T-mesh as triangles, since VTK draws concave
+ * polygons incorrectly. Every patch has points of its own, its outline, counter-clockwise from one
+ * corner of its rectangle. Cell arrays:
+ * - `FaceId` (int), from 0;
+ * - `USize`, `VSize` (double): the side lengths of the patch in the map.
+ * Point arrays:
+ * - `FaceId` (int);
+ * - `UV` (double, 2): coordinates in the rectangle, with its first corner as the origin;
+ * - `NodeKind` (int): 1 singularity, 2 corner, 3 on the boundary, 4 where a separatrix ends at
+ *   another one; 0 for other points.
  *
- * Field data of both: `Lines`, `Faces`, `Arcs`, `ExtraLines`, `HeadOn` (pairs), `Flips` (0), `Longest` (line, in the map),
- * `Mismatch` (largest difference of opposite sides of a face).
+ * Field data of both outputs: the numbers `Lines`, `Faces`, `Arcs`, `ExtraLines`, `HeadOn` (pairs)
+ * and `Flips` (0); `Longest` (length of the longest separatrix in the map); `Mismatch` (maximum
+ * difference between opposite sides of a patch).
  *
- * An empty map gives empty outputs. Failure, with empty outputs: arrays of vtkCrossFieldMap are missing; a seed outside
- * the domain; a map in which lines do not make rectangles.
+ * An empty map gives empty outputs. The filter fails, with empty outputs, if arrays of
+ * vtkCrossFieldMap are missing, if a seed is outside the domain, or if the separatrices of the map
+ * do not form rectangles.
  *
  * @sa vtkCrossFieldMap, crossfield::TraceLines, crossfield::MakeTMesh
  */
@@ -48,20 +61,21 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the seeds: a connection or a data object. */
+  /** Connects port 1, the seeds, or sets it to a data object. */
   vtkCrossFieldPortMacro(Seeds, 1);
   ///@}
 
   ///@{
   /**
-   * Longest streamline from a seed, in the map, whose area is that of the domain; 0: ten times the square root of the
-   * area. Lines of a cross field may go on for ever. Default: 0. Range: 0 or more.
+   * Sets the maximum length of a streamline, measured in the map, whose area is that of the domain.
+   * Lines of a cross field may be infinitely long. Default: 0, ten times the square root of the
+   * area. Range: 0 or more.
    */
   vtkSetClampMacro(LongestStreamline, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LongestStreamline, double);
   ///@}
 
-  /** Seconds that the last run spent in tracing. Not in the output. */
+  /** Returns the seconds that the last run spent in tracing. They are not part of the output. */
   vtkGetMacro(StageSeconds, double);
 
 protected:

@@ -1,12 +1,12 @@
 #include "vtkSingularityEnergy.h"
 
+#include "CachedDomain.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "CachedDomain.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkSingularityEnergy);
 
 //------------------------------------------------------------------------------
 vtkSingularityEnergy::vtkSingularityEnergy()
-  : Kept(std::make_unique<CachedDomain>())
+  : Cache(std::make_unique<CachedDomain>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
@@ -54,7 +54,7 @@ int vtkSingularityEnergy::RequestData(
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      const DomainConversion::Domain& input = this->Kept->Read(domain);
+      const DomainConversion::Domain& input = this->Cache->Read(domain);
       const int count = inputVector[1]->GetNumberOfInformationObjects();
       std::vector<crossfield::Configuration> configurations;
       crossfield::Configuration all;
@@ -71,7 +71,7 @@ int vtkSingularityEnergy::RequestData(
       options.corners = CornerConversion::ReadCorners(corners, input.plane);
       const std::vector<crossfield::ConfigurationEnergy> energies = this->KeepMesh
         ? crossfield::CompareRenormalizedEnergies(
-            this->Kept->Factor(all, this->MeshSize, progress.Part(0.0, 0.7)), configurations,
+            this->Cache->Factor(all, this->MeshSize, progress.Part(0.0, 0.7)), configurations,
             options, progress.Part(0.7, 1.0))
         : crossfield::CompareConfigurations(input.domain, configurations, options, progress);
       EnergyConversion::WriteEnergies(energies, vtkTable::GetData(outputVector, 0));

@@ -1,43 +1,51 @@
 /**
  * @class   vtkSingularityOptimizer
- * @brief   move singularities to where the renormalised energy of their cross field is least
+ * @brief   move singularities to a minimum of the renormalised energy of their cross field
  *
- * Moves the interior singularities downhill on W, see vtkSingularityEnergy, until its derivatives
+ * Moves the interior singularities downhill on W (see vtkSingularityEnergy) until its derivatives
  * vanish. With inner loops the holonomy defects are equality constraints: the result has an aligned
- * field of norm one with a single-valued H. Sequential quadratic programming with exact derivatives;
- * one mesh without holes, factored once.
+ * field of norm one with a single-valued H. The method is sequential quadratic programming with
+ * exact derivatives on one mesh without holes, which is factored once.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
- * Port 1, the singularities to start from (points): point arrays `QuarterIndex` (integers) and
- * optionally `Radius`, inside or on the boundary as for vtkHField.
- * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkHField.
+ * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkDrillHoles.
+ * Input port 1: the initial singularities (points) with the point arrays `QuarterIndex` (integers)
+ * and optionally `Radius`, inside or on the boundary as for vtkHField.
+ * Input port 2, optional: corners (points) with `QuarterIndex` (integers), as for vtkHField.
  *
- * Output port 0 (vtkPolyData): the singularities in their order, point arrays `QuarterIndex` (int) and
- * `Radius` (double, as given or shrunk to fit, 0 if not given). Field data: `RenormalizedEnergyBefore`,
- * `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1), `HolonomyDefect` (per inner loop),
- * `Annihilation` (2 components, int: rows of the input of two singularities of opposite sign that met;
- * none if none), `Reason` (string, one sentence), `Events` (strings: a sentence for whatever happened
- * besides moving). With UniformSizes also `SizeSpreadBefore` and `SizeSpreadAfter`: the standard deviation
- * of log size, H, over the area, where W is least and of the result (with SizingField of the logarithm of size over
- * wanted size); and the front, one value each where W is least,
- * with even sizes, and with every pair that was added: `FrontSingularities` (int), `FrontSizeSpread`,
- * `FrontRenormalizedEnergy`, `FrontHolonomyDefect` (largest, radians).
- * Output port 1 (vtkTable): the history, one row per iteration from the start on: `Iteration` (int),
- * `RenormalizedEnergy`, `GradientNorm` (largest derivative of the Lagrangian, times the diagonal of the
- * domain), `HolonomyDefect` (the largest), `StepLength` (the longest way of a singularity).
+ * Output port 0 (vtkPolyData): the singularities in their order, with the point arrays
+ * `QuarterIndex` (int) and `Radius` (double, as given or reduced to fit, 0 if not given). Field
+ * data:
+ * - `RenormalizedEnergyBefore`, `RenormalizedEnergyAfter`, `Iterations`, `Converged` (0 or 1);
+ * - `HolonomyDefect` (for each inner loop);
+ * - `Annihilation` (int, 2 components): input rows of the pairs of singularities of opposite sign
+ *   that met; empty if none did;
+ * - `Reason` (string): one sentence;
+ * - `Events` (strings): one sentence for each event other than a movement;
+ * - with UniformSizes `SizeSpreadBefore`, `SizeSpreadAfter`: the standard deviation over the area
+ *   of H, the logarithm of size, at the minimum of W and of the result; with SizingField that of
+ *   the logarithm of size over target size;
+ * - with UniformSizes also the front, one value for the minimum of W, one for uniform sizes, and
+ *   one for each pair added: `FrontSingularities` (int), `FrontSizeSpread`,
+ *   `FrontRenormalizedEnergy`, `FrontHolonomyDefect` (maximum, radians).
  *
- * Singularities of like sign repel each other, and the boundary repels them; opposite signs attract.
- * Two that meet are taken out, or become one of the sum; one that is pressed against the boundary, as
- * at a corner that would rather carry it, becomes one of the boundary, and one on the boundary moves
- * inside where that is cheaper. All others stay at the Clearance, and do not stop the run. Where the
- * singularities do not come to rest, `Converged` is 0, and a warning gives the reason. An abort gives
- * the best configuration so far.
+ * Output port 1 (vtkTable): the history, one row per iteration including the start: `Iteration`
+ * (int), `RenormalizedEnergy`, `GradientNorm` (maximum derivative of the Lagrangian, times the
+ * diagonal of the domain), `HolonomyDefect` (maximum), `StepLength` (maximum displacement of a
+ * singularity).
  *
- * An empty domain gives empty outputs. Failure, with empty outputs: a domain that vtkDrillHoles
- * refuses; a singularity outside; quarter indices that violate the Poincaré-Hopf theorem
- * (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent); missing arrays; wanted sizes that are not positive.
+ * Singularities of the same sign repel each other, and the boundary repels them; opposite signs
+ * attract. Two singularities that meet are removed or merged into one that has the sum of their
+ * indices. A singularity pressed against the boundary, for example at a corner where it costs less,
+ * becomes a boundary singularity, and one on the boundary moves inside where that costs less. All
+ * others stay at the Clearance and do not stop the run. If the singularities do not converge,
+ * `Converged` is 0 and a warning gives the reason. An abort returns the best configuration so far.
  *
- * Paper: "The unifying renormalized Ginzburg-Landau energy", whose minimisation it leaves open.
+ * An empty domain gives empty outputs. The filter fails, with empty outputs, if vtkDrillHoles would
+ * refuse the domain, if a singularity is outside, if the quarter indices violate the Poincaré-Hopf
+ * theorem (GetErrorCode() is then vtkCrossFieldErrorCodes::Inconsistent), if arrays are missing, or
+ * if target sizes are not positive.
+ *
+ * Paper: "The unifying renormalized Ginzburg-Landau energy", which leaves its minimisation open.
  *
  * @sa vtkSingularityEnergy, vtkHField, crossfield::OptimizeSingularities
  */
@@ -59,14 +67,14 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * Target edge length of the mesh; 0: 1/40 of the diagonal of the bounding box. Default: 0.
+   * Sets the target edge length of the mesh. Default: 0, 1/40 of the diagonal of the bounding box.
    * Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
@@ -74,15 +82,16 @@ public:
   ///@}
 
   ///@{
-  /** Most iterations. Default: 200. Range: 0 or more. */
+  /** Sets the maximum number of iterations. Default: 200. Range: 0 or more. */
   vtkSetClampMacro(MaximumIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumIterations, int);
   ///@}
 
   ///@{
   /**
-   * The iteration stops when the derivatives of the Lagrangian, times the diagonal of the domain, and
-   * the holonomy defects are below this. Default: 1e-6. Range: 1e-10 to 1.
+   * Sets the tolerance: the iteration stops when the derivatives of the Lagrangian, times the
+   * diagonal of the domain, and the holonomy defects are below it. Default: 1e-6. Range: 1e-10 to
+   * 1.
    */
   vtkSetClampMacro(Tolerance, double, 1e-10, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -90,8 +99,9 @@ public:
 
   ///@{
   /**
-   * Least distance of the singularities inside to the boundary and to each other, in the units of the
-   * domain; 0: 1/400 of the diagonal of the bounding box. Default: 0. Range: 0 or more.
+   * Sets the minimum distance of interior singularities from the boundary and from each other, in
+   * the units of the domain. Default: 0, 1/400 of the diagonal of the bounding box. Range: 0 or
+   * more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -99,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Every singularity stays what it is: none moves into the boundary or out of it, and two of opposite
-   * sign that meet are not taken out but stay at the clearance. Default: off.
+   * Preserves all singularities: none moves into the boundary or out of it, and two of opposite
+   * sign that meet stay at the clearance. Default: off.
    */
   vtkSetMacro(KeepAll, bool);
   vtkGetMacro(KeepAll, bool);
@@ -109,15 +119,15 @@ public:
 
   ///@{
   /**
-   * After the least W, move on to where the sizes of quads that follow the field are most even, with the
-   * singularities that there are. Default: off.
+   * Continues after the minimum of W to the most uniform sizes of quads that follow the field, with
+   * the same singularities. Default: off.
    */
   vtkSetMacro(UniformSizes, bool);
   vtkGetMacro(UniformSizes, bool);
   vtkBooleanMacro(UniformSizes, bool);
   ///@}
 
-  /** Which sizes are even: the values that vtkQuadMesher has for them. */
+  /** Target of uniform sizes; values as in vtkQuadMesher. */
   enum SizingType
   {
     SizingUniform = 1,
@@ -126,8 +136,9 @@ public:
 
   ///@{
   /**
-   * With UniformSizes or Pairs. SizingUniform: sizes are to be the same everywhere. SizingField: in proportion to the
-   * point array SizeArray of the domain. Default: SizingUniform.
+   * Selects the target with UniformSizes or Pairs: the same size everywhere (SizingUniform) or
+   * sizes in proportion to the point array SizeArray of the domain (SizingField). Default:
+   * SizingUniform.
    */
   vtkSetClampMacro(Sizing, int, SizingUniform, SizingField);
   vtkGetMacro(Sizing, int);
@@ -137,19 +148,21 @@ public:
 
   ///@{
   /**
-   * Point array of the domain with the wanted length of quads for SizingField, of which only proportions count: linear on
-   * surface cells and along curves, of which it is continued inside, as vtkQuadMesher takes it. Default: none.
+   * Sets the point array of the domain with the target edge length of quads for SizingField. Only
+   * its proportions matter. It is linear on surface cells; values along curves are extended to the
+   * inside, as in vtkQuadMesher. Default: none.
    */
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
   ///@}
-  /** As above; what ParaView calls. */
+  /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
   ///@{
   /**
-   * Then add up to so many pairs of quarter indices 1 and -1 where they make sizes most even, while a pair brings 15 %
-   * of the spread or halves a holonomy defect; more than 0 is with UniformSizes. Default: 0. Range: 0 to 100.
+   * Sets the maximum number of pairs of quarter indices 1 and −1 to add where they make sizes most
+   * uniform. A pair is added only if it reduces the spread by 15 % or halves a holonomy defect. A
+   * value above 0 implies UniformSizes. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Pairs, int, 0, 100);
   vtkGetMacro(Pairs, int);

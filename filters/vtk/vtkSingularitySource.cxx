@@ -39,12 +39,12 @@ using crossfield::Error;
 
 using Row = std::array<double, 4>;
 
-/** Rows of x, y, quarter index and radius, whether the radius was given, and the places if they are of space, not of the plane. */
+/** Rows of x, y, quarter index and radius. */
 struct RowTable
 {
   std::vector<Row> rows;
   bool hasRadius = true;
-  std::vector<Eigen::Vector3d> places;
+  std::vector<Eigen::Vector3d> places; ///< Positions in space; empty if rows are in the plane.
 };
 
 RowTable ReadRows(const std::string& fileName)
@@ -55,7 +55,7 @@ RowTable ReadRows(const std::string& fileName)
   }
   const auto text = PointTable::Read(PointTable::ReadFile(fileName));
   constexpr int Count = 5;
-  // The second names are those of ParaView's export.
+  // ParaView exports coordinates under the second names.
   const char* names[Count] = { "x", "y", "quarter_index", "radius", "z" };
   vtkAbstractArray* columns[Count] = { PointTable::FindColumn(text, PointTable::NamesOfAxis(0)),
     PointTable::FindColumn(text, PointTable::NamesOfAxis(1)),
@@ -91,7 +91,7 @@ RowTable ReadRows(const std::string& fileName)
   return table;
 }
 
-/** The points of Start. */
+/** Reads the rows from the points of Start. */
 RowTable ReadStart(vtkDataSet* start)
 {
   vtkDataArray* quarters = ConfigurationConversion::RequireQuarterIndices(start);
@@ -108,7 +108,7 @@ RowTable ReadStart(vtkDataSet* start)
   return table;
 }
 
-/** The rows at the places of the handles. */
+/** Moves the rows to the handles. */
 void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& table)
 {
   Row next = { 0.0, 0.0, 1.0, 0.1 };
@@ -124,10 +124,10 @@ void MoveToHandles(const std::vector<std::array<double, 3>>& handles, RowTable& 
   }
 }
 
-/** Whether points are in a plane, but for what single precision makes of coordinates. */
-bool AreIn(const PlaneFrame& frame, vtkDataSet* points)
+/** Returns whether points are in a plane, up to rounding in single precision. */
+bool AreInPlane(const PlaneFrame& frame, vtkDataSet* points)
 {
-  constexpr double Rounding = 1e-5; // of some operations
+  constexpr double Rounding = 1e-5; // relative, after some operations
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const Eigen::Vector3d place(points->GetPoint(i));
@@ -141,7 +141,10 @@ bool AreIn(const PlaneFrame& frame, vtkDataSet* points)
   return true;
 }
 
-/** The plane of the rows: that of the domain, else the one that the points to start from tell and are in. */
+/**
+ * Returns the plane of the domain, else the plane recorded with the initial points if they are in
+ * it, else a plane z = const.
+ */
 PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
 {
   if (domain != nullptr)
@@ -153,7 +156,7 @@ PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
     return {};
   }
   const std::optional<PlaneFrame> recorded = PlaneFrame::Read(start->GetFieldData());
-  if (recorded && AreIn(*recorded, start)) // a filter between may have moved them
+  if (recorded && AreInPlane(*recorded, start)) // another filter may have moved the points
   {
     return *recorded;
   }
@@ -165,14 +168,17 @@ PlaneFrame FindFrame(vtkDataSet* domain, vtkDataSet* start)
   return horizontal;
 }
 
-/** Gives the rows of the plane their places in space, or those of space their coordinates in the plane. */
-void Place(const PlaneFrame& frame, RowTable& table)
+/**
+ * Computes positions in space from coordinates in the plane, or the other way round if positions
+ * are given.
+ */
+void CompletePositions(const PlaneFrame& frame, RowTable& table)
 {
-  const bool areOfSpace = !table.places.empty();
+  const bool haveSpacePositions = !table.places.empty();
   table.places.resize(table.rows.size());
   for (std::size_t i = 0; i < table.rows.size(); ++i)
   {
-    if (areOfSpace)
+    if (haveSpacePositions)
     {
       const crossfield::Point point = frame.ToPlane(table.places[i]);
       table.rows[i][0] = point.x();
@@ -185,7 +191,7 @@ void Place(const PlaneFrame& frame, RowTable& table)
   }
 }
 
-/** Whether every radius stands for none. */
+/** Returns whether no row has a radius. */
 bool LacksRadii(const RowTable& table)
 {
   return !table.hasRadius ||
@@ -212,11 +218,11 @@ void WritePoints(const RowTable& table, vtkPolyData* output)
       throw Error("Row " + std::to_string(i + 1) +
         " of the singularities has a coordinate or radius that is not a finite number; correct it.");
     }
-    const int wholeIndex = crossfield::RequireQuarterIndex(
+    const int integerIndex = crossfield::RequireQuarterIndex(
       quarterIndex, "The quarter index of singularity " + std::to_string(i + 1));
     const vtkIdType id = points->InsertNextPoint(place.data());
     vertices->InsertNextCell({ id });
-    quarters->InsertNextValue(wholeIndex);
+    quarters->InsertNextValue(integerIndex);
     radii->InsertNextValue(radius);
   }
   output->SetPoints(points);
@@ -360,7 +366,7 @@ int vtkSingularitySource::RequestData(
       }
       const PlaneFrame frame = FindFrame(vtkDataSet::GetData(inputVector[1]), start);
       frame.Write(this->Plane);
-      Place(frame, table);
+      CompletePositions(frame, table);
       vtkPolyData* output = vtkPolyData::GetData(outputVector);
       WritePoints(table, output);
       frame.Record(output->GetFieldData());

@@ -1,33 +1,40 @@
 /**
  * @class   vtkSingularitySource
- * @brief   a configuration of singularities as points, from rows, a .csv file or other points
+ * @brief   create a configuration of singularities from rows, a .csv file or other points
  *
  * A singularity is a point with a quarter index k: the representation e^{4iθ} of the cross field
- * turns k times around it and its index is k/4. k = +1 becomes a node of valence 3 of the quad
+ * turns k times around it, and its index is k/4. k = +1 becomes a node of valence 3 of the quad
  * mesh, k = −1 one of valence 5.
  *
- * Input port 0, Start, may be left out: points with the point array `QuarterIndex` and maybe `Radius`.
- * Input port 1, Domain, may be left out: a domain (vtkPolyData or vtkUnstructuredGrid) in whose plane the rows are.
+ * Input port 0, Start, optional: points with the point array `QuarterIndex` and optionally
+ * `Radius`.
+ * Input port 1, Domain, optional (vtkPolyData or vtkUnstructuredGrid): a domain that defines the
+ * plane of the rows.
  *
- * The rows are coordinates of a plane in space, those that the filters use (crossfield::DomainPlane): x and y where z is constant.
- * The plane is that of Domain, else the one that Start has as field data `Plane` and is in, else z = const through the first point of Start,
- * else z = 0. What a file, Start or a handle has are points of space.
+ * Rows are in the coordinates of a plane in space, as in the other filters
+ * (crossfield::DomainPlane): x and y where z is constant. The plane is that of Domain; without it,
+ * the plane in the field data `Plane` of Start if its points are in it; otherwise z = const through
+ * the first point of Start, or z = 0. The points of a file, of Start and of handles are points in
+ * space.
  *
- * Output (vtkPolyData): one vertex per row, with field data `Plane` (double, 3 tuples: origin and axes) where it is not z = const, and the point arrays
+ * Output port 0 (vtkPolyData): one vertex per row, with the field data `Plane` (double, 3 tuples:
+ * origin and axes) unless the plane is z = const, and the point arrays
  * - `QuarterIndex` (int, 1 component): k;
- * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent when a file or Start
- *   has no such column, or when it is 0 in every row, which stands for radii that are not given.
+ * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent if the file or
+ *   Start has no such column, or if it is 0 in every row, which means not given.
  *
- * The rows are those of the file, if FileName is set; else those set here; as long as none were set, the points of Start. A file is comma-separated with the header
- * `x,y,quarter_index` and optionally `radius` and `z`, in any order. Domains in a plane z = const
- * make no use of z; for those in another plane the points of a file have to lie in it.
+ * The rows are those of the file if FileName is set; otherwise those set here; as long as none were
+ * set, the points of Start. A file is comma-separated with the header `x,y,quarter_index` and
+ * optionally `radius` and `z`, in any order. Domains in a plane z = const ignore z; for other
+ * domains the points of a file must be in the plane of the domain.
  *
- * With UseHandles on, handle i takes the place of row i: these are the points that ParaView lets one
- * drag in the 3D view. A row without a handle is left out; a handle without a row is a singularity
- * of quarter index 1 with the radius of the last row (0.1 without rows).
+ * With UseHandles on, handle i replaces the position of row i. Handles are the points that ParaView
+ * lets the user drag in the 3D view. A row without a handle is omitted. A handle without a row is a
+ * singularity of quarter index 1 with the radius of the last row (0.1 without rows).
  *
- * Failure: a file that is missing, lacks a column or has an entry that is not a finite number; a
- * quarter index that is not an integer; a Start without `QuarterIndex`. The output is then empty.
+ * The source fails, with an empty output, if a file does not exist, lacks a column or has an entry
+ * that is not a finite number, if a quarter index is not an integer, or if Start has no
+ * `QuarterIndex`.
  *
  * @sa vtkDrillHoles
  */
@@ -54,20 +61,23 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Where to start from: connects or sets the optional input port 0. */
+  /** Connects the optional port 0, the initial points, or sets it to a data object. */
   vtkCrossFieldPortMacro(Start, 0);
   ///@}
 
   ///@{
-  /** In whose plane the rows are: connects or sets the optional input port 1. */
+  /**
+   * Connects the optional port 1, the domain that defines the plane, or sets it to a data object.
+   */
   vtkCrossFieldPortMacro(Domain, 1);
   ///@}
 
   ///@{
   /**
-   * The rows x, y, quarter index, radius. Default: four k = +1 of radius 0.1 at distance 0.6 from
-   * the origin on the diagonals, the first figure of the paper. SetSingularity appends rows as
-   * needed; the quarter index is a double here so that ParaView can edit the row as one property.
+   * Sets the rows x, y, quarter index, radius. SetSingularity appends rows as needed. The quarter
+   * index is a double here so that ParaView can edit a row as one property. Default: four rows k =
+   * +1 of radius 0.1 at distance 0.6 from the origin on the diagonals, the first figure of the
+   * paper.
    */
   void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
   void SetNumberOfSingularities(int count);
@@ -77,38 +87,44 @@ public:
   /** Appends a row. */
   void AddSingularity(double x, double y, double quarterIndex, double radius);
 
-  /** Leaves no row, so that those of Start count. */
+  /** Removes all rows, so that the points of Start are used. */
   void RemoveAllSingularities();
 
   ///@{
-  /** A .csv file to read instead of the rows. Default: empty, the rows count. */
+  /** Sets the .csv file to read instead of the rows. Default: empty, the rows are used. */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);
   ///@}
-  /** As above; what ParaView calls. */
+  /** Sets the name of the file; overload for ParaView. */
   void SetFileName(const char* fileName)
   {
     this->SetFileName(std::string(fileName ? fileName : ""));
   }
 
   ///@{
-  /** Whether the handles say where the rows are. Default: off. */
+  /** Uses the handles as positions of the rows. Default: off. */
   vtkSetMacro(UseHandles, bool);
   vtkGetMacro(UseHandles, bool);
   vtkBooleanMacro(UseHandles, bool);
   ///@}
 
   ///@{
-  /** The handles, points of space. Default: the places of the default rows. */
+  /** Sets the handles, points in space. Default: the positions of the default rows. */
   void SetHandle(int handle, double x, double y, double z);
   void SetNumberOfHandles(int count);
   int GetNumberOfHandles() const;
   ///@}
 
-  /** The rows of the last update, four components each, wherever they are from; radius 0: not given. */
+  /**
+   * Returns the rows of the last update, four components each, whatever their source. A radius of 0
+   * means not given.
+   */
   vtkDoubleArray* GetOutputRows();
 
-  /** The plane of the rows of the last update, as three tuples: origin, first and second axis. */
+  /**
+   * Returns the plane of the rows of the last update as three tuples: origin, first axis and second
+   * axis.
+   */
   vtkDoubleArray* GetPlane();
 
 protected:
