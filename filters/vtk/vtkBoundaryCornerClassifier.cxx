@@ -98,13 +98,13 @@ void vtkBoundaryCornerClassifier::RemoveAllPointOverrides()
 //------------------------------------------------------------------------------
 int vtkBoundaryCornerClassifier::FillInputPortInformation(int, vtkInformation* info)
 {
-  return FilterPorts::TakeDomain(info);
+  return FilterPorts::AcceptDomain(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkBoundaryCornerClassifier::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 1 ? "vtkTable" : "vtkPolyData");
+  return FilterPorts::Produce(info, port == 1 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------

@@ -129,10 +129,10 @@ int vtkBoundarySimplifier::FillInputPortInformation(int port, vtkInformation* in
 {
   if (port == 0)
   {
-    return FilterPorts::TakeDomain(info);
+    return FilterPorts::AcceptDomain(info);
   }
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return FilterPorts::TakeOptionalPoints(info);
+  return FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------

@@ -33,13 +33,13 @@ vtkConfigurationProposal::vtkConfigurationProposal()
 //------------------------------------------------------------------------------
 int vtkConfigurationProposal::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkConfigurationProposal::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 2 ? "vtkTable" : "vtkPolyData");
+  return FilterPorts::Produce(info, port == 2 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------

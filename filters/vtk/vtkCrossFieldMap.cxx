@@ -1,5 +1,6 @@
 #include "vtkCrossFieldMap.h"
 
+#include "CachedDomain.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
 #include "DomainConversion.h"
@@ -7,12 +8,11 @@
 #include "Error.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
-#include "SeamlessMapSolve.h"
 #include "HolonomyConversion.h"
-#include "CachedDomain.h"
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
+#include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
 
 #include "vtkDataSet.h"
@@ -38,7 +38,7 @@ vtkCrossFieldMap::~vtkCrossFieldMap() = default;
 //------------------------------------------------------------------------------
 int vtkCrossFieldMap::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------

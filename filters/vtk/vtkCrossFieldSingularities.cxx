@@ -47,7 +47,7 @@ vtkCrossFieldSingularities::vtkCrossFieldSingularities() = default;
 //------------------------------------------------------------------------------
 int vtkCrossFieldSingularities::FillInputPortInformation(int, vtkInformation* info)
 {
-  return FilterPorts::TakeMesh(info);
+  return FilterPorts::AcceptMesh(info);
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,7 @@ vtkDrillHoles::vtkDrillHoles()
 //------------------------------------------------------------------------------
 int vtkDrillHoles::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakePoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptPoints(info);
 }
 
 //------------------------------------------------------------------------------

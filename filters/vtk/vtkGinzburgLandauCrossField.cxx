@@ -24,7 +24,7 @@ vtkGinzburgLandauCrossField::vtkGinzburgLandauCrossField()
 //------------------------------------------------------------------------------
 int vtkGinzburgLandauCrossField::FillInputPortInformation(int, vtkInformation* info)
 {
-  return FilterPorts::TakeMesh(info);
+  return FilterPorts::AcceptMesh(info);
 }
 
 //------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ vtkHField::~vtkHField() = default;
 //------------------------------------------------------------------------------
 int vtkHField::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------

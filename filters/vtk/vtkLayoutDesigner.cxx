@@ -4,11 +4,11 @@
 #include "CornerConversion.h"
 #include "DesignSession.h"
 #include "EnergyConversion.h"
-#include "FaceConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "LayoutConversion.h"
 #include "MapConversion.h"
+#include "PatchConversion.h"
 #include "PlaneFrame.h"
 #include "QuadConversion.h"
 #include "TMeshConversion.h"
@@ -25,15 +25,85 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkLayoutDesigner);
 
+namespace
+{
+/** Output data objects of the filter. */
+class Outputs
+{
+public:
+  explicit Outputs(vtkInformationVector* outputVector)
+    : Separatrices(vtkPolyData::GetData(outputVector, 0))
+    , Patches(vtkPolyData::GetData(outputVector, 1))
+    , Singularities(vtkPolyData::GetData(outputVector, 2))
+    , Quads(vtkUnstructuredGrid::GetData(outputVector, 3))
+    , Summary(vtkTable::GetData(outputVector, 4))
+  {
+  }
+
+  /** Writes the last design of a session and the singularities and refusal of its last update. */
+  void Write(const DesignSession& session, const DesignUpdate& update,
+    const crossfield::DomainPlane& plane, double quadSize) const
+  {
+    const LayoutConversion::Report report{ update.refusal, quadSize };
+    const crossfield::LayoutDesign* design = session.GetDesign();
+    ConfigurationConversion::WriteConfiguration(update.singularities, plane, this->Singularities);
+    if (design != nullptr)
+    {
+      this->WriteDesign(*design, plane, !update.refusal.empty());
+    }
+    this->WriteReport(design, report);
+    for (vtkPolyData* output : { this->Separatrices, this->Singularities })
+    {
+      // Added last, since ParaView shows no array if the first one is empty.
+      EnergyConversion::WriteEvents(session.GetEvents(), output);
+    }
+  }
+
+  /** Writes the message of a failure. */
+  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0 }); }
+
+private:
+  void WriteDesign(
+    const crossfield::LayoutDesign& design, const crossfield::DomainPlane& plane, bool stale) const
+  {
+    const MapConversion::Map map{ design.map, plane };
+    TMeshConversion::WriteTraces(map, design.lines, {}, 0.0, this->Separatrices);
+    LayoutConversion::AddShade(stale, this->Separatrices);
+    PatchConversion::WritePatches(map, design.mesh, this->Patches);
+    TMeshConversion::AddCounts(design.mesh, this->Patches->GetFieldData());
+    if (design.quads)
+    {
+      QuadConversion::WriteQuads(*design.quads, plane, this->Quads);
+    }
+  }
+
+  void WriteReport(
+    const crossfield::LayoutDesign* design, const LayoutConversion::Report& report) const
+  {
+    for (vtkPolyData* output : { this->Separatrices, this->Singularities })
+    {
+      LayoutConversion::AddReport(design, report, output->GetFieldData());
+    }
+    ViewText::Write(vtkCrossFieldArrayNames::Summary,
+      ViewText::WrapLines(LayoutConversion::Summary(design, report)), !report.refusal.empty(),
+      this->Summary);
+  }
+
+  vtkPolyData* Separatrices;
+  vtkPolyData* Patches;
+  vtkPolyData* Singularities;
+  vtkUnstructuredGrid* Quads;
+  vtkTable* Summary;
+};
+}
+
 //------------------------------------------------------------------------------
 vtkLayoutDesigner::vtkLayoutDesigner()
-  : Waiting(DesignCommand::None)
+  : Command(DesignCommand::None)
   , Session(std::make_unique<DesignSession>())
 {
   this->SetNumberOfInputPorts(3);
@@ -48,7 +118,7 @@ vtkLayoutDesigner::~vtkLayoutDesigner() = default;
 //------------------------------------------------------------------------------
 int vtkLayoutDesigner::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -56,7 +126,7 @@ int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char* const types[5] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
     "vtkTable" };
-  return FilterPorts::Give(info, types[port]);
+  return FilterPorts::Produce(info, types[port]);
 }
 
 //------------------------------------------------------------------------------
@@ -68,8 +138,8 @@ void vtkLayoutDesigner::SetSingularity(
     return;
   }
   const auto index = static_cast<std::size_t>(row);
-  const DesignSession::Row wanted = { x, y, quarterIndex, radius };
-  if (index < this->Rows.size() && this->Rows[index] == wanted)
+  const DesignSession::Row newRow = { x, y, quarterIndex, radius };
+  if (index < this->Rows.size() && this->Rows[index] == newRow)
   {
     return;
   }
@@ -77,7 +147,7 @@ void vtkLayoutDesigner::SetSingularity(
   {
     this->Rows.resize(index + 1, { 0.0, 0.0, 1.0, 0.0 });
   }
-  this->Rows[index] = wanted;
+  this->Rows[index] = newRow;
   this->Modified();
 }
 
@@ -117,34 +187,34 @@ vtkDoubleArray* vtkLayoutDesigner::GetPlane()
 }
 
 //------------------------------------------------------------------------------
-void vtkLayoutDesigner::Ask(DesignCommand command)
+void vtkLayoutDesigner::SetCommand(DesignCommand command)
 {
-  this->Waiting = command;
+  this->Command = command;
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Propose()
 {
-  this->Ask(DesignCommand::Propose);
+  this->SetCommand(DesignCommand::Propose);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Optimise()
 {
-  this->Ask(DesignCommand::Optimise);
+  this->SetCommand(DesignCommand::Optimise);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Snap()
 {
-  this->Ask(DesignCommand::Snap);
+  this->SetCommand(DesignCommand::Snap);
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::AddPair()
 {
-  this->Ask(DesignCommand::AddPair);
+  this->SetCommand(DesignCommand::AddPair);
 }
 
 //------------------------------------------------------------------------------
@@ -153,14 +223,43 @@ void vtkLayoutDesigner::RemoveSingularity(int row)
   if (row >= 0)
   {
     this->RowToRemove = row;
-    this->Ask(DesignCommand::Remove);
+    this->SetCommand(DesignCommand::Remove);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkLayoutDesigner::Undo()
 {
-  this->Ask(DesignCommand::Undo);
+  this->SetCommand(DesignCommand::Undo);
+}
+
+//------------------------------------------------------------------------------
+DesignRequest vtkLayoutDesigner::MakeRequest(
+  const DomainConversion::Domain& input, vtkDataSet* start, vtkDataSet* corners)
+{
+  DesignRequest request;
+  request.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
+  request.options.map.capCorners = this->CapCorners;
+  if (start != nullptr)
+  {
+    request.start = ConfigurationConversion::ReadConfiguration(start, input.plane);
+  }
+  request.meshSize =
+    this->Dragging ? crossfield::LiveMeshSize(input.domain, this->MeshSize) : this->MeshSize;
+  request.quadSize = this->QuadSize > 0.0
+    ? this->QuadSize
+    : std::sqrt(input.domain.Area() / static_cast<double>(this->QuadCount));
+  if (this->Quads != QuadsNone)
+  {
+    request.options.quads.emplace();
+    request.options.quads->size = this->QuadSize;
+    request.options.quads->count = this->QuadCount;
+    request.options.quads->smooth = this->Quads == QuadsSmooth && !this->Dragging;
+  }
+  request.snapTolerance = this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * request.quadSize;
+  request.command = std::exchange(this->Command, DesignCommand::None);
+  request.rowToRemove = this->RowToRemove;
+  return request;
 }
 
 //------------------------------------------------------------------------------
@@ -168,111 +267,31 @@ int vtkLayoutDesigner::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
-  vtkDataSet* start = vtkDataSet::GetData(inputVector[1]);
-  vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  vtkPolyData* lines = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* faces = vtkPolyData::GetData(outputVector, 1);
-  vtkPolyData* points = vtkPolyData::GetData(outputVector, 2);
-  vtkUnstructuredGrid* quads = vtkUnstructuredGrid::GetData(outputVector, 3);
-  vtkTable* summary = vtkTable::GetData(outputVector, 4);
+  const Outputs outputs(outputVector);
   return FilterRun::Run(
     this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
-      DesignSession& session = *this->Session;
-      const DomainConversion::Domain& input = session.Read(domain);
+      const DomainConversion::Domain& input = this->Session->Read(domain);
       PlaneFrame(input.plane).Write(this->Plane);
-      DesignRequest question;
-      question.options.map.corners = CornerConversion::ReadCorners(corners, input.plane);
-      question.options.map.capCorners = this->CapCorners;
-      if (start != nullptr)
+      const DesignRequest request = this->MakeRequest(
+        input, vtkDataSet::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[2]));
+      const DesignUpdate update = this->Session->Update(request, this->Rows, progress);
+      if (update.refusal.empty())
       {
-        question.start = ConfigurationConversion::ReadConfiguration(start, input.plane);
+        this->StageSeconds = this->Session->GetDesign()->seconds;
       }
-      question.meshSize =
-        this->Dragging ? crossfield::LiveMeshSize(input.domain, this->MeshSize) : this->MeshSize;
-      question.quadSize = this->QuadSize > 0.0
-        ? this->QuadSize
-        : std::sqrt(input.domain.Area() / static_cast<double>(this->QuadCount));
-      if (this->Quads != QuadsNone)
-      {
-        question.options.quads.emplace();
-        question.options.quads->size = this->QuadSize;
-        question.options.quads->count = this->QuadCount;
-        question.options.quads->smooth = this->Quads == QuadsSmooth && !this->Dragging;
-      }
-      question.snapTolerance =
-        this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * question.quadSize;
-      question.command = std::exchange(this->Waiting, DesignCommand::None);
-      question.rowToRemove = this->RowToRemove;
-
-      LayoutConversion::Report report;
-      report.quadSize = question.quadSize;
-      crossfield::Configuration now;
-      const double energyBefore =
-        session.design ? session.design->energy.energy : std::numeric_limits<double>::quiet_NaN();
-      // A configuration that cannot be is a step of designing one: what was there before stays, and the sentence is the reason.
-      try
-      {
-        now = session.Start(question, this->Rows, progress.Part(0.0, 0.2));
-        session.Apply(question, now, this->Rows, progress.Part(0.2, 0.4));
-        session.design = crossfield::DesignLayout(
-          session.GetDomain().Factor(now, question.meshSize, progress.Part(0.4, 0.6)), now,
-          question.options, progress.Part(0.6, 0.95));
-        this->StageSeconds = session.design->seconds;
-        if (question.command != DesignCommand::None && std::isfinite(energyBefore))
-        {
-          std::ostringstream text;
-          text << "The renormalised energy went from " << energyBefore << " to "
-               << session.design->energy.energy << ".";
-          session.events.push_back(text.str());
-        }
-      }
-      catch (const crossfield::Error& error)
-      {
-        report.refusal = error.what();
-      }
-
       this->OutputRows->SetNumberOfTuples(0);
-      for (const DesignSession::Row& row : DesignSession::ToRows(now))
+      for (const DesignSession::Row& row : DesignSession::ToRows(update.singularities))
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
-      ConfigurationConversion::WriteConfiguration(now, input.plane, points);
-      const crossfield::LayoutDesign* design = session.design ? &*session.design : nullptr;
-      if (design != nullptr)
-      {
-        const MapConversion::Map map{ design->map, input.plane };
-        TMeshConversion::WriteTraces(map, design->lines, {}, 0.0, lines);
-        LayoutConversion::AddShade(!report.refusal.empty(), lines);
-        FaceConversion::WriteFaces(map, design->mesh, faces);
-        TMeshConversion::AddCounts(design->mesh, faces->GetFieldData());
-        if (design->quads)
-        {
-          QuadConversion::WriteQuads(*design->quads, input.plane, quads);
-        }
-      }
-      for (vtkPolyData* output : { lines, points })
-      {
-        LayoutConversion::AddReport(design, report, output->GetFieldData());
-        // Last: where the first array is empty, ParaView shows none.
-        EnergyConversion::WriteEvents(session.events, output);
-      }
-      ViewText::Write(vtkCrossFieldArrayNames::Summary,
-        ViewText::InLines(LayoutConversion::Summary(design, report)), !report.refusal.empty(),
-        summary);
+      outputs.Write(*this->Session, update, input.plane, request.quadSize);
     },
-    [&](const char* sentence)
+    [&](const char* message)
     {
-      // Without a domain there are no rows either.
-      this->OutputRows->SetNumberOfTuples(0);
-      LayoutConversion::Report report;
-      report.refusal = sentence;
-      for (vtkPolyData* output : { lines, points })
-      {
-        LayoutConversion::AddReport(nullptr, report, output->GetFieldData());
-      }
-      ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::InLines(sentence), true, summary);
+      this->OutputRows->SetNumberOfTuples(0); // no domain, no rows
+      outputs.WriteFailure(message);
     });
 }
 

@@ -1,40 +1,50 @@
 /**
  * @class   vtkLayoutDesigner
- * @brief   the layout of singularities that are moved by hand: lines, faces, consistency, quality, quads
+ * @brief   design block layouts interactively by moving singularities
  *
- * For the eye of a person who designs blocks: at every change of a singularity the separatrices, the faces between them and what
- * they are good for. The domain is read, meshed and factored once and kept until it changes; a moved singularity then costs a
- * back-substitution and one map on a mesh that is changed only around singularities.
+ * For the interactive design of blocks: every change of a singularity updates the separatrices, the
+ * patches between them and their quality. The domain is read, meshed and factored once and cached
+ * until it changes. An update after moving a singularity then costs a back-substitution and one map
+ * on a mesh that changes only around singularities.
  *
- * The singularities are the rows set here; without rows those of port 1; without either the ones that
- * vtkConfigurationProposal would choose with Automatic, once for a domain. Commands (Propose, Optimise, Snap, AddPair, RemoveSingularity, Undo)
- * take effect in the next update: they replace the rows, which GetRows then returns.
+ * The singularities are the rows set here; without rows those of port 1; without either those that
+ * vtkConfigurationProposal would choose with Automatic, once per domain. Commands (Propose,
+ * Optimise, Snap, AddPair, RemoveSingularity, Undo) take effect in the next update. They replace
+ * the rows, which GetRows then returns.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles; it is meshed here.
- * Port 1, optional, singularities to start from (points) with `QuarterIndex`.
- * Port 2, optional, corners (points) with `QuarterIndex`.
+ * Input port 0 (vtkPolyData or vtkUnstructuredGrid): the domain, as for vtkDrillHoles; it is meshed
+ * here.
+ * Input port 1, optional: initial singularities (points) with `QuarterIndex`.
+ * Input port 2, optional: corners (points) with `QuarterIndex`.
  *
- * Output 0 (vtkPolyData): the lines, as output 0 of vtkSeparatrices, and the cell array `Shade` (int): the sign of the quarter index
- * where a line starts, 0 where the layout is stale, for colours.
- * Output 1 (vtkPolyData): the faces, as output 1 of vtkSeparatrices.
- * Output 2 (vtkPolyData): the singularities as points, with `QuarterIndex`, where they are now.
- * Output 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
- * Output 4 (vtkTable): one column, `Summary`, with one row: that of the field data in lines of at most 60 characters, for a view; its
- * field data `Alarm` (int) is 1 where it says what is wrong.
+ * Output port 0 (vtkPolyData): the separatrices, as output 0 of vtkSeparatrices, and the cell array
+ * `Shade` (int) for colours: the sign of the quarter index where a line starts, 0 if the layout is
+ * stale.
+ * Output port 1 (vtkPolyData): the patches, as output 1 of vtkSeparatrices.
+ * Output port 2 (vtkPolyData): the singularities at their current positions, as points with
+ * `QuarterIndex`.
+ * Output port 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
+ * Output port 4 (vtkTable): the column `Summary` with one row, the field data `Summary` in lines of
+ * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error.
  *
- * A configuration that cannot be, as one whose quarter indices have a wrong sum or with a singularity outside, is no failure:
- * outputs 0, 1 and 3 are those of the last one that could be, `Stale` is 1, and `Reason` says why.
+ * A configuration without a layout, for example one with a wrong sum of quarter indices or with a
+ * singularity outside, is not a failure. Outputs 0, 1 and 3 are then those of the last valid
+ * configuration, `Stale` is 1, and `Reason` gives the reason.
  *
  * Field data of outputs 0 and 2:
- * - `Reason` (text): one sentence; `Summary` (text): the numbers below in one line, or why there are none;
- * - `Stale` (int): 1 where lines, faces and quads are those of an earlier configuration;
- * and, where there are lines,
- * - `RenormalizedEnergy`: W; `Faces` (int); `ShortestArc`: of the T-mesh, in sides of quads;
- * - `Events` (text): after a command what it did, one sentence each;
- * - `LeastAngle`: 90° minus the largest deviation of a corner of a quad from it; with quads.
+ * - `Reason` (text): one sentence; `Summary` (text): numbers of quads and blocks, minimum angle and
+ *   energy in one line, or why there is no layout;
+ * - `Stale` (int): 1 if separatrices, patches and quads are those of an earlier configuration;
+ * - `Events` (text): after a command its results, one sentence each.
+ * If there are separatrices, also
+ * - `RenormalizedEnergy`: W;
+ * - `Faces` (int): the number of patches;
+ * - `ShortestArc`: the length of the shortest arc of the T-mesh, in sides of quads;
+ * - `LeastAngle`: with quads, 90° minus the maximum deviation of a quad's corner from 90°.
  *
- * An empty domain gives empty outputs. Failure, with outputs that are empty but for `Stale` 1 and the sentence in `Reason` and
- * `Summary`: a domain that vtkDrillHoles refuses; arrays that are missing or not integer.
+ * An empty domain gives empty outputs. The filter fails if vtkDrillHoles would refuse the domain or
+ * if arrays are missing or not integer. The outputs are then empty except for `Stale` 1 and the
+ * message in `Reason` and `Summary`.
  *
  * @sa vtkSeparatrices, vtkQuadMesher, vtkConfigurationProposal, crossfield::DesignLayout
  */
@@ -48,12 +58,17 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <array>  // for the rows
-#include <memory> // for what is kept
+#include <memory> // for the session
 #include <vector> // for the rows
 
 enum class DesignCommand;
 class DesignSession;
+struct DesignRequest;
 class vtkDoubleArray;
+namespace DomainConversion
+{
+struct Domain;
+}
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkLayoutDesigner : public vtkPolyDataAlgorithm
 {
@@ -63,15 +78,20 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, singularities to start from, and port 2, the corners: connections or data objects. */
+  /**
+   * Connects port 1, the initial singularities, or port 2, the corners, or sets it to a data
+   * object.
+   */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * The rows x, y, quarter index, radius, as of vtkSingularitySource. SetSingularity appends rows as needed. The places are in the
-   * coordinates of the domain's plane (crossfield::DomainPlane): x and y of a domain in z = const. The radius means nothing here and is kept. Default: no rows.
+   * Sets the rows x, y, quarter index, radius, as in vtkSingularitySource. SetSingularity appends
+   * rows as needed. Positions are in the coordinates of the plane of the domain
+   * (crossfield::DomainPlane): x and y of a domain in z = const. The radius is preserved but not
+   * used. Default: no rows.
    */
   void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
   void AddSingularity(double x, double y, double quarterIndex, double radius);
@@ -79,17 +99,22 @@ public:
   int GetNumberOfSingularities() const;
   ///@}
 
-  /** The rows of the last update, four components each, wherever they are from. */
+  /** Returns the rows of the last update, four components each, whatever their source. */
   vtkDoubleArray* GetRows();
 
-  /** The plane of the last domain, in whose coordinates the rows are, as three tuples: origin, first and second axis. */
+  /**
+   * Returns the plane of the last domain, in whose coordinates the rows are, as three tuples:
+   * origin, first axis and second axis.
+   */
   vtkDoubleArray* GetPlane();
 
   ///@{
   /**
-   * Commands for the next update. Propose: the singularities that would be chosen. Optimise: those there are move to where W is
-   * least. Snap: they move by at most SnapTolerance to where lines that nearly met do meet. AddPair: one of quarter index 1 and one of −1 where there is most room. RemoveSingularity: takes a row, counted from 0, out. Undo: the rows
-   * before the last command that changed them.
+   * Sets the command for the next update. Propose replaces the singularities by the automatically
+   * chosen ones. Optimise moves them to a minimum of W. Snap moves them by at most SnapTolerance so
+   * that nearly coincident separatrices coincide. AddPair adds one of quarter index 1 and one of −1
+   * where there is the most space. RemoveSingularity removes a row, counted from 0. Undo restores
+   * the rows before the last command that changed them.
    */
   void Propose();
   void Optimise();
@@ -100,19 +125,25 @@ public:
   ///@}
 
   ///@{
-  /** Target edge length of the mesh; 0: 1/40 of the diagonal of the bounding box. Default: 0. Range: 0 or more. */
+  /**
+   * Sets the target edge length of the mesh. Default: 0, 1/40 of the diagonal of the bounding box.
+   * Range: 0 or more.
+   */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
   ///@}
 
   ///@{
-  /** As of vtkQuadMesher. Default: on. */
+  /**
+   * Treats sharp corners whose smallest rotation has quarter index 2 as corners of index 1, as in
+   * vtkQuadMesher. Default: on.
+   */
   vtkSetMacro(CapCorners, bool);
   vtkGetMacro(CapCorners, bool);
   vtkBooleanMacro(CapCorners, bool);
   ///@}
 
-  /** What quads there are. */
+  /** Kinds of quads in output 3. */
   enum QuadsType
   {
     QuadsNone = 0,
@@ -122,7 +153,8 @@ public:
 
   ///@{
   /**
-   * QuadsNone: none. QuadsDraft: where the map has them. QuadsSmooth: as vtkQuadMesher makes them, or drafts while Dragging.
+   * Selects the quads of output 3: none (QuadsNone), those of the map without smoothing
+   * (QuadsDraft), or those of vtkQuadMesher (QuadsSmooth), which are drafts while Dragging.
    * Default: QuadsSmooth.
    */
   vtkSetClampMacro(Quads, int, QuadsNone, QuadsSmooth);
@@ -134,8 +166,8 @@ public:
 
   ///@{
   /**
-   * Whether a hand is about to move a singularity on: then the mesh is no finer than a hand can be followed with
-   * (crossfield::LiveMeshSize), and quads are drafts. Handles set it and take it back. Default: off.
+   * Set while a handle is dragged: uses a coarser mesh that is fast enough to follow the handle
+   * (crossfield::LiveMeshSize), and draft quads. Handles switch it on and off. Default: off.
    */
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);
@@ -143,24 +175,32 @@ public:
   ///@}
 
   ///@{
-  /** Length of the sides of quads; 0: by QuadCount. Default: 0. Range: 0 or more. */
+  /**
+   * Sets the target edge length of quads. Default: 0, determined by QuadCount. Range: 0 or more.
+   */
   vtkSetClampMacro(QuadSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(QuadSize, double);
   ///@}
 
   ///@{
-  /** Wanted number of quads where QuadSize is 0. Default: 1000. Range: 1 or more. */
+  /** Sets the target number of quads if QuadSize is 0. Default: 1000. Range: 1 or more. */
   vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
   vtkGetMacro(QuadCount, int);
   ///@}
 
   ///@{
-  /** What Snap may move a singularity by, and how near lines must be; 0: half a side of a quad. Default: 0. Range: 0 or more. */
+  /**
+   * Sets the maximum displacement of a singularity by Snap, and the maximum distance between
+   * separatrices that it joins. Default: 0, half the edge length of a quad. Range: 0 or more.
+   */
   vtkSetClampMacro(SnapTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SnapTolerance, double);
   ///@}
 
-  /** Seconds of the last layout, without writing the outputs. Not in the output. */
+  /**
+   * Returns the seconds that the last layout took, without writing the outputs. They are not part
+   * of the output.
+   */
   vtkGetMacro(StageSeconds, double);
 
 protected:
@@ -175,10 +215,14 @@ private:
   vtkLayoutDesigner(const vtkLayoutDesigner&) = delete;
   void operator=(const vtkLayoutDesigner&) = delete;
 
-  void Ask(DesignCommand command);
+  void SetCommand(DesignCommand command);
+#ifndef __VTK_WRAP__
+  DesignRequest MakeRequest(
+    const DomainConversion::Domain& input, vtkDataSet* start, vtkDataSet* corners);
+#endif
 
   std::vector<std::array<double, 4>> Rows;
-  DesignCommand Waiting; ///< For the next update.
+  DesignCommand Command; ///< Command for the next update.
   int RowToRemove = -1;
   double MeshSize = 0.0;
   bool CapCorners = true;
@@ -190,7 +234,7 @@ private:
   double StageSeconds = 0.0;
   vtkNew<vtkDoubleArray> OutputRows;
   vtkNew<vtkDoubleArray> Plane;
-  std::unique_ptr<DesignSession> Session; ///< What is kept between updates.
+  std::unique_ptr<DesignSession> Session; ///< State kept between updates.
 };
 
 #endif

@@ -43,7 +43,7 @@ std::string Describe(const crossfield::SolvedField& field)
 
 void WriteSummary(const std::string& text, bool isAlarm, vtkInformationVector* outputVector)
 {
-  ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::InLines(text), isAlarm,
+  ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::WrapLines(text), isAlarm,
     vtkTable::GetData(outputVector, 1));
 }
 }
@@ -76,13 +76,13 @@ void vtkPerforatedCrossField::RemoveAllUnitHoles()
 //------------------------------------------------------------------------------
 int vtkPerforatedCrossField::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeMesh(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptMesh(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPerforatedCrossField::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 0 ? "vtkUnstructuredGrid" : "vtkTable");
+  return FilterPorts::Produce(info, port == 0 ? "vtkUnstructuredGrid" : "vtkTable");
 }
 
 //------------------------------------------------------------------------------

@@ -167,7 +167,7 @@ void WriteFindings(const Findings& findings, vtkFieldData* data)
 void WriteSummary(const char* heading, const std::string& reason, bool isAlarm, vtkTable* table)
 {
   ViewText::Write(
-    names::Summary, std::string(heading) + "\n" + ViewText::InLines(reason), isAlarm, table);
+    names::Summary, std::string(heading) + "\n" + ViewText::WrapLines(reason), isAlarm, table);
 }
 }
 
@@ -181,14 +181,14 @@ vtkPoincareHopfCheck::vtkPoincareHopfCheck()
 //------------------------------------------------------------------------------
 int vtkPoincareHopfCheck::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkPoincareHopfCheck::FillOutputPortInformation(int port, vtkInformation* info)
 {
   const char* const types[4] = { "vtkDataSet", "vtkTable", "vtkPolyData", "vtkTable" };
-  return FilterPorts::Give(info, types[port]);
+  return FilterPorts::Produce(info, types[port]);
 }
 
 //------------------------------------------------------------------------------

@@ -43,13 +43,13 @@ vtkQuadMesher::vtkQuadMesher()
 //------------------------------------------------------------------------------
 int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkQuadMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info,
+  return FilterPorts::Produce(info,
     port == 0     ? "vtkUnstructuredGrid"
       : port == 1 ? "vtkMultiBlockDataSet"
                   : "vtkPolyData");

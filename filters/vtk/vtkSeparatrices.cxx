@@ -1,10 +1,10 @@
 #include "vtkSeparatrices.h"
 
-#include "FaceConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
 #include "MapConversion.h"
+#include "PatchConversion.h"
 #include "PlanarDomain.h"
 #include "Stopwatch.h"
 #include "TMeshConversion.h"
@@ -49,7 +49,7 @@ vtkSeparatrices::vtkSeparatrices()
 //------------------------------------------------------------------------------
 int vtkSeparatrices::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeMesh(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptMesh(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +73,7 @@ int vtkSeparatrices::RequestData(
       const crossfield::TMesh mesh = crossfield::MakeTMesh(map.map, graph);
       this->StageSeconds = stopwatch.Lap();
       TMeshConversion::WriteTraces(map, graph, places, longest, lines);
-      FaceConversion::WriteFaces(map, mesh, patches);
+      PatchConversion::WritePatches(map, mesh, patches);
       TMeshConversion::AddCounts(mesh, lines->GetFieldData());
       TMeshConversion::AddCounts(mesh, patches->GetFieldData());
     });

@@ -34,15 +34,15 @@ int vtkSingularityEnergy::FillInputPortInformation(int port, vtkInformation* inf
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-    return FilterPorts::TakePoints(info);
+    return FilterPorts::AcceptPoints(info);
   }
-  return port == 0 ? FilterPorts::TakeDomain(info) : FilterPorts::TakeOptionalPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkSingularityEnergy::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 0 ? "vtkTable" : "vtkPolyData");
+  return FilterPorts::Produce(info, port == 0 ? "vtkTable" : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------

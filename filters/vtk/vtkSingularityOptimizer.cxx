@@ -26,15 +26,15 @@ vtkSingularityOptimizer::vtkSingularityOptimizer()
 //------------------------------------------------------------------------------
 int vtkSingularityOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 1 ? FilterPorts::TakePoints(info)
-    : port == 0    ? FilterPorts::TakeDomain(info)
-                   : FilterPorts::TakeOptionalPoints(info);
+  return port == 1 ? FilterPorts::AcceptPoints(info)
+    : port == 0    ? FilterPorts::AcceptDomain(info)
+                   : FilterPorts::AcceptOptionalPoints(info);
 }
 
 //------------------------------------------------------------------------------
 int vtkSingularityOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  return FilterPorts::Give(info, port == 0 ? "vtkPolyData" : "vtkTable");
+  return FilterPorts::Produce(info, port == 0 ? "vtkPolyData" : "vtkTable");
 }
 
 //------------------------------------------------------------------------------

@@ -339,7 +339,8 @@ vtkDoubleArray* vtkSingularitySource::GetPlane()
 //------------------------------------------------------------------------------
 int vtkSingularitySource::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::TakeOptionalPoints(info) : FilterPorts::TakeOptionalDomain(info);
+  return port == 0 ? FilterPorts::AcceptOptionalPoints(info)
+                   : FilterPorts::AcceptOptionalDomain(info);
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,7 @@ def check_summary(view, designer):
     check_equal(len(found), 1, "texts in the view")
     drawn = found[0].GetClientSideObject().GetTextWidgetRepresentation().GetRepresentation().GetText()
     check_equal(" ".join(drawn.splitlines()), text(designer, "Summary"), "the text in the view")
-    check("shortest arc" in drawn and "least angle" in drawn, "the text has no quality: " + drawn)
+    check("quads in" in drawn and "minimum angle" in drawn, "the text has no quality: " + drawn)
     check_equal((list(found[0].Color), found[0].WindowLocation), ([0, 0, 0], "Lower Center"), "how it is drawn")
 
 

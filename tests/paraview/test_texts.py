@@ -84,7 +84,7 @@ def test_designer(domain, points):
     SetActiveSource(domain)
     designer = make("Layout Designer")
     text, colour = drawn("Lower Center")
-    check("shortest arc" in text and colour == BLACK, "the summary: %s %s" % (text, colour))
+    check("minimum angle" in text and colour == BLACK, "the summary: %s %s" % (text, colour))
     rows = gui.gui_rows()
     check(rows > 0, "no singularities are proposed")
     # A singularity outside, and back.
@@ -112,7 +112,7 @@ def test_designer(domain, points):
     Render()
     wait(400)
     text, colour = drawn("Lower Center")
-    check("shortest arc" in text and colour == BLACK, "the summary with a domain again: %s %s" % (text, colour))
+    check("minimum angle" in text and colour == BLACK, "the summary with a domain again: %s %s" % (text, colour))
     check_equal(gui.gui_rows(), rows, "rows of the table with a domain again")
 
 
@@ -131,7 +131,7 @@ def test_designer_of_no_domain(domain, points):
     wait(600)
     picture("a_domain_at_last.png", is_whole=False)
     text, colour = drawn("Lower Center")
-    check("shortest arc" in text and colour == BLACK, "the summary with a domain at last: %s %s" % (text, colour))
+    check("minimum angle" in text and colour == BLACK, "the summary with a domain at last: %s %s" % (text, colour))
 
 
 def say(test):

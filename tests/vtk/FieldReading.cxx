@@ -67,13 +67,13 @@ double FieldReading::Energy() const
 double FieldReading::PhaseEnergy(std::size_t triangle) const
 {
   const Sides u = this->At(this->triangles[triangle].cell);
-  // A linear function grows from corner to corner twice as much as between the midpoints of the
-  // other two sides.
+  // The difference of a linear function between two corners is twice that between the midpoints of
+  // the other two sides.
   return this->Dirichlet(triangle, 2.0 * std::arg(u[1] / u[2]), 2.0 * std::arg(u[1] / u[0]));
 }
 
 //------------------------------------------------------------------------------
-int FieldReading::Singular() const
+int FieldReading::CountSingular() const
 {
   std::vector<double> around(this->points.size(), 0.0);
   int count = 0;
@@ -101,7 +101,8 @@ int FieldReading::Singular() const
 //------------------------------------------------------------------------------
 double FieldReading::Degree(int row) const
 {
-  const std::vector<std::size_t> walk = this->Walk(3, row); // clockwise: the domain is on the left
+  const std::vector<std::size_t> walk =
+    this->OrderedLoop(3, row); // clockwise: the domain is on the left
   double angle = 0.0;
   for (std::size_t i = 0; i < walk.size(); ++i)
   {

@@ -7,39 +7,50 @@
 
 class vtkDataArray;
 
-/** A cross field as it is read back by somebody who has only the mesh and `CrossFieldCR`. */
+/** Cross field of a mesh, computed from `CrossFieldCR` only. */
 class FieldReading : public MeshReading
 {
 public:
   using Complex = std::complex<double>;
-  /** u at the midpoints of the sides of a triangle, or three times that of a line. */
+  /**
+   * Values of u at the midpoints of the sides of a triangle, or three times the value of a line.
+   */
   using Sides = std::array<Complex, 3>;
 
   explicit FieldReading(vtkUnstructuredGrid* mesh);
 
+  /** Returns the values of a cell. */
   Sides At(vtkIdType cell) const;
+
+  /** Returns the value of a line. */
   Complex OnLine(std::size_t line) const;
 
-  /** The linear function on a triangle with the given values at the midpoints, at its corners. */
+  /**
+   * Returns the values at the corners of a triangle of the linear function with the given values at
+   * the midpoints.
+   */
   Sides AtCorners(std::size_t triangle) const;
 
-  /** ½ ∫ |∇u|², triangle by triangle. */
+  /** Returns ½ ∫ |∇u|², summed over triangles. */
   double Energy() const;
 
-  /** ½ ∫ |∇φ|² over one triangle, φ the argument of u, of which no step exceeds half a turn. */
+  /**
+   * Returns ½ ∫ |∇φ|² over one triangle, where φ is the argument of u, whose steps are at most half
+   * a turn.
+   */
   double PhaseEnergy(std::size_t triangle) const;
 
-  /** Number of triangles and inner vertices around whose midpoints u turns. */
-  int Singular() const;
+  /** Returns the number of triangles and inner vertices around which u turns. */
+  int CountSingular() const;
 
-  /** Turns of u around a hole, counter-clockwise. */
+  /** Returns the number of turns of u around a hole, counter-clockwise. */
   double Degree(int row) const;
 
 private:
-  /** ½ ∫ |∇w|² of the linear function that grows by the given values from the first corner. */
+  /** Returns ½ ∫ |∇w|² of the linear function with the given differences from the first corner. */
   double Dirichlet(std::size_t triangle, Complex toSecond, Complex toThird) const;
 
-  vtkSmartPointer<vtkDataArray> Exact; // outlives the output of the filter
+  vtkSmartPointer<vtkDataArray> Exact; // may outlive the output of the filter
 };
 
 #endif

@@ -58,7 +58,10 @@ public:
 const testing::Environment* const strictOutput =
   testing::AddGlobalTestEnvironment(new StrictOutput);
 
-/** VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n". */
+/**
+ * Returns the sentence of a message in VTK's format "ERROR: In FILE, line N\nvtkClass (0x…):
+ * sentence\n\n".
+ */
 std::string Sentence(std::string text)
 {
   const auto begin = text.find("): ");
@@ -67,12 +70,12 @@ std::string Sentence(std::string text)
   return text;
 }
 
-void KeepMessage(vtkObject*, unsigned long, void* list, void* text)
+void StoreMessage(vtkObject*, unsigned long, void* list, void* text)
 {
   static_cast<std::vector<std::string>*>(list)->push_back(Sentence(static_cast<const char*>(text)));
 }
 
-void DropMessage(vtkObject*, unsigned long, void*, void*) {}
+void IgnoreMessage(vtkObject*, unsigned long, void*, void*) {}
 
 template <class Value>
 void Append(std::string& bytes, const Value& value)
@@ -119,7 +122,7 @@ bool HasNoValues(vtkFieldData* data)
   return true;
 }
 
-/** Watches the progress of a run, and aborts it at the given event. */
+/** Records the progress of a run, and aborts it at the given event. */
 class ProgressWatch
 {
 public:
@@ -132,7 +135,7 @@ public:
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(this);
     command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-      { static_cast<ProgressWatch*>(self)->Notice(); });
+      { static_cast<ProgressWatch*>(self)->OnProgress(); });
     this->Tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
   }
   ~ProgressWatch() { this->Filter->RemoveObserver(this->Tag); }
@@ -142,7 +145,7 @@ public:
   std::vector<double> fractions;
 
 private:
-  void Notice()
+  void OnProgress()
   {
     if (static_cast<int>(this->fractions.size()) == this->AbortAt)
     {
@@ -170,10 +173,10 @@ MessageRecorder::MessageRecorder(vtkAlgorithm* algorithm)
     command->SetClientData(list);
     this->Observations.push_back({ object, object->AddObserver(event, command) });
   };
-  observe(algorithm, vtkCommand::ErrorEvent, KeepMessage, &this->errors);
-  observe(algorithm, vtkCommand::WarningEvent, KeepMessage, &this->warnings);
-  // The executive repeats that the algorithm failed.
-  observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent, DropMessage, nullptr);
+  observe(algorithm, vtkCommand::ErrorEvent, StoreMessage, &this->errors);
+  observe(algorithm, vtkCommand::WarningEvent, StoreMessage, &this->warnings);
+  // The executive reports the failure of the algorithm a second time.
+  observe(algorithm->GetExecutive(), vtkCommand::ErrorEvent, IgnoreMessage, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -262,7 +265,7 @@ void UpdateWithoutError(vtkAlgorithm* filter)
 //------------------------------------------------------------------------------
 void CheckInputUntouched(vtkAlgorithm* filter)
 {
-  // A port that is optional may have no input.
+  // Optional ports may have no input.
   const auto fingerprint = [filter](int port)
   {
     return filter->GetNumberOfInputConnections(port) == 0
@@ -274,7 +277,7 @@ void CheckInputUntouched(vtkAlgorithm* filter)
   {
     before.push_back(fingerprint(port));
   }
-  ASSERT_FALSE(before.empty()) << "a source has no input to touch";
+  ASSERT_FALSE(before.empty()) << "a source has no input";
   filter->Modified();
   UpdateWithoutError(filter);
   for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
@@ -297,7 +300,7 @@ void CheckRunTwice(
     outputs.push_back(Fingerprint(filter->GetOutputDataObject(0)));
   }
   EXPECT_FALSE(outputs[0] == outputs[1]) << "both inputs give the same output";
-  EXPECT_TRUE(outputs[0] == outputs[2]) << filter->GetClassName() << " remembers an earlier run";
+  EXPECT_TRUE(outputs[0] == outputs[2]) << filter->GetClassName() << " depends on an earlier run";
 }
 
 //------------------------------------------------------------------------------
@@ -315,7 +318,7 @@ void CheckEmptyInput(vtkAlgorithm* filter)
 }
 
 //------------------------------------------------------------------------------
-void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
+void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsInBetween)
 {
   std::vector<double> fractions;
   std::string full;
@@ -329,18 +332,18 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
-  const auto onTheWay = std::count_if(fractions.begin(), fractions.end(),
+  const auto inBetween = std::count_if(fractions.begin(), fractions.end(),
     [](double fraction) { return fraction > 0.0 && fraction < 1.0; });
-  EXPECT_TRUE(onTheWay > 0 || !reportsOnTheWay);
+  EXPECT_TRUE(inBetween > 0 || !reportsInBetween);
 
-  // Of many reports about fifty, from the first to the last: each costs a run as far as to there.
+  // Aborts at about fifty events at most, since every abort costs a partial run.
   const int reports = static_cast<int>(fractions.size()) - 1;
   const int step = 1 + reports / 50;
   for (int i = (reports - 1) % step; i < reports; i += step)
   {
     MessageRecorder messages(filter);
     ProgressWatch watch(filter, i);
-    filter->SetAbortExecute(0); // since VTK 9.2 the wish stands until it is taken back
+    filter->SetAbortExecute(0); // since VTK 9.2 the flag is not reset by a run
     filter->Modified();
     filter->Update();
     EXPECT_TRUE(messages.errors.empty()) << messages.errors.front();
@@ -353,7 +356,7 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay)
   filter->Modified();
   UpdateWithoutError(filter);
   EXPECT_TRUE(Fingerprint(filter->GetOutputDataObject(0)) == full)
-    << "an aborted run spoils the next one";
+    << "an aborted run changes the next one";
 }
 
 //------------------------------------------------------------------------------
@@ -361,14 +364,14 @@ unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>&
 {
   MessageRecorder messages(filter);
   filter->Modified();
-  // The check goes on after a failure, for the sake of its text in a view.
+  // vtkPoincareHopfCheck returns 1 after a failure, so that a view shows its text.
   EXPECT_EQ(filter->GetExecutive()->Update(), filter->IsA("vtkPoincareHopfCheck") ? 1 : 0);
   EXPECT_EQ(messages.errors.size(), 1u);
   const std::string sentence = messages.errors.empty() ? "" : messages.errors.front();
   for (const std::string& part : parts)
   {
     EXPECT_NE(sentence.find(part), std::string::npos)
-      << "'" << sentence << "' does not say '" << part << "'";
+      << "'" << sentence << "' does not contain '" << part << "'";
   }
   EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
   EXPECT_TRUE(!sentence.empty() && sentence.back() == '.') << sentence;

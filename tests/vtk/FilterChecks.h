@@ -16,13 +16,15 @@ class vtkFieldData;
 class vtkObject;
 
 /**
- * What every filter of the module promises, as checks that the tests of the classes share. Besides,
- * linking this file makes any error or warning that VTK prints during a test a failure of that
- * test: expected ones are recorded, not printed.
+ * Checks of the conventions of every filter, shared by the tests of the classes. Linking this file
+ * also makes every error or warning that VTK prints during a test a failure. Expected messages are
+ * recorded instead of printed.
  */
 namespace FilterChecks
 {
-/** Records the errors and warnings of an algorithm, instead of printing them, while it lives. */
+/**
+ * Records the errors and warnings of an algorithm, instead of printing them, during its lifetime.
+ */
 class MessageRecorder
 {
 public:
@@ -31,8 +33,8 @@ public:
   MessageRecorder(const MessageRecorder&) = delete;
   MessageRecorder& operator=(const MessageRecorder&) = delete;
 
-  std::vector<std::string> errors;   ///< Of the algorithm itself, the sentences only.
-  std::vector<std::string> warnings; ///< Likewise.
+  std::vector<std::string> errors;   ///< Messages of the algorithm itself, without VTK's prefix.
+  std::vector<std::string> warnings; ///< Warnings, without VTK's prefix.
 
 private:
   struct Observation
@@ -43,51 +45,59 @@ private:
   std::vector<Observation> Observations;
 };
 
-/** Points, cells and every array of a data set or table, bit for bit, with types and names. */
+/** Returns the points, cells and arrays of a data set or table, with types and names, as bytes. */
 std::string Fingerprint(vtkDataObject* data);
 
-/** The data set that the algorithm gives on port 0. */
+/** Returns the data set on output port 0. */
 vtkDataSet* Output(vtkAlgorithm* filter);
 
-/** The array of that name; throws, which ends the test, if there is none. */
+/** Returns the array of that name. Throws, which ends the test, if there is none. */
 vtkDataArray* RequireArray(vtkFieldData* data, const char* name);
 
-/** Whether a data set has no points, no cells and no values in point and cell arrays; or a table no rows. */
+/**
+ * Returns whether a data set has no points, no cells and no values in point and cell arrays, or a
+ * table no rows.
+ */
 bool IsEmpty(vtkDataObject* data);
 
-/** Updates the filter and expects no message, no error code and some output. */
+/** Updates the filter and expects no message, no error code and a non-empty output. */
 void UpdateWithoutError(vtkAlgorithm* filter);
 
-/** A run leaves the data on all input ports as they were. */
+/** Expects that a run does not change the data on any input port. */
 void CheckInputUntouched(vtkAlgorithm* filter);
 
 /**
- * Sets A, B and A again, which must give different outputs, and expects the third output to be the
- * first one bit for bit: nothing of a run stays in the filter.
+ * Runs the filter with A, B and A again. Expects different outputs of A and B and equal outputs, as
+ * bytes, of both runs with A: the filter keeps no state of a run.
  */
 void CheckRunTwice(
   vtkAlgorithm* filter, const std::function<void()>& setA, const std::function<void()>& setB);
 
-/** Replaces the input of port 0 by an empty one of its class; the output is empty, no error. */
+/**
+ * Replaces the input of port 0 by an empty one of its class. Expects an empty output and no error.
+ */
 void CheckEmptyInput(vtkAlgorithm* filter);
 
 /**
- * Progress never falls, reaches 1, and is reported on the way if `reportsOnTheWay`. A run that is
- * aborted at any progress event before the last gives an empty output and no error, and does not
- * spoil the next run.
+ * Expects that progress never decreases, reaches 1, and is reported in between if
+ * `reportsInBetween`. Expects that a run aborted at any progress event before the last has an empty
+ * output and no error, and does not affect the next run.
  */
-void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsOnTheWay = true);
+void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsInBetween = true);
 
 /**
- * Updates the filter and expects that it reports one error: a single sentence with all the parts,
- * an error code and an empty output. Returns the error code.
+ * Updates the filter and expects one error: a single sentence that contains all the parts, an error
+ * code and an empty output. Returns the error code.
  */
 unsigned long CaptureError(vtkAlgorithm* filter, const std::vector<std::string>& parts);
 
-/** The text in the only column of a table for a view, with its lines made one, and whether it is an alarm; no line is long. */
+/**
+ * Returns the text in the only column of a table for a view, with its lines joined, and whether it
+ * is an alarm. Expects lines of at most 60 characters.
+ */
 std::pair<std::string, bool> TextForView(vtkAlgorithm* filter, int port, const char* name);
 
-/** PrintSelf names every one of the parameters. */
+/** Expects that PrintSelf prints every one of the parameters. */
 void CheckPrintSelf(vtkObject* object, const std::vector<std::string>& parameters);
 }
 

@@ -64,7 +64,7 @@ double MeshReading::Area() const
 }
 
 //------------------------------------------------------------------------------
-double MeshReading::SmallestAngle() const
+double MeshReading::MinimumAngle() const
 {
   double smallest = 180.0;
   for (const Triangle& triangle : this->triangles)
@@ -81,7 +81,7 @@ double MeshReading::SmallestAngle() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> MeshReading::Walk(int kind, int id) const
+std::vector<std::size_t> MeshReading::OrderedLoop(int kind, int id) const
 {
   std::map<vtkIdType, std::size_t> outgoing;
   for (std::size_t i = 0; i < this->lines.size(); ++i)

@@ -10,7 +10,7 @@
 
 class vtkUnstructuredGrid;
 
-/** A drilled mesh as the tests see it: read from the output's cells and arrays by the contract. */
+/** Drilled mesh, read from the cells and arrays of an output by their documentation. */
 class MeshReading
 {
 public:
@@ -18,7 +18,7 @@ public:
   {
     vtkIdType cell;
     std::array<vtkIdType, 3> points;
-    double area; ///< Positive when counter-clockwise.
+    double area; ///< Positive if counter-clockwise.
   };
   struct Line
   {
@@ -30,25 +30,26 @@ public:
   };
   using Place = std::complex<double>;
 
-  /** Every cell must be a triangle or a line; anything else fails the test. */
+  /** Reads the mesh. Expects every cell to be a triangle or a line. */
   explicit MeshReading(vtkUnstructuredGrid* mesh);
 
   std::vector<Place> points;
   std::vector<Triangle> triangles;
   std::vector<Line> lines;
-  /** Directed sides of all triangles: the triangle and the number of the side, from its point. */
+  /** Directed sides of all triangles: the triangle and the number of the side. */
   std::map<std::array<vtkIdType, 2>, std::array<std::size_t, 2>> sides;
 
+  /** Returns the sum of the signed areas of all triangles. */
   double Area() const;
 
-  /** Smallest angle of all triangles in degrees. */
-  double SmallestAngle() const;
+  /** Returns the minimum angle of all triangles in degrees. */
+  double MinimumAngle() const;
 
   /**
-   * The lines of one kind and id in the order in which they follow each other, as numbers in
-   * `lines`. Fails the test unless they form one closed loop.
+   * Returns the lines of one kind and id in their order along the boundary, as indices in `lines`.
+   * Expects them to form one closed loop.
    */
-  std::vector<std::size_t> Walk(int kind, int id) const;
+  std::vector<std::size_t> OrderedLoop(int kind, int id) const;
 };
 
 #endif

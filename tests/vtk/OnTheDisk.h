@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-/** A filter of a domain and singularities, with the defaults of their sources: four on the unit disk. */
+/** Test of a filter with four singularities on the unit disk, the defaults of the sources. */
 template <class Algorithm>
 class OnTheDisk : public testing::Test
 {

@@ -9,11 +9,11 @@
 
 #include <gtest/gtest.h>
 
-/** What the files of tests of vtkPerforatedCrossField share. */
+/** Fixture of the tests of vtkPerforatedCrossField. */
 class PerforatedCrossField : public SolverTest<vtkPerforatedCrossField>
 {
 public:
-  /** By the constrained method, whose field may well have unwanted singularities. */
+  /** Solves by the constrained method, whose field may have unwanted singularities. */
   vtkUnstructuredGrid* SolveConstrained(vtkUnstructuredGrid* mesh)
   {
     this->Filter->SetMethodToConstrained();

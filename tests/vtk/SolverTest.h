@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-/** What the tests of the filters that solve for a field share. */
+/** Fixture of the tests of filters that solve for a field. */
 template <class Solver>
 class SolverTest : public testing::Test
 {

@@ -36,7 +36,7 @@ public:
   {
     return this->Filter->GetOutput()->GetPointData()->GetArray(name)->GetTuple1(point);
   }
-  /** The corner at a place; fails the test when there is none. */
+  /** Returns the corner at a position. Expects that there is one. */
   vtkIdType CornerAt(double x, double y)
   {
     vtkPolyData* corners = this->Filter->GetOutput();
@@ -62,7 +62,7 @@ public:
 };
 }
 
-TEST_F(BoundaryCornerClassifier, KeepsTheRulesOfAFilter)
+TEST_F(BoundaryCornerClassifier, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Source->SetDomainName("star"); },
@@ -74,7 +74,7 @@ TEST_F(BoundaryCornerClassifier, KeepsTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(BoundaryCornerClassifier, LShape)
+TEST_F(BoundaryCornerClassifier, LShapeIsBalanced)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   ASSERT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 6);
@@ -127,9 +127,9 @@ TEST_F(BoundaryCornerClassifier, FlatAnglesAreCancellable)
   EXPECT_EQ(scenario->GetValue(0), "balanced");
 }
 
-TEST_F(BoundaryCornerClassifier, TiesAreNamed)
+TEST_F(BoundaryCornerClassifier, TiesAreReported)
 {
-  // Four of the five corners of equal angle that a heptagon cannot all give a quarter to.
+  // The heptagon has seven equal corners, of which any four can have index 1.
   this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Circle(7, 1.0) }));
   FilterChecks::UpdateWithoutError(this->Filter);
   double sum = 0.0;
@@ -141,7 +141,7 @@ TEST_F(BoundaryCornerClassifier, TiesAreNamed)
   EXPECT_EQ(sum, 4.0);
 }
 
-TEST_F(BoundaryCornerClassifier, Overrides)
+TEST_F(BoundaryCornerClassifier, OverridesReplaceIndices)
 {
   this->Filter->AddOverride(0.1, -0.1, 0); // nearest to the origin
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -163,7 +163,7 @@ TEST_F(BoundaryCornerClassifier, Overrides)
   EXPECT_EQ(this->Value("QuarterIndex", this->CornerAt(1.0, 1.0)), -1.0);
 }
 
-TEST_F(BoundaryCornerClassifier, SplittingHalves)
+TEST_F(BoundaryCornerClassifier, SplitHalvesAddsInteriorSingularities)
 {
   this->Filter->SetInputData(TestInputs::Loops({ { { 0.0, 0.0 }, { 4.0, 0.0 }, { 4.0, 1.0 } } }));
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -179,7 +179,7 @@ TEST_F(BoundaryCornerClassifier, SplittingHalves)
   EXPECT_TRUE(place[0] > 0.0 && place[0] < 2.0 && place[1] > 0.0 && place[1] < place[0] / 4.0);
 }
 
-TEST_F(BoundaryCornerClassifier, TheDomainMayLieInAnyPlaneAndBeAMesh)
+TEST_F(BoundaryCornerClassifier, AcceptsMeshesAndAnyPlane)
 {
   this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0, 0 }, { 3, 1 }) }, 7.0));
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -191,10 +191,10 @@ TEST_F(BoundaryCornerClassifier, TheDomainMayLieInAnyPlaneAndBeAMesh)
   EXPECT_EQ(this->Field("InteriorQuarters"), 0.0);
 }
 
-TEST_F(BoundaryCornerClassifier, CornerAngle)
+TEST_F(BoundaryCornerClassifier, CornerAngleSeparatesCornersFromCurves)
 {
   this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Circle(16, 1.0) }));
-  this->Filter->Update(); // 22.5°: a curve, and no corner is no error
+  this->Filter->Update(); // turns of 22.5°: a curve without corners, which is not an error
   EXPECT_EQ(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(this->Field("InteriorQuarters"), 4.0);
@@ -205,9 +205,9 @@ TEST_F(BoundaryCornerClassifier, CornerAngle)
   EXPECT_EQ(this->Filter->GetCornerAngle(), 45.0);
 }
 
-TEST_F(BoundaryCornerClassifier, Refusals)
+TEST_F(BoundaryCornerClassifier, RejectsInvalidInput)
 {
-  const auto refuse = [this](const std::vector<std::string>& parts)
+  const auto expectError = [this](const std::vector<std::string>& parts)
   {
     EXPECT_EQ(FilterChecks::CaptureError(this->Filter, parts), vtkErrorCode::UserError);
     EXPECT_EQ(this->Scenarios()->GetNumberOfRows(), 0);
@@ -215,22 +215,22 @@ TEST_F(BoundaryCornerClassifier, Refusals)
   for (const double bad : { 0.5, std::numeric_limits<double>::quiet_NaN() })
   {
     this->Filter->AddOverride(0.0, 0.0, bad);
-    refuse({ "not an integer" });
+    expectError({ "not an integer" });
     this->Filter->RemoveAllOverrides();
   }
   this->Filter->AddPointOverride(6, 1);
-  refuse({ "point 6", "below 6" });
+  expectError({ "point 6", "below 6" });
   this->Filter->SetPointOverride(0, -1, 1);
-  refuse({ "no such point" });
+  expectError({ "no such point" });
   this->Filter->RemoveAllPointOverrides();
 
   this->Source->SetDomainName("disk");
   this->Filter->AddOverride(0.0, 0.0, 1);
-  refuse({ "no corners" });
+  expectError({ "no corners" });
   this->Filter->RemoveAllOverrides();
 
   this->Filter->SetInputData(TestInputs::OpenCurve({ { 0, 0 }, { 1, 0 }, { 1, 1 } }));
-  refuse({ "open curve" });
+  expectError({ "open curve" });
   this->Filter->SetInputConnection(this->Source->GetOutputPort());
   this->Source->SetDomainName("square");
   FilterChecks::UpdateWithoutError(this->Filter);

@@ -27,7 +27,10 @@ namespace
 {
 constexpr int Count = 40000;
 
-/** A circle of radius 1 in the plane x = 3 with its angle as a point array, and a point that no line uses. */
+/**
+ * Creates a circle of radius 1 in the plane x = 3 with its angle as a point array, and a point that
+ * no line uses.
+ */
 void FillCircle(vtkPolyData* circle)
 {
   vtkNew<vtkPoints> points;
@@ -61,7 +64,7 @@ TEST(BoundarySimplifier, ThinsInThePlaneOfTheDomainAndKeepsArrays)
   FillCircle(circle);
   vtkNew<vtkBoundarySimplifier> filter;
   filter->SetInputData(circle);
-  filter->SetMeshSize(1.0); // 0.02 of 1/40 of the diagonal is what counts
+  filter->SetMeshSize(1.0); // 0.02 of 1/40 of the diagonal is smaller
   FilterChecks::UpdateWithoutError(filter);
   auto* thin = vtkPolyData::SafeDownCast(filter->GetOutput());
   const double length = 0.02 * std::sqrt(8.0) / 40.0;
@@ -74,17 +77,17 @@ TEST(BoundarySimplifier, ThinsInThePlaneOfTheDomainAndKeepsArrays)
   EXPECT_GT(Value(thin, "BoundaryMoved"), 0.0);
   EXPECT_LE(Value(thin, "BoundaryMoved"), length * length / 8.0 * 1.001);
   vtkDataArray* angles = thin->GetPointData()->GetArray("Angle");
-  double farthest = 0.0; // from the place that the array tells
+  double farthest = 0.0; // distance from the position given by the array
   for (vtkIdType i = 0; i < count; ++i)
   {
     const double angle = angles->GetTuple1(i);
-    const double place[3] = { 3.0, std::cos(angle), std::sin(angle) };
-    farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(thin->GetPoint(i), place));
+    const double position[3] = { 3.0, std::cos(angle), std::sin(angle) };
+    farthest = std::max(farthest, vtkMath::Distance2BetweenPoints(thin->GetPoint(i), position));
   }
-  EXPECT_LE(std::sqrt(farthest), 1.001 * vtkMath::Pi() / Count); // half a side
+  EXPECT_LE(std::sqrt(farthest), 1.001 * vtkMath::Pi() / Count); // half a segment
 }
 
-TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
+TEST(BoundarySimplifier, SupportsGridsAndFixedPoints)
 {
   vtkNew<vtkPolyData> circle;
   FillCircle(circle);
@@ -92,10 +95,10 @@ TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
   grid->SetPoints(circle->GetPoints());
   grid->SetCells(VTK_POLY_LINE, circle->GetLines());
   vtkNew<vtkPolyData> kept;
-  vtkNew<vtkPoints> place;
-  place->SetDataTypeToDouble();
-  place->InsertNextPoint(circle->GetPoint(17));
-  kept->SetPoints(place);
+  vtkNew<vtkPoints> position;
+  position->SetDataTypeToDouble();
+  position->InsertNextPoint(circle->GetPoint(17));
+  kept->SetPoints(position);
   vtkNew<vtkBoundarySimplifier> filter;
   filter->SetInputData(0, grid);
   filter->SetInputData(1, kept);
@@ -109,7 +112,7 @@ TEST(BoundarySimplifier, GivesGridsAndKeepsPoints)
     vtkMath::Distance2BetweenPoints(thin->GetPoint(nearest), circle->GetPoint(17)), 0.0, 1e-20);
 }
 
-TEST(BoundarySimplifier, WhatItSaysIsOfItself)
+TEST(BoundarySimplifier, RemovesFieldDataOfEarlierRuns)
 {
   vtkNew<vtkPlanarDomainSource> source;
   source->SetDomainName("star");
@@ -119,7 +122,7 @@ TEST(BoundarySimplifier, WhatItSaysIsOfItself)
   const std::array<const char*, 3> arrays = { "BoundaryMoved", "BoundaryPoints", "Other" };
   for (const char* name : arrays)
   {
-    vtkNew<vtkDoubleArray> values; // as of a file that the filter wrote
+    vtkNew<vtkDoubleArray> values; // as in a file with an earlier output
     values->SetName(name);
     values->InsertNextValue(1.0);
     values->InsertNextValue(1.0);
@@ -128,10 +131,10 @@ TEST(BoundarySimplifier, WhatItSaysIsOfItself)
   vtkNew<vtkBoundarySimplifier> filter;
   filter->SetInputData(star);
   FilterChecks::UpdateWithoutError(filter);
-  vtkFieldData* said = filter->GetOutput()->GetFieldData();
-  EXPECT_EQ(said->GetAbstractArray("BoundaryMoved"), nullptr);
-  EXPECT_EQ(said->GetAbstractArray("BoundaryPoints"), nullptr);
-  EXPECT_NE(said->GetAbstractArray("Other"), nullptr);
+  vtkFieldData* data = filter->GetOutput()->GetFieldData();
+  EXPECT_EQ(data->GetAbstractArray("BoundaryMoved"), nullptr);
+  EXPECT_EQ(data->GetAbstractArray("BoundaryPoints"), nullptr);
+  EXPECT_NE(data->GetAbstractArray("Other"), nullptr);
   EXPECT_EQ(star->GetFieldData()->GetNumberOfArrays(), 3);
 }
 
@@ -161,7 +164,7 @@ TEST(BoundarySimplifier, DistancesOfThinningAndSmoothingAddUp)
   EXPECT_DOUBLE_EQ(moved(0.1, 0.5, domain), first + second);
 }
 
-TEST(BoundarySimplifier, PassesOnWhatHasNoDetailAndDrilledMeshes)
+TEST(BoundarySimplifier, PassesThroughDomainsWithoutDetailAndDrilledMeshes)
 {
   vtkNew<vtkPlanarDomainSource> source;
   source->SetDomainName("star");

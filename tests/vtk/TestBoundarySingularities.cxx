@@ -18,14 +18,15 @@
 #include <cmath>
 #include <set>
 
-// Singularities on the boundary, which check, drill, solve and H take in the same way.
+// Singularities on the boundary in vtkPoincareHopfCheck, vtkDrillHoles, vtkPerforatedCrossField and
+// vtkHField.
 namespace
 {
 using TestInputs::Row;
 
 constexpr int Sides = 48;
 
-/** The first on the boundary: at a vertex, or in the middle of a side. */
+/** Returns four rows, the first one on the boundary at a vertex or in the middle of a side. */
 std::vector<Row> Rows(bool atVertex)
 {
   const double half = std::acos(-1.0) / Sides;
@@ -60,7 +61,7 @@ TEST_P(BoundarySingularities, CountAtTheBoundary)
   EXPECT_EQ(Value(check, "GivenInteriorQuarters"), 3.0);
 }
 
-TEST_P(BoundarySingularities, GetAVertexAndNoHole)
+TEST_P(BoundarySingularities, HaveAVertexAndNoHole)
 {
   vtkNew<vtkDrillHoles> drill;
   drill->SetInputData(this->Domain);
@@ -80,7 +81,7 @@ TEST_P(BoundarySingularities, GetAVertexAndNoHole)
   ASSERT_NE(record, nullptr);
   ASSERT_EQ(record->GetNumberOfTuples(), 1);
   EXPECT_EQ(record->GetComponent(0, 3), 1.0);
-  // The vertex itself, as on a side there was none.
+  // The mesh has a vertex at the singularity, also in the middle of a side.
   double nearest = 1.0;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -106,8 +107,8 @@ TEST_P(BoundarySingularities, GetAVertexAndNoHole)
 
 TEST_P(BoundarySingularities, HaveTheSameFieldAsH)
 {
-  // The phases of the unit-norm field around small holes and of the field of points: the energy of the
-  // former is the coefficient of the logarithm times log(1/ρ) plus W, up to terms that vanish with ρ.
+  // The energy of the unit-norm field with small holes is the coefficient of the logarithm times
+  // log(1/ρ) plus W of the field of points, up to terms that vanish with ρ.
   vtkNew<vtkHField> points;
   points->SetInputData(this->Domain);
   points->SetSingularitiesData(this->Points);
@@ -132,11 +133,12 @@ TEST_P(BoundarySingularities, HaveTheSameFieldAsH)
     EXPECT_GT(energy, finite);
     if (before != 0.0)
     {
-      // Three inside: 3π log 2 more. What the mesh leaves out at the boundary is the same in both.
+      // Three interior singularities add 3π log 2. The contribution at the boundary is the same for
+      // both radii.
       EXPECT_NEAR(energy - before, 3.0 * std::acos(-1.0) * std::log(2.0), 0.05 * (energy - before));
     }
     before = energy;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnASideOrAtAVertex, BoundarySingularities, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(MidSideOrVertex, BoundarySingularities, testing::Bool());

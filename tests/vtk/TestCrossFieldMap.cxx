@@ -23,7 +23,7 @@ namespace
 using CrossFieldMap = OnTheDisk<vtkCrossFieldMap>;
 }
 
-TEST_F(CrossFieldMap, KeepsTheRulesOfAFilter)
+TEST_F(CrossFieldMap, FollowsFilterConventions)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   FilterChecks::CheckInputUntouched(this->Filter);
@@ -73,7 +73,7 @@ TEST_F(CrossFieldMap, HasTheAreaOfTheDomainAndIsCutAtSingularities)
   double sum = 0.0;
   for (vtkIdType i = 0; i < quarters->GetNumberOfTuples(); ++i)
   {
-    sum += quarters->GetTuple1(i); // the ends of seams have one copy
+    sum += quarters->GetTuple1(i); // points at the ends of seams are not duplicated
   }
   EXPECT_EQ(sum, 4.0);
 }

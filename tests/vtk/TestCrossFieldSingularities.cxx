@@ -25,7 +25,7 @@ namespace
 using TestInputs::Circle;
 using TestInputs::Rectangle;
 
-/** The Ginzburg-Landau field on a domain without holes, in the plane z = const. */
+/** Returns the Ginzburg-Landau field on a domain without holes, in the plane z = const. */
 vtkSmartPointer<vtkUnstructuredGrid> FieldOn(
   const std::vector<TestInputs::Curve>& curves, double meshSize, double z = 0.0)
 {
@@ -42,13 +42,13 @@ public:
   {
     this->Filter->SetInputData(field);
     const FilterChecks::MessageRecorder messages(this->Filter);
-    this->Filter->Update(); // a field without singularities gives no points
+    this->Filter->Update(); // the output may be empty
     EXPECT_TRUE(messages.errors.empty() && messages.warnings.empty());
     EXPECT_EQ(this->Filter->GetErrorCode(), vtkErrorCode::NoError);
     return this->Filter->GetOutput();
   }
 
-  /** The value of a point array of the output. */
+  /** Returns a value of a point array of the output. */
   double At(const char* name, vtkIdType point)
   {
     return FilterChecks::RequireArray(this->Filter->GetOutput()->GetPointData(), name)
@@ -65,7 +65,7 @@ TEST_F(CrossFieldSingularities, Defaults)
   EXPECT_EQ(this->Filter->GetCornerAngle(), 30.0);
 }
 
-TEST_F(CrossFieldSingularities, KeepsThePromisesOfEveryFilter)
+TEST_F(CrossFieldSingularities, FollowsFilterConventions)
 {
   const auto disk = FieldOn({ Circle(42, 1.0) }, 0.15);
   const auto larger = FieldOn({ Circle(42, 1.1) }, 0.15);
@@ -78,7 +78,7 @@ TEST_F(CrossFieldSingularities, KeepsThePromisesOfEveryFilter)
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(CrossFieldSingularities, FourInADisk)
+TEST_F(CrossFieldSingularities, FindsFourInADisk)
 {
   vtkPolyData* output = this->Read(FieldOn({ Circle(42, 1.0) }, 0.15, 2.5));
   ASSERT_EQ(output->GetNumberOfPoints(), 4);
@@ -96,7 +96,7 @@ TEST_F(CrossFieldSingularities, FourInADisk)
   }
 }
 
-TEST_F(CrossFieldSingularities, WhatIsFoundCanBeDrilled)
+TEST_F(CrossFieldSingularities, OutputCanBeDrilled)
 {
   const auto domain = TestInputs::Loops({ Circle(42, 1.0) });
   vtkNew<vtkPolyData> found;
@@ -110,7 +110,7 @@ TEST_F(CrossFieldSingularities, WhatIsFoundCanBeDrilled)
   FilterChecks::UpdateWithoutError(solver);
   EXPECT_EQ(this->Read(solver->GetOutput())->GetNumberOfPoints(), 0);
 
-  // The singularities are in the holes, and shown on demand.
+  // The singularities are in the holes and are included on request.
   this->Filter->IncludeHolesOn();
   vtkPolyData* holes = this->Read(solver->GetOutput());
   ASSERT_EQ(holes->GetNumberOfPoints(), 4);
@@ -118,7 +118,8 @@ TEST_F(CrossFieldSingularities, WhatIsFoundCanBeDrilled)
   {
     EXPECT_EQ(this->At("QuarterIndex", i), 1.0);
     EXPECT_EQ(this->At("BoundaryKind", i), 3.0);
-    // None was given: a third of the way to the boundary, a polygon of 42 sides.
+    // Without given radii a hole has a third of the distance to the boundary, a polygon of 42
+    // sides.
     const double way = 1.0 - std::hypot(holes->GetPoint(i)[0], holes->GetPoint(i)[1]);
     EXPECT_LE(this->At("Radius", i), way / 3.0 + 1e-9);
     EXPECT_GE(this->At("Radius", i), (way - 0.003) / 3.0);
@@ -128,7 +129,7 @@ TEST_F(CrossFieldSingularities, WhatIsFoundCanBeDrilled)
   }
 }
 
-TEST_F(CrossFieldSingularities, CornersOnDemand)
+TEST_F(CrossFieldSingularities, IncludesCornersOnRequest)
 {
   const auto field = FieldOn({ Rectangle({ 0.0, 0.0 }, { 2.0, 1.0 }) }, 0.2);
   EXPECT_EQ(this->Read(field)->GetNumberOfPoints(), 0);
@@ -142,7 +143,7 @@ TEST_F(CrossFieldSingularities, CornersOnDemand)
   }
 }
 
-TEST_F(CrossFieldSingularities, RefusesWhatIsNoField)
+TEST_F(CrossFieldSingularities, RejectsInputWithoutField)
 {
   const auto field = FieldOn({ Circle(42, 1.0) }, 0.15);
   vtkNew<vtkUnstructuredGrid> spoiled;

@@ -34,11 +34,11 @@ double Length(const Vector& v)
   return std::hypot(v[0], v[1], v[2]);
 }
 
-/** A line of the output. */
+/** Line of the output. */
 struct Stroke
 {
   Vector middle;
-  Vector along; ///< From end to end.
+  Vector along; ///< Difference of the end points.
   double norm;
 };
 
@@ -47,9 +47,9 @@ class CrossGlyphs : public testing::Test
 public:
   void SetUp() override
   {
-    // Away from z = 0, which the crosses must follow.
+    // The plane z = 2.5 shows whether the crosses are in the plane of the field.
     vtkNew<vtkPerforatedCrossField> solver;
-    solver->SetMethodToConstrained(); // for norms that differ
+    solver->SetMethodToConstrained(); // its norms vary
     solver->SetInputData(TestInputs::Drill(
       TestInputs::Loops({ TestInputs::Circle(64, 1.0) }, 2.5), TestInputs::FourOnDisk(), 0.15));
     FilterChecks::UpdateWithoutError(solver);
@@ -116,7 +116,7 @@ public:
       smallest = std::min(smallest,
         (to[0] - from[0]) * (place[1] - from[1]) - (to[1] - from[1]) * (place[0] - from[0]));
     }
-    return smallest >= 0.0; // on the left of all three sides
+    return smallest >= 0.0; // to the left of all three sides
   }
 
   Vector Value(const char* name, vtkIdType cell)
@@ -131,7 +131,7 @@ public:
 };
 }
 
-TEST_F(CrossGlyphs, KeepsTheRulesOfAFilter)
+TEST_F(CrossGlyphs, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Glyphs, [this] { this->Glyphs->SetInputData(this->Field); },
@@ -168,7 +168,7 @@ TEST_F(CrossGlyphs, OneCrossPerTriangleByDefault)
   }
 }
 
-TEST_F(CrossGlyphs, ScaleAndNormSetTheLength)
+TEST_F(CrossGlyphs, LengthDependsOnScaleAndNorm)
 {
   const std::vector<Stroke> plain = this->Strokes();
   this->Glyphs->SetScale(0.2);
@@ -187,7 +187,7 @@ TEST_F(CrossGlyphs, ScaleAndNormSetTheLength)
   EXPECT_LT(least, 0.9 * largest) << "norms that hardly differ show nothing";
 }
 
-TEST_F(CrossGlyphs, SpacingKeepsOneCrossInTheMiddleOfEachSquareOrNearIt)
+TEST_F(CrossGlyphs, SpacingGivesOneCrossPerGridSquare)
 {
   constexpr double Spacing = 0.3;
   using Square = std::array<double, 2>;
@@ -199,7 +199,7 @@ TEST_F(CrossGlyphs, SpacingKeepsOneCrossInTheMiddleOfEachSquareOrNearIt)
   };
   const auto distance = [](const Vector& a, const Vector& b)
   { return Length(Combine(1.0, a, -1.0, b)); };
-  // The mesh is symmetric: two may be as near.
+  // The mesh is symmetric, so two triangles may be equally near.
   const auto offset = [&](vtkIdType cell)
   { return distance(this->Centre(cell), middle(square(this->Centre(cell)))); };
   constexpr double Rounding = 1e-12;
@@ -235,7 +235,7 @@ TEST_F(CrossGlyphs, SpacingKeepsOneCrossInTheMiddleOfEachSquareOrNearIt)
     };
     const auto drawn = std::find_if(nearest[here].begin(), nearest[here].end(), isDrawn);
     ASSERT_NE(drawn, nearest[here].end());
-    EXPECT_NEAR(Length(stroke.along), 0.8 * Spacing, 1e-7); // directions in single precision
+    EXPECT_NEAR(Length(stroke.along), 0.8 * Spacing, 1e-7); // directions are in single precision
     ++count[here];
     inTheMiddle += this->Contains(*drawn, middle(here)) ? 1 : 0;
   }
@@ -247,7 +247,7 @@ TEST_F(CrossGlyphs, SpacingKeepsOneCrossInTheMiddleOfEachSquareOrNearIt)
   }
 }
 
-TEST_F(CrossGlyphs, FollowFromTheExactField)
+TEST_F(CrossGlyphs, AreComputedFromTheExactField)
 {
   const std::vector<Stroke> expected = this->Strokes();
   for (const auto& missing : std::vector<std::vector<const char*>>{
@@ -272,7 +272,7 @@ TEST_F(CrossGlyphs, FollowFromTheExactField)
   }
 }
 
-TEST_F(CrossGlyphs, RefusesAMeshWithoutTheField)
+TEST_F(CrossGlyphs, RejectsAMeshWithoutTheField)
 {
   for (const char* name : { "Cross", "CrossNorm" })
   {
@@ -289,7 +289,7 @@ TEST_F(CrossGlyphs, RefusesAMeshWithoutTheField)
     vtkNew<vtkUnstructuredGrid> other;
     other->DeepCopy(this->Field);
     other->GetCellData()->RemoveArray(name);
-    other->GetCellData()->GetArray("CrossFieldCR")->SetName(name); // six components
+    other->GetCellData()->GetArray("CrossFieldCR")->SetName(name); // has six components
     this->Glyphs->SetInputData(other);
     FilterChecks::CaptureError(this->Glyphs, { "'" + std::string(name) + "'" });
   }

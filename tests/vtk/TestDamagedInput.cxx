@@ -1,5 +1,5 @@
-// Data sets as a damaged file or a careless script makes them: each is refused with a sentence, by
-// every kind of input.
+// Data sets from damaged files or incorrect scripts are refused with one sentence, for every kind
+// of input.
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
@@ -36,15 +36,15 @@ vtkSmartPointer<vtkIdTypeArray> Ids(const std::vector<vtkIdType>& values)
   return array;
 }
 
-/** The corners of a square with cells of one type, as lists of ends and points say. */
+/** Returns the corners of a square with cells of one type, given by offsets and point ids. */
 vtkSmartPointer<vtkUnstructuredGrid> Grid(
-  int type, const std::vector<vtkIdType>& ends, const std::vector<vtkIdType>& ids)
+  int type, const std::vector<vtkIdType>& offsets, const std::vector<vtkIdType>& ids)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   grid->SetPoints(
     TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }) })->GetPoints());
   vtkNew<vtkCellArray> cells;
-  cells->SetData(Ids(ends), Ids(ids));
+  cells->SetData(Ids(offsets), Ids(ids));
   grid->SetCells(type, cells);
   return grid;
 }
@@ -55,15 +55,15 @@ void ExpectDamaged(vtkDataSet* domain, const std::string& part)
   filter->SetInputData(domain);
   filter->SetSingularitiesData(TestInputs::Singularities({ { 1.0, 1.0, 1.0, 0.2 } }));
   EXPECT_EQ(CaptureError(filter, { part, "damaged" }), vtkErrorCode::UserError);
-  // Looks at the cells before it reads a domain.
+  // The simplifier loops over the cells before it reads a domain.
   vtkNew<vtkBoundarySimplifier> simplifier;
   simplifier->SetInputData(domain);
   EXPECT_EQ(CaptureError(simplifier, { part, "damaged" }), vtkErrorCode::UserError);
 }
 
-TEST(DamagedInput, ListOfCells)
+TEST(DamagedInput, RejectsInvalidCellOffsets)
 {
-  // Ends that fall, go beyond the list, or stop before it.
+  // Offsets that decrease, exceed the list, or end before it.
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 1, 6 }, { 0, 1, 2, 0, 2, 3 }), "list of cells");
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 600 }, { 0, 1, 2, 0, 2, 3 }), "list of cells");
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3 }, { 0, 1, 2, 0, 2, 3 }), "list of cells");
@@ -75,7 +75,7 @@ TEST(DamagedInput, ListOfCells)
   ExpectDamaged(loop, "list of cells");
 }
 
-TEST(DamagedInput, PointsOfCells)
+TEST(DamagedInput, RejectsInvalidPointIds)
 {
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 6 }, { 0, 1, 2, 0, 2, 4 }), "Cell 1 uses point 4 of 4");
   ExpectDamaged(Grid(VTK_TRIANGLE, { 0, 3, 6 }, { 0, -1, 2, 0, 2, 3 }), "Cell 0 uses point -1");
@@ -85,7 +85,7 @@ TEST(DamagedInput, PointsOfCells)
   ExpectDamaged(Grid(VTK_LINE, { 0, 1, 3 }, { 0, 1, 2 }), "Cell 0 has 1 points instead of 2");
 }
 
-TEST(DamagedInput, CellsOfATypeThatDoesNotExist)
+TEST(DamagedInput, RejectsUnknownCellTypes)
 {
   vtkNew<vtkDrillHoles> filter;
   filter->SetInputData(Grid(200, { 0, 3 }, { 0, 1, 2 }));
@@ -93,7 +93,7 @@ TEST(DamagedInput, CellsOfATypeThatDoesNotExist)
   EXPECT_EQ(CaptureError(filter, { "cells of type" }), vtkErrorCode::UserError);
 }
 
-TEST(DamagedInput, ShortArrays)
+TEST(DamagedInput, RejectsShortArrays)
 {
   vtkSmartPointer<vtkUnstructuredGrid> mesh = TestInputs::DrilledDisk(0.4);
   mesh->GetCellData()->GetArray(vtkCrossFieldArrayNames::BoundaryKind)->SetNumberOfTuples(5);

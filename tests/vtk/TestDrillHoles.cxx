@@ -27,13 +27,14 @@ using TestInputs::Loops;
 using TestInputs::Rectangle;
 using TestInputs::Row;
 
-/** A rectangle with two islands, and holes of unlike radii and indices. */
+/** Returns a rectangle with two islands. */
 std::vector<Curve> Islands()
 {
   return { Rectangle({ 0.0, 0.0 }, { 6.0, 4.0 }), Circle(24, 0.7, { 4.5, 2.0 }),
     Rectangle({ 1.0, 1.0 }, { 2.0, 3.0 }) };
 }
 
+/** Returns holes of different radii and indices. */
 std::vector<Row> IslandHoles()
 {
   return { { 3.0, 2.0, 1.0, 0.2 }, { 3.0, 3.4, -6.0, 0.05 }, { 0.5, 0.5, 0.0, 0.3 } };
@@ -66,8 +67,8 @@ public:
     return MeshReading(this->Filter->GetOutput());
   }
 
-  /** The output for a domain, all bits of it. */
-  std::string Bits(vtkDataObject* domain, const std::vector<Row>& rows)
+  /** Returns the output for a domain as bytes. */
+  std::string OutputBytes(vtkDataObject* domain, const std::vector<Row>& rows)
   {
     this->Set(domain, rows);
     FilterChecks::UpdateWithoutError(this->Filter);
@@ -78,7 +79,7 @@ public:
 };
 }
 
-TEST_F(DrillHoles, KeepsTheRulesOfAFilter)
+TEST_F(DrillHoles, FollowsFilterConventions)
 {
   this->Filter->SetMeshSize(0.3);
   const auto setDisk = [this] { this->Set(Loops({ Circle(40, 1.0) }), TestInputs::FourOnDisk()); };
@@ -90,7 +91,7 @@ TEST_F(DrillHoles, KeepsTheRulesOfAFilter)
   FilterChecks::CheckPrintSelf(this->Filter, { "MeshSize", "MinimumHoleEdges", "Gradation" });
 }
 
-TEST_F(DrillHoles, LeavesMeshesOfBothClassesUntouched)
+TEST_F(DrillHoles, DoesNotChangeInputMeshes)
 {
   this->Set(TestInputs::FrameMesh(), { { 1.0, 1.0, 1.0, 0.2 } });
   FilterChecks::CheckInputUntouched(this->Filter);
@@ -98,7 +99,7 @@ TEST_F(DrillHoles, LeavesMeshesOfBothClassesUntouched)
   FilterChecks::CheckInputUntouched(this->Filter);
 }
 
-TEST_F(DrillHoles, ArraysHaveTheirNamesTypesAndCodes)
+TEST_F(DrillHoles, WritesDocumentedArrays)
 {
   this->Set(Loops(Islands()), IslandHoles());
   const MeshReading mesh = this->Mesh();
@@ -129,7 +130,7 @@ TEST_F(DrillHoles, ArraysHaveTheirNamesTypesAndCodes)
   EXPECT_EQ(codes, expected);
 }
 
-TEST_F(DrillHoles, LinesAreTheBoundaryWithTheDomainOnTheLeft)
+TEST_F(DrillHoles, BoundaryLinesHaveTheDomainOnTheLeft)
 {
   this->Set(Loops(Islands()), IslandHoles());
   const MeshReading mesh = this->Mesh();
@@ -153,7 +154,7 @@ TEST_F(DrillHoles, LinesAreTheBoundaryWithTheDomainOnTheLeft)
   }
 }
 
-TEST_F(DrillHoles, TheMeshFillsTheDomainWithoutTheHoles)
+TEST_F(DrillHoles, MeshCoversTheDomainWithoutTheHoles)
 {
   this->Set(Loops(Islands()), IslandHoles());
   const MeshReading mesh = this->Mesh();
@@ -163,7 +164,7 @@ TEST_F(DrillHoles, TheMeshFillsTheDomainWithoutTheHoles)
   {
     const auto& [x, y, quarterIndex, radius] = holes[row];
     Curve walked;
-    for (std::size_t line : mesh.Walk(3, static_cast<int>(row)))
+    for (std::size_t line : mesh.OrderedLoop(3, static_cast<int>(row)))
     {
       const MeshReading::Place point = mesh.points[mesh.lines[line].points[0]];
       EXPECT_NEAR(std::abs(point - MeshReading::Place(x, y)), radius, 1e-14);
@@ -176,26 +177,26 @@ TEST_F(DrillHoles, TheMeshFillsTheDomainWithoutTheHoles)
     area -= CurveArea(regular);
   }
   EXPECT_NEAR(mesh.Area(), area, 1e-11);
-  mesh.Walk(1, 0);
-  mesh.Walk(2, 1);
-  mesh.Walk(2, 2);
+  mesh.OrderedLoop(1, 0);
+  mesh.OrderedLoop(2, 1);
+  mesh.OrderedLoop(2, 2);
 }
 
-TEST_F(DrillHoles, TrianglesAreGoodAndOfTheAskedSize)
+TEST_F(DrillHoles, TrianglesHaveTheTargetSizeAndGoodAngles)
 {
   for (double meshSize : { 0.4, 0.1 })
   {
     this->Filter->SetMeshSize(meshSize);
     this->Set(Loops(Islands()), IslandHoles());
     const MeshReading mesh = this->Mesh();
-    EXPECT_GT(mesh.SmallestAngle(), 20.7);
+    EXPECT_GT(mesh.MinimumAngle(), 20.7);
     double longest = 0.0;
     for (const auto& side : mesh.sides)
     {
       const auto& [from, to] = side.first;
       longest = std::max(longest, std::abs(mesh.points[to] - mesh.points[from]));
     }
-    // Triangles that fill the plane with this edge length are neither much smaller nor larger.
+    // The longest edge of a mesh with this edge length is within these bounds.
     EXPECT_LT(longest, 2.0 * meshSize);
     EXPECT_GT(longest, 0.7 * meshSize);
   }
@@ -203,11 +204,11 @@ TEST_F(DrillHoles, TrianglesAreGoodAndOfTheAskedSize)
 
 TEST_F(DrillHoles, DefaultMeshSizeIsAFortiethOfTheDiagonal)
 {
-  const std::string automatic = this->Bits(Loops(Islands()), IslandHoles());
+  const std::string automatic = this->OutputBytes(Loops(Islands()), IslandHoles());
   this->Filter->SetMeshSize(std::hypot(6.0, 4.0) / 40.0);
-  EXPECT_TRUE(this->Bits(Loops(Islands()), IslandHoles()) == automatic);
+  EXPECT_TRUE(this->OutputBytes(Loops(Islands()), IslandHoles()) == automatic);
   this->Filter->SetMeshSize(std::hypot(6.0, 4.0) / 30.0);
-  EXPECT_FALSE(this->Bits(Loops(Islands()), IslandHoles()) == automatic);
+  EXPECT_FALSE(this->OutputBytes(Loops(Islands()), IslandHoles()) == automatic);
 }
 
 TEST_F(DrillHoles, WithoutRadiusAHoleHasTheMeshSize)
@@ -218,7 +219,7 @@ TEST_F(DrillHoles, WithoutRadiusAHoleHasTheMeshSize)
   this->Filter->SetSingularitiesData(singularities);
   this->Filter->SetMeshSize(0.25);
   const MeshReading mesh = this->Mesh();
-  for (std::size_t line : mesh.Walk(3, 0))
+  for (std::size_t line : mesh.OrderedLoop(3, 0))
   {
     const MeshReading::Place point = mesh.points[mesh.lines[line].points[0]];
     EXPECT_NEAR(std::abs(point - MeshReading::Place(3.0, 2.0)), 0.25, 1e-14);
@@ -227,7 +228,7 @@ TEST_F(DrillHoles, WithoutRadiusAHoleHasTheMeshSize)
 
 TEST_F(DrillHoles, QuarterIndicesMayHaveAnyNumericType)
 {
-  const std::string integers = this->Bits(Loops(Islands()), IslandHoles());
+  const std::string integers = this->OutputBytes(Loops(Islands()), IslandHoles());
   auto singularities = TestInputs::Singularities(IslandHoles());
   vtkNew<vtkFloatArray> quarters;
   quarters->SetName("QuarterIndex");
@@ -235,20 +236,20 @@ TEST_F(DrillHoles, QuarterIndicesMayHaveAnyNumericType)
   {
     quarters->InsertNextValue(static_cast<float>(row[2]));
   }
-  singularities->GetPointData()->AddArray(quarters); // replaces the one of the same name
+  singularities->GetPointData()->AddArray(quarters); // replaces the array of the same name
   this->Filter->SetSingularitiesData(singularities);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_TRUE(FilterChecks::Fingerprint(this->Filter->GetOutput()) == integers);
 }
 
-TEST_F(DrillHoles, MoreHoleEdgesOnDemand)
+TEST_F(DrillHoles, MinimumHoleEdgesIsRespected)
 {
   this->Filter->SetMinimumHoleEdges(100);
   this->Set(Loops({ Circle(40, 1.0) }), { { 0.0, 0.0, 1.0, 0.1 } });
-  EXPECT_GE(this->Mesh().Walk(3, 0).size(), 100u);
+  EXPECT_GE(this->Mesh().OrderedLoop(3, 0).size(), 100u);
 }
 
-TEST_F(DrillHoles, GradationBoundsTheGrowthOfTheEdges)
+TEST_F(DrillHoles, GradationBoundsEdgeGrowth)
 {
   this->Filter->SetMeshSize(0.2);
   this->Set(Loops({ Circle(40, 1.0) }), { { 0.0, 0.0, 1.0, 0.01 } });
@@ -258,7 +259,7 @@ TEST_F(DrillHoles, GradationBoundsTheGrowthOfTheEdges)
   EXPECT_GT(slow, 2 * this->Mesh().triangles.size());
 }
 
-TEST_F(DrillHoles, NoSingularitiesGiveAPlainMesh)
+TEST_F(DrillHoles, MeshesWithoutSingularities)
 {
   this->Set(Loops(Islands()), {});
   const MeshReading mesh = this->Mesh();
@@ -267,12 +268,12 @@ TEST_F(DrillHoles, NoSingularitiesGiveAPlainMesh)
     mesh.lines.begin(), mesh.lines.end(), [](const auto& line) { return line.kind == 3; }));
 }
 
-TEST_F(DrillHoles, UntidyLoopsGiveTheSameBits)
+TEST_F(DrillHoles, OrderAndOrientationOfLoopsDoNotMatter)
 {
-  const std::string tidy = this->Bits(Loops(Islands()), IslandHoles());
-  EXPECT_TRUE(this->Bits(TestInputs::UntidyLoops(Islands()), IslandHoles()) == tidy);
+  const std::string tidy = this->OutputBytes(Loops(Islands()), IslandHoles());
+  EXPECT_TRUE(this->OutputBytes(TestInputs::UntidyLoops(Islands()), IslandHoles()) == tidy);
 
-  // Loops in another order that start elsewhere and repeat their end as a point of its own.
+  // Loops in another order with other first points and with a duplicate last point.
   std::vector<Curve> curves = Islands();
   std::swap(curves[0], curves[2]);
   for (Curve& curve : curves)
@@ -280,27 +281,27 @@ TEST_F(DrillHoles, UntidyLoopsGiveTheSameBits)
     std::rotate(curve.begin(), curve.begin() + 2, curve.end());
     curve.push_back(curve.front());
   }
-  EXPECT_TRUE(this->Bits(Loops(curves), IslandHoles()) == tidy);
+  EXPECT_TRUE(this->OutputBytes(Loops(curves), IslandHoles()) == tidy);
 
   const auto grid = TestInputs::AsUnstructuredGrid(Loops(Islands()));
-  EXPECT_TRUE(this->Bits(grid, IslandHoles()) == tidy);
+  EXPECT_TRUE(this->OutputBytes(grid, IslandHoles()) == tidy);
 }
 
-TEST_F(DrillHoles, AMeshGivesTheSameBitsAsItsBoundary)
+TEST_F(DrillHoles, MeshAndItsBoundaryGiveTheSameOutput)
 {
   const std::vector<Row> rows = { { 1.0, 1.0, 1.0, 0.2 } };
-  const std::string loops = this->Bits(Loops(TestInputs::FrameCurves()), rows);
-  EXPECT_TRUE(this->Bits(TestInputs::FrameMesh(), rows) == loops);
+  const std::string loops = this->OutputBytes(Loops(TestInputs::FrameCurves()), rows);
+  EXPECT_TRUE(this->OutputBytes(TestInputs::FrameMesh(), rows) == loops);
   const auto grid = TestInputs::AsUnstructuredGrid(TestInputs::FrameMesh());
-  EXPECT_TRUE(this->Bits(grid, rows) == loops);
+  EXPECT_TRUE(this->OutputBytes(grid, rows) == loops);
 }
 
 TEST_F(DrillHoles, StrayCellsAndPointsOfAMeshAreIgnored)
 {
   const std::vector<Row> rows = { { 1.0, 1.0, 1.0, 0.2 } };
-  const std::string loops = this->Bits(Loops(TestInputs::FrameCurves()), rows);
+  const std::string loops = this->OutputBytes(Loops(TestInputs::FrameCurves()), rows);
   auto mesh = TestInputs::FrameMesh();
-  // Outside, and out of the plane, where they would change everything if they counted.
+  // Points outside the domain and its plane would change the result if they were not ignored.
   const vtkIdType a = mesh->GetPoints()->InsertNextPoint(50.0, 50.0, 7.0);
   const vtkIdType b = mesh->GetPoints()->InsertNextPoint(-50.0, 0.0, 0.0);
   vtkNew<vtkCellArray> vertices;
@@ -309,24 +310,24 @@ TEST_F(DrillHoles, StrayCellsAndPointsOfAMeshAreIgnored)
   lines->InsertNextCell({ vtkIdType(0), b });
   mesh->SetVerts(vertices);
   mesh->SetLines(lines);
-  EXPECT_TRUE(this->Bits(mesh, rows) == loops);
-  EXPECT_TRUE(this->Bits(TestInputs::AsUnstructuredGrid(mesh), rows) == loops);
+  EXPECT_TRUE(this->OutputBytes(mesh, rows) == loops);
+  EXPECT_TRUE(this->OutputBytes(TestInputs::AsUnstructuredGrid(mesh), rows) == loops);
 
   auto withVertex = Loops(TestInputs::FrameCurves());
   const vtkIdType c = withVertex->GetPoints()->InsertNextPoint(50.0, 50.0, 7.0);
   vtkNew<vtkCellArray> vertex;
   vertex->InsertNextCell({ c });
   withVertex->SetVerts(vertex);
-  EXPECT_TRUE(this->Bits(withVertex, rows) == loops);
+  EXPECT_TRUE(this->OutputBytes(withVertex, rows) == loops);
 }
 
-TEST_F(DrillHoles, KeepsThePlaneOfTheDomain)
+TEST_F(DrillHoles, OutputIsInThePlaneOfTheDomain)
 {
   this->Set(Loops(Islands(), 0.0), IslandHoles());
   FilterChecks::UpdateWithoutError(this->Filter);
   vtkNew<vtkUnstructuredGrid> flat;
   flat->DeepCopy(this->Filter->GetOutput());
-  // The z of the singularities does not count: it stays 0.
+  // The z of the singularities is ignored; it stays 0.
   this->Set(Loops(Islands(), -3.25), IslandHoles());
   FilterChecks::UpdateWithoutError(this->Filter);
   vtkUnstructuredGrid* shifted = this->Filter->GetOutput();
@@ -343,7 +344,7 @@ TEST_F(DrillHoles, TheUnitOfLengthDoesNotMatter)
 {
   this->Set(Loops(Islands()), IslandHoles());
   const MeshReading plain = this->Mesh();
-  for (double scale : { 0x1p20, 0x1p-20 }) // powers of two, so that no digit changes
+  for (double scale : { 0x1p20, 0x1p-20 }) // powers of two, which cause no rounding
   {
     std::vector<Curve> curves = Islands();
     for (Curve& curve : curves)

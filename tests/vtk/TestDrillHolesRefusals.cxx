@@ -1,4 +1,4 @@
-// Every bad input that the class comment of vtkDrillHoles names: one error that says what is wrong.
+// Every invalid input in the class comment of vtkDrillHoles causes one error with the reason.
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
@@ -30,7 +30,9 @@ using TestInputs::Row;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/** A filter with a square of side 4 and one good hole, on which each test spoils one thing. */
+/**
+ * Filter with a square of side 4 and one valid hole, of which each test invalidates one property.
+ */
 class DrillHolesRefusals : public testing::Test
 {
 public:
@@ -41,7 +43,7 @@ public:
     this->SetRows({ { 1.0, 1.0, 1.0, 0.2 } });
   }
 
-  /** After each refusal a good input must work: nothing of the failure stays. */
+  /** Expects that valid input works after each failure. */
   void TearDown() override
   {
     this->SetUp();
@@ -60,7 +62,7 @@ public:
     EXPECT_EQ(CaptureError(this->Filter, parts), vtkErrorCode::UserError);
   }
 
-  /** The good singularity with another array `name` of one or more components. */
+  /** Sets the valid singularity with another array `name` of one or more components. */
   void SetArray(const char* name, const std::vector<double>& values)
   {
     auto singularities = TestInputs::Singularities({ { 1.0, 1.0, 1.0, 0.2 } });
@@ -135,7 +137,7 @@ TEST_F(DrillHolesRefusals, DomainOutOfThePlane)
   auto domain = Loops({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }) });
   domain->GetPoints()->SetPoint(2, 4.0, 4.0, 1.5);
   this->SetDomain(domain);
-  this->ExpectError({ "not planar", "0.37391", "5.85235" }); // how far off, and the size
+  this->ExpectError({ "not planar", "0.37391", "5.85235" }); // the deviation and the size
 }
 
 TEST_F(DrillHolesRefusals, DomainWithoutCurves)
@@ -172,7 +174,7 @@ TEST_F(DrillHolesRefusals, NonManifoldMesh)
 
 TEST_F(DrillHolesRefusals, MeshFoldedOver)
 {
-  // Two triangles on one side of the edge that they share: their boundary is a loop all the same.
+  // Two triangles on the same side of their common edge, whose boundary is still a loop.
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
   points->InsertNextPoint(4.0, 0.0, 0.0);
@@ -207,7 +209,7 @@ TEST_F(DrillHolesRefusals, HoleOutside)
 {
   this->SetRows({ { 1.0, 1.0, 1.0, 0.2 }, { 7.0, 1.0, 1.0, 0.2 } });
   this->ExpectError({ "singularity 2 at (7, 1)", "outside" });
-  // In an island is outside as well.
+  // The inside of an island is outside the domain.
   this->SetCurves({ Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 3.0 }) });
   this->SetRows({ { 2.5, 2.5, 1.0, 0.2 } });
   this->ExpectError({ "singularity 1 at (2.5, 2.5)", "outside" });
@@ -217,7 +219,7 @@ TEST_F(DrillHolesRefusals, HoleCutsTheBoundary)
 {
   this->SetRows({ { 1.0, 0.1, 1.0, 0.2 } });
   this->ExpectError({ "singularity 1 at (1, 0.1)", "cuts the boundary", "0.2" });
-  this->SetRows({ { 1.0, 0.25, 1.0, 0.25 } }); // touches it
+  this->SetRows({ { 1.0, 0.25, 1.0, 0.25 } }); // touches the boundary
   this->ExpectError({ "cuts the boundary" });
 }
 
@@ -234,7 +236,7 @@ TEST_F(DrillHolesRefusals, OverlappingHoles)
   this->ExpectError({ "singularity 1 at (1, 1)", "singularity 3 at (1.3, 1)", "overlap" });
   this->SetRows({ { 1.0, 1.0, 1.0, 0.2 }, { 1.0, 1.0, 1.0, 0.2 } });
   this->ExpectError({ "overlap" });
-  this->SetRows({ { 2.0, 2.0, 1.0, 1.0 }, { 2.1, 2.0, 1.0, 0.1 } }); // one within the other
+  this->SetRows({ { 2.0, 2.0, 1.0, 1.0 }, { 2.1, 2.0, 1.0, 0.1 } }); // one inside the other
   this->ExpectError({ "overlap" });
 }
 
@@ -287,7 +289,7 @@ TEST_F(DrillHolesRefusals, DomainTooFarFromTheOrigin)
 
 TEST_F(DrillHolesRefusals, PointsThatCountAsOne)
 {
-  // A slit of width 1e-10: its ends fall together, and it is no loop any more.
+  // A slit of width 1e-10, whose end points are merged so that the loop is no longer closed.
   this->SetDomain(Loops(
     { Rectangle({ 0.0, 0.0 }, { 4.0, 4.0 }), Rectangle({ 2.0, 2.0 }, { 3.0, 2.0 + 1e-10 }) }));
   this->ExpectError({ "count as one" });

@@ -1,4 +1,4 @@
-/** The property Arrays: which arrays of a field are written, and that the exact ones are enough for the others. */
+/** The property Arrays: the arrays it selects, and that other filters need the exact ones only. */
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
@@ -23,7 +23,7 @@ namespace
 {
 using Names = std::set<std::string>;
 
-/** The names among those of a field that follow from others. */
+/** Returns the names of the arrays that are computed from others. */
 Names Derived(vtkFieldData* data)
 {
   Names found;
@@ -37,7 +37,7 @@ Names Derived(vtkFieldData* data)
   return found;
 }
 
-/** What a filter writes with a choice of arrays. */
+/** Returns the output of a filter with a selection of arrays. */
 template <class Filter>
 vtkSmartPointer<vtkUnstructuredGrid> Solve(vtkUnstructuredGrid* mesh, int arrays)
 {
@@ -66,7 +66,7 @@ void ExpectSame(vtkDataArray* found, vtkDataArray* expected)
 }
 }
 
-TEST(FieldArrays, OfASolverAreThoseChosenAndTheExactFieldIsTheSame)
+TEST(FieldArrays, SolverWritesSelectedArrays)
 {
   const auto mesh = TestInputs::DrilledDisk();
   EXPECT_EQ(vtkNew<vtkPerforatedCrossField>()->GetArrays(), vtkCrossFieldArraySets::All);
@@ -86,7 +86,7 @@ TEST(FieldArrays, OfASolverAreThoseChosenAndTheExactFieldIsTheSame)
   }
 }
 
-TEST(FieldArrays, OfHAreThoseChosenAndHIsTheSame)
+TEST(FieldArrays, HFieldWritesSelectedArrays)
 {
   const auto mesh = TestInputs::DrilledDisk();
   const auto all = Solve<vtkHField>(mesh, vtkCrossFieldArraySets::All);
@@ -104,7 +104,7 @@ TEST(FieldArrays, OfHAreThoseChosenAndHIsTheSame)
   }
 }
 
-TEST(FieldArrays, ThoseOfAnotherFieldDoNotStay)
+TEST(FieldArrays, RemovesArraysOfEarlierFields)
 {
   const auto all = Solve<vtkHField>(TestInputs::DrilledDisk(), vtkCrossFieldArraySets::All);
   const auto exact = Solve<vtkHField>(all, vtkCrossFieldArraySets::Exact);
@@ -113,7 +113,7 @@ TEST(FieldArrays, ThoseOfAnotherFieldDoNotStay)
   EXPECT_EQ(Derived(all->GetPointData()).size(), 5) << "the input is left as it was";
 }
 
-TEST(FieldArrays, TheExactFieldIsEnoughToReadSingularities)
+TEST(FieldArrays, SingularitiesNeedTheExactFieldOnly)
 {
   const auto mesh = TestInputs::DrilledDisk();
   vtkNew<vtkCrossFieldSingularities> found[2];

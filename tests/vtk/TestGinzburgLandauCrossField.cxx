@@ -42,7 +42,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Ring()
   return TestInputs::Drill(TestInputs::Loops({ Circle(60, 1.0), Circle(24, 0.4) }), {}, 0.1);
 }
 
-/** Adds a cell array with one value everywhere, but `inside` on triangles in a disk. */
+/** Adds a cell array with the value `inside` on triangles in a disk and `outside` elsewhere. */
 void AddCellArray(vtkUnstructuredGrid* mesh, const char* name, double outside, double inside,
   Complex centre = 0.0, double radius = 0.0)
 {
@@ -78,7 +78,7 @@ TEST_F(GinzburgLandauCrossField, Defaults)
   EXPECT_EQ(this->Filter->GetTolerance(), 1e-10);
 }
 
-TEST_F(GinzburgLandauCrossField, KeepsThePromisesOfEveryFilter)
+TEST_F(GinzburgLandauCrossField, FollowsFilterConventions)
 {
   this->Filter->SetInputData(Disk());
   FilterChecks::CheckInputUntouched(this->Filter);
@@ -104,7 +104,7 @@ TEST_F(GinzburgLandauCrossField, WritesTheFieldAndBothPartsOfItsEnergy)
   vtkDataArray* exact = FilterChecks::RequireArray(output->GetCellData(), "CrossFieldCR");
   ASSERT_EQ(exact->GetNumberOfComponents(), 6);
 
-  // Both parts of the energy from the exact field, triangle by triangle.
+  // Both parts of the energy, computed from the exact field triangle by triangle.
   const MeshReading mesh(output);
   double gradient = 0.0;
   double penalty = 0.0;
@@ -152,7 +152,7 @@ TEST_F(GinzburgLandauCrossField, EpsilonIsTheMeanEdgeLengthByDefault)
   EXPECT_LT(this->Value("Epsilon"), 1.2 * MeshSize);
 }
 
-TEST_F(GinzburgLandauCrossField, ImprintedCirclesAskForNothingAndTheCheckKnows)
+TEST_F(GinzburgLandauCrossField, ImprintedCirclesPrescribeNothing)
 {
   this->Filter->SetEpsilon(0.05);
   vtkUnstructuredGrid* field = this->Solve(TestInputs::Drill(TestInputs::Loops({ Circle(60, 1.0) }),
@@ -193,7 +193,7 @@ TEST_F(GinzburgLandauCrossField, StartsLeadToDifferentMinimaOnARing)
   EXPECT_EQ(this->Value("UnwantedSingularities"), 8.0);
   EXPECT_EQ(this->Value("Consistent"), 1.0);
 
-  // Given that field, it stays.
+  // A minimum is a fixed point of the iteration.
   this->Filter->SetStartToGiven();
   this->Solve(broken);
   EXPECT_EQ(this->Value("Iterations"), 0.0);
@@ -203,7 +203,7 @@ TEST_F(GinzburgLandauCrossField, StartsLeadToDifferentMinimaOnARing)
   EXPECT_NEAR(this->Value("Energy"), radial, 1e-9 * radial);
 }
 
-TEST_F(GinzburgLandauCrossField, PinningArraysCount)
+TEST_F(GinzburgLandauCrossField, UsesPinningArrays)
 {
   const auto mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   mesh->DeepCopy(this->Solve(Disk()));
@@ -217,7 +217,7 @@ TEST_F(GinzburgLandauCrossField, PinningArraysCount)
   EXPECT_EQ(this->Value("Iterations"), 0.0);
   EXPECT_NEAR(this->Value("Energy"), plain, 1e-9 * plain);
 
-  // From the same field, a smaller weight can only lead to less energy.
+  // Starting from the same field, a smaller weight can only reduce the energy.
   this->Filter->SetGradientWeightArrayName("Pin");
   this->Solve(mesh);
   EXPECT_LT(this->Value("Energy"), plain);
@@ -228,7 +228,7 @@ TEST_F(GinzburgLandauCrossField, PinningArraysCount)
   EXPECT_GT(std::abs(this->Value("Energy") - plain), 0.01 * plain);
 }
 
-TEST_F(GinzburgLandauCrossField, FewIterationsAreAWarningAndNotConverged)
+TEST_F(GinzburgLandauCrossField, WarnsWithoutConvergence)
 {
   this->Filter->SetMaximumIterations(1);
   this->Filter->SetInputData(Disk());
@@ -243,7 +243,7 @@ TEST_F(GinzburgLandauCrossField, FewIterationsAreAWarningAndNotConverged)
   EXPECT_EQ(this->Value("Iterations"), 1.0);
 }
 
-TEST_F(GinzburgLandauCrossField, MeasuresItsStages)
+TEST_F(GinzburgLandauCrossField, MeasuresStages)
 {
   this->Solve(Disk());
   for (int i = 0; i < 3; ++i)
@@ -253,7 +253,7 @@ TEST_F(GinzburgLandauCrossField, MeasuresItsStages)
   }
 }
 
-TEST_F(GinzburgLandauCrossField, RefusesWhatMakesNoSense)
+TEST_F(GinzburgLandauCrossField, RejectsInvalidInput)
 {
   this->Filter->SetInputData(TestInputs::DrilledDisk());
   FilterChecks::CaptureError(this->Filter, { "has holes", "without" });

@@ -23,7 +23,7 @@ namespace
 using HField = OnTheDisk<vtkHField>;
 }
 
-TEST_F(HField, KeepsTheRulesOfAFilter)
+TEST_F(HField, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Domain->SetDomainName("disk"); },
@@ -40,7 +40,7 @@ TEST_F(HField, KeepsTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(HField, ArraysHaveTheirNamesTypesAndShapes)
+TEST_F(HField, WritesDocumentedArrays)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   vtkUnstructuredGrid* output = this->Filter->GetOutput();
@@ -73,9 +73,9 @@ TEST_F(HField, ArraysHaveTheirNamesTypesAndShapes)
   ExpectArray(output->GetFieldData(), "HolonomyDefect", VTK_DOUBLE, 1, 0);
 }
 
-TEST_F(HField, QuadsAreLargeWhereTheLinesSpread)
+TEST_F(HField, SizeMapIsLargeWhereLinesDiverge)
 {
-  // On a ring with radial crosses the edges of quads grow with the radius.
+  // On a ring with radial crosses the edge length of quads is proportional to the radius.
   this->Domain->SetDomainName("ring");
   this->Filter->SetSingularitiesConnection(nullptr);
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -112,7 +112,7 @@ TEST_F(HField, OtherFiltersReadItsField)
   }
 }
 
-TEST_F(HField, OnADrilledMeshItIsTheUnitNormField)
+TEST_F(HField, EqualsTheUnitNormFieldOnADrilledMesh)
 {
   const auto mesh = TestInputs::DrilledDisk();
   vtkNew<vtkPerforatedCrossField> unit;
@@ -120,7 +120,7 @@ TEST_F(HField, OnADrilledMeshItIsTheUnitNormField)
   unit->SetMethodToUnitNorm();
   FilterChecks::UpdateWithoutError(unit);
   this->Filter->SetInputData(mesh);
-  FilterChecks::UpdateWithoutError(this->Filter); // the holes' configuration may be given as well
+  FilterChecks::UpdateWithoutError(this->Filter); // the configuration of the holes is optional
   vtkDataArray* expected = unit->GetOutput()->GetCellData()->GetArray("CrossFieldCR");
   vtkDataArray* found = this->Filter->GetOutput()->GetCellData()->GetArray("CrossFieldCR");
   ASSERT_EQ(found->GetNumberOfTuples(), expected->GetNumberOfTuples());
@@ -134,9 +134,10 @@ TEST_F(HField, OnADrilledMeshItIsTheUnitNormField)
   EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("RenormalizedEnergy"), nullptr);
 }
 
-TEST_F(HField, SingularitiesOnTheBoundaryAreGivenLikeOthers)
+TEST_F(HField, AcceptsSingularitiesOnTheBoundary)
 {
-  // A corner of a square carries 0 instead of 1, a place on a side −1: two more inside.
+  // A corner of the square has index 0 instead of 1 and a point of a side −1, so two more are
+  // needed inside.
   this->Domain->SetDomainName("square");
   this->Filter->SetMeshSize(0.05);
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 0.0, 0.1 },
@@ -144,7 +145,7 @@ TEST_F(HField, SingularitiesOnTheBoundaryAreGivenLikeOthers)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
   EXPECT_EQ(this->Value("GivenInteriorQuarters"), 2.0);
-  // The corners of port 2 say the same.
+  // Corners of port 2 prescribe the same.
   const double energy = this->Value("RenormalizedEnergy");
   this->Filter->SetSingularitiesData(TestInputs::Singularities(
     { { 0.25, 0.0, -1.0, 0.1 }, { 0.7, 0.6, 1.0, 0.1 }, { 0.5, 0.25, 1.0, 0.1 } }));
@@ -166,7 +167,7 @@ TEST_F(HField, WarnsThatHIsMultivalued)
   EXPECT_NE(messages.warnings[0].find("not single-valued: at inner loop 1"), std::string::npos);
 }
 
-TEST_F(HField, Refusals)
+TEST_F(HField, RejectsInvalidInput)
 {
   const auto refuse =
     [this](const std::vector<TestInputs::Row>& rows, const std::vector<std::string>& parts)

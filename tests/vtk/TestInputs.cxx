@@ -157,7 +157,7 @@ vtkSmartPointer<vtkPolyData> FrameMesh()
       const vtkIdType corner = 7 * j + i;
       if (!inHole)
       {
-        // One triangle of each square is clockwise: the orientation of cells does not matter.
+        // One triangle of each square is clockwise, since the orientation of cells is arbitrary.
         triangles->InsertNextCell({ corner, corner + 1, corner + 8 });
         triangles->InsertNextCell({ corner, corner + 7, corner + 8 });
       }

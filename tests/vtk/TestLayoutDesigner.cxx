@@ -89,7 +89,7 @@ public:
 };
 }
 
-TEST_F(LayoutDesigner, KeepsTheRulesOfAFilter)
+TEST_F(LayoutDesigner, FollowsFilterConventions)
 {
   this->SetFour();
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -103,28 +103,28 @@ TEST_F(LayoutDesigner, KeepsTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(LayoutDesigner, ShowsWhatTheOtherFiltersShow)
+TEST_F(LayoutDesigner, AgreesWithTheOtherFilters)
 {
   this->SetFour();
   this->Filter->SetQuadsToSmooth();
   FilterChecks::UpdateWithoutError(this->Filter);
-  EXPECT_EQ(this->CountOf(0), 12); // lines
+  EXPECT_EQ(this->CountOf(0), 12); // separatrices
   EXPECT_EQ(this->CountOf(2), 4);  // singularities
   EXPECT_EQ(this->Value("Faces"), 9);
   EXPECT_EQ(this->Value("Stale"), 0);
-  // docs/method.md §9: W of four +1 at radius 0.6 is 2.05, that of this polygon less.
+  // docs/method.md §9: W of four +1 at radius 0.6 is 2.05; on this polygon it is smaller.
   EXPECT_NEAR(this->Value("RenormalizedEnergy"), 2.05, 0.8);
-  // docs/method.md §14.10: so many quads at h = 0.1 of five around one at 0.6.
+  // docs/method.md §14.10: number of quads at h = 0.1 of five patches around one at 0.6.
   EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
   EXPECT_GT(this->Value("LeastAngle"), 50);
-  EXPECT_NE(this->Text("Summary").find("9 faces"), std::string::npos) << this->Text("Summary");
+  EXPECT_NE(this->Text("Summary").find("quads in"), std::string::npos) << this->Text("Summary");
   EXPECT_EQ(this->TextInView(false), this->Text("Summary"));
   this->Filter->SetQuadsToNone();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->CountOf(3), 0);
 }
 
-TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
+TEST_F(LayoutDesigner, KeepsTheLastValidLayout)
 {
   this->SetFour();
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -137,28 +137,28 @@ TEST_F(LayoutDesigner, KeepsTheLastLayoutWhereSingularitiesCannotBe)
   EXPECT_NE(this->Text("Reason").find("outside"), std::string::npos) << this->Text("Reason");
   EXPECT_EQ(this->Text("Summary"), this->Text("Reason"));
   EXPECT_EQ(this->TextInView(true), this->Text("Reason"));
-  EXPECT_EQ(this->CountOf(2), 4) << "the handles stay where the hand has them";
-  // Back again, all is well.
+  EXPECT_EQ(this->CountOf(2), 4) << "the handles keep their positions";
+  // A valid position makes the layout current again.
   this->SetFour();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Shades(), std::set<double>({ 1.0 }));
   EXPECT_EQ(this->Value("Stale"), 0);
-  // A sum that cannot be.
+  // An inconsistent sum.
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Stale"), 1);
   EXPECT_NE(this->Text("Reason").find("total"), std::string::npos) << this->Text("Reason");
-  // No number of quarters at all.
+  // Not an integer.
   this->Filter->SetSingularity(0, 0.4, 0.4, 0.5, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Stale"), 1);
 }
 
-TEST_F(LayoutDesigner, FollowsAHandOnACoarserMeshAndWithDrafts)
+TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
 {
   this->SetFour();
   this->Filter->SetSingularity(
-    0, 0.5, 0.38, 1, 0.1); // lines that all but meet would do so on one mesh only
+    0, 0.5, 0.38, 1, 0.1); // no separatrices that coincide on one mesh only
   this->Filter->SetMeshSize(0.015);
   FilterChecks::UpdateWithoutError(this->Filter);
   const double energy = this->Value("RenormalizedEnergy");
@@ -169,9 +169,9 @@ TEST_F(LayoutDesigner, FollowsAHandOnACoarserMeshAndWithDrafts)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_LT(static_cast<double>(this->Filter->GetOutput()->GetNumberOfPoints()),
     0.7 * static_cast<double>(points))
-    << "a line has a point on every side of a triangle that it meets";
+    << "a separatrix has a point on every side of a triangle that it crosses";
   EXPECT_LT(this->Value("LeastAngle"), angle) << "drafts are not smoothed";
-  // All is what it was but for the error of the coarser mesh.
+  // The same results up to the error of the coarser mesh.
   EXPECT_EQ(this->Value("Faces"), 9);
   EXPECT_NEAR(this->Value("RenormalizedEnergy"), energy, 0.02);
   EXPECT_NEAR(this->Value("ShortestArc"), arc, 0.02 * arc);
@@ -185,7 +185,7 @@ TEST_F(LayoutDesigner, FollowsAHandOnACoarserMeshAndWithDrafts)
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
 }
 
-TEST_F(LayoutDesigner, SaysWhyThereNeverWasALayout)
+TEST_F(LayoutDesigner, IsStaleIfTheFirstConfigurationIsInvalid)
 {
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
   this->Filter->Update();
@@ -195,7 +195,7 @@ TEST_F(LayoutDesigner, SaysWhyThereNeverWasALayout)
   EXPECT_EQ(this->Value("Stale"), 1);
 }
 
-TEST_F(LayoutDesigner, SaysWhyThereIsNoDomain)
+TEST_F(LayoutDesigner, ReportsAnInvalidDomain)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_FALSE(this->TextInView(false).empty());
@@ -209,9 +209,9 @@ TEST_F(LayoutDesigner, SaysWhyThereIsNoDomain)
   EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
 }
 
-TEST_F(LayoutDesigner, ObeysCommands)
+TEST_F(LayoutDesigner, AppliesCommands)
 {
-  // Without rows they are chosen.
+  // Without rows the singularities are chosen automatically.
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 0);
   ASSERT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
@@ -225,7 +225,7 @@ TEST_F(LayoutDesigner, ObeysCommands)
   const double optimised = this->Value("RenormalizedEnergy");
   EXPECT_LT(optimised, before - 0.1);
   EXPECT_NEAR(optimised, chosen, 0.05);
-  // A command is obeyed once.
+  // A command is applied once.
   this->Filter->Modified();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("RenormalizedEnergy"), optimised);
@@ -237,7 +237,7 @@ TEST_F(LayoutDesigner, ObeysCommands)
   this->Filter->RemoveSingularity(4);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetNumberOfSingularities(), 5);
-  EXPECT_EQ(this->Filter->GetRows()->GetComponent(4, 2), -1) << "the wrong row went";
+  EXPECT_EQ(this->Filter->GetRows()->GetComponent(4, 2), -1) << "the wrong row was removed";
   EXPECT_EQ(this->Value("Stale"), 1);
   this->Filter->Undo();
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -247,7 +247,7 @@ TEST_F(LayoutDesigner, ObeysCommands)
   this->Filter->Undo();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("RenormalizedEnergy"), before);
-  this->Filter->Undo(); // nothing is left
+  this->Filter->Undo(); // no command left
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("RenormalizedEnergy"), before);
   this->Filter->Propose();
@@ -255,19 +255,20 @@ TEST_F(LayoutDesigner, ObeysCommands)
   EXPECT_EQ(this->Value("RenormalizedEnergy"), chosen);
 }
 
-TEST_F(LayoutDesigner, SnapsAndSaysWhatItCost)
+TEST_F(LayoutDesigner, SnapJoinsNearlyCoincidentSeparatrices)
 {
   this->SetFour();
   this->Filter->SetSingularity(0, 0.44, 0.41, 1, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   const double thin = this->Value("ShortestArc");
   EXPECT_LT(thin, 0.5);
-  const double faces = this->Value("Faces");
+  const double patches = this->Value("Faces");
   this->Filter->Snap();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_GT(this->Value("ShortestArc"), 1.0);
-  EXPECT_LT(this->Value("Faces"), faces);
-  EXPECT_NE(this->Text("Events").find("near misses"), std::string::npos) << this->Text("Events");
+  EXPECT_LT(this->Value("Faces"), patches);
+  EXPECT_NE(this->Text("Events").find("nearly coincident"), std::string::npos)
+    << this->Text("Events");
   this->Filter->SetSnapTolerance(1e-9);
   this->Filter->Undo();
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -276,7 +277,7 @@ TEST_F(LayoutDesigner, SnapsAndSaysWhatItCost)
   EXPECT_EQ(this->Value("ShortestArc"), thin);
 }
 
-TEST_F(LayoutDesigner, StartsFromItsPortUntilThereAreRows)
+TEST_F(LayoutDesigner, StartsFromItsPortWithoutRows)
 {
   vtkNew<vtkSingularitySource> source;
   this->Filter->SetSingularitiesConnection(source->GetOutputPort());
@@ -287,17 +288,17 @@ TEST_F(LayoutDesigner, StartsFromItsPortUntilThereAreRows)
   EXPECT_NEAR(this->Filter->GetRows()->GetComponent(0, 0), 0.5 * std::sqrt(0.5), 1e-15);
 }
 
-TEST_F(LayoutDesigner, ForgetsWhatWasOfAnotherDomain)
+TEST_F(LayoutDesigner, ResetsWhenTheDomainChanges)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 4);
   this->Domain->SetDomainName("l-shape");
   FilterChecks::UpdateWithoutError(this->Filter);
-  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 0) << "an L needs none";
+  EXPECT_EQ(this->Filter->GetRows()->GetNumberOfTuples(), 0) << "an L-shape needs no singularities";
   EXPECT_EQ(this->Value("Stale"), 0);
 }
 
-TEST_F(LayoutDesigner, MapAndHKeepTheMeshOfTheDomain)
+TEST_F(LayoutDesigner, KeepMeshReusesTheMeshInMapAndHField)
 {
   vtkNew<vtkSingularitySource> source;
   vtkNew<vtkHField> field;
@@ -310,7 +311,7 @@ TEST_F(LayoutDesigner, MapAndHKeepTheMeshOfTheDomain)
   source->SetSingularity(0, 0.3, 0.45, 1, 0.1);
   FilterChecks::UpdateWithoutError(field);
   ASSERT_EQ(field->GetOutput()->GetNumberOfPoints(), first->GetNumberOfPoints());
-  EXPECT_EQ(field->GetStageSeconds()[2], 0.0) << "it was factored again";
+  EXPECT_EQ(field->GetStageSeconds()[2], 0.0) << "the mesh was factored again";
   FilterChecks::CheckInputUntouched(field);
   FilterChecks::CheckEmptyInput(field);
 
@@ -321,11 +322,11 @@ TEST_F(LayoutDesigner, MapAndHKeepTheMeshOfTheDomain)
   vtkNew<vtkSeparatrices> lines;
   lines->SetInputConnection(map->GetOutputPort());
   FilterChecks::UpdateWithoutError(lines);
-  const double faces =
+  const double patches =
     FilterChecks::RequireArray(lines->GetOutput()->GetFieldData(), "Faces")->GetComponent(0, 0);
   map->KeepMeshOff();
   FilterChecks::UpdateWithoutError(lines);
   EXPECT_EQ(
     FilterChecks::RequireArray(lines->GetOutput()->GetFieldData(), "Faces")->GetComponent(0, 0),
-    faces);
+    patches);
 }

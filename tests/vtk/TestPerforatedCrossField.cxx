@@ -24,7 +24,7 @@ namespace
 using Complex = std::complex<double>;
 }
 
-TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilter)
+TEST_F(PerforatedCrossField, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Filter->SetInputData(TestInputs::DrilledDisk()); },
@@ -36,7 +36,7 @@ TEST_F(PerforatedCrossField, KeepsTheRulesOfAFilter)
     { "Method", "Start", "UnitHoles", "MaximumIterations", "Tolerance", "Arrays", "StageSeconds" });
 }
 
-TEST_F(PerforatedCrossField, ArraysHaveTheirNamesTypesAndShapes)
+TEST_F(PerforatedCrossField, WritesDocumentedArrays)
 {
   const auto mesh = TestInputs::DrilledIsland();
   vtkUnstructuredGrid* output = this->Solve(mesh);
@@ -105,7 +105,7 @@ TEST_F(PerforatedCrossField, IsAlignedWithTheBoundary)
     {
       continue;
     }
-    // In a longer type, so that the error is that of the filter.
+    // Higher precision, so that the difference is the error of the filter.
     using Long = std::complex<long double>;
     Long direction = Long(field.points[line.points[1]]) - Long(field.points[line.points[0]]);
     direction /= std::abs(direction);
@@ -114,11 +114,11 @@ TEST_F(PerforatedCrossField, IsAlignedWithTheBoundary)
   }
 }
 
-TEST_F(PerforatedCrossField, ShownArraysFollowFromTheExactField)
+TEST_F(PerforatedCrossField, DisplayArraysFollowFromTheExactField)
 {
   vtkUnstructuredGrid* output = this->Solve(TestInputs::DrilledIsland());
   const FieldReading field(output);
-  // They are in single precision.
+  // The display arrays are in single precision.
   const double rounding = std::ldexp(1.0, -21);
   const auto expect = [rounding](vtkFieldData* data, vtkIdType tuple, const Complex& u)
   {
@@ -181,7 +181,7 @@ TEST_F(PerforatedCrossField, TheReportFollowsFromTheExactField)
     int given = 0;
     for (int row = 0; row < degrees->GetNumberOfTuples(); ++row)
     {
-      const std::vector<std::size_t> walk = field.Walk(3, row);
+      const std::vector<std::size_t> walk = field.OrderedLoop(3, row);
       const int prescribed = field.lines[walk.front()].quarterIndex;
       given += prescribed;
       EXPECT_NEAR(field.Degree(row), prescribed, 1e-12);
@@ -207,22 +207,22 @@ TEST_F(PerforatedCrossField, TheReportFollowsFromTheExactField)
 
 TEST_F(PerforatedCrossField, ReportsTopologyAndUnwantedSingularities)
 {
-  // On the disk every singularity is in its hole.
+  // On the disk every singularity is in a hole.
   const FieldReading disk(this->Solve(TestInputs::DrilledDisk()));
   EXPECT_EQ(this->Value("EulerCharacteristic"), 1.0);
   EXPECT_EQ(this->Value("Valence"), 0.0);
   EXPECT_NEAR(this->Value("TangentTurning"), 1.0, 1e-14);
-  EXPECT_EQ(disk.Singular(), 0);
+  EXPECT_EQ(disk.CountSingular(), 0);
   EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
 
-  // The holes beside the island are far from where the field would like its singularities.
-  this->Filter->SetStartToHarmonic(); // towards the minimum, whatever it looks like
+  // The holes beside the island are far from the singularities of the relaxed field.
+  this->Filter->SetStartToHarmonic(); // leads to the global minimum
   const FieldReading island(this->SolveConstrained(TestInputs::DrilledIsland()));
   EXPECT_EQ(this->Value("EulerCharacteristic"), 0.0);
-  EXPECT_NEAR(this->Value("Valence"), 0.0, 1e-14); // right angles cost nothing
+  EXPECT_NEAR(this->Value("Valence"), 0.0, 1e-14); // no rotation at right angles
   EXPECT_NEAR(this->Value("TangentTurning"), -1.0, 1e-14);
-  EXPECT_GT(island.Singular(), 0);
-  EXPECT_GE(this->Value("UnwantedSingularities"), island.Singular());
+  EXPECT_GT(island.CountSingular(), 0);
+  EXPECT_GE(this->Value("UnwantedSingularities"), island.CountSingular());
 }
 
 TEST_F(PerforatedCrossField, TheUnitOfLengthDoesNotMatter)
@@ -246,7 +246,7 @@ TEST_F(PerforatedCrossField, TheUnitOfLengthDoesNotMatter)
   }
 }
 
-TEST_F(PerforatedCrossField, TurningTheDomainTurnsTheField)
+TEST_F(PerforatedCrossField, RotatingTheDomainRotatesTheField)
 {
   this->Solve(TestInputs::DrilledIsland());
   const double energy = this->Value("Energy");
@@ -273,7 +273,7 @@ TEST_F(PerforatedCrossField, TurningTheDomainTurnsTheField)
   EXPECT_LT(largest, 1e-8);
 }
 
-TEST_F(PerforatedCrossField, FewIterationsAreAWarningAndNotConverged)
+TEST_F(PerforatedCrossField, WarnsWithoutConvergence)
 {
   this->Filter->SetMethodToConstrained();
   this->Filter->SetMaximumIterations(1);
@@ -290,7 +290,7 @@ TEST_F(PerforatedCrossField, FewIterationsAreAWarningAndNotConverged)
   EXPECT_GT(this->Value("Residual"), this->Filter->GetTolerance());
 }
 
-TEST_F(PerforatedCrossField, MeasuresItsStages)
+TEST_F(PerforatedCrossField, MeasuresStages)
 {
   this->Solve(TestInputs::DrilledDisk(0.05));
   for (double seconds : { this->Filter->GetStageSeconds()[0], this->Filter->GetStageSeconds()[1],

@@ -1,4 +1,4 @@
-// The method, the start and the extra constraints of vtkPerforatedCrossField.
+// Method, initial field and additional constraints of vtkPerforatedCrossField.
 
 #include "FieldReading.h"
 #include "FilterChecks.h"
@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 using PerforatedCrossFieldMethods = PerforatedCrossField;
 }
 
-TEST_F(PerforatedCrossFieldMethods, ConstrainedKeepsTheRulesOfAFilter)
+TEST_F(PerforatedCrossFieldMethods, ConstrainedFollowsFilterConventions)
 {
   this->Filter->SetMethodToConstrained();
   FilterChecks::CheckRunTwice(
@@ -33,7 +33,7 @@ TEST_F(PerforatedCrossFieldMethods, UnitNormIsTheDefault)
 
 TEST_F(PerforatedCrossFieldMethods, UnwantedSingularitiesAreAWarning)
 {
-  // The holes beside the island are far from where the relaxed field would like its singularities.
+  // The holes beside the island are far from the singularities of the relaxed field.
   this->Filter->SetStartToHarmonic();
   this->Filter->SetInputData(TestInputs::DrilledIsland());
   for (const bool unitNorm : { false, true })
@@ -71,7 +71,7 @@ TEST_F(PerforatedCrossFieldMethods, UnitNormIsUnitAndTurnsAsPrescribed)
     }
     EXPECT_LT(deviation, 1e-12);
     EXPECT_NEAR(this->Value("Energy"), energy, 1e-9 * energy);
-    EXPECT_EQ(field.Singular(), 0);
+    EXPECT_EQ(field.CountSingular(), 0);
     EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
     EXPECT_EQ(this->Value("Converged"), 1.0);
     EXPECT_LT(this->Value("Residual"), 1e-9);
@@ -79,12 +79,12 @@ TEST_F(PerforatedCrossFieldMethods, UnitNormIsUnitAndTurnsAsPrescribed)
       FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), "HoleDegree");
     for (int row = 0; row < degrees->GetNumberOfTuples(); ++row)
     {
-      const int prescribed = field.lines[field.Walk(3, row).front()].quarterIndex;
+      const int prescribed = field.lines[field.OrderedLoop(3, row).front()].quarterIndex;
       EXPECT_NEAR(field.Degree(row), prescribed, 1e-12);
       EXPECT_EQ(degrees->GetComponent(row, 0), prescribed);
     }
   }
-  // One inner loop, that of the island.
+  // One inner loop, the island.
   vtkFieldData* report = this->Filter->GetOutput()->GetFieldData();
   ExpectArray(report, "HolonomyDefect", VTK_DOUBLE, 1, 1);
   EXPECT_LE(std::abs(this->Value("HolonomyDefect")), std::acos(-1.0));
@@ -103,7 +103,7 @@ TEST_F(PerforatedCrossFieldMethods, StartsLeadToMinima)
   this->Filter->SetStartToBest();
   this->Solve(TestInputs::DrilledDisk());
   EXPECT_NEAR(this->Value("Energy"), harmonic, 1e-9 * harmonic);
-  // Among the fields in the plane are those of unit norm.
+  // Fields with values in the plane include those of unit norm.
   this->Filter->SetMethodToUnitNorm();
   this->Solve(TestInputs::DrilledDisk());
   EXPECT_GT(this->Value("Energy"), harmonic);
@@ -122,7 +122,7 @@ TEST_F(PerforatedCrossFieldMethods, UnitHolesHaveUnitCrosses)
   for (int row = 0; row < 4; ++row)
   {
     EXPECT_NEAR(field.Degree(row), 1.0, 1e-12);
-    for (std::size_t line : field.Walk(3, row))
+    for (std::size_t line : field.OrderedLoop(3, row))
     {
       EXPECT_NEAR(std::abs(field.OnLine(line)), 1.0, 1e-8);
     }

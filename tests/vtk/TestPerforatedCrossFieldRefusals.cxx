@@ -1,4 +1,4 @@
-// Meshes that vtkPerforatedCrossField cannot use, and configurations for which there is no field.
+// Invalid meshes and inconsistent configurations for vtkPerforatedCrossField.
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
@@ -27,14 +27,14 @@ using FilterChecks::CaptureError;
 class PerforatedCrossFieldRefusals : public testing::Test
 {
 public:
-  /** After each refusal a good input must work: nothing of the failure stays. */
+  /** Expects that valid input works after each failure. */
   void TearDown() override
   {
     this->Filter->SetInputData(TestInputs::DrilledDisk());
     FilterChecks::UpdateWithoutError(this->Filter);
   }
 
-  /** The drilled disk with the cells for which `keep` is true. */
+  /** Returns the drilled disk with the cells for which `keep` is true. */
   vtkSmartPointer<vtkUnstructuredGrid> Keep(const std::function<bool(vtkIdType)>& keep)
   {
     const auto mesh = TestInputs::DrilledDisk();
@@ -56,7 +56,7 @@ public:
     return result;
   }
 
-  /** In the text for a view, too. */
+  /** Expects the message in the text for a view as well. */
   void ExpectError(vtkUnstructuredGrid* mesh, const std::vector<std::string>& parts,
     unsigned long code = vtkErrorCode::UserError)
   {
@@ -70,7 +70,7 @@ public:
     }
   }
 
-  /** Sets the array on the cells that have a value there now. */
+  /** Sets an array to a value on the cells that have another given value. */
   static void Replace(vtkUnstructuredGrid* mesh, const char* name, int before, int after)
   {
     vtkDataArray* array = mesh->GetCellData()->GetArray(name);
@@ -97,14 +97,14 @@ TEST_F(PerforatedCrossFieldRefusals, InconsistentConfiguration)
     vtkCrossFieldErrorCodes::Inconsistent);
 }
 
-TEST_F(PerforatedCrossFieldRefusals, CodesAreTheNumbersThatScriptsKnow)
+TEST_F(PerforatedCrossFieldRefusals, ErrorCodesAreStable)
 {
   EXPECT_EQ(int(vtkCrossFieldErrorCodes::BadInput), 40000);
   EXPECT_EQ(int(vtkCrossFieldErrorCodes::Inconsistent), 40001);
   EXPECT_EQ(int(vtkPerforatedCrossField::InconsistentError), 40001);
 }
 
-TEST_F(PerforatedCrossFieldRefusals, MeshWithoutTheArraysOfTheDrill)
+TEST_F(PerforatedCrossFieldRefusals, MeshWithoutArraysOfDrillHoles)
 {
   for (const char* name : { "BoundaryKind", "BoundaryId", "QuarterIndex" })
   {
@@ -117,7 +117,7 @@ TEST_F(PerforatedCrossFieldRefusals, MeshWithoutTheArraysOfTheDrill)
   this->ExpectError(bare, { "'BoundaryKind'" });
 }
 
-TEST_F(PerforatedCrossFieldRefusals, CellsThatAreNoDrilledMesh)
+TEST_F(PerforatedCrossFieldRefusals, CellsOfOtherTypes)
 {
   const auto mesh = TestInputs::DrilledDisk();
   const vtkIdType last = mesh->GetNumberOfCells() - 1;
@@ -148,14 +148,14 @@ TEST_F(PerforatedCrossFieldRefusals, CodesOutOfRange)
   Replace(kind, "BoundaryKind", 3, 7);
   this->ExpectError(kind, { "BoundaryKind" });
   const auto joined = TestInputs::DrilledDisk();
-  Replace(joined, "BoundaryId", 1, 0); // two loops that claim to be one
+  Replace(joined, "BoundaryId", 1, 0); // two loops with the same id
   this->ExpectError(joined, { "do not form one closed loop" });
 }
 
 TEST_F(PerforatedCrossFieldRefusals, HoleWithTooFewEdges)
 {
   const auto mesh = TestInputs::DrilledDisk();
-  // 4 = 1 + 1 + 40 − 38, on polygons with 32 edges or not many more.
+  // 4 = 1 + 1 + 40 − 38, on polygons with about 32 edges.
   vtkDataArray* quarters = mesh->GetCellData()->GetArray("QuarterIndex");
   vtkDataArray* kinds = mesh->GetCellData()->GetArray("BoundaryKind");
   vtkDataArray* rows = mesh->GetCellData()->GetArray("BoundaryId");

@@ -34,7 +34,7 @@ public:
     this->Reader->SetInputString(text);
   }
 
-  /** The loops of a text; fails the test unless each is one closed polyline. */
+  /** Returns the loops of a text. Expects each to be one closed polyline. */
   std::vector<Loop> Read(const std::string& text, const std::string& file = "loop.csv")
   {
     this->SetText(text, file);
@@ -70,7 +70,7 @@ public:
 };
 }
 
-TEST_F(PlanarDomainReader, KeepsTheRulesOfAFilter)
+TEST_F(PlanarDomainReader, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Reader, [this] { this->SetText(SquareTable); },
@@ -79,7 +79,7 @@ TEST_F(PlanarDomainReader, KeepsTheRulesOfAFilter)
   FilterChecks::CheckPrintSelf(this->Reader, { "FileName", "ReadFromInputString", "InputString" });
 }
 
-TEST_F(PlanarDomainReader, TablesHaveTheNamesOfPeopleAndOfParaView)
+TEST_F(PlanarDomainReader, AcceptsColumnNamesOfUsersAndParaView)
 {
   EXPECT_EQ(this->Read(SquareTable), std::vector<Loop>{ Square });
   for (const char* text : { "X,Y\n0,0\n2,0\n2,1\n0,1\n", " y , x \r\n0,0\r\n0,2\r\n1,2\r\n1,0\r\n",
@@ -92,7 +92,7 @@ TEST_F(PlanarDomainReader, TablesHaveTheNamesOfPeopleAndOfParaView)
     (std::vector<Loop>{ { { 0, 0, 3 }, { 1, 0, 3 }, { 0, 1, 4 } } }));
 }
 
-TEST_F(PlanarDomainReader, AColumnSaysTheLoopOfEachPoint)
+TEST_F(PlanarDomainReader, LoopColumnSeparatesLoops)
 {
   const std::vector<Loop> both = { Square, Triangle };
   EXPECT_EQ(
@@ -103,7 +103,7 @@ TEST_F(PlanarDomainReader, AColumnSaysTheLoopOfEachPoint)
     both);
 }
 
-TEST_F(PlanarDomainReader, AerofoilsAndPlainLoops)
+TEST_F(PlanarDomainReader, ReadsAerofoilsAndPlainLoops)
 {
   const std::string rows = "0 0\n2 0\n 2.0\t1e0\n0 1\n";
   EXPECT_EQ(this->Read("a name of 2 words\n" + rows, "wing.dat"), std::vector<Loop>{ Square });
@@ -113,17 +113,17 @@ TEST_F(PlanarDomainReader, AerofoilsAndPlainLoops)
   const std::string inner = "0.5 0.25\n1 0.25\n0.75 0.5\n";
   EXPECT_EQ(this->Read("name\n\n\n" + rows + "\n \r\n" + inner, "wing.dat"), both);
   EXPECT_EQ(this->Read(rows + "999.0 999.0\n" + inner + "999 999\n", "wing.dat"), both);
-  // A trailing edge that is closed has its point twice, which the filters count once.
+  // A closed trailing edge has its point twice, which the filters count once.
   EXPECT_EQ(this->Read(rows + "0 0\n", "wing.dat")[0].size(), 5u);
 }
 
-TEST_F(PlanarDomainReader, OtherFilesAreTablesIfTheyHaveAComma)
+TEST_F(PlanarDomainReader, CommaSelectsTableForOtherEndings)
 {
   EXPECT_EQ(this->Read(SquareTable, "/dev/stdin"), std::vector<Loop>{ Square });
   EXPECT_EQ(this->Read("0 0\n2 0\n2 1\n0 1\n", "/dev/stdin"), std::vector<Loop>{ Square });
 }
 
-TEST_F(PlanarDomainReader, RefusesWhatItCannotUse)
+TEST_F(PlanarDomainReader, RejectsInvalidText)
 {
   this->Reader->SetFileName("/no/such/file.csv");
   EXPECT_EQ(
@@ -147,7 +147,7 @@ TEST_F(PlanarDomainReader, RefusesWhatItCannotUse)
   this->Refuses("0 0\n2 0\n2 1\n\n\n0 1\n1 0\n", profile, "Loop 2");
 }
 
-TEST_F(PlanarDomainReader, ReadsAFileAndSaysWhichOnesItCanRead)
+TEST_F(PlanarDomainReader, ReadsFilesAndDetectsFormats)
 {
   const std::string folder = testing::TempDir() + "crossfield-reader-";
   struct Case

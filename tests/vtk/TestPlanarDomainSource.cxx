@@ -45,7 +45,7 @@ double LongestSegment(const Loop& loop)
 class PlanarDomainSource : public testing::Test
 {
 public:
-  /** The loops of a domain; fails the test unless each is one closed polyline in z = 0. */
+  /** Returns the loops of a domain. Expects each to be one closed polyline in z = 0. */
   std::vector<Loop> Read(const std::string& name)
   {
     this->Source->SetDomainName(name);
@@ -73,7 +73,7 @@ public:
   vtkNew<vtkPlanarDomainSource> Source;
 };
 
-/** The area of a regular polygon relative to that of its circle. */
+/** Returns the area of a regular polygon relative to its circle. */
 double PolygonShare(const Loop& loop)
 {
   const double angle = 2.0 * Pi / static_cast<double>(loop.size());
@@ -81,7 +81,7 @@ double PolygonShare(const Loop& loop)
 }
 }
 
-TEST_F(PlanarDomainSource, KeepsTheRulesOfAFilter)
+TEST_F(PlanarDomainSource, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Source, [this] { this->Source->SetDomainName("ring"); },
@@ -125,7 +125,7 @@ TEST_F(PlanarDomainSource, RingHasTheOuterLoopFirst)
   const std::vector<Loop> loops = this->Read("ring");
   ASSERT_EQ(loops.size(), 2u);
   EXPECT_NEAR(Area(loops[0]), 4.0 * Pi * PolygonShare(loops[0]), 1e-12);
-  // The class comment: counter-clockwise as well.
+  // All loops are counter-clockwise.
   EXPECT_NEAR(Area(loops[1]), 0.25 * Pi * PolygonShare(loops[1]), 1e-12);
 }
 
@@ -195,7 +195,7 @@ TEST_F(PlanarDomainSource, AngularDomainsHaveTheirAngles)
   struct Case
   {
     const char* name;
-    std::vector<double> angles; ///< In degrees, sorted.
+    std::vector<double> angles; ///< Sorted, in degrees.
   };
   const Case cases[] = { { "angular-balanced", { 107.5, 107.5, 107.5, 107.5, 145.0, 145.0 } },
     { "angular-negative", { 100.0, 100.0, 130.0, 130.0, 130.0, 130.0 } },
@@ -228,14 +228,14 @@ TEST_F(PlanarDomainSource, AngularDomainsHaveTheirAngles)
   }
 }
 
-TEST_F(PlanarDomainSource, EdgeLengthIsThatOfTheCurves)
+TEST_F(PlanarDomainSource, EdgeLengthAppliesToCurves)
 {
   for (const char* name : { "disk", "ring", "ellipse", "quarter-disk" })
   {
     this->Source->SetEdgeLength(0.05);
     for (const Loop& loop : this->Read(name))
     {
-      // The straight sides of the quarter disk are longer.
+      // Straight sides of the quarter disk are longer.
       const double longest =
         std::string(name) == "quarter-disk" ? std::abs(loop[1] - loop[0]) : LongestSegment(loop);
       EXPECT_LE(longest, 0.05) << name;
@@ -244,7 +244,7 @@ TEST_F(PlanarDomainSource, EdgeLengthIsThatOfTheCurves)
   }
 }
 
-TEST_F(PlanarDomainSource, RefusesAnUnknownName)
+TEST_F(PlanarDomainSource, RejectsAnUnknownName)
 {
   this->Source->SetDomainName("triangle");
   EXPECT_EQ(FilterChecks::CaptureError(this->Source, { "'triangle'", "disk, ring" }),
@@ -253,7 +253,7 @@ TEST_F(PlanarDomainSource, RefusesAnUnknownName)
   FilterChecks::UpdateWithoutError(this->Source);
 }
 
-TEST_F(PlanarDomainSource, RefusesLengthsThatAreNotPositive)
+TEST_F(PlanarDomainSource, RejectsLengthsThatAreNotPositive)
 {
   using Setter = void (vtkPlanarDomainSource::*)(double);
   struct Case

@@ -1,15 +1,12 @@
-// Domains in any plane of space: every filter gives what it gives in z = 0, moved there.
+// Domains in any plane of space: every filter gives the output for z = 0, moved to the plane.
 
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "PlanesTest.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkCrossGlyphs.h"
-#include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
 #include "vtkLayoutDesigner.h"
-#include "vtkPerforatedCrossField.h"
 #include "vtkPoincareHopfCheck.h"
 #include "vtkSingularitySource.h"
 
@@ -35,88 +32,16 @@
 
 namespace
 {
-using Vector = std::array<double, 3>;
-using Rotation = std::array<Vector, 3>; ///< By rows.
-
-/** The rotation about an axis in z = 0 that takes z to the normal: the shortest one. */
-Rotation Tilt(Vector normal)
-{
-  vtkMath::Normalize(normal.data());
-  const auto [x, y, z] = normal;
-  const double s = 1.0 / (1.0 + z);
-  return { { { 1.0 - x * x * s, -x * y * s, x }, { -x * y * s, 1.0 - y * y * s, y },
-    { -x, -y, z } } };
-}
-
-Vector Apply(const Rotation& rotation, const double* place)
-{
-  Vector result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result[i] = vtkMath::Dot(rotation[i].data(), place);
-  }
-  return result;
-}
-
-double Distance(const Vector& a, const double* b)
-{
-  return std::sqrt(vtkMath::Distance2BetweenPoints(a.data(), b));
-}
-
-vtkSmartPointer<vtkPolyData> Moved(vtkPolyData* input, const Rotation& rotation)
-{
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->DeepCopy(input);
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    result->GetPoints()->SetPoint(i, Apply(rotation, input->GetPoint(i)).data());
-  }
-  return result;
-}
-
-double Value(vtkDataObject* data, const char* name)
-{
-  return FilterChecks::RequireArray(data->GetFieldData(), name)->GetTuple1(0);
-}
-
-/** An L with corners of 90 and 270 degrees, and two singularities. */
-vtkSmartPointer<vtkPolyData> LShape()
-{
-  return TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 4, 2 }, { 2, 2 }, { 2, 4 }, { 0, 4 } } });
-}
-vtkSmartPointer<vtkPolyData> Pair()
-{
-  return TestInputs::Singularities({ { 1, 3, 1, 0.25 }, { 3, 1, -1, 0.25 } });
-}
-
-struct Chain
-{
-  explicit Chain(const Rotation& rotation)
-    : Domain(Moved(LShape(), rotation))
-    , Singularities(Moved(Pair(), rotation))
-  {
-    this->Drill->SetInputData(this->Domain);
-    this->Drill->SetSingularitiesData(this->Singularities);
-    this->Drill->SetMeshSize(0.25);
-    this->Solver->SetInputConnection(this->Drill->GetOutputPort());
-  }
-
-  vtkSmartPointer<vtkPolyData> Domain;
-  vtkSmartPointer<vtkPolyData> Singularities;
-  vtkNew<vtkDrillHoles> Drill;
-  vtkNew<vtkPerforatedCrossField> Solver;
-};
-
-const Rotation Identity = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+using namespace PlanesTest;
 
 class Planes : public testing::TestWithParam<Rotation>
 {
 public:
-  Chain Flat{ Identity };
-  Chain Turned{ GetParam() };
+  Pipeline Flat{ Identity };
+  Pipeline Tilted{ GetParam() };
 
-  /** Points one by one where those in z = 0 are moved to. */
-  void ExpectMoved(vtkDataSet* turned, vtkDataSet* flat, double tolerance = 1e-12)
+  /** Expects the points in z = 0, rotated, in the same order. */
+  void ExpectRotated(vtkDataSet* turned, vtkDataSet* flat, double tolerance = 1e-12)
   {
     ASSERT_EQ(turned->GetNumberOfPoints(), flat->GetNumberOfPoints());
     ASSERT_GT(flat->GetNumberOfPoints(), 0);
@@ -127,14 +52,14 @@ public:
   }
 };
 
-TEST_P(Planes, MeshAndField)
+TEST_P(Planes, MeshAndFieldRotate)
 {
-  for (Chain* chain : { &this->Flat, &this->Turned })
+  for (Pipeline* pipeline : { &this->Flat, &this->Tilted })
   {
-    FilterChecks::UpdateWithoutError(chain->Solver);
+    FilterChecks::UpdateWithoutError(pipeline->Solver);
   }
   vtkUnstructuredGrid* flat = this->Flat.Solver->GetOutput();
-  vtkUnstructuredGrid* turned = this->Turned.Solver->GetOutput();
+  vtkUnstructuredGrid* turned = this->Tilted.Solver->GetOutput();
   ASSERT_EQ(turned->GetNumberOfPoints(), flat->GetNumberOfPoints());
   ASSERT_EQ(turned->GetNumberOfCells(), flat->GetNumberOfCells());
   EXPECT_NEAR(Value(turned, "Energy") / Value(flat, "Energy"), 1.0, 1e-12);
@@ -147,7 +72,7 @@ TEST_P(Planes, MeshAndField)
   const Vector normal = Apply(GetParam(), Identity[2].data());
   for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
   {
-    // The numbers of points may differ, so each is looked for.
+    // The numbering of points may differ, so each one is located.
     const Vector place = Apply(GetParam(), flat->GetPoint(i));
     vtkIdType found = 0;
     for (vtkIdType j = 1; j < turned->GetNumberOfPoints(); ++j)
@@ -166,7 +91,7 @@ TEST_P(Planes, MeshAndField)
     Vector product;
     vtkMath::Cross(crosses[0].data(), crosses[1].data(), product.data());
     EXPECT_LT(Distance(normal, product.data()), 1e-6) << "orthogonal unit vectors in the plane";
-    // Where arg(u) is near π rounding chooses the branch; cos 4θ does not depend on it.
+    // Where arg(u) is near π rounding selects the branch; cos 4θ does not depend on it.
     double expected[3];
     flat->GetPointData()->GetArray("Cross")->GetTuple(i, expected);
     const double cosine = vtkMath::Dot(Apply(GetParam(), expected).data(), crosses[0].data());
@@ -174,17 +99,17 @@ TEST_P(Planes, MeshAndField)
   }
 }
 
-TEST_P(Planes, CornersAndOverrides)
+TEST_P(Planes, CornersAndOverridesRotate)
 {
   vtkNew<vtkBoundaryCornerClassifier> classifiers[2];
   for (int i = 0; i < 2; ++i)
   {
-    classifiers[i]->SetInputData(i == 0 ? this->Flat.Domain : this->Turned.Domain);
+    classifiers[i]->SetInputData(i == 0 ? this->Flat.Domain : this->Tilted.Domain);
     classifiers[i]->AddPointOverride(3, -2);
-    classifiers[i]->AddOverride(4, 2, 2); // in coordinates of the plane
+    classifiers[i]->AddOverride(4, 2, 2); // in the coordinates of the plane
     FilterChecks::UpdateWithoutError(classifiers[i]);
   }
-  this->ExpectMoved(classifiers[1]->GetOutput(), classifiers[0]->GetOutput());
+  this->ExpectRotated(classifiers[1]->GetOutput(), classifiers[0]->GetOutput());
   for (const char* name : { "QuarterIndex", "Overridden", "QuarterIndexScarce" })
   {
     for (vtkIdType i = 0; i < 6; ++i)
@@ -194,11 +119,12 @@ TEST_P(Planes, CornersAndOverrides)
         << name;
     }
   }
-  // They fit to the boundary of a mesh of the same domain, and the sum of the singularities to them.
+  // The corners are on the boundary of a mesh of the same domain, and the singularities fit their
+  // sum.
   double energies[2];
   for (int i = 0; i < 2; ++i)
   {
-    vtkPerforatedCrossField* solver = (i == 0 ? this->Flat : this->Turned).Solver;
+    vtkPerforatedCrossField* solver = (i == 0 ? this->Flat : this->Tilted).Solver;
     solver->SetMethodToUnitNorm();
     FilterChecks::UpdateWithoutError(solver);
     const double withoutCorners = Value(solver->GetOutput(), "Energy");
@@ -210,55 +136,56 @@ TEST_P(Planes, CornersAndOverrides)
   EXPECT_NEAR(energies[1] / energies[0], 1.0, 1e-12);
 }
 
-TEST_P(Planes, CheckAndProposal)
+TEST_P(Planes, CheckAndProposalRotate)
 {
   vtkNew<vtkPoincareHopfCheck> checks[2];
   vtkNew<vtkConfigurationProposal> proposals[2];
   for (int i = 0; i < 2; ++i)
   {
-    Chain& chain = i == 0 ? this->Flat : this->Turned;
-    checks[i]->SetInputData(chain.Domain);
-    checks[i]->SetSingularitiesData(chain.Singularities);
+    Pipeline& pipeline = i == 0 ? this->Flat : this->Tilted;
+    checks[i]->SetInputData(pipeline.Domain);
+    checks[i]->SetSingularitiesData(pipeline.Singularities);
     FilterChecks::UpdateWithoutError(checks[i]);
     EXPECT_EQ(Value(checks[i]->GetOutput(), "Consistent"), 1.0);
-    proposals[i]->SetInputData(chain.Domain);
-    proposals[i]->SetSingularitiesData(chain.Singularities);
+    proposals[i]->SetInputData(pipeline.Domain);
+    proposals[i]->SetSingularitiesData(pipeline.Singularities);
     FilterChecks::UpdateWithoutError(proposals[i]);
   }
-  this->ExpectMoved(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
+  this->ExpectRotated(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
     vtkPolyData::SafeDownCast(checks[0]->GetOutputDataObject(2)));
-  this->ExpectMoved(proposals[1]->GetOutput(), proposals[0]->GetOutput());
-  // And of a solved field.
+  this->ExpectRotated(proposals[1]->GetOutput(), proposals[0]->GetOutput());
+  // The same check of a solved field.
   for (int i = 0; i < 2; ++i)
   {
-    checks[i]->SetInputConnection((i == 0 ? this->Flat : this->Turned).Solver->GetOutputPort());
+    checks[i]->SetInputConnection((i == 0 ? this->Flat : this->Tilted).Solver->GetOutputPort());
     FilterChecks::UpdateWithoutError(checks[i]);
   }
-  this->ExpectMoved(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
+  this->ExpectRotated(vtkPolyData::SafeDownCast(checks[1]->GetOutputDataObject(2)),
     vtkPolyData::SafeDownCast(checks[0]->GetOutputDataObject(2)));
 }
 
-TEST_P(Planes, SingularitiesOfAField)
+TEST_P(Planes, SingularitiesRotate)
 {
   vtkNew<vtkCrossFieldSingularities> finders[2];
   vtkNew<vtkGinzburgLandauCrossField> references[2];
   for (int i = 0; i < 2; ++i)
   {
-    Chain& chain = i == 0 ? this->Flat : this->Turned;
+    Pipeline& pipeline = i == 0 ? this->Flat : this->Tilted;
     finders[i]->SetIncludeHoles(true);
-    finders[i]->SetInputConnection(chain.Solver->GetOutputPort());
+    finders[i]->SetInputConnection(pipeline.Solver->GetOutputPort());
     FilterChecks::UpdateWithoutError(finders[i]);
   }
-  this->ExpectMoved(finders[1]->GetOutput(), finders[0]->GetOutput(), 1e-9);
+  this->ExpectRotated(finders[1]->GetOutput(), finders[0]->GetOutput(), 1e-9);
   for (int i = 0; i < 2; ++i)
   {
-    Chain& chain = i == 0 ? this->Flat : this->Turned;
-    chain.Drill->SetInputData(
-      Moved(TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
+    Pipeline& pipeline = i == 0 ? this->Flat : this->Tilted;
+    pipeline.Drill->SetInputData(
+      Rotated(TestInputs::Loops({ { { 0, 0 }, { 4, 0 }, { 5, 3 }, { 2, 5 }, { -1, 2 } } }),
         i == 0 ? Identity : GetParam()));
-    chain.Drill->SetSingularitiesData(TestInputs::Singularities({}));
-    references[i]->SetInputConnection(chain.Drill->GetOutputPort());
-    references[i]->SetEpsilon(4.0); // a weak penalty has one minimum; for others rounding chooses
+    pipeline.Drill->SetSingularitiesData(TestInputs::Singularities({}));
+    references[i]->SetInputConnection(pipeline.Drill->GetOutputPort());
+    references[i]->SetEpsilon(
+      4.0); // a weak penalty has one minimum; otherwise rounding selects one
     FilterChecks::UpdateWithoutError(references[i]);
   }
   EXPECT_GT(Value(references[0]->GetOutput(), "Energy"), 1.0);
@@ -267,13 +194,13 @@ TEST_P(Planes, SingularitiesOfAField)
     1e-10);
 }
 
-TEST_P(Planes, Glyphs)
+TEST_P(Planes, GlyphsRotate)
 {
   vtkNew<vtkCrossGlyphs> glyphs[2];
   for (int i = 0; i < 2; ++i)
   {
-    glyphs[i]->SetInputConnection((i == 0 ? this->Flat : this->Turned).Solver->GetOutputPort());
-    glyphs[i]->SetSpacing(0.37); // no middle of a square is as near to two triangles
+    glyphs[i]->SetInputConnection((i == 0 ? this->Flat : this->Tilted).Solver->GetOutputPort());
+    glyphs[i]->SetSpacing(0.37); // no centre of a square is equally near to two triangles
     FilterChecks::UpdateWithoutError(glyphs[i]);
   }
   ASSERT_EQ(glyphs[1]->GetOutput()->GetNumberOfLines(), glyphs[0]->GetOutput()->GetNumberOfLines());
@@ -294,15 +221,15 @@ TEST_P(Planes, Glyphs)
   }
 }
 
-TEST_P(Planes, RowsOfAPlaneAndTheirLayout)
+TEST_P(Planes, RowsAndLayoutUsePlaneCoordinates)
 {
-  // The rows are those of z = 0, whatever the plane: the frame turns with it.
+  // The rows are the same in every plane, since the frame rotates with it.
   const std::vector<std::array<double, 2>> rows = { { 1, 3 }, { 3, 1 } };
   vtkNew<vtkSingularitySource> sources[2];
   vtkNew<vtkLayoutDesigner> designers[2];
   for (int i = 0; i < 2; ++i)
   {
-    vtkPolyData* domain = (i == 0 ? this->Flat : this->Turned).Domain;
+    vtkPolyData* domain = (i == 0 ? this->Flat : this->Tilted).Domain;
     sources[i]->SetDomainData(domain);
     sources[i]->RemoveAllSingularities();
     for (int row = 0; row < 2; ++row)
@@ -333,21 +260,21 @@ TEST_P(Planes, RowsOfAPlaneAndTheirLayout)
       }
     }
   }
-  this->ExpectMoved(sources[1]->GetOutput(), sources[0]->GetOutput());
-  this->ExpectMoved(designers[1]->GetOutput(), designers[0]->GetOutput(), 1e-9);
+  this->ExpectRotated(sources[1]->GetOutput(), sources[0]->GetOutput());
+  this->ExpectRotated(designers[1]->GetOutput(), designers[0]->GetOutput(), 1e-9);
 }
 
-TEST_P(Planes, RowsAreInThePlaneOfWhereTheyStart)
+TEST_P(Planes, RowsAreInThePlaneOfStart)
 {
   vtkNew<vtkConfigurationProposal> proposal;
-  proposal->SetInputData(this->Turned.Domain);
-  proposal->SetSingularitiesData(this->Turned.Singularities);
+  proposal->SetInputData(this->Tilted.Domain);
+  proposal->SetSingularitiesData(this->Tilted.Singularities);
   vtkNew<vtkSingularitySource> taken;
   taken->SetStartConnection(proposal->GetOutputPort());
   FilterChecks::UpdateWithoutError(taken);
   const vtkIdType count = taken->GetOutputRows()->GetNumberOfTuples();
   ASSERT_GT(count, 0);
-  vtkNew<vtkSingularitySource> again; // of a filter that has no domain itself
+  vtkNew<vtkSingularitySource> again; // without a domain
   again->SetStartConnection(taken->GetOutputPort());
   again->RemoveAllSingularities();
   for (vtkIdType i = 0; i < count; ++i)
@@ -363,7 +290,7 @@ TEST_P(Planes, RowsAreInThePlaneOfWhereTheyStart)
     proposal->GetOutput()->GetPoint(i, place.data());
     EXPECT_LT(Distance(place, again->GetOutput()->GetPoint(i)), 1e-12);
   }
-  // What a filter between has moved out of its plane is in that no more.
+  // Points that another filter moved are no longer in the recorded plane.
   vtkNew<vtkPolyData> moved;
   moved->DeepCopy(proposal->GetOutput());
   for (vtkIdType i = 0; i < count; ++i)
@@ -381,10 +308,10 @@ TEST_P(Planes, RowsAreInThePlaneOfWhereTheyStart)
   EXPECT_EQ(Distance({ 0, 0, 3 }, level->GetPlane()->GetTuple3(0)), 0.0);
 }
 
-TEST_P(Planes, InputIsNotTouched)
+TEST_P(Planes, InputIsUnchanged)
 {
-  FilterChecks::CheckInputUntouched(this->Turned.Drill);
-  FilterChecks::CheckInputUntouched(this->Turned.Solver);
+  FilterChecks::CheckInputUntouched(this->Tilted.Drill);
+  FilterChecks::CheckInputUntouched(this->Tilted.Solver);
 }
 
 const std::array<Rotation, 4> Rotations = { Identity,
@@ -397,40 +324,5 @@ std::string PlaneName(const testing::TestParamInfo<Rotation>& info)
   return names[info.index];
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Planes, testing::ValuesIn(Rotations), PlaneName);
-
-TEST(PlanesRefusals, SingularityOffThePlane)
-{
-  Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
-  chain.Drill->SetSingularitiesData(Pair());
-  FilterChecks::CaptureError(chain.Drill, { "The singularity 1 at (1, 3, 0)", "off the plane" });
-  chain.Drill->SetSingularitiesData(chain.Singularities);
-  FilterChecks::UpdateWithoutError(chain.Drill);
-}
-
-TEST(PlanesRefusals, CornerOffThePlane)
-{
-  Chain chain(Tilt({ 0.3, -0.4, 0.8 }));
-  vtkNew<vtkBoundaryCornerClassifier> corners;
-  corners->SetInputData(LShape()); // in z = 0
-  chain.Solver->SetCornersConnection(corners->GetOutputPort());
-  FilterChecks::CaptureError(chain.Solver, { "The corner ", "off the plane" });
-}
-
-TEST(PlanesRefusals, SurfaceThatBulgesFromAPlanarBoundary)
-{
-  auto mesh = TestInputs::FrameMesh();
-  vtkNew<vtkDrillHoles> drill;
-  drill->SetInputData(mesh);
-  drill->SetSingularitiesData(TestInputs::Singularities({}));
-  FilterChecks::UpdateWithoutError(drill);
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    const double* point = mesh->GetPoint(i);
-    const bool isInner = point[0] == 1.0 && point[1] == 1.0; // on no loop
-    mesh->GetPoints()->SetPoint(i, point[0], point[1], isInner ? 0.5 : 0.0);
-  }
-  mesh->Modified();
-  FilterChecks::CaptureError(drill, { "not planar" });
-}
+INSTANTIATE_TEST_SUITE_P(In, Planes, testing::ValuesIn(Rotations), PlaneName);
 }

@@ -57,7 +57,7 @@ public:
 };
 }
 
-TEST_F(PoincareHopfCheck, KeepsTheRulesOfAFilter)
+TEST_F(PoincareHopfCheck, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Source->SetDomainName("disk"); },
@@ -89,14 +89,14 @@ TEST_F(PoincareHopfCheck, ConsistentOnTheDisk)
   EXPECT_EQ(domain->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
-TEST_F(PoincareHopfCheck, InconsistentIsNoError)
+TEST_F(PoincareHopfCheck, InconsistencyIsNotAnError)
 {
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 1.0, 0.1 } }));
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Consistent"), 0.0);
   EXPECT_NE(this->Reason().find("add up to 1 "), std::string::npos);
   EXPECT_NE(this->Reason().find("; add singularities of total 3."), std::string::npos);
-  // The summary says the same in short lines.
+  // The summary has the same content in short lines.
   std::istringstream lines(this->Summary());
   std::string joined;
   std::string line;
@@ -120,7 +120,7 @@ TEST_F(PoincareHopfCheck, SingularitiesAreOptional)
   EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 6);
 }
 
-TEST_F(PoincareHopfCheck, LoopsAndCorners)
+TEST_F(PoincareHopfCheck, ReportsLoopsAndCorners)
 {
   this->Source->SetDomainName("angular-hole");
   this->Filter->SetSingularitiesConnection(nullptr);
@@ -141,7 +141,7 @@ TEST_F(PoincareHopfCheck, LoopsAndCorners)
   EXPECT_EQ(cancellable, 4.0);
 }
 
-TEST_F(PoincareHopfCheck, HolonomyOfARing)
+TEST_F(PoincareHopfCheck, ReportsHolonomyOfARing)
 {
   this->Source->SetDomainName("ring");
   this->Filter->SetSingularitiesData(
@@ -161,7 +161,7 @@ TEST_F(PoincareHopfCheck, HolonomyOfARing)
 
 TEST_F(PoincareHopfCheck, ChosenCornersChangeTheSum)
 {
-  // The exact minimiser of the hexagon with two tips takes the sum 4.
+  // The exact minimiser for the hexagon with two sharp corners has the sum 4.
   this->Source->SetDomainName("angular-negative");
   this->Filter->SetSingularitiesConnection(nullptr);
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -195,7 +195,7 @@ TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
   EXPECT_EQ(report->GetArray("UnwantedSingularities")->GetTuple1(0), 0.0);
   EXPECT_EQ(report->GetArray("RequiredInteriorQuarters")->GetTuple1(0), 0.0);
 
-  // The field shows the chosen indices.
+  // The field has the chosen indices.
   this->Filter->SetInputConnection(solver->GetOutputPort());
   this->Filter->SetCornersConnection(classifier->GetOutputPort());
   FilterChecks::UpdateWithoutError(this->Filter);
@@ -213,7 +213,7 @@ TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
   }
 }
 
-TEST_F(PoincareHopfCheck, ReadsASolvedField)
+TEST_F(PoincareHopfCheck, ChecksASolvedField)
 {
   for (const bool unitNorm : { false, true })
   {
@@ -234,10 +234,10 @@ TEST_F(PoincareHopfCheck, ReadsASolvedField)
     {
       EXPECT_EQ(degrees->GetTuple1(i), 1.0);
     }
-    // Its mesh passes through with the field.
+    // The mesh of the field passes through.
     EXPECT_NE(FilterChecks::Output(this->Filter)->GetCellData()->GetArray("CrossFieldCR"), nullptr);
 
-    // The same field where other degrees were asked for.
+    // The same field with other prescribed degrees.
     vtkNew<vtkUnstructuredGrid> other;
     other->DeepCopy(solver->GetOutput());
     vtkDataArray* quarters = other->GetCellData()->GetArray("QuarterIndex");
@@ -257,30 +257,30 @@ TEST_F(PoincareHopfCheck, ReadsASolvedField)
   }
 }
 
-TEST_F(PoincareHopfCheck, Refusals)
+TEST_F(PoincareHopfCheck, RejectsInvalidInput)
 {
-  const auto refuse = [this](const std::vector<std::string>& parts)
+  const auto expectError = [this](const std::vector<std::string>& parts)
   {
     EXPECT_EQ(FilterChecks::CaptureError(this->Filter, parts), vtkErrorCode::UserError);
     EXPECT_EQ(this->Loops()->GetNumberOfRows(), 0);
     EXPECT_EQ(this->Corners()->GetNumberOfPoints(), 0);
-    // A view that shows the text must not go on showing an old one.
+    // A view must not show an outdated text.
     EXPECT_EQ(this->Summary().rfind("Not checked\n", 0), 0u) << this->Summary();
   };
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.1 } }));
-  refuse({ "singularity 1", "(3, 0)", "outside" });
+  expectError({ "singularity 1", "(3, 0)", "outside" });
   auto bare = TestInputs::Singularities({ { 0.0, 0.0, 4.0, 0.1 } });
   bare->GetPointData()->RemoveArray("QuarterIndex");
   this->Filter->SetSingularitiesData(bare);
-  refuse({ "'QuarterIndex'" });
+  expectError({ "'QuarterIndex'" });
   this->Filter->SetSingularitiesConnection(nullptr);
   this->Filter->SetCornersData(bare);
-  refuse({ "corners", "'QuarterIndex'" });
+  expectError({ "corners", "'QuarterIndex'" });
   this->Filter->SetCornersData(TestInputs::Singularities({ { 0.1, 0.0, 1.0, 0.0 } }));
-  refuse({ "(0.1, 0)", "not a vertex" });
+  expectError({ "(0.1, 0)", "not a vertex" });
   this->Filter->SetCornersConnection(nullptr);
   this->Filter->SetInputData(TestInputs::OpenCurve({ { 0, 0 }, { 1, 0 }, { 1, 1 } }));
-  refuse({ "open curve" });
+  expectError({ "open curve" });
   this->Filter->SetInputConnection(this->Source->GetOutputPort());
   FilterChecks::UpdateWithoutError(this->Filter);
 }

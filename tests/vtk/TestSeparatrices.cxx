@@ -44,11 +44,11 @@ public:
     return { data->GetPoint(point)[0], data->GetPoint(point)[1] };
   }
 
-  vtkNew<vtkSeparatrices> Lines; ///< Of the map.
+  vtkNew<vtkSeparatrices> Lines; ///< Separatrices of the map.
 };
 }
 
-TEST_F(Separatrices, KeepTheRulesOfAFilter)
+TEST_F(Separatrices, FollowsFilterConventions)
 {
   FilterChecks::UpdateWithoutError(this->Lines);
   FilterChecks::CheckInputUntouched(this->Lines);
@@ -57,31 +57,31 @@ TEST_F(Separatrices, KeepTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(this->Lines);
 }
 
-TEST_F(Separatrices, OfFourOnTheDisk)
+TEST_F(Separatrices, DivideTheDiskIntoPatches)
 {
   FilterChecks::UpdateWithoutError(this->Lines);
   vtkPolyData* lines = this->Lines->GetOutput();
-  vtkPolyData* faces = this->Lines->GetOutput(1);
+  vtkPolyData* patches = this->Lines->GetOutput(1);
   EXPECT_EQ(lines->GetNumberOfCells(), 12);
   EXPECT_EQ(this->Value("Lines"), 12.0);
   EXPECT_EQ(this->Value("Faces"), 9.0 - this->Value("HeadOn"));
-  vtkDataArray* ids = FilterChecks::RequireArray(faces->GetCellData(), "FaceId");
+  vtkDataArray* ids = FilterChecks::RequireArray(patches->GetCellData(), "FaceId");
   EXPECT_EQ(this->Value("Flips"), 0.0);
   EXPECT_LT(this->Value("Mismatch"), 1e-12);
-  // docs/method.md §13.4, at the size of this mesh.
-  vtkDataArray* u = FilterChecks::RequireArray(faces->GetCellData(), "USize");
-  vtkDataArray* v = FilterChecks::RequireArray(faces->GetCellData(), "VSize");
+  // docs/method.md §13.4, for the mesh size of this test.
+  vtkDataArray* u = FilterChecks::RequireArray(patches->GetCellData(), "USize");
+  vtkDataArray* v = FilterChecks::RequireArray(patches->GetCellData(), "VSize");
   double square = 0.0;
   double area = 0.0;
-  for (vtkIdType i = 0, last = -1; i < faces->GetNumberOfCells(); ++i)
+  for (vtkIdType i = 0, last = -1; i < patches->GetNumberOfCells(); ++i)
   {
-    const auto face = static_cast<vtkIdType>(ids->GetTuple1(i));
-    if (face == last)
+    const auto patch = static_cast<vtkIdType>(ids->GetTuple1(i));
+    if (patch == last)
     {
       continue;
     }
-    EXPECT_EQ(face, last + 1);
-    last = face;
+    EXPECT_EQ(patch, last + 1);
+    last = patch;
     square = std::max(square, std::min(u->GetTuple1(i), v->GetTuple1(i)));
     area += u->GetTuple1(i) * v->GetTuple1(i);
   }
@@ -92,13 +92,13 @@ TEST_F(Separatrices, OfFourOnTheDisk)
   {
     EXPECT_EQ(FilterChecks::RequireArray(lines->GetCellData(), name)->GetNumberOfTuples(), 12);
   }
-  EXPECT_EQ(FilterChecks::RequireArray(faces->GetPointData(), "NodeKind")->GetNumberOfTuples(),
-    faces->GetNumberOfPoints());
+  EXPECT_EQ(FilterChecks::RequireArray(patches->GetPointData(), "NodeKind")->GetNumberOfTuples(),
+    patches->GetNumberOfPoints());
 }
 
-/// Triangles fill every face: none is turned over, and together they have the area of its outline and
-/// all of them that of the domain. The outlines are rectangles of (u, v).
-TEST_F(Separatrices, FacesAreFilledWithTriangles)
+// The triangles of every patch are positively oriented and have the total area of its outline; all
+// patches have the area of the domain. The outlines are rectangles of (u, v).
+TEST_F(Separatrices, PatchesAreTriangulated)
 {
   for (const char* name : { "disk", "ring", "l-shape", "hexagonal" })
   {
@@ -115,54 +115,54 @@ TEST_F(Separatrices, FacesAreFilledWithTriangles)
       this->Filter->SetSingularitiesData(nullptr);
     }
     FilterChecks::UpdateWithoutError(this->Lines);
-    vtkPolyData* faces = this->Lines->GetOutput(1);
-    vtkDataArray* ofCell = FilterChecks::RequireArray(faces->GetCellData(), "FaceId");
-    vtkDataArray* ofPoint = FilterChecks::RequireArray(faces->GetPointData(), "FaceId");
-    vtkDataArray* uv = FilterChecks::RequireArray(faces->GetPointData(), "UV");
-    vtkDataArray* u = FilterChecks::RequireArray(faces->GetCellData(), "USize");
-    vtkDataArray* v = FilterChecks::RequireArray(faces->GetCellData(), "VSize");
+    vtkPolyData* patches = this->Lines->GetOutput(1);
+    vtkDataArray* ofCell = FilterChecks::RequireArray(patches->GetCellData(), "FaceId");
+    vtkDataArray* ofPoint = FilterChecks::RequireArray(patches->GetPointData(), "FaceId");
+    vtkDataArray* uv = FilterChecks::RequireArray(patches->GetPointData(), "UV");
+    vtkDataArray* u = FilterChecks::RequireArray(patches->GetCellData(), "USize");
+    vtkDataArray* v = FilterChecks::RequireArray(patches->GetCellData(), "VSize");
     const auto count = static_cast<std::size_t>(this->Value("Faces"));
     std::vector<double> filled(count, 0.0);
     std::vector<double> outlined(count, 0.0);
     std::vector<double> rectangle(count, 0.0);
-    std::vector<double> wanted(count, 0.0);
-    for (vtkIdType cell = 0; cell < faces->GetNumberOfCells(); ++cell)
+    std::vector<double> expected(count, 0.0);
+    for (vtkIdType cell = 0; cell < patches->GetNumberOfCells(); ++cell)
     {
       vtkNew<vtkIdList> ids;
-      faces->GetCellPoints(cell, ids);
+      patches->GetCellPoints(cell, ids);
       ASSERT_EQ(ids->GetNumberOfIds(), 3);
-      const std::array<double, 2> a = PlaceOf(faces, ids->GetId(0));
-      const std::array<double, 2> b = PlaceOf(faces, ids->GetId(1));
-      const std::array<double, 2> c = PlaceOf(faces, ids->GetId(2));
+      const std::array<double, 2> a = PlaceOf(patches, ids->GetId(0));
+      const std::array<double, 2> b = PlaceOf(patches, ids->GetId(1));
+      const std::array<double, 2> c = PlaceOf(patches, ids->GetId(2));
       const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
       EXPECT_GT(twice, 0.0);
-      const auto face = static_cast<std::size_t>(ofCell->GetTuple1(cell));
+      const auto patch = static_cast<std::size_t>(ofCell->GetTuple1(cell));
       EXPECT_EQ(ofPoint->GetTuple1(ids->GetId(0)), ofCell->GetTuple1(cell));
-      filled[face] += 0.5 * twice;
-      wanted[face] = u->GetTuple1(cell) * v->GetTuple1(cell);
+      filled[patch] += 0.5 * twice;
+      expected[patch] = u->GetTuple1(cell) * v->GetTuple1(cell);
     }
-    for (vtkIdType i = 0, first = 0; i < faces->GetNumberOfPoints(); ++i)
+    for (vtkIdType i = 0, first = 0; i < patches->GetNumberOfPoints(); ++i)
     {
       const double here = ofPoint->GetTuple1(i);
       first = here == ofPoint->GetTuple1(first) ? first : i;
-      const bool last = i + 1 == faces->GetNumberOfPoints() || ofPoint->GetTuple1(i + 1) != here;
+      const bool last = i + 1 == patches->GetNumberOfPoints() || ofPoint->GetTuple1(i + 1) != here;
       const vtkIdType next = last ? first : i + 1;
-      const std::array<double, 2> a = PlaceOf(faces, i);
-      const std::array<double, 2> b = PlaceOf(faces, next);
-      const auto face = static_cast<std::size_t>(here);
-      outlined[face] += 0.5 * (a[0] * b[1] - a[1] * b[0]);
-      rectangle[face] += 0.5 *
+      const std::array<double, 2> a = PlaceOf(patches, i);
+      const std::array<double, 2> b = PlaceOf(patches, next);
+      const auto patch = static_cast<std::size_t>(here);
+      outlined[patch] += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      rectangle[patch] += 0.5 *
         (uv->GetComponent(i, 0) * uv->GetComponent(next, 1) -
           uv->GetComponent(i, 1) * uv->GetComponent(next, 0));
     }
     double domain = 0.0;
     double map = 0.0;
-    for (std::size_t face = 0; face < count; ++face)
+    for (std::size_t patch = 0; patch < count; ++patch)
     {
-      EXPECT_NEAR(filled[face], outlined[face], 1e-12);
-      EXPECT_NEAR(rectangle[face], wanted[face], 1e-12);
-      domain += filled[face];
-      map += wanted[face];
+      EXPECT_NEAR(filled[patch], outlined[patch], 1e-12);
+      EXPECT_NEAR(rectangle[patch], expected[patch], 1e-12);
+      domain += filled[patch];
+      map += expected[patch];
     }
     EXPECT_NEAR(domain, map, 1e-9); // the map has the area of the domain
   }
@@ -190,7 +190,7 @@ TEST_F(Separatrices, StreamlinesFromSeedsEndOnTheBoundary)
     vtkCrossFieldErrorCodes::BadInput);
 }
 
-TEST_F(Separatrices, RefuseWhatIsNoMap)
+TEST_F(Separatrices, RejectInputWithoutMap)
 {
   this->Lines->SetInputData(TestInputs::DrilledDisk());
   FilterChecks::CaptureError(this->Lines, { "no array 'UV'", "cross field map" });

@@ -46,7 +46,7 @@ public:
 };
 }
 
-TEST_F(SingularityEnergy, KeepsTheRulesOfAFilter)
+TEST_F(SingularityEnergy, FollowsFilterConventions)
 {
   this->Domain->SetWidth(2.4);
   this->Domain->SetHeight(2.2);
@@ -85,10 +85,10 @@ TEST_F(SingularityEnergy, RowsAreSortedAndComplete)
   }
   EXPECT_TRUE(std::isnan(this->Value(3, "Energy")));
   EXPECT_TRUE(std::isnan(this->Value(3, "RenormalizedEnergy")));
-  // Of the circle; that of its polygon of 63 sides is lower by O(h²).
+  // Value of the circle; that of its polygon of 63 sides is lower by O(h²).
   EXPECT_NEAR(this->Value(1, "RenormalizedEnergy"), 2.0498, 0.05);
   EXPECT_NEAR(this->Value(0, "LogarithmCoefficient"), 4.0 * vtkMath::Pi(), 1e-9);
-  // One centred hole: π d² log(1/ρ), either way.
+  // One centred hole: π d² log(1/ρ) with both definitions.
   const double exact = 16.0 * vtkMath::Pi() * std::log(1.0 / 0.05);
   EXPECT_NEAR(this->Value(2, "EnergyDegreeOnly"), exact, 0.005 * exact);
   EXPECT_NEAR(this->Value(2, "RenormalizedEnergy"), 0.0, 0.05);
@@ -99,16 +99,16 @@ TEST_F(SingularityEnergy, RowsAreSortedAndComplete)
   ASSERT_EQ(gradient->GetNumberOfComponents(), 3);
   EXPECT_EQ(gradients->GetPointData()->GetArray("Configuration")->GetTuple1(4), 0.0);
   EXPECT_EQ(gradients->GetPointData()->GetArray("QuarterIndex")->GetTuple1(8), 4.0);
-  // At radius 0.6 they want to go out.
+  // At radius 0.6 the singularities move outwards.
   const double* place = gradients->GetPoint(4);
   EXPECT_LT(gradient->GetComponent(4, 0) * place[0] + gradient->GetComponent(4, 1) * place[1], 0.0);
 }
 
-TEST_F(SingularityEnergy, KeepsTheMeshForSingularitiesThatMove)
+TEST_F(SingularityEnergy, KeepMeshReusesTheMesh)
 {
   this->Filter->KeepMeshOn();
   FilterChecks::UpdateWithoutError(this->Filter);
-  // Of the circle, as above; there are no holes.
+  // Values of the circle, as above; there are no holes.
   EXPECT_NEAR(this->Value(0, "RenormalizedEnergy"), 2.0498, 0.05);
   EXPECT_NEAR(this->Value(0, "LogarithmCoefficient"), 4.0 * vtkMath::Pi(), 1e-9);
   EXPECT_NEAR(this->Value(0, "EnergyAtCoreRadius"),
@@ -134,7 +134,7 @@ TEST_F(SingularityEnergy, KeepsTheMeshForSingularitiesThatMove)
     vtkErrorCode::UserError);
 }
 
-TEST_F(SingularityEnergy, Refusals)
+TEST_F(SingularityEnergy, RejectsInvalidInput)
 {
   this->Filter->AddConfigurationData(TestInputs::Singularities({ { 3.0, 0.0, 4.0, 0.05 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "(3, 0)", "outside the domain" }),

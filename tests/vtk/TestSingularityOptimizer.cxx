@@ -40,7 +40,7 @@ public:
 };
 }
 
-TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
+TEST_F(SingularityOptimizer, FollowsFilterConventions)
 {
   this->Domain->SetWidth(2.4);
   this->Domain->SetHeight(2.2);
@@ -49,12 +49,12 @@ TEST_F(SingularityOptimizer, KeepsTheRulesOfAFilter)
     [this] { this->Domain->SetDomainName("ellipse"); });
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "UniformSizes", "Sizing",
-      "SizeArray", "Pairs" });
+    { "MeshSize", "MaximumIterations", "Tolerance", "Clearance", "KeepAll", "UniformSizes",
+      "Sizing", "SizeArray", "Pairs" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(SingularityOptimizer, MovesTheFourToTheRadiusOfTheTheory)
+TEST_F(SingularityOptimizer, MovesFourToTheAnalyticRadius)
 {
   this->Filter->SetMeshSize(0.05);
   this->Domain->SetEdgeLength(0.05);
@@ -84,7 +84,7 @@ TEST_F(SingularityOptimizer, MovesTheFourToTheRadiusOfTheTheory)
   }
 }
 
-TEST_F(SingularityOptimizer, MakesSizesEvenIfAsked)
+TEST_F(SingularityOptimizer, UniformSizesReduceTheSpread)
 {
   this->Domain->SetDomainName("ellipse");
   this->Domain->SetWidth(3.2);
@@ -98,9 +98,9 @@ TEST_F(SingularityOptimizer, MakesSizesEvenIfAsked)
   EXPECT_LT(this->Value("SizeSpreadAfter"), this->Value("SizeSpreadBefore"));
 }
 
-TEST_F(SingularityOptimizer, AddsPairsAndTellsTheFront)
+TEST_F(SingularityOptimizer, AddsPairsAndReportsTheFront)
 {
-  // A channel that becomes twice as wide.
+  // A channel whose width doubles.
   this->Filter->SetInputData(TestInputs::Loops(
     { { { 0.0, 0.0 }, { 6.0, 0.0 }, { 6.0, 2.0 }, { 4.0, 2.0 }, { 2.0, 1.0 }, { 0.0, 1.0 } } }));
   this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
@@ -121,10 +121,10 @@ TEST_F(SingularityOptimizer, AddsPairsAndTellsTheFront)
 
 TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
 {
-  // In a straight channel no singularity is needed, and sizes are even.
+  // A straight channel needs no singularities, and its sizes are uniform.
   const auto channel =
     TestInputs::Loops({ { { 0.0, 0.0 }, { 6.0, 0.0 }, { 6.0, 1.5 }, { 0.0, 1.5 } } });
-  const auto want = [&](const std::vector<double>& lengths)
+  const auto setTargetSizes = [&](const std::vector<double>& lengths)
   {
     vtkNew<vtkDoubleArray> array;
     array->SetName("Length");
@@ -136,7 +136,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
     this->Filter->SetInputData(channel);
     this->Filter->Modified();
   };
-  want({ 3.0, 3.0, 3.0, 3.0 });
+  setTargetSizes({ 3.0, 3.0, 3.0, 3.0 });
   this->Filter->SetSingularitiesData(TestInputs::Singularities({}));
   this->Filter->UniformSizesOn();
   this->Filter->SetSizingToField();
@@ -145,9 +145,9 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   this->Filter->Update();
   EXPECT_LT(this->Value("SizeSpreadAfter"), 1e-9);
 
-  // To be twice as large at the right they need a pair: log s is linear along the channel with a slope of
-  // 1/6 log 2, of which the standard deviation is log 2 / sqrt(12).
-  want({ 0.1, 0.2, 0.2, 0.1 });
+  // Twice the size at the right needs a pair: log s is linear along the channel with slope 1/6 log
+  // 2, and its standard deviation is log 2 / sqrt(12).
+  setTargetSizes({ 0.1, 0.2, 0.2, 0.1 });
   this->Filter->SetPairs(1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_NEAR(this->Value("SizeSpreadBefore"), std::log(2.0) / std::sqrt(12.0), 0.01);
@@ -161,7 +161,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
       output->GetPointData()->GetArray("QuarterIndex")->GetTuple1(0) == quarters ? 0 : 1;
     return output->GetPoint(i)[0];
   };
-  EXPECT_LT(x(1.0), x(-1.0)); // rows end where quads are to be large: of index -1 is the large end
+  EXPECT_LT(x(1.0), x(-1.0)); // rows of quads end where quads become large
 
   this->Filter->SetSizingToUniform();
   this->Filter->Update();
@@ -179,13 +179,13 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "no point array ''", "name one" }),
     vtkErrorCode::UserError);
   this->Filter->SetSizeArray("Length");
-  want({ 0.1, 0.0, 0.2, 0.1 });
+  setTargetSizes({ 0.1, 0.0, 0.2, 0.1 });
   EXPECT_EQ(
     FilterChecks::CaptureError(this->Filter, { "wanted size at point 1", "not a positive number" }),
     vtkErrorCode::UserError);
 }
 
-TEST_F(SingularityOptimizer, SaysWhatHappened)
+TEST_F(SingularityOptimizer, ReportsEvents)
 {
   this->Domain->SetDomainName("l-shape");
   this->Filter->SetSingularitiesData(
@@ -217,7 +217,7 @@ TEST_F(SingularityOptimizer, SaysWhatHappened)
     1.15 * 0.04, 0.1 * 0.04);
 }
 
-TEST_F(SingularityOptimizer, AnAbortKeepsTheBest)
+TEST_F(SingularityOptimizer, AbortReturnsTheBestConfiguration)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   const double after = this->Value("RenormalizedEnergyAfter");
@@ -237,13 +237,13 @@ TEST_F(SingularityOptimizer, AnAbortKeepsTheBest)
   EXPECT_NE(this->Reason().find("aborted"), std::string::npos);
   EXPECT_LT(this->Value("RenormalizedEnergyAfter"), this->Value("RenormalizedEnergyBefore"));
   this->Filter->RemoveObserver(tag);
-  this->Filter->SetAbortExecute(0); // since VTK 9.2 the wish stands until it is taken back
+  this->Filter->SetAbortExecute(0); // since VTK 9.2 the flag is not reset by a run
   this->Filter->Modified();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("RenormalizedEnergyAfter"), after);
 }
 
-TEST_F(SingularityOptimizer, Refusals)
+TEST_F(SingularityOptimizer, RejectsInvalidInput)
 {
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 3.0, 0.1 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 3", "asks for 4" }),

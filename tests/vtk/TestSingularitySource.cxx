@@ -27,7 +27,7 @@ using Row = std::array<double, 4>;
 class SingularitySource : public testing::Test
 {
 public:
-  /** Writes a file that is removed after the test, and makes the source read it. */
+  /** Writes a file that is removed after the test, and sets it as the file of the source. */
   void SetText(const std::string& text)
   {
     this->File = testing::TempDir() + "crossfield-singularities-" +
@@ -37,7 +37,7 @@ public:
     stream.close();
     ASSERT_TRUE(stream);
     this->Source->SetFileName(this->File);
-    this->Source->Modified(); // the name may be that of an earlier text
+    this->Source->Modified(); // an earlier text may have had the same name
   }
 
   void TearDown() override
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /** The rows of the output; without a radius it reads as −1. */
+  /** Returns the rows of the output, with −1 for a missing radius. */
   std::vector<Row> Rows()
   {
     this->Source->Update();
@@ -76,7 +76,7 @@ public:
 };
 }
 
-TEST_F(SingularitySource, KeepsTheRulesOfAFilter)
+TEST_F(SingularitySource, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Source, [this] { this->Source->SetSingularity(0, 0.0, 0.0, 1.0, 0.2); },
@@ -106,7 +106,7 @@ TEST_F(SingularitySource, DefaultIsTheFirstFigureOfThePaper)
   EXPECT_EQ(std::set<Row>(rows.begin(), rows.end()).size(), 4u) << "one in each quadrant";
 }
 
-TEST_F(SingularitySource, RowsAreAsHighAsWhatTheyStartFromOrTheirDomain)
+TEST_F(SingularitySource, RowsAreInThePlaneOfStartOrDomain)
 {
   vtkNew<vtkPolyData> start;
   start->DeepCopy(TestInputs::Singularities({ { 0.5, 0.25, 1, 0.1 } }));
@@ -129,13 +129,13 @@ TEST_F(SingularitySource, RowsAreAsHighAsWhatTheyStartFromOrTheirDomain)
   this->Source->SetDomainData(domain);
   FilterChecks::UpdateWithoutError(this->Source);
   EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 3.0);
-  // A file has points of space.
+  // The points of a file are in space.
   this->SetText("x,y,z,quarter_index\n0.5,0.25,1.5,1\n");
   FilterChecks::UpdateWithoutError(this->Source);
   EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 1.5);
 }
 
-TEST_F(SingularitySource, ArraysHaveTheirNamesAndTypes)
+TEST_F(SingularitySource, WritesDocumentedArrays)
 {
   this->Source->Update();
   vtkPointData* data = this->Source->GetOutput()->GetPointData();
@@ -166,7 +166,7 @@ TEST_F(SingularitySource, RowsAreSetAppendedAndRemoved)
   EXPECT_EQ(rows, std::vector<Row>({ { 9.0, 9.0, 9.0, 9.0 } }));
 }
 
-TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
+TEST_F(SingularitySource, HandlesReplacePositions)
 {
   this->Source->RemoveAllSingularities();
   this->Source->AddSingularity(1.0, 2.0, 3.0, 0.4);
@@ -184,10 +184,10 @@ TEST_F(SingularitySource, HandlesTakeThePlacesOfRows)
   this->Source->SetHandle(2, -1.0, -2.0, 3.0);
   this->Source->Update();
   EXPECT_EQ(this->Source->GetOutput()->GetPoint(2)[2], 3.0);
-  // The rows themselves stay.
+  // The rows themselves do not change.
   this->Source->UseHandlesOff();
   EXPECT_EQ(this->Rows().size(), 2u);
-  // Those of a file move, too, and without rows there is a default.
+  // Handles also move the rows of a file; without rows they have a default.
   this->Source->UseHandlesOn();
   this->Source->SetNumberOfHandles(1);
   this->SetText("x,y,quarter_index,radius\n0.5,-0.25,2,0.3\n");
@@ -203,7 +203,7 @@ TEST_F(SingularitySource, DefaultHandlesAreTheDefaultRows)
   EXPECT_EQ(this->Rows(), rows);
 }
 
-TEST_F(SingularitySource, StartsFromPointsUntilItHasRows)
+TEST_F(SingularitySource, StartsFromPointsWithoutRows)
 {
   const std::vector<Row> start = { { 0.1, 0.2, -1.0, 0.05 }, { 0.3, 0.4, 2.0, 0.06 } };
   this->Source->SetStartData(TestInputs::Singularities({ start[0], start[1] }));
@@ -215,23 +215,24 @@ TEST_F(SingularitySource, StartsFromPointsUntilItHasRows)
   {
     EXPECT_EQ(values->GetComponent(1, static_cast<int>(i)), start[1][i]);
   }
-  // Rows that are set count instead, until there are none.
+  // Rows that are set replace the points, until they are removed.
   this->Source->SetSingularity(0, 1.0, 2.0, 3.0, 0.4);
   EXPECT_EQ(this->Rows()[0], Row({ 1.0, 2.0, 3.0, 0.4 }));
   this->Source->RemoveAllSingularities();
   EXPECT_EQ(this->Rows(), start);
-  // A start that failed has no array, and does not pass for no singularities.
+  // The output of a failed Start has no array and is not an empty configuration.
   this->Source->SetStartData(vtkNew<vtkPolyData>());
   FilterChecks::CaptureError(this->Source, { "no point array 'QuarterIndex'" });
   EXPECT_EQ(this->Source->GetOutputRows()->GetNumberOfTuples(), 0);
 }
 
-TEST_F(SingularitySource, RadiiOfZeroAreNotGiven)
+TEST_F(SingularitySource, OmitsRadiiIfAllAreZero)
 {
   this->Source->RemoveAllSingularities();
   this->Source->AddSingularity(0.0, 0.0, 1.0, 0.0);
   EXPECT_EQ(this->Rows(), std::vector<Row>({ { 0.0, 0.0, 1.0, -1.0 } }));
-  this->Source->AddSingularity(0.5, 0.0, 1.0, 0.1); // one is given: the filters refuse the other
+  this->Source->AddSingularity(
+    0.5, 0.0, 1.0, 0.1); // one radius is given, so the filters refuse the other
   EXPECT_EQ(this->Rows()[0], Row({ 0.0, 0.0, 1.0, 0.0 }));
 }
 
@@ -241,16 +242,16 @@ TEST_F(SingularitySource, ReadsAFile)
   const std::vector<Row> expected = { { 0.5, -0.25, 1.0, 0.1 }, { 1e-3, 2.0, -2.0, 0.05 } };
   EXPECT_EQ(this->Rows(), expected);
 
-  // Other columns, another order, spaces and the line ends of Windows.
+  // Other columns, another order, blanks and Windows line ends.
   this->SetText("name,radius, quarter_index,y,x\r\na,0.1, 1,-0.25,0.5\r\nb,0.05, -2,2,1e-3\r\n");
   EXPECT_EQ(this->Rows(), expected);
 
-  // What ParaView writes with File, Save Data.
+  // Output of ParaView's File, Save Data.
   this->SetText("\"QuarterIndex\",\"Radius\",\"Points:0\",\"Points:1\",\"Points:2\"\n"
                 "1,0.1,0.5,-0.25,0\n-2,0.05,1e-3,2,0\n");
   EXPECT_EQ(this->Rows(), expected);
 
-  // The rows count again.
+  // The rows are used again.
   this->Source->SetFileName(nullptr);
   EXPECT_EQ(this->Rows().size(), 4u);
 }
@@ -262,13 +263,13 @@ TEST_F(SingularitySource, AFileWithoutRadiiGivesNoRadius)
   EXPECT_EQ(this->Source->GetOutput()->GetPointData()->GetArray("Radius"), nullptr);
 }
 
-TEST_F(SingularitySource, AFileMayHaveNoRows)
+TEST_F(SingularitySource, AcceptsAFileWithoutRows)
 {
   this->SetText("x,y,quarter_index,radius\n");
   EXPECT_TRUE(this->Rows().empty());
 }
 
-TEST_F(SingularitySource, RefusesFilesItCannotUse)
+TEST_F(SingularitySource, RejectsInvalidFiles)
 {
   this->Source->SetFileName("/no/such/folder/four.csv");
   EXPECT_EQ(FilterChecks::CaptureError(this->Source, { "'/no/such/folder/four.csv'" }),
@@ -302,7 +303,7 @@ TEST_F(SingularitySource, RefusesFilesItCannotUse)
   EXPECT_EQ(this->Rows().size(), 1u) << "after the refusals";
 }
 
-TEST_F(SingularitySource, RefusesRowsThatAreNoNumbers)
+TEST_F(SingularitySource, RejectsRowsThatAreNotNumbers)
 {
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   this->Source->SetSingularity(3, 0.0, 0.0, 0.5, 0.1);

@@ -1,6 +1,6 @@
 /**
- * Pipelines in several threads at once: every one must give the bytes that it gives alone. VTK's own
- * rule is that threads share no filter and no data set.
+ * Pipelines in several threads at once: each must produce the same bytes as alone. As VTK requires,
+ * threads share neither filters nor data sets.
  */
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
@@ -42,7 +42,7 @@ void AppendBytes(vtkDataArray* array, std::string& bytes)
   }
 }
 
-/** The bytes of all arrays, but those of times. */
+/** Appends the bytes of all arrays except those of times. */
 void AppendArrays(vtkFieldData* data, std::string& bytes)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -56,7 +56,7 @@ void AppendArrays(vtkFieldData* data, std::string& bytes)
   }
 }
 
-std::string BytesOf(vtkUnstructuredGrid* field)
+std::string Bytes(vtkUnstructuredGrid* field)
 {
   std::string bytes;
   AppendBytes(field->GetPoints()->GetData(), bytes);
@@ -67,7 +67,7 @@ std::string BytesOf(vtkUnstructuredGrid* field)
   return bytes;
 }
 
-/** Domain and singularities of a pipeline; four on a disk or pairs in a ring. */
+/** Domain and singularities of a pipeline: four on a disk or pairs in a ring. */
 struct Inputs
 {
   vtkNew<vtkPlanarDomainSource> domain;
@@ -95,7 +95,7 @@ std::string Perforated(bool ring, int method)
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetMethod(method);
   solver->Update();
-  return solver->GetErrorCode() == 0 ? BytesOf(solver->GetOutput()) : "";
+  return solver->GetErrorCode() == 0 ? Bytes(solver->GetOutput()) : "";
 }
 
 std::string H()
@@ -105,7 +105,7 @@ std::string H()
   solver->SetInputConnection(inputs.domain->GetOutputPort());
   solver->SetSingularitiesConnection(inputs.singularities->GetOutputPort());
   solver->Update();
-  return solver->GetErrorCode() == 0 ? BytesOf(solver->GetOutput()) : "";
+  return solver->GetErrorCode() == 0 ? Bytes(solver->GetOutput()) : "";
 }
 
 std::string Energy()
@@ -131,10 +131,10 @@ std::string GinzburgLandau()
   vtkNew<vtkGinzburgLandauCrossField> solver;
   solver->SetInputConnection(drill->GetOutputPort());
   solver->Update();
-  return solver->GetErrorCode() == 0 ? BytesOf(solver->GetOutput()) : "";
+  return solver->GetErrorCode() == 0 ? Bytes(solver->GetOutput()) : "";
 }
 
-/** The sentence of a pipeline that fails: a hole that overlaps others. */
+/** Returns the message of a failing pipeline with overlapping holes. */
 std::string Failure()
 {
   Inputs inputs(false);
@@ -142,12 +142,12 @@ std::string Failure()
   vtkNew<vtkDrillHoles> drill;
   drill->SetInputConnection(inputs.domain->GetOutputPort());
   drill->SetSingularitiesConnection(inputs.singularities->GetOutputPort());
-  // An observer takes the message; without one VTK prints it, from all threads into one window.
+  // An observer receives the message; otherwise VTK prints it from all threads to one window.
   std::string message;
-  const auto keep = [](vtkObject*, unsigned long, void* to, void* text)
+  const auto storeMessage = [](vtkObject*, unsigned long, void* to, void* text)
   { *static_cast<std::string*>(to) += static_cast<const char*>(text); };
   vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback(keep);
+  observer->SetCallback(storeMessage);
   observer->SetClientData(&message);
   drill->AddObserver(vtkCommand::ErrorEvent, observer);
   drill->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -160,8 +160,8 @@ std::string Failure()
 
 using Pipeline = std::function<std::string()>;
 
-/** Runs each pipeline in its own thread, all at once and again and again. */
-void ExpectSameBytesAtOnce(const std::vector<Pipeline>& pipelines, int repetitions)
+/** Runs each pipeline repeatedly in its own thread, all at the same time. */
+void ExpectSameBytesInParallel(const std::vector<Pipeline>& pipelines, int repetitions)
 {
   std::vector<std::string> alone;
   for (const Pipeline& pipeline : pipelines)
@@ -202,31 +202,31 @@ const Pipeline Constrained = []
 { return Perforated(false, vtkPerforatedCrossField::MethodConstrained); };
 const Pipeline UnitNorm = [] { return Perforated(true, vtkPerforatedCrossField::MethodUnitNorm); };
 
-/** More than a few repetitions find rare races; how many is up to who looks for them. */
+/** Returns the number of repetitions; an environment variable can increase it to find rare races. */
 int Repetitions()
 {
   const char* given = std::getenv("CROSSFIELD_THREAD_REPETITIONS");
   return given != nullptr ? std::atoi(given) : 8;
 }
 
-TEST(ThreadSafety, TwoPipelinesAtOnce)
+TEST(ThreadSafety, TwoPipelinesInParallel)
 {
-  ExpectSameBytesAtOnce({ Constrained, UnitNorm }, Repetitions());
+  ExpectSameBytesInParallel({ Constrained, UnitNorm }, Repetitions());
 }
 
-TEST(ThreadSafety, FourPipelinesAtOnce)
+TEST(ThreadSafety, FourPipelinesInParallel)
 {
-  ExpectSameBytesAtOnce({ Constrained, UnitNorm, H, Energy }, Repetitions());
+  ExpectSameBytesInParallel({ Constrained, UnitNorm, H, Energy }, Repetitions());
 }
 
 TEST(ThreadSafety, TheSamePipelineTwice)
 {
-  ExpectSameBytesAtOnce(
+  ExpectSameBytesInParallel(
     { Constrained, Constrained, GinzburgLandau, GinzburgLandau }, Repetitions());
 }
 
-TEST(ThreadSafety, AnErrorBesideASuccess)
+TEST(ThreadSafety, FailureDoesNotAffectOtherThreads)
 {
-  ExpectSameBytesAtOnce({ Failure, Constrained, Failure, H }, Repetitions());
+  ExpectSameBytesInParallel({ Failure, Constrained, Failure, H }, Repetitions());
 }
 }

@@ -1,5 +1,5 @@
-// Points that no cell uses are ignored, wherever they are: every filter that reads a domain or a mesh
-// gives what it gives without them, bit for bit.
+// Points that no cell uses are ignored, wherever they are: every filter that reads a domain or a
+// mesh produces the same bytes without them.
 
 #include "FilterChecks.h"
 #include "TestInputs.h"
@@ -40,11 +40,13 @@ namespace
 {
 using Vector = std::array<double, 3>;
 
-/** Places of points that no cell uses: near but off the plane, beyond all sizes, nowhere. */
+/** Positions of unused points: off the plane, extremely far away, and not finite. */
 const std::array<Vector, 3> Strays = { Vector{ 1.0, 2.0, 0.5 }, Vector{ 1e70, -1e70, 1e70 },
   Vector{ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 } };
 
-/** Copies points, cells and arrays with the given points put before and after, or taken off. */
+/**
+ * Copies points, cells and arrays with `shift` points added, or removed if negative, at either end.
+ */
 template <class DataSet>
 vtkSmartPointer<vtkDataSet> Renumbered(DataSet* input, vtkIdType shift, const Vector& stray = {})
 {
@@ -97,7 +99,10 @@ vtkSmartPointer<vtkDataSet> Renumbered(vtkDataSet* input, vtkIdType shift, const
                          : Renumbered<vtkPolyData>(vtkPolyData::SafeDownCast(input), shift, stray);
 }
 
-/** All outputs and warnings of a run; where the input was passed on, as if nothing had been added to it. */
+/**
+ * Returns all outputs and warnings of a run. An input that is passed through is returned without
+ * the added points.
+ */
 std::vector<std::string> Outputs(vtkAlgorithm* filter, vtkDataSet* input, bool hasStrays)
 {
   filter->SetInputDataObject(0, input);
@@ -110,11 +115,11 @@ std::vector<std::string> Outputs(vtkAlgorithm* filter, vtkDataSet* input, bool h
   {
     vtkDataObject* output = filter->GetOutputDataObject(port);
     auto* set = vtkDataSet::SafeDownCast(output);
-    const bool isPassedOn = set != nullptr &&
+    const bool isPassedThrough = set != nullptr &&
       set->GetNumberOfPoints() == input->GetNumberOfPoints() &&
       set->GetNumberOfCells() == input->GetNumberOfCells();
     outputs.push_back(FilterChecks::Fingerprint(
-      isPassedOn ? Renumbered(set, hasStrays ? -1 : 0).GetPointer() : output));
+      isPassedThrough ? Renumbered(set, hasStrays ? -1 : 0).GetPointer() : output));
   }
   outputs.insert(outputs.end(), messages.warnings.begin(), messages.warnings.end());
   return outputs;
@@ -136,7 +141,7 @@ void ExpectIgnored(vtkAlgorithm* filter, vtkDataSet* input)
   }
 }
 
-/** The array `Size`, the wanted length of quads: longer to the right. */
+/** Adds the array `Size`, the target edge length of quads, which increases to the right. */
 void AddSizes(vtkDataSet* domain)
 {
   vtkNew<vtkDoubleArray> sizes;
@@ -148,7 +153,7 @@ void AddSizes(vtkDataSet* domain)
   domain->GetPointData()->AddArray(sizes);
 }
 
-/** A square with a square hole, as loops, as triangles and as cells of a grid. */
+/** Square with a square hole, as loops, as triangles and as cells of a grid. */
 class UnusedPointsOfDomain : public testing::TestWithParam<int>
 {
 public:
@@ -161,7 +166,7 @@ public:
   vtkSmartPointer<vtkPolyData> Pair =
     TestInputs::Singularities({ { 1.0, 1.1, 1.0, 0.3 }, { 5.0, 4.8, -1.0, 0.3 } });
 
-  /** A pair near each other on a line of symmetry: crosses are aligned with the hole without a defect. */
+  /** Pair on a line of symmetry, so that there is no holonomy defect. */
   vtkSmartPointer<vtkPolyData> NearPair =
     TestInputs::Singularities({ { 0.6, 0.6, 1.0, 0.1 }, { 1.4, 1.4, -1.0, 0.1 } });
 
@@ -221,7 +226,7 @@ TEST_P(UnusedPointsOfDomain, Energy)
 TEST_P(UnusedPointsOfDomain, Simplifier)
 {
   vtkNew<vtkBoundarySimplifier> filter;
-  filter->SetThinningLength(0.0); // nothing is done
+  filter->SetThinningLength(0.0); // no change
   this->Expect(filter.Get());
   filter->SetSmoothingLength(0.5);
   this->Expect(filter.Get());
@@ -275,7 +280,7 @@ std::string InputName(const testing::TestParamInfo<int>& info)
 
 INSTANTIATE_TEST_SUITE_P(As, UnusedPointsOfDomain, testing::Values(0, 1, 2), InputName);
 
-/** The unit disk with four holes, in a plane that has to be found. */
+/** Returns the unit disk with four holes in a tilted plane. */
 vtkSmartPointer<vtkUnstructuredGrid> TiltedDisk()
 {
   auto mesh = TestInputs::DrilledDisk();

@@ -1,4 +1,4 @@
-// Imprinted circles, single triangles, and the variants of vtkPerforatedCrossField that go with them.
+// Imprinted circles, single triangles, and the variants of vtkPerforatedCrossField for them.
 #include "FieldReading.h"
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
@@ -20,7 +20,7 @@ namespace
 {
 using TestInputs::Circle;
 
-/** All of them are of the constrained method. */
+/** Fixture with the constrained method, which all variants use. */
 class Variants : public PerforatedCrossField
 {
 public:
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Imprinted()
   return Disk(vtkDrillHoles::ModeImprint, TestInputs::FourOnDisk());
 }
 
-/** Σ of the quarter indices that vtkCrossFieldSingularities finds. */
+/** Returns the sum of the quarter indices that vtkCrossFieldSingularities finds. */
 double SumFound(vtkUnstructuredGrid* field)
 {
   vtkNew<vtkCrossFieldSingularities> filter;
@@ -55,7 +55,7 @@ double SumFound(vtkUnstructuredGrid* field)
 }
 }
 
-TEST(DrillModes, KeepTheRulesOfAFilter)
+TEST(DrillModes, FollowsFilterConventions)
 {
   vtkNew<vtkDrillHoles> filter;
   EXPECT_EQ(filter->GetMode(), vtkDrillHoles::ModePerforate);
@@ -74,22 +74,23 @@ TEST(DrillModes, KeepTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(filter);
 }
 
-TEST(DrillModes, MarkLinesOfKindFourInsideTheDomain)
+TEST(DrillModes, WriteLinesOfKindFour)
 {
   for (const int mode : { vtkDrillHoles::ModeImprint, vtkDrillHoles::ModeTriangle })
   {
     auto rows = TestInputs::FourOnDisk();
     rows[2][2] = -1.0;
     const MeshReading mesh(Disk(mode, rows));
-    EXPECT_NEAR(mesh.Area(), 26.0 * std::sin(std::acos(-1.0) / 26.0), 1e-9); // the whole polygon
+    EXPECT_NEAR(mesh.Area(), 26.0 * std::sin(std::acos(-1.0) / 26.0),
+      1e-9); // area of the polygon without holes
     for (int row = 0; row < 4; ++row)
     {
-      const auto lines = mesh.Walk(4, row);
+      const auto lines = mesh.OrderedLoop(4, row);
       EXPECT_EQ(lines.size() == 3, mode == vtkDrillHoles::ModeTriangle);
       for (const std::size_t line : lines)
       {
         EXPECT_EQ(mesh.lines[line].quarterIndex, row == 2 ? -1 : 1);
-        // A triangle on either side.
+        // There is a triangle on either side.
         const auto& [from, to] = mesh.lines[line].points;
         EXPECT_EQ(mesh.sides.count({ from, to }), 1u);
         EXPECT_EQ(mesh.sides.count({ to, from }), 1u);
@@ -98,7 +99,7 @@ TEST(DrillModes, MarkLinesOfKindFourInsideTheDomain)
   }
 }
 
-TEST(DrillModes, RefuseASentenceEach)
+TEST(DrillModes, RejectInvalidSingularities)
 {
   vtkNew<vtkDrillHoles> filter;
   filter->SetInputData(TestInputs::Loops({ Circle(52, 1.0) }));
@@ -119,7 +120,7 @@ TEST_F(Variants, Defaults)
   FilterChecks::CheckPrintSelf(this->Filter, { "UnitHoleRows", "GlobalConstraint", "Epsilon" });
 }
 
-TEST_F(Variants, KeepTheRulesOfAFilter)
+TEST_F(Variants, FollowsFilterConventions)
 {
   this->Filter->SetEpsilon(0.2);
   this->Filter->SetInputData(Imprinted());
@@ -131,7 +132,7 @@ TEST_F(Variants, KeepTheRulesOfAFilter)
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 
-TEST_F(Variants, TheFieldGoesOnInsideImprintedCircles)
+TEST_F(Variants, FieldContinuesInsideImprintedCircles)
 {
   const FieldReading field(this->Solve(Imprinted()));
   EXPECT_NEAR(this->Value("Energy"), field.Energy(), 1e-9 * field.Energy());
@@ -147,7 +148,7 @@ TEST_F(Variants, TheFieldGoesOnInsideImprintedCircles)
   EXPECT_EQ(SumFound(this->Filter->GetOutput()), 4.0);
   for (std::size_t line = 0; line < field.lines.size(); ++line)
   {
-    // The value on a line is that of the edge in both of its triangles.
+    // The value on a line is the value at that edge of both triangles.
     const auto& [from, to] = field.lines[line].points;
     const auto& [triangle, side] = field.sides.at({ from, to });
     EXPECT_EQ(field.OnLine(line), field.At(field.triangles[triangle].cell)[side]);
@@ -161,7 +162,7 @@ TEST_F(Variants, TheFieldGoesOnInsideImprintedCircles)
   EXPECT_EQ(FilterChecks::RequireArray(checked, "UnwantedSingularities")->GetComponent(0, 0), 0.0);
 }
 
-TEST_F(Variants, ImprintedCirclesAreNoHolesForTheReference)
+TEST_F(Variants, GinzburgLandauIgnoresImprintedCircles)
 {
   vtkNew<vtkGinzburgLandauCrossField> reference;
   reference->SetEpsilon(0.15);
@@ -191,7 +192,7 @@ TEST_F(Variants, UnitHolesAreChosenByRow)
   FilterChecks::CaptureError(this->Filter, { "hole 4" });
 }
 
-TEST_F(Variants, TheGlobalConstraintCostsNoMoreThanOneForEach)
+TEST_F(Variants, GlobalConstraintDoesNotIncreaseTheEnergy)
 {
   this->Solve(TestInputs::DrilledDisk());
   const double each = this->Value("Energy");
@@ -203,7 +204,7 @@ TEST_F(Variants, TheGlobalConstraintCostsNoMoreThanOneForEach)
   EXPECT_GT(this->Value("Energy"), 0.99 * each);
 }
 
-TEST_F(Variants, ThePenaltyTakesAnySumAndReportsWhatMakesUpForIt)
+TEST_F(Variants, PenaltyAllowsAnySumAndReportsOtherSingularities)
 {
   const auto five = Disk(vtkDrillHoles::ModePerforate,
     { { 0.6, 0.0, 1.0, 0.1 }, { 0.18, 0.57, 1.0, 0.1 }, { -0.49, 0.35, 1.0, 0.1 },
@@ -222,7 +223,7 @@ TEST_F(Variants, ThePenaltyTakesAnySumAndReportsWhatMakesUpForIt)
     1e-9 * this->Value("Energy"));
   EXPECT_EQ(SumFound(this->Filter->GetOutput()), -1.0);
 
-  // What is not asked for any more leaves the report.
+  // Field data of earlier options is removed from the report.
   const auto field = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPerforatedCrossField> plain;
   this->Solve(TestInputs::DrilledDisk());
@@ -233,7 +234,7 @@ TEST_F(Variants, ThePenaltyTakesAnySumAndReportsWhatMakesUpForIt)
   EXPECT_EQ(plain->GetOutput()->GetFieldData()->GetArray("PenaltyEnergy"), nullptr);
 }
 
-TEST_F(Variants, RefuseWhatCannotBeCombined)
+TEST_F(Variants, RejectsInvalidCombinations)
 {
   this->Filter->SetMethodToUnitNorm();
   this->Filter->SetInputData(Imprinted());

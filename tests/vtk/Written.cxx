@@ -16,7 +16,7 @@
 
 namespace
 {
-/** Suite and name, fit to be a part of a file's name. */
+/** Returns the suite and name of the running test, usable in a file name. */
 std::string RunningTest()
 {
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();

@@ -3,13 +3,13 @@
 
 class vtkAlgorithm;
 
-/** Results of filters, kept for the verifier in tests/verify. */
+/** Storage of results of filters for the verifier in tests/verify. */
 namespace Written
 {
 /**
- * Writes the mesh or field that a filter of this project has computed to the folder that the
- * environment variable CROSSFIELD_WRITTEN names, with the running test in its name, once whatever the
- * number of runs that have it. Without the variable, and for other filters, it does nothing.
+ * Writes the mesh or field that a filter of this project has computed to the folder named by the
+ * environment variable CROSSFIELD_WRITTEN. The file name contains the running test; equal results
+ * are written once. Does nothing without the variable and for other filters.
  */
 void Keep(vtkAlgorithm* filter);
 }

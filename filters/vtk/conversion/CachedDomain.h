@@ -1,5 +1,5 @@
-#ifndef KeptDomain_h
-#define KeptDomain_h
+#ifndef CachedDomain_h
+#define CachedDomain_h
 
 #include "DomainConversion.h"
 #include "FactoredDomain.h"
@@ -12,34 +12,41 @@
 #include <utility>
 
 /**
- * What a filter keeps of the domain on its port between updates: read once for each change of the data, meshed and factored once
- * for each mesh size.
+ * Cache of the domain on a filter's port: reads it once for each change of the data, and meshes and
+ * factors it once for each mesh size.
  */
 class CachedDomain
 {
 public:
-  /** The domain of a data set; throws crossfield::Error as DomainConversion::ReadDomain, and then keeps nothing. */
+  /**
+   * Returns the domain of a data set. Throws crossfield::Error like DomainConversion::ReadDomain;
+   * the cache is then empty.
+   */
   const DomainConversion::Domain& Read(vtkDataSet* data);
 
-  /** The domain that was read last. */
+  /** Returns the domain read last. */
   const crossfield::PlanarDomain& Get() const { return this->Domain.value().domain; }
 
-  /** How often a domain was read: what depends on it is stale when this has changed. */
+  /**
+   * Returns the number of times a domain was read. Results that depend on the domain are outdated
+   * when it changes.
+   */
   int GetVersion() const { return this->Version; }
 
   /**
-   * The last domain that was read, with its mesh and factor. Those of the last two mesh sizes are kept: of a hand that drags and of
-   * what it leaves. Singularities on the boundary have to be its vertices, so these ask for another mesh.
+   * Returns the domain read last with its mesh and factor. The results for the last two mesh sizes
+   * are cached, one for dragging a handle and one for releasing it. Singularities on the boundary
+   * have to be vertices of the mesh, so they may require another mesh.
    */
   const crossfield::FactoredDomain& Factor(const crossfield::Configuration& configuration,
     double meshSize, const crossfield::Progress& progress = {});
 
 private:
-  vtkDataSet* Data = nullptr; ///< Compared, never used.
+  vtkDataSet* Data = nullptr; ///< Identity token for change detection; never dereferenced.
   vtkMTimeType Time = 0;
   int Version = 0;
   std::optional<DomainConversion::Domain> Domain;
-  /** With the mesh size that was asked for, the last one first. */
+  /** Factored domains with their requested mesh sizes, the last one first. */
   std::array<std::pair<double, std::unique_ptr<const crossfield::FactoredDomain>>, 2> Factored;
 };
 

@@ -10,12 +10,12 @@
 #include "vtkUnstructuredGrid.h"
 
 /**
- * Loops over cells along the arrays that hold their points: asking a data set for one cell after the other
- * takes several times as long. The lists must be valid (see InputCheck).
+ * Loops over cells that read the arrays of their points directly. Requesting one cell after the
+ * other from a data set takes several times as long. The lists must be valid (see InputCheck).
  */
 namespace CellLoop
 {
-/** The points of one cell, by numbers of 32 or 64 bits. */
+/** Points of one cell, with ids of 32 or 64 bits. */
 template <class Id>
 class Points
 {
@@ -35,9 +35,9 @@ private:
   vtkIdType Count;
 };
 
-/** Calls work(number, points) for every cell of a list. */
+/** Calls work(cell, points) for every cell of a list. */
 template <class Work>
-void OfList(vtkCellArray* list, const Work& work)
+void ForEachInList(vtkCellArray* list, const Work& work)
 {
   list->Visit(
     [&work](auto& state)
@@ -52,19 +52,19 @@ void OfList(vtkCellArray* list, const Work& work)
     });
 }
 
-/** Calls work(number, type, points) for every cell of a data set. */
+/** Calls work(cell, type, points) for every cell of a data set. */
 template <class Work>
-void OfData(vtkDataSet* data, const Work& work)
+void ForEachCell(vtkDataSet* data, const Work& work)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (grid != nullptr && grid->GetCells() != nullptr && grid->GetNumberOfCells() > 0)
   {
     const unsigned char* types = grid->GetCellTypesArray()->GetPointer(0);
-    OfList(grid->GetCells(),
+    ForEachInList(grid->GetCells(),
       [&work, types](vtkIdType cell, const auto& points) { work(cell, types[cell], points); });
     return;
   }
-  // Cells in several lists, or that follow from a structure.
+  // The cells are in several lists or defined by a structure.
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {

@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-/** Makes arrays, most with one value per item. */
+/** Functions that create arrays. */
 namespace ColumnWriting
 {
-/** An array with so many tuples, all of one value. */
+/** Adds an array with a number of tuples and all components equal to `value`. */
 template <class Array>
 vtkSmartPointer<Array> NewArray(vtkFieldData* data, const char* name, int components,
   vtkIdType tuples, typename Array::ValueType value = 0)
@@ -34,7 +34,7 @@ vtkSmartPointer<Array> NewArray(vtkFieldData* data, const char* name, int compon
   return array;
 }
 
-/** An array with one value per item. */
+/** Adds an array with value(item) for each item. */
 template <class Array, class Items, class Value>
 void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value value)
 {
@@ -48,22 +48,26 @@ void AddColumn(vtkFieldData* data, const char* name, const Items& items, Value v
   data->AddArray(array);
 }
 
-/** The same of the items themselves. */
+/** Adds an array with the given numbers. */
 inline void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values)
 {
   AddColumn<vtkDoubleArray>(data, name, values, [](double value) { return value; });
 }
+
+/** Adds an array with the given integers. */
 inline void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
 {
   AddColumn<vtkIntArray>(data, name, values, [](int value) { return value; });
 }
+
+/** Adds an array with one text. */
 inline void AddText(vtkFieldData* data, const char* name, const std::string& text)
 {
   AddColumn<vtkStringArray>(
     data, name, std::vector<std::string>{ text }, [](const std::string& value) { return value; });
 }
 
-/** Points of a plane, with a vertex cell each. */
+/** Writes the positions of items in a plane as points in space, with a vertex cell each. */
 template <class Items>
 void WritePlaces(const Items& items, const crossfield::DomainPlane& plane, vtkPolyData* output)
 {

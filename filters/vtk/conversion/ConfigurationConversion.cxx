@@ -21,8 +21,8 @@ using crossfield::Error;
 //------------------------------------------------------------------------------
 vtkDataArray* RequireQuarterIndices(vtkDataSet* input)
 {
-  // The array is asked for even when there are no points: a source that failed gives no points and
-  // no array, and must not pass for the empty configuration.
+  // The array is required even without points: the output of a failed source has neither points nor
+  // the array, and must not be mistaken for the empty configuration.
   InputCheck::Require(input);
   vtkDataArray* quarters = input->GetPointData()->GetArray(vtkCrossFieldArrayNames::QuarterIndex);
   if (quarters == nullptr || quarters->GetNumberOfComponents() != 1)

@@ -8,20 +8,26 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkPolyData;
 
-/** Conversion of singularities between VTK data and numerics; every function throws crossfield::Error. */
+/**
+ * Conversion of singularities between VTK data and numerics. Every function throws
+ * crossfield::Error.
+ */
 namespace ConfigurationConversion
 {
 /**
- * Points in the plane of a domain with their arrays `QuarterIndex` and, optionally, `Radius`; nothing
- * for a null pointer.
+ * Returns the points of a data set, in the plane of a domain, with their arrays `QuarterIndex` and
+ * optionally `Radius`. A null pointer gives no singularities.
  */
 crossfield::Configuration ReadConfiguration(
   vtkDataSet* input, const crossfield::DomainPlane& plane);
 
-/** The array `QuarterIndex` of points, which must have it. */
+/** Returns the array `QuarterIndex` of points, which must exist. */
 vtkDataArray* RequireQuarterIndices(vtkDataSet* input);
 
-/** Points with `QuarterIndex` and, if any of them has one, `Radius`; and their plane (PlaneFrame.h). */
+/**
+ * Writes points with `QuarterIndex`, with `Radius` if any point has one, and with their plane
+ * (PlaneFrame.h).
+ */
 void WriteConfiguration(const crossfield::Configuration& configuration,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 }

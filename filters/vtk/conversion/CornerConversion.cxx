@@ -122,7 +122,7 @@ void WriteLoopTable(const crossfield::PoincareHopfCount& count,
     data, names::CornerQuarters, rows, [&](int row) { return part(row).cornerQuarters; });
   AddColumn<vtkIntArray>(data, names::RequiredPart, rows,
     [&](int row) { return (row == 0 ? 4 : -4) - part(row).cornerQuarters; });
-  // The outer loop has none, and neither has any when they were not computed.
+  // The outer loop has no defect, and the list is empty if defects were not computed.
   const auto defect = [&](int row)
   {
     const auto inner = static_cast<std::size_t>(row) - 1;

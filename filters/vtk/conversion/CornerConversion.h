@@ -12,28 +12,28 @@ class vtkTable;
 /** Conversion of corners and counts to VTK data, in the plane of the domain. */
 namespace CornerConversion
 {
-/** Point arrays of vtkBoundaryCornerClassifier, and its field data. */
+/** Writes the corners with the point arrays and field data of vtkBoundaryCornerClassifier. */
 void WriteCorners(const crossfield::CornerClassification& classification,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
-/** One row per scenario; see vtkBoundaryCornerClassifier. */
+/** Writes one row per scenario; see vtkBoundaryCornerClassifier. */
 void WriteScenarios(const crossfield::CornerClassification& classification, vtkTable* output);
 
-/** Points with `Angle`, `QuarterIndex` and `Cancellable`. */
+/** Writes points with `Angle`, `QuarterIndex` and `Cancellable`. */
 void WriteCountedCorners(const std::vector<crossfield::CountedCorner>& corners,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
-/** Points with `QuarterIndex`, as ReadCorners takes them. */
+/** Writes points with `QuarterIndex`, in the format of ReadCorners. */
 void WriteChoices(const std::vector<crossfield::CornerChoice>& choices,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
-/** One row per boundary loop; see vtkPoincareHopfCheck. */
+/** Writes one row per boundary loop; see vtkPoincareHopfCheck. */
 void WriteLoopTable(const crossfield::PoincareHopfCount& count,
   const std::vector<double>& holonomyDefects, vtkTable* output);
 
 /**
- * The points of a data set with their integer point array `QuarterIndex`; nothing for a null
- * pointer. Throws crossfield::Error when the array is missing or not integer.
+ * Returns the points of a data set with their integer point array `QuarterIndex`. A null pointer
+ * gives no corners. Throws crossfield::Error if the array is missing or not integer.
  */
 std::vector<crossfield::CornerChoice> ReadCorners(
   vtkDataSet* input, const crossfield::DomainPlane& plane);

@@ -24,21 +24,22 @@ namespace
 {
 using ColumnWriting::AddIntegers;
 using ColumnWriting::AddNumbers;
-using ColumnWriting::NewArray; // zero, which points that no cell uses keep
+using ColumnWriting::NewArray; // initially zero, as for points that no cell uses
 using crossfield::Complex;
 
-/** The arrays that show one value of u per tuple. */
-class ShownField
+/** Display arrays of a field, with one value of u per tuple. */
+class DisplayArrays
 {
 public:
-  ShownField(const crossfield::DomainPlane& plane, vtkFieldData* data, vtkIdType tuples, int arrays)
+  DisplayArrays(
+    const crossfield::DomainPlane& plane, vtkFieldData* data, vtkIdType tuples, int arrays)
     : Plane(plane)
   {
     namespace names = vtkCrossFieldArrayNames;
     for (const char* name :
       { names::Representation, names::Cross, names::Cross2, names::CrossNorm })
     {
-      data->RemoveArray(name); // of a field that the mesh carried before
+      data->RemoveArray(name); // from an earlier field of the mesh
     }
     const auto add = [data, tuples](const char* name, int components)
     { return NewArray<vtkFloatArray>(data, name, components, tuples)->GetPointer(0); };
@@ -95,7 +96,7 @@ void AddField(const DrilledMeshConversion::DrilledMesh& cells, const crossfield:
   const crossfield::CrossSamples samples =
     crossfield::SampleField(field.topology->mesh, field.topology->edges, field.u);
 
-  ShownField points(cells.plane, output->GetPointData(), output->GetNumberOfPoints(), arrays);
+  DisplayArrays points(cells.plane, output->GetPointData(), output->GetNumberOfPoints(), arrays);
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
     points.Set(cells.pointIds[i], samples.atVertices[static_cast<Eigen::Index>(i)]);
@@ -104,7 +105,7 @@ void AddField(const DrilledMeshConversion::DrilledMesh& cells, const crossfield:
   double* exact = NewArray<vtkDoubleArray>(
     output->GetCellData(), vtkCrossFieldArrayNames::CrossFieldCR, 6, output->GetNumberOfCells())
                     ->GetPointer(0);
-  ShownField shown(cells.plane, output->GetCellData(), output->GetNumberOfCells(), arrays);
+  DisplayArrays shown(cells.plane, output->GetCellData(), output->GetNumberOfCells(), arrays);
   const auto setExact = [exact](vtkIdType cell, Complex a, Complex b, Complex c)
   {
     const double values[] = { a.real(), a.imag(), b.real(), b.imag(), c.real(), c.imag() };
@@ -128,7 +129,7 @@ void AddField(const DrilledMeshConversion::DrilledMesh& cells, const crossfield:
     setExact(cells.imprintedCells[i], u, u, u);
     shown.Set(cells.imprintedCells[i], u);
   }
-  // What ParaView colours a new field by.
+  // ParaView colours a new field by this array.
   output->GetPointData()->SetActiveScalars(vtkCrossFieldArrayNames::CrossNorm);
 }
 
@@ -189,7 +190,7 @@ void AddReport(const crossfield::SolvedField& field, vtkUnstructuredGrid* output
   for (const char* name : { names::HolonomyDefect, names::Epsilon, names::GradientEnergy,
          names::PenaltyEnergy, names::ConvexifiedSteps, names::PointSingularities })
   {
-    data->RemoveArray(name); // of a field that the mesh carried before
+    data->RemoveArray(name); // from an earlier field of the mesh
   }
   if (field.epsilon > 0.0)
   {
@@ -215,7 +216,7 @@ void AddH(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::HFi
 {
   namespace names = vtkCrossFieldArrayNames;
   const vtkIdType count = output->GetNumberOfPoints();
-  output->GetPointData()->RemoveArray(names::SizeMap); // of a field that the mesh carried before
+  output->GetPointData()->RemoveArray(names::SizeMap); // from an earlier field
   auto h = NewArray<vtkDoubleArray>(output->GetPointData(), names::H, 1, count);
   for (std::size_t i = 0; i < cells.pointIds.size(); ++i)
   {
@@ -234,7 +235,7 @@ void AddH(const DrilledMeshConversion::DrilledMesh& cells, const crossfield::HFi
   {
     AddNumbers(output->GetFieldData(), names::HolonomyDefect, {});
   }
-  output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // of another field
+  output->GetFieldData()->RemoveArray(names::RenormalizedEnergy); // from an earlier field
   if (!std::isnan(field.renormalizedEnergy))
   {
     AddNumbers(output->GetFieldData(), names::RenormalizedEnergy, { field.renormalizedEnergy });

@@ -1,9 +1,12 @@
 #include "DesignSession.h"
 
+#include "Error.h"
 #include "LayoutSnap.h"
 #include "PairPlacement.h"
 #include "QuarterIndexRange.h"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 using crossfield::Configuration;
@@ -43,115 +46,151 @@ const DomainConversion::Domain& DesignSession::Read(vtkDataSet* data)
   if (this->Version != this->Domain.GetVersion())
   {
     this->Chosen.reset();
-    this->design.reset();
-    this->Before.clear();
-    this->events.clear();
+    this->Design.reset();
+    this->UndoStack.clear();
+    this->Events.clear();
     this->Version = this->Domain.GetVersion();
   }
   return domain;
 }
 
 //------------------------------------------------------------------------------
+DesignUpdate DesignSession::Update(
+  DesignRequest request, std::vector<Row>& rows, const crossfield::Progress& progress)
+{
+  DesignUpdate update;
+  Configuration& singularities = update.singularities;
+  const double energyBefore =
+    this->Design ? this->Design->energy.energy : std::numeric_limits<double>::quiet_NaN();
+  try
+  {
+    singularities = this->Prepare(request, rows, progress.Part(0.0, 0.2));
+    this->Apply(request, singularities, rows, progress.Part(0.2, 0.4));
+    this->Design = crossfield::DesignLayout(
+      this->Domain.Factor(singularities, request.meshSize, progress.Part(0.4, 0.6)), singularities,
+      request.options, progress.Part(0.6, 0.95));
+    if (request.command != DesignCommand::None && std::isfinite(energyBefore))
+    {
+      std::ostringstream text;
+      text << "The renormalised energy changed from " << energyBefore << " to "
+           << this->Design->energy.energy << ".";
+      this->Events.push_back(text.str());
+    }
+  }
+  catch (const crossfield::Error& error)
+  {
+    update.refusal = error.what();
+  }
+  return update;
+}
+
+//------------------------------------------------------------------------------
 const Configuration& DesignSession::Choose(
-  const DesignRequest& question, const crossfield::Progress& progress)
+  const DesignRequest& request, const crossfield::Progress& progress)
 {
   if (!this->Chosen)
   {
     crossfield::AutomaticOptions automatic;
-    automatic.proposal.corners = question.options.map.corners;
-    if (question.options.map.capCorners)
+    automatic.proposal.corners = request.options.map.corners;
+    if (request.options.map.capCorners)
     {
       crossfield::CapCorners(this->Domain.Get(), automatic);
     }
-    automatic.optimizer.meshSize = question.meshSize;
-    automatic.quadSize = question.quadSize;
+    automatic.optimizer.meshSize = request.meshSize;
+    automatic.quadSize = request.quadSize;
     this->Chosen = crossfield::ChooseConfiguration(this->Domain.Get(), automatic, progress);
   }
   return this->Chosen->singularities;
 }
 
 //------------------------------------------------------------------------------
-Configuration DesignSession::Start(
-  DesignRequest& question, const std::vector<Row>& given, const crossfield::Progress& progress)
+/**
+ * Returns the singularities before the command, and sets the corners of the request to those that
+ * were chosen with them.
+ */
+Configuration DesignSession::Prepare(
+  DesignRequest& request, const std::vector<Row>& rows, const crossfield::Progress& progress)
 {
-  Configuration now = !given.empty() ? FromRows(given)
-    : question.start                 ? *question.start
-                                     : this->Choose(question, progress);
-  if (question.command == DesignCommand::Propose)
+  Configuration singularities = !rows.empty() ? FromRows(rows)
+    : request.start                           ? *request.start
+                                              : this->Choose(request, progress);
+  if (request.command == DesignCommand::Propose)
   {
-    this->Choose(question, progress);
+    this->Choose(request, progress);
   }
   if (this->Chosen)
   {
-    question.options.map.corners = this->Chosen->corners;
+    request.options.map.corners = this->Chosen->corners;
   }
-  return now;
+  return singularities;
 }
 
 //------------------------------------------------------------------------------
-void DesignSession::Apply(const DesignRequest& question, Configuration& now,
-  std::vector<Row>& given, const crossfield::Progress& progress)
+void DesignSession::Apply(const DesignRequest& request, Configuration& singularities,
+  std::vector<Row>& rows, const crossfield::Progress& progress)
 {
-  this->events.clear();
-  if (question.command == DesignCommand::None)
+  this->Events.clear();
+  if (request.command == DesignCommand::None)
   {
     return;
   }
-  if (question.command != DesignCommand::Undo)
+  if (request.command != DesignCommand::Undo)
   {
-    const std::vector<Row> start = ToRows(now);
-    this->Apply(question, now, progress);
-    this->Before.push_back(start);
-    given = ToRows(now);
+    const std::vector<Row> start = ToRows(singularities);
+    this->ApplyCommand(request, singularities, progress);
+    this->UndoStack.push_back(start);
+    rows = ToRows(singularities);
   }
-  else if (!this->Before.empty())
+  else if (!this->UndoStack.empty())
   {
-    given = this->Before.back();
-    this->Before.pop_back();
-    now = FromRows(given);
+    rows = this->UndoStack.back();
+    this->UndoStack.pop_back();
+    singularities = FromRows(rows);
   }
 }
 
 //------------------------------------------------------------------------------
-void DesignSession::Apply(
-  const DesignRequest& question, Configuration& now, const crossfield::Progress& progress)
+void DesignSession::ApplyCommand(
+  const DesignRequest& request, Configuration& singularities, const crossfield::Progress& progress)
 {
-  if (question.command == DesignCommand::Propose)
+  if (request.command == DesignCommand::Propose)
   {
-    now = this->Chosen->singularities;
+    singularities = this->Chosen->singularities;
   }
-  else if (question.command == DesignCommand::Optimise)
+  else if (request.command == DesignCommand::Optimise)
   {
     crossfield::OptimizerOptions optimizer;
-    optimizer.meshSize = question.meshSize;
-    optimizer.corners = question.options.map.corners;
-    optimizer.clearance = crossfield::ClearanceForQuads(question.quadSize);
-    optimizer.keepAll = true; // a row that vanished could not be dragged on
+    optimizer.meshSize = request.meshSize;
+    optimizer.corners = request.options.map.corners;
+    optimizer.clearance = crossfield::ClearanceForQuads(request.quadSize);
+    optimizer.keepAll = true; // every row keeps its handle
     const crossfield::OptimizerResult result =
-      crossfield::OptimizeSingularities(this->Domain.Get(), now, optimizer, progress);
-    now = result.configuration;
-    this->events = result.events;
-    this->events.push_back(result.reason);
+      crossfield::OptimizeSingularities(this->Domain.Get(), singularities, optimizer, progress);
+    singularities = result.configuration;
+    this->Events = result.events;
+    this->Events.push_back(result.reason);
   }
-  else if (question.command == DesignCommand::Snap)
+  else if (request.command == DesignCommand::Snap)
   {
     const crossfield::LayoutSnap snap =
-      crossfield::SnapLayout(this->Domain.Factor(now, question.meshSize), now, question.options.map,
-        question.snapTolerance, progress);
-    now = snap.singularities;
+      crossfield::SnapLayout(this->Domain.Factor(singularities, request.meshSize), singularities,
+        request.options.map, request.snapTolerance, progress);
+    singularities = snap.singularities;
     std::ostringstream text;
-    text << snap.joined << " near misses of lines were joined and " << snap.leftOut
-         << " left; no singularity moved by more than " << snap.largestMove << ".";
-    this->events.push_back(text.str());
+    text << "Pairs of nearly coincident separatrices: " << snap.joined << " joined, "
+         << snap.leftOut << " left. The maximum displacement of a singularity is "
+         << snap.largestMove << ".";
+    this->Events.push_back(text.str());
   }
-  else if (question.command == DesignCommand::AddPair)
+  else if (request.command == DesignCommand::AddPair)
   {
-    const auto places = crossfield::PlacesForPair(this->Domain.Factor(now, question.meshSize), now);
-    now.push_back({ places[0], 1 });
-    now.push_back({ places[1], -1 });
+    const auto places = crossfield::PlacesForPair(
+      this->Domain.Factor(singularities, request.meshSize), singularities);
+    singularities.push_back({ places[0], 1 });
+    singularities.push_back({ places[1], -1 });
   }
-  else if (question.rowToRemove >= 0 && question.rowToRemove < static_cast<int>(now.size()))
+  else if (request.rowToRemove >= 0 && request.rowToRemove < static_cast<int>(singularities.size()))
   {
-    now.erase(now.begin() + question.rowToRemove);
+    singularities.erase(singularities.begin() + request.rowToRemove);
   }
 }

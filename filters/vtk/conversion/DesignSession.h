@@ -12,7 +12,7 @@
 
 class vtkDataSet;
 
-/** What a person asks of a design. */
+/** Commands that change the singularities of a design. */
 enum class DesignCommand
 {
   None,
@@ -24,10 +24,10 @@ enum class DesignCommand
   Undo
 };
 
-/** What is asked of one update of vtkLayoutDesigner. */
+/** Request of one update of vtkLayoutDesigner. */
 struct DesignRequest
 {
-  std::optional<crossfield::Configuration> start; ///< Counts where no rows are given.
+  std::optional<crossfield::Configuration> start; ///< Initial singularities if there are no rows.
   crossfield::LayoutOptions options;
   double meshSize = 0.0;
   double quadSize = 0.0;
@@ -36,41 +36,62 @@ struct DesignRequest
   int rowToRemove = -1;
 };
 
-/** What a vtkLayoutDesigner keeps between updates; every function throws crossfield::Error. */
+/** Result of one update. */
+struct DesignUpdate
+{
+  crossfield::Configuration singularities;
+  std::string refusal; ///< Why the singularities have no layout; empty if they have one.
+};
+
+/** State that a vtkLayoutDesigner keeps between updates. */
 class DesignSession
 {
 public:
   using Row = std::array<double, 4>; ///< x, y, quarter index, radius.
 
-  static crossfield::Configuration FromRows(const std::vector<Row>& rows);
+  /** Converts singularities to rows. */
   static std::vector<Row> ToRows(const crossfield::Configuration& configuration);
 
-  /** Reads the domain, and forgets what was of another one. */
+  /**
+   * Reads the domain and returns it. If the domain has changed, discards the results for the earlier
+   * one. Throws crossfield::Error like DomainConversion::ReadDomain.
+   */
   const DomainConversion::Domain& Read(vtkDataSet* data);
-  /** The domain that was read last. */
-  CachedDomain& GetDomain() { return this->Domain; }
 
-  /** The singularities before the command, and the corners that belong to them in the question's options. */
-  crossfield::Configuration Start(
-    DesignRequest& question, const std::vector<Row>& given, const crossfield::Progress& progress);
+  /**
+   * Applies the command of the request and designs the layout of the singularities. A command that
+   * changes the singularities replaces the rows. Singularities without a layout are not an error:
+   * the last design is then kept, and the refusal gives the reason.
+   */
+  DesignUpdate Update(
+    DesignRequest request, std::vector<Row>& rows, const crossfield::Progress& progress);
 
-  /** Obeys the command: changes the singularities, and the rows to these. */
-  void Apply(const DesignRequest& question, crossfield::Configuration& now, std::vector<Row>& given,
-    const crossfield::Progress& progress);
+  /** Returns the last valid design, or null if there was none. */
+  const crossfield::LayoutDesign* GetDesign() const
+  {
+    return this->Design ? &*this->Design : nullptr;
+  }
 
-  std::optional<crossfield::LayoutDesign> design; ///< The last one that could be.
-  std::vector<std::string> events; ///< Of the command of this update, a sentence each.
+  /** Returns one sentence for each result of the last command. */
+  const std::vector<std::string>& GetEvents() const { return this->Events; }
 
 private:
+  static crossfield::Configuration FromRows(const std::vector<Row>& rows);
   const crossfield::Configuration& Choose(
-    const DesignRequest& question, const crossfield::Progress& progress);
-  void Apply(const DesignRequest& question, crossfield::Configuration& now,
+    const DesignRequest& request, const crossfield::Progress& progress);
+  crossfield::Configuration Prepare(
+    DesignRequest& request, const std::vector<Row>& rows, const crossfield::Progress& progress);
+  void Apply(const DesignRequest& request, crossfield::Configuration& singularities,
+    std::vector<Row>& rows, const crossfield::Progress& progress);
+  void ApplyCommand(const DesignRequest& request, crossfield::Configuration& singularities,
     const crossfield::Progress& progress);
 
   CachedDomain Domain;
-  int Version = 0; ///< Of the domain that the rest is of.
+  int Version = 0; ///< Version of the domain that the other members belong to.
   std::optional<crossfield::AutomaticConfiguration> Chosen;
-  std::vector<std::vector<Row>> Before; ///< Of the commands, the last one last.
+  std::optional<crossfield::LayoutDesign> Design;
+  std::vector<std::string> Events;
+  std::vector<std::vector<Row>> UndoStack; ///< Rows before each command.
 };
 
 #endif

@@ -31,8 +31,9 @@ using crossfield::Error;
 using crossfield::Point;
 
 /**
- * The surface cells of a data set, or else its lines, with the points that they use; other cells than
- * vertices are refused, and so are places that are not finite.
+ * Returns the surface cells of a data set, or else its lines, with the points that they use.
+ * Vertices are ignored. Throws crossfield::Error for other cells and for coordinates that are not
+ * finite.
  */
 vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
 {
@@ -46,7 +47,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
       cells->InsertCellPoint(static_cast<vtkIdType>(point));
     }
   };
-  CellLoop::OfData(input,
+  CellLoop::ForEachCell(input,
     [&](vtkIdType, int type, const auto& points)
     {
       switch (type)
@@ -64,7 +65,7 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
       case VTK_POLYGON:
         add(surfaces, points);
         break;
-      case VTK_PIXEL: // its points go row by row, not around
+      case VTK_PIXEL: // points are ordered by rows, not around the cell
         surfaces->InsertNextCell({ points[0], points[1], points[3], points[2] });
         break;
       default:
@@ -97,14 +98,17 @@ vtkSmartPointer<vtkPolyData> ExtractCurvesOrSurfaces(vtkDataSet* input)
       auto* connectivity = state.GetConnectivity();
       for (vtkIdType i = 0; i < connectivity->GetNumberOfValues(); ++i)
       {
-        connectivity->SetValue(i, used.NumberOf(connectivity->GetValue(i)));
+        connectivity->SetValue(i, used.IndexOf(connectivity->GetValue(i)));
       }
     });
   result->SetPoints(kept);
   return result;
 }
 
-/** Lines along the cells' boundary; refuses edges with more than two cells. */
+/**
+ * Returns lines along the boundary of the cells. Throws crossfield::Error if an edge has more than
+ * two cells.
+ */
 vtkSmartPointer<vtkPolyData> SurfaceBoundary(vtkPolyData* surface)
 {
   vtkNew<vtkFeatureEdges> edges;
@@ -125,15 +129,18 @@ vtkSmartPointer<vtkPolyData> SurfaceBoundary(vtkPolyData* surface)
   return edges->GetOutput();
 }
 
-/** Of the bounding box's diagonal: rounding of coordinates that were written out and read back. */
-constexpr double OnePoint = 1e-9;
+/**
+ * Merge tolerance, relative to the diagonal of the bounding box. It is above the rounding of
+ * coordinates that were written and read back.
+ */
+constexpr double MergeTolerance = 1e-9;
 
 vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
 {
   vtkNew<vtkCleanPolyData> clean;
   clean->SetInputData(input);
   clean->SetTolerance(tolerance);
-  // The filter's own locator has buckets of one size, and a long curve is in few of them.
+  // The default locator has buckets of one size, and a long curve is in only a few of them.
   vtkNew<vtkIncrementalOctreePointLocator> locator;
   clean->SetLocator(locator);
   clean->ConvertLinesToPointsOn();
@@ -141,7 +148,7 @@ vtkSmartPointer<vtkPolyData> MergePoints(vtkPolyData* input, double tolerance)
   return clean->GetOutput();
 }
 
-/** Refuses surface cells that overlap, which their boundary does not tell. */
+/** Throws crossfield::Error if surface cells overlap, which their boundary does not show. */
 void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& covered)
 {
   double area = 0.0;
@@ -154,14 +161,13 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
     {
       corners.push_back(covered.plane.ToPlane(Eigen::Vector3d(surface->GetPoint(id))));
     }
-    area +=
-      std::abs(crossfield::SignedArea(corners)); // neighbours may be oriented against each other
+    area += std::abs(crossfield::SignedArea(corners)); // neighbours may have opposite orientations
   }
   const double enclosed = covered.domain.Area();
   const double diagonal = covered.domain.Diagonal();
-  // Both sums are of the same points, so they differ by rounding only; OnePoint is far above that, and
-  // what is less counts as nothing here.
-  if (std::abs(area - enclosed) > OnePoint * diagonal * diagonal)
+  // Both sums use the same points and differ only by rounding, which is far below MergeTolerance. Smaller
+  // overlaps are ignored.
+  if (std::abs(area - enclosed) > MergeTolerance * diagonal * diagonal)
   {
     std::ostringstream text;
     text << "The areas of the domain's cells add up to " << area << ", but their boundary encloses "
@@ -170,7 +176,7 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
   }
 }
 
-/** The loops of curves, or of the boundary of a surface, whose points are merged. */
+/** Returns the loops of curves, or of the boundary of a surface, whose points are merged. */
 std::vector<crossfield::Loop> ChainCurves(vtkPolyData* cells, const crossfield::DomainPlane& plane)
 {
   vtkSmartPointer<vtkPolyData> curves = cells;
@@ -204,8 +210,10 @@ std::vector<crossfield::Loop> ChainCurves(vtkPolyData* cells, const crossfield::
   return crossfield::ChainLoops(points, segments);
 }
 
-/** Throws another error where it is the merging of points that are not equal which made the loops fail. */
-void RequireChainsWhenMerged(vtkPolyData* cells, const crossfield::DomainPlane& plane)
+/**
+ * Throws an error with another message if the loops fail only because unequal points were merged.
+ */
+void RejectMergedPoints(vtkPolyData* cells, const crossfield::DomainPlane& plane)
 {
   try
   {
@@ -234,13 +242,13 @@ Domain ReadDomain(vtkDataSet* input)
 {
   InputCheck::Require(input);
   const vtkSmartPointer<vtkPolyData> cells = ExtractCurvesOrSurfaces(input);
-  double bounds[6]; // of no points, the lower ones are above the upper ones
+  double bounds[6]; // without points, lower bounds exceed upper bounds
   cells->GetBounds(bounds);
   crossfield::RequireExtent(
     std::max({ 0.0, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }));
-  const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, OnePoint);
+  const vtkSmartPointer<vtkPolyData> merged = MergePoints(cells, MergeTolerance);
   Domain result;
-  // Of a surface as well, which could bulge from a planar boundary.
+  // Also checks the inside of a surface, which may not be planar although its boundary is.
   result.plane = FindPlane(merged);
   std::vector<crossfield::Loop> loops;
   try
@@ -249,7 +257,7 @@ Domain ReadDomain(vtkDataSet* input)
   }
   catch (const Error&)
   {
-    RequireChainsWhenMerged(cells, result.plane);
+    RejectMergedPoints(cells, result.plane);
     throw;
   }
   result.domain = crossfield::MakePlanarDomain(std::move(loops));

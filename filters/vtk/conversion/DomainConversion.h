@@ -10,28 +10,29 @@ class vtkDataSet;
 class vtkPolyData;
 
 /**
- * Conversion of domains between VTK data and numerics; every function throws crossfield::Error. This is where
- * data of a plane in space become coordinates of that plane, and back (DomainPlane.h).
+ * Conversion of domains between VTK data and numerics. Every function throws crossfield::Error.
+ * Data of a plane in space are converted to coordinates in that plane and back here
+ * (DomainPlane.h).
  */
 namespace DomainConversion
 {
-/** A domain, and the plane in space that it lies in. */
+/** Domain and its plane in space. */
 struct Domain
 {
   crossfield::PlanarDomain domain;
   crossfield::DomainPlane plane;
 };
 
-/** The plane of the points of a data set that its lines and surface cells use. */
+/** Returns the plane of the points that the lines and surface cells of a data set use. */
 crossfield::DomainPlane FindPlane(vtkDataSet* input);
 
 /**
- * Reads a domain from lines along its boundary, or from surface cells, which have to cover it once.
- * Points closer than 1e-9 of the bounding box's diagonal are one point.
+ * Reads a domain from lines along its boundary, or from surface cells, which must cover it exactly
+ * once. Points closer than 1e-9 of the diagonal of the bounding box are merged.
  */
 Domain ReadDomain(vtkDataSet* input);
 
-/** One closed polyline per loop in the plane z = 0. */
+/** Writes one closed polyline per loop in the plane z = 0. */
 void WriteLoops(const std::vector<crossfield::Loop>& loops, vtkPolyData* output);
 }
 

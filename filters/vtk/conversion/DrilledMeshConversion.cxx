@@ -46,7 +46,10 @@ vtkSmartPointer<vtkIntArray> NewCellArray(vtkUnstructuredGrid* grid, const char*
   return array;
 }
 
-/** Cells of their final length at once: inserting one after the other takes several times as long. */
+/**
+ * Writes cells to lists of their final length. Inserting one cell after the other takes several
+ * times as long.
+ */
 void WriteCells(const std::vector<std::array<int, 3>>& triangles,
   const std::vector<crossfield::BoundaryEdge>& lines, vtkUnstructuredGrid* output)
 {
@@ -114,10 +117,10 @@ DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input)
   const auto cellCount = static_cast<std::size_t>(input->GetNumberOfCells());
   result.triangleCells.reserve(cellCount);
   mesh.triangles.reserve(cellCount);
-  CellLoop::OfData(input,
+  CellLoop::ForEachCell(input,
     [&](vtkIdType cell, int type, const auto& points)
     {
-      const auto vertex = [&](vtkIdType i) { return used.NumberOf(points[i]); };
+      const auto vertex = [&](vtkIdType i) { return used.IndexOf(points[i]); };
       if (type == VTK_TRIANGLE)
       {
         result.triangleCells.push_back(cell);
@@ -195,7 +198,7 @@ void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::Do
     quarters->SetValue(cell, edge.quarterIndex);
     ++cell;
   }
-  // What ParaView colours a new mesh by.
+  // ParaView colours a new mesh by this array.
   output->GetCellData()->SetActiveScalars(vtkCrossFieldArrayNames::BoundaryKind);
 }
 }

@@ -11,31 +11,40 @@
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
-/** Conversion of drilled meshes between VTK data and numerics; every function throws crossfield::Error. */
+/**
+ * Conversion of drilled meshes between VTK data and numerics. Every function throws
+ * crossfield::Error.
+ */
 namespace DrilledMeshConversion
 {
-/** The data set if it is a mesh with the cell array `BoundaryKind`, as vtkDrillHoles makes, else null. */
+/**
+ * Returns the data set if it is a mesh with the cell array `BoundaryKind`, such as one of
+ * vtkDrillHoles, else null.
+ */
 vtkUnstructuredGrid* AsDrilledMesh(vtkDataSet* input);
 
-/** A drilled mesh, its plane, and which points and cells its vertices, triangles and edges are. */
+/** Drilled mesh, its plane, and the points and cells of its vertices, triangles and edges. */
 struct DrilledMesh
 {
   crossfield::SharedTopology topology;
   crossfield::DomainPlane plane;
-  std::vector<vtkIdType> pointIds; ///< Points that no cell uses are left out.
+  std::vector<vtkIdType> pointIds; ///< Without points that no cell uses.
   std::vector<vtkIdType> triangleCells;
   std::vector<vtkIdType> lineCells;
-  std::vector<vtkIdType> imprintedCells; ///< Of the edges of imprinted circles.
+  std::vector<vtkIdType> imprintedCells; ///< Edges of imprinted circles.
 };
 
-/** Throws crossfield::Error also where the cells make no mesh; see MeshTopology.h. */
+/**
+ * Reads a drilled mesh. Throws crossfield::Error also if the cells do not form a mesh; see
+ * MeshTopology.h.
+ */
 DrilledMesh ReadDrilledMesh(vtkUnstructuredGrid* input);
 
-/** The points and cells of a mesh as WriteDrilledMesh writes them. */
+/** Returns the points and cells of a mesh in the order of WriteDrilledMesh. */
 DrilledMesh NumberCells(
   const crossfield::SharedTopology& topology, const crossfield::DomainPlane& plane);
 
-/** Triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
+/** Writes triangles, then lines, in the given plane, with the cell arrays of vtkDrillHoles. */
 void WriteDrilledMesh(const crossfield::TriangleMesh& mesh, const crossfield::DomainPlane& plane,
   vtkUnstructuredGrid* output);
 }

@@ -20,7 +20,8 @@ namespace names = vtkCrossFieldArrayNames;
 using ColumnWriting::AddColumn;
 using crossfield::ConfigurationEnergy;
 
-double Largest(const std::vector<double>& defects)
+/** Returns the defect of largest magnitude, with its sign. */
+double LargestDefect(const std::vector<double>& defects)
 {
   double largest = 0.0;
   for (double defect : defects)
@@ -30,7 +31,7 @@ double Largest(const std::vector<double>& defects)
   return largest;
 }
 
-/** A singularity and where its configuration should go. */
+/** Singularity with the derivative of W with respect to its position. */
 struct GradientRow
 {
   crossfield::Point position;
@@ -80,8 +81,8 @@ void WriteEnergies(const std::vector<ConfigurationEnergy>& energies, vtkTable* o
   add(names::RenormalizedEnergy, [](const Energy& e) { return e.renormalized.energy; });
   add(names::CoreRadius, [](const Energy& e) { return e.coreRadius; });
   add(names::EnergyAtCoreRadius, [](const Energy& e) { return e.atCoreRadius; });
-  add(
-    names::HolonomyDefect, [](const Energy& e) { return Largest(e.renormalized.holonomyDefect); });
+  add(names::HolonomyDefect,
+    [](const Energy& e) { return LargestDefect(e.renormalized.holonomyDefect); });
 }
 
 //------------------------------------------------------------------------------

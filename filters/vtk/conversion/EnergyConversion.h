@@ -12,20 +12,20 @@ class vtkTable;
 /** Conversion of energies of configurations and of the optimiser's report to VTK data. */
 namespace EnergyConversion
 {
-/** One row per configuration; see vtkSingularityEnergy. */
+/** Writes one row per configuration; see vtkSingularityEnergy. */
 void WriteEnergies(const std::vector<crossfield::ConfigurationEnergy>& energies, vtkTable* output);
 
-/** Points with `Configuration`, `QuarterIndex` and `Gradient`, in the given plane. */
+/** Writes points with `Configuration`, `QuarterIndex` and `Gradient`, in the given plane. */
 void WriteGradients(const std::vector<crossfield::ConfigurationEnergy>& energies,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 
-/** Field data; see vtkSingularityOptimizer. */
+/** Writes the field data of vtkSingularityOptimizer. */
 void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData* output);
 
-/** Field data `Events`: one sentence each. */
+/** Writes the field data `Events`, one sentence each. */
 void WriteEvents(const std::vector<std::string>& events, vtkDataObject* output);
 
-/** One row per iteration; see vtkSingularityOptimizer. */
+/** Writes one row per iteration; see vtkSingularityOptimizer. */
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output);
 }
 

@@ -5,44 +5,50 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 
-/** What the ports of this module's filters take and give; each returns 1, as VTK wants it. */
+/**
+ * Data types of the ports of this module's filters. Every function returns 1, the result of
+ * FillInputPortInformation and FillOutputPortInformation.
+ */
 namespace FilterPorts
 {
-/** A domain: boundary loops or a surface mesh. */
-inline int TakeDomain(vtkInformation* info)
+/** Accepts a domain: boundary loops or a surface mesh. */
+inline int AcceptDomain(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
 }
 
-inline int TakeOptionalDomain(vtkInformation* info)
+/** Accepts a domain or no connection. */
+inline int AcceptOptionalDomain(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return TakeDomain(info);
+  return AcceptDomain(info);
 }
 
-/** A mesh of vtkDrillHoles, with or without a field. */
-inline int TakeMesh(vtkInformation* info)
+/** Accepts a mesh of vtkDrillHoles, with or without a field. */
+inline int AcceptMesh(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   return 1;
 }
 
-/** Points with arrays: singularities or corners. */
-inline int TakePoints(vtkInformation* info)
+/** Accepts points with arrays: singularities or corners. */
+inline int AcceptPoints(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
-inline int TakeOptionalPoints(vtkInformation* info)
+
+/** Accepts points or no connection. */
+inline int AcceptOptionalPoints(vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return TakePoints(info);
+  return AcceptPoints(info);
 }
 
-/** Data of a class. */
-inline int Give(vtkInformation* info, const char* type)
+/** Produces data of a class. */
+inline int Produce(vtkInformation* info, const char* type)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), type);
   return 1;

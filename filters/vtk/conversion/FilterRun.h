@@ -10,17 +10,20 @@
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 
 #include <cerrno>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 
-/** The one way in which the filters of this module call numerics, from their RequestData. */
+/** Calls of the numerics from RequestData: progress, abort and errors are handled in one place. */
 namespace FilterRun
 {
-// CheckAbort() asks the algorithms downstream as well; VTK 9.1 does not have it.
+// CheckAbort() also checks the algorithms downstream. VTK 9.1 does not have it.
 template <class Algorithm>
 auto WantsAbort(Algorithm* self, int) -> decltype(self->CheckAbort())
 {
@@ -32,8 +35,8 @@ bool WantsAbort(Algorithm* self, long)
   return self->GetAbortExecute() != 0;
 }
 
-// After an abort the executive empties the outputs, unless the filter has something to keep; VTK 9.1
-// does not empty them.
+// After an abort the executive empties the outputs unless the filter keeps them. VTK 9.1 does not
+// empty them.
 template <class Algorithm>
 auto KeepAbortedOutput(Algorithm* self, int) -> decltype(self->SetAbortOutput(false))
 {
@@ -44,14 +47,27 @@ void KeepAbortedOutput(Algorithm*, long)
 {
 }
 
+/** Result of a computation. */
+struct Outcome
+{
+  unsigned long errorCode = vtkErrorCode::NoError;
+  std::string message; ///< Empty without an error.
+};
+
 /**
- * Runs work(progress), forwarding progress to the filter and its abort flag to the numerics, and
- * returns the error code for the filter to publish. An error is reported as one vtkErrorMacro
- * sentence; an abort is no error. Either leaves the output as it was: work fills it last.
+ * Runs work(progress), which reports progress to the filter and its abort flag to the numerics. An
+ * error is reported as one vtkErrorMacro sentence; an abort is not an error. In both cases the
+ * outputs are unchanged, since `work` fills them last.
  */
 template <class Algorithm, class Work>
-unsigned long Try(Algorithm* self, Work work)
+Outcome Try(Algorithm* self, Work work)
 {
+  const auto fail =
+    [self](const std::string& message, unsigned long errorCode = vtkCrossFieldErrorCodes::BadInput)
+  {
+    vtkErrorWithObjectMacro(self, << message);
+    return Outcome{ errorCode, message };
+  };
   const crossfield::Progress progress(
     [self](double fraction)
     {
@@ -62,123 +78,131 @@ unsigned long Try(Algorithm* self, Work work)
   {
     progress.Report(0.0); // an abort before the work begins
     work(progress);
-    return vtkErrorCode::NoError;
+    return {};
   }
   catch (const crossfield::Aborted&)
   {
-    return vtkErrorCode::NoError;
+    return {};
   }
   catch (const crossfield::Error& error)
   {
-    vtkErrorWithObjectMacro(self, << error.what());
-    return error.GetKind() == crossfield::Error::Kind::Inconsistent
-      ? vtkCrossFieldErrorCodes::Inconsistent
-      : vtkCrossFieldErrorCodes::BadInput;
+    return fail(error.what(),
+      error.GetKind() == crossfield::Error::Kind::Inconsistent
+        ? vtkCrossFieldErrorCodes::Inconsistent
+        : vtkCrossFieldErrorCodes::BadInput);
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(self, << crossfield::OutOfMemory);
-    return vtkCrossFieldErrorCodes::BadInput;
+    return fail(crossfield::OutOfMemory);
   }
-  catch (const std::exception& error) // of a library, and no sentence: it may have several lines
+  catch (const std::exception& error) // from a library; may have several lines
   {
     const std::string text = error.what();
     if (text.find(std::generic_category().message(EAGAIN)) != std::string::npos)
     {
-      vtkErrorWithObjectMacro(
-        self, << crossfield::OutOfThreads); // TBB has no type of its own for it
-      return vtkCrossFieldErrorCodes::BadInput;
+      return fail(crossfield::OutOfThreads); // TBB has no exception type for this error
     }
-    vtkErrorWithObjectMacro(self, << "The computation broke down ("
-                                  << text.substr(0, text.find('\n'))
-                                  << "); simplify the domain, or report it with this message.");
-    return vtkCrossFieldErrorCodes::BadInput;
+    return fail("The computation broke down (" + text.substr(0, text.find('\n')) +
+      "); simplify the domain, or report it with this message.");
   }
 }
 
 /**
- * Whether the filter is in ParaView, which goes on drawing what it had when RequestData returns 0, and
- * says a second time, at length, that it did. There a failed filter has an empty output that counts.
+ * Returns whether the filter runs in ParaView. If RequestData returns 0 there, ParaView continues to
+ * draw the old output and prints a long second message, so a failed filter returns 1 with an empty
+ * output.
  */
 inline bool IsInParaView(vtkAlgorithm* self)
 {
   return self->GetExecutive()->IsA("vtkPVCompositeDataPipeline") != 0;
 }
 
-/** Whether one of the filters above has failed, and has said why. */
-inline bool HasFailedAbove(vtkAlgorithm* self)
+/** Returns the key under which the information of a failed filter holds its error message. */
+inline vtkInformationStringKey* MessageKey()
+{
+  static vtkInformationStringKey* const key =
+    vtkInformationStringKey::MakeKey("CROSS_FIELD_ERROR", "FilterRun");
+  return key;
+}
+
+/** Returns the error message of the nearest failed filter upstream, or nothing if none has failed. */
+inline std::optional<std::string> UpstreamFailure(vtkAlgorithm* self)
 {
   for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < self->GetNumberOfInputConnections(port); ++i)
     {
-      vtkAlgorithm* above = self->GetInputAlgorithm(port, i);
-      if (above != nullptr &&
-        (above->GetErrorCode() != vtkErrorCode::NoError || HasFailedAbove(above)))
+      vtkAlgorithm* upstream = self->GetInputAlgorithm(port, i);
+      if (upstream == nullptr)
       {
-        return true;
+        continue;
+      }
+      if (upstream->GetErrorCode() != vtkErrorCode::NoError)
+      {
+        const char* message = upstream->GetInformation()->Get(MessageKey());
+        return message != nullptr
+          ? message
+          : std::string(upstream->GetClassName()) + " has failed; correct its input or parameters.";
+      }
+      if (std::optional<std::string> message = UpstreamFailure(upstream))
+      {
+        return message;
       }
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 /**
- * RequestData of a source: runs work(progress), publishes the error code and returns 0 after an error; in
- * ParaView 1, where a filter below one that has failed does nothing and has an error code, too.
+ * RequestData of a source: runs work(progress), sets the error code, and returns 0 after an error.
+ * In ParaView it returns 1, and a filter downstream of a failed filter does nothing and has an error
+ * code as well. After an error calls report(message), with the message of the failed filter.
  */
-template <class Algorithm, class Work>
-int Run(Algorithm* self, unsigned long& errorCode, Work work)
+template <class Algorithm, class Work, class Report>
+int Run(Algorithm* self, unsigned long& errorCode, Work work, Report report)
 {
   const bool inParaView = IsInParaView(self);
-  if (inParaView && HasFailedAbove(self))
+  const std::optional<std::string> upstream =
+    inParaView ? UpstreamFailure(self) : std::optional<std::string>();
+  const Outcome outcome =
+    upstream ? Outcome{ vtkCrossFieldErrorCodes::BadInput, *upstream } : Try(self, work);
+  errorCode = outcome.errorCode;
+  self->GetInformation()->Set(MessageKey(), outcome.message);
+  if (errorCode != vtkErrorCode::NoError)
   {
-    errorCode = vtkCrossFieldErrorCodes::BadInput;
-    return 1;
+    report(outcome.message.c_str());
   }
-  errorCode = Try(self, work);
   return errorCode == vtkErrorCode::NoError || inParaView ? 1 : 0;
 }
 
-/** The same for a filter; without cells in the input there is nothing to do, and the output is empty. */
+/** Same for a source without a report. */
 template <class Algorithm, class Work>
-int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work)
+int Run(Algorithm* self, unsigned long& errorCode, Work work)
 {
-  return Run(self, errorCode,
+  return Run(self, errorCode, work, [](const char*) {});
+}
+
+/** RequestData of a filter with a report. An input without cells gives empty outputs. */
+template <class Algorithm, class Work, class Report>
+int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work, Report report)
+{
+  return Run(
+    self, errorCode,
     [&](const crossfield::Progress& progress)
     {
       if (input->GetNumberOfCells() > 0)
       {
         work(progress);
       }
-    });
+    },
+    report);
 }
 
-/** The same, and tell(sentence) of why there is no output; where a filter above has said that, of where to look for it. */
-template <class Algorithm, class Work, class Tell>
-int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work, Tell tell)
+/** Same for a filter without a report. */
+template <class Algorithm, class Work>
+int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work)
 {
-  bool isTold = false;
-  const int result = Run(self, errorCode, input,
-    [&](const crossfield::Progress& progress)
-    {
-      try
-      {
-        work(progress);
-      }
-      catch (const crossfield::Error& error)
-      {
-        isTold = true;
-        tell(error.what());
-        throw;
-      }
-    });
-  if (errorCode != vtkErrorCode::NoError && !isTold)
-  {
-    tell(HasFailedAbove(self) ? "A filter above has failed, and has said why."
-                              : "The computation has failed; a message says why.");
-  }
-  return result;
+  return Run(self, errorCode, input, work, [](const char*) {});
 }
 }
 

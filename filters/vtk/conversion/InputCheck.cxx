@@ -20,7 +20,7 @@ namespace
 {
 using crossfield::Error;
 
-/** What a filter can walk along: all lists of cells are as long as they say. */
+/** Returns whether all lists of cells are as long as their offsets require. */
 bool HasValidLists(vtkDataSet* input)
 {
   if (auto* surface = vtkPolyData::SafeDownCast(input))
@@ -31,14 +31,14 @@ bool HasValidLists(vtkDataSet* input)
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
   if (grid == nullptr || grid->GetCells() == nullptr)
   {
-    return true; // cells that follow from a structure, or none
+    return true; // cells defined by a structure, or none
   }
   return grid->GetCells()->IsValid() && grid->GetCellTypesArray() != nullptr &&
     grid->GetCellTypesArray()->GetNumberOfValues() == grid->GetCells()->GetNumberOfCells();
 }
 
-/** The number of points of a cell of this type; 0: any. */
-vtkIdType PointsOf(int type)
+/** Returns the number of points of a cell of this type; 0 if it varies. */
+vtkIdType PointCountOfType(int type)
 {
   switch (type)
   {
@@ -69,7 +69,7 @@ void RequirePoints(vtkIdType cell, const Points& points, vtkIdType count)
   }
 }
 
-/** Cell by cell in the lists: VTK 9.1 crashes when it is asked for the points of an empty polygon. */
+/** Checks the cells in the lists, since VTK 9.1 crashes in GetCellPoints of an empty polygon. */
 void RequireCells(vtkPolyData* input)
 {
   const std::array<std::pair<vtkCellArray*, vtkIdType>, 4> lists = { { { input->GetVerts(), 1 },
@@ -77,14 +77,14 @@ void RequireCells(vtkPolyData* input)
   vtkIdType first = 0;
   for (const auto& entry : lists)
   {
-    const vtkIdType least = entry.second;
-    CellLoop::OfList(entry.first,
+    const vtkIdType minimum = entry.second;
+    CellLoop::ForEachInList(entry.first,
       [&](vtkIdType i, const auto& points)
       {
-        if (points.Size() < least)
+        if (points.Size() < minimum)
         {
           throw Error("Cell " + std::to_string(first + i) + " has " +
-            std::to_string(points.Size()) + " points instead of " + std::to_string(least) +
+            std::to_string(points.Size()) + " points instead of " + std::to_string(minimum) +
             " or more; the data is damaged, make it again.");
         }
         RequirePoints(first + i, points, input->GetNumberOfPoints());
@@ -96,10 +96,10 @@ void RequireCells(vtkPolyData* input)
 void RequireCells(vtkDataSet* input)
 {
   const vtkIdType count = input->GetNumberOfPoints();
-  CellLoop::OfData(input,
+  CellLoop::ForEachCell(input,
     [count](vtkIdType cell, int type, const auto& points)
     {
-      const vtkIdType expected = PointsOf(type);
+      const vtkIdType expected = PointCountOfType(type);
       if (expected > 0 && points.Size() != expected)
       {
         throw Error("Cell " + std::to_string(cell) + " has " + std::to_string(points.Size()) +

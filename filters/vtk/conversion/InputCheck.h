@@ -6,14 +6,14 @@
 class vtkDataSet;
 
 /**
- * Readers do not check what they read, nor do data sets check what they are given. What this module
- * takes as given is checked here, before any filter walks along cells.
+ * Checks of input data before a filter loops over cells. Neither readers nor data sets check their
+ * content.
  */
 namespace InputCheck
 {
 /**
- * Throws crossfield::Error unless every cell has its points, in the number that its type asks for,
- * among those of the data set, and every array of cells and points has a tuple for each.
+ * Throws crossfield::Error unless every cell has the number of points of its type, all of them
+ * points of the data set, and every array of cells and points has a tuple for each.
  */
 void Require(vtkDataSet* input);
 

@@ -15,8 +15,8 @@ namespace names = vtkCrossFieldArrayNames;
 
 namespace
 {
-/** Degrees; nothing without quads. */
-std::optional<double> LeastAngle(const crossfield::LayoutDesign& design)
+/** Returns the minimum angle of the quads in degrees; nothing without quads. */
+std::optional<double> MinimumAngle(const crossfield::LayoutDesign& design)
 {
   return design.quads ? std::optional<double>(90.0 * design.quads->quality.eta.min) : std::nullopt;
 }
@@ -45,15 +45,21 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
     return report.refusal;
   }
   std::ostringstream text;
-  text << design->mesh.faces.size() << " faces";
+  text << std::fixed << std::setprecision(0);
   if (design->quads)
   {
-    text << ", " << design->quads->mesh.quads.size() << " quads in "
-         << design->quads->blocks.blocks.size() << " blocks, least angle " << std::fixed
-         << std::setprecision(0) << *LeastAngle(*design) << " deg";
+    text << design->quads->mesh.quads.size() << " quads in " << design->quads->blocks.blocks.size()
+         << " blocks; minimum angle " << *MinimumAngle(*design) << "°";
   }
-  text << std::setprecision(2) << std::fixed << ", shortest arc "
-       << design->shortestArc / report.quadSize << " quads, W " << design->energy.energy;
+  else
+  {
+    text << design->mesh.faces.size() << " patches";
+  }
+  text << std::setprecision(2) << "; energy W " << design->energy.energy << " (lower is better).";
+  if (design->shortestArc < 0.5 * report.quadSize)
+  {
+    text << " Two separatrices nearly coincide: try Snap.";
+  }
   return text.str();
 }
 
@@ -73,7 +79,7 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.faces.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
-  if (const std::optional<double> angle = LeastAngle(*design))
+  if (const std::optional<double> angle = MinimumAngle(*design))
   {
     ColumnWriting::AddNumbers(data, names::LeastAngle, { *angle });
   }

@@ -12,20 +12,23 @@ class vtkPolyData;
 /** Conversion of layout designs to VTK data; see vtkLayoutDesigner. */
 namespace LayoutConversion
 {
-/** What is said of a design: of the one that is shown, or of one that could not be. */
+/** Context of the report of a design. */
 struct Report
 {
-  std::string refusal;   ///< Empty: it is shown.
-  double quadSize = 0.0; ///< What the shortest arc is counted in.
+  std::string refusal;   ///< Why the design is outdated; empty if it is current.
+  double quadSize = 0.0; ///< Unit of the length of the shortest arc.
 };
 
-/** The cell array `Shade` of lines: the sign of the quarter index where a line starts; 0, grey, where the layout is stale. */
+/**
+ * Adds the cell array `Shade`: the sign of the quarter index where a line starts; 0, grey, if the
+ * layout is stale.
+ */
 void AddShade(bool stale, vtkPolyData* lines);
 
-/** One line with what the design that is shown is good for, or why there is none. */
+/** Returns a short text about the quality of the design, or why there is no design. */
 std::string Summary(const crossfield::LayoutDesign* design, const Report& report);
 
-/** The field data of vtkLayoutDesigner; `design` is null where there never was one. */
+/** Adds the field data of vtkLayoutDesigner; `design` is null if there never was one. */
 void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtkFieldData* data);
 }
 

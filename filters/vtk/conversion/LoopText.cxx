@@ -18,7 +18,7 @@ namespace
 using crossfield::Error;
 using LoopText::Loop;
 
-/** The two numbers of a line, or false. */
+/** Reads the two numbers of a line; returns false if it does not have exactly two. */
 bool ReadPair(const std::string& line, double& x, double& y)
 {
   std::istringstream numbers(line);
@@ -31,8 +31,11 @@ bool IsBlank(const std::string& line)
   return line.find_first_not_of(" \t\r") == std::string::npos;
 }
 
-/** Of a single loop the filters say what is wrong with it; of several, one would be missed. */
-std::vector<Loop> RequireIntegral(std::vector<Loop> loops, const std::string& file)
+/**
+ * Returns the loops. Throws crossfield::Error if one of several loops has fewer than three points.
+ * The filters check a single loop, but would ignore one of several.
+ */
+std::vector<Loop> RequireComplete(std::vector<Loop> loops, const std::string& file)
 {
   for (std::size_t i = 0; i < loops.size() && loops.size() > 1; ++i)
   {
@@ -118,7 +121,7 @@ std::vector<Loop> ReadTable(const std::string& text, const std::string& file)
     loops.resize(known.size());
     loops[loop].push_back(place);
   }
-  return RequireIntegral(loops, file);
+  return RequireComplete(loops, file);
 }
 
 std::vector<Loop> ReadAerofoil(const std::string& text, const std::string& file)
@@ -155,13 +158,13 @@ std::vector<Loop> ReadAerofoil(const std::string& text, const std::string& file)
   }
   if (loops.size() > 1 && loops.back().empty())
   {
-    loops.pop_back(); // a separator after the last one
+    loops.pop_back(); // separator after the last loop
   }
   if (loops[0].size() < 3)
   {
     throw Error("The file '" + file + "' holds fewer than three points; give those of a profile.");
   }
-  // Lednicer's format begins with how many points the upper and the lower side have.
+  // The first row of Lednicer's format has the numbers of points of the upper and the lower side.
   const std::array<double, 3> first = loops[0][0];
   std::size_t count = 0;
   for (const Loop& loop : loops)
@@ -174,7 +177,7 @@ std::vector<Loop> ReadAerofoil(const std::string& text, const std::string& file)
       "' is in Lednicer's format, which lists both sides from the leading edge; save it in Selig's, "
       "from the trailing edge around the profile.");
   }
-  return RequireIntegral(loops, file);
+  return RequireComplete(loops, file);
 }
 
 std::vector<Loop> Read(const std::string& text, const std::string& file)

@@ -35,11 +35,11 @@ vtkDataArray* RequireArray(vtkFieldData* data, const char* name, int components)
   return array;
 }
 
-/** An integer of an array, which must be in a range. */
-int RequireInteger(vtkDataArray* array, vtkIdType tuple, int component, int least, int most)
+/** Returns an integer of an array. Throws crossfield::Error if it is out of range. */
+int RequireInteger(vtkDataArray* array, vtkIdType tuple, int component, int minimum, int maximum)
 {
   const double value = array->GetComponent(tuple, component);
-  if (!(value >= least && value <= most))
+  if (!(value >= minimum && value <= maximum))
   {
     throw crossfield::Error(std::string("The array '") + array->GetName() +
       "' of the flat map has a value out of range; give the output of the cross field map filter "
@@ -191,7 +191,7 @@ Map ReadMap(vtkUnstructuredGrid* input)
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
     input->GetCellPoints(cell, ids);
-    const auto corner = [&](vtkIdType i) { return used.NumberOf(ids->GetId(i)); };
+    const auto corner = [&](vtkIdType i) { return used.IndexOf(ids->GetId(i)); };
     const auto vertex = [&](vtkIdType i) { return map.original[Index(corner(i))]; };
     if (input->GetCellType(cell) == VTK_TRIANGLE)
     {

@@ -6,20 +6,20 @@
 
 class vtkUnstructuredGrid;
 
-/** Conversion of flat maps; every function throws crossfield::Error. */
+/** Conversion of seamless maps. Every function throws crossfield::Error. */
 namespace MapConversion
 {
-/** A map, and the plane in space that its domain lies in. */
+/** Map and the plane of its domain in space. */
 struct Map
 {
   crossfield::SeamlessMap map;
   crossfield::DomainPlane plane;
 };
 
-/** The mesh cut along the seams, with the arrays of vtkCrossFieldMap. */
+/** Writes the mesh cut along the seams, with the arrays of vtkCrossFieldMap. */
 void WriteMap(const Map& written, vtkUnstructuredGrid* output);
 
-/** What WriteMap has written. */
+/** Reads the output of WriteMap. */
 Map ReadMap(vtkUnstructuredGrid* input);
 }
 

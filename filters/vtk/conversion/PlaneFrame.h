@@ -11,8 +11,8 @@ class vtkDoubleArray;
 class vtkFieldData;
 
 /**
- * The frame of a domain's plane (DomainPlane.h) by itself, so that places can be told in it without the domain: the origin of its
- * coordinates and its two axes, p = origin + x axis1 + y axis2. By default that of z = 0.
+ * Frame of a domain's plane (DomainPlane.h) that does not need the domain: the origin of its
+ * coordinates and its two axes, p = origin + x axis1 + y axis2. The default is the frame of z = 0.
  */
 struct PlaneFrame
 {
@@ -23,18 +23,19 @@ struct PlaneFrame
   PlaneFrame() = default;
   explicit PlaneFrame(const crossfield::DomainPlane& plane);
 
-  /** Where z is ignored in what has to fit to the domain. */
+  /** Returns whether the plane is z = const. Other inputs of a domain in such a plane ignore z. */
   bool IsHorizontal() const;
 
+  /** Returns the point in space with coordinates x and y. */
   Eigen::Vector3d ToSpace(double x, double y) const;
-  /** The coordinates of the foot of a point of space. */
+  /** Returns the coordinates of the orthogonal projection of a point in space. */
   crossfield::Point ToPlane(const Eigen::Vector3d& place) const;
 
-  /** As three tuples of three: origin and axes. */
+  /** Writes three tuples of three numbers: origin, axis1 and axis2. */
   void Write(vtkDoubleArray* numbers) const;
-  /** Adds them as field data `Plane`; not of z = const, whose points tell all. */
+  /** Adds the frame as field data `Plane`, unless the plane is z = const, which the points show. */
   void Record(vtkFieldData* data) const;
-  /** The frame in field data, if there is one. */
+  /** Returns the frame in field data, if there is one. */
   static std::optional<PlaneFrame> Read(vtkFieldData* data);
 };
 

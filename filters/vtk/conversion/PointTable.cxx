@@ -26,11 +26,12 @@ std::string ReadFile(const std::string& file)
 vtkSmartPointer<vtkTable> Read(const std::string& text)
 {
   vtkNew<vtkDelimitedTextReader> reader;
-  // What VTK says of bytes that are no text is not printed: columns are missed, and that is said.
+  // Messages of VTK about bytes that are not text are not printed. The callers report the missing
+  // columns.
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->ReadFromInputStringOn();
-  reader->SetInputString(text + "\n"); // no text at all would be no string to VTK
+  reader->SetInputString(text + "\n"); // VTK does not accept an empty string
   reader->SetHaveHeaders(true);
   reader->SetFieldDelimiterCharacters(",");
   reader->Update();
@@ -49,7 +50,7 @@ vtkAbstractArray* FindColumn(vtkTable* table, const std::vector<std::string>& na
   {
     std::string word;
     const char* title = table->GetColumnName(i);
-    std::istringstream(title == nullptr ? "" : title) >> word; // without blanks around it
+    std::istringstream(title == nullptr ? "" : title) >> word; // removes surrounding blanks
     if (std::find(names.begin(), names.end(), vtksys::SystemTools::LowerCase(word)) != names.end())
     {
       return table->GetColumn(i);

@@ -9,19 +9,27 @@
 class vtkAbstractArray;
 class vtkTable;
 
-/** Comma-separated tables of points, as people write them and as ParaView exports them. */
+/** Comma-separated tables of points, written by users or exported by ParaView. */
 namespace PointTable
 {
-/** The whole text of a file; a pipe can be read once only, from the beginning to the end. */
+/** Returns the text of a file. Reads it once from the beginning to the end, as a pipe requires. */
 std::string ReadFile(const std::string& file);
 
-/** The table of a text whose first line names the columns; without columns if VTK cannot read it. */
+/**
+ * Returns the table of a text whose first line names the columns. It has no columns if VTK cannot
+ * read the text.
+ */
 vtkSmartPointer<vtkTable> Read(const std::string& text);
 
-/** The names of the column of a coordinate, 0 to 2: x or Points:0, which some programs write Points_0. */
+/**
+ * Returns the names of the column of a coordinate, 0 to 2: x, Points:0, or Points_0 as some
+ * programs write it.
+ */
 std::vector<std::string> NamesOfAxis(int axis);
 
-/** The first column that has one of the names, in large or small letters with any blanks around; or null. */
+/**
+ * Returns the first column with one of the names, ignoring case and surrounding blanks, or null.
+ */
 vtkAbstractArray* FindColumn(vtkTable* table, const std::vector<std::string>& names);
 }
 

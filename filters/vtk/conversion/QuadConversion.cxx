@@ -21,9 +21,9 @@ using crossfield::QuadMesh;
 using crossfield::QuadPoint;
 using crossfield::QuadResult;
 
-/** Values of the quads, then one for every boundary line. */
+/** Appends one value for every boundary line to the values of the quads. */
 template <class T>
-std::vector<T> WithLines(std::vector<T> values, std::size_t lines, T value)
+std::vector<T> AppendForLines(std::vector<T> values, std::size_t lines, T value)
 {
   values.insert(values.end(), lines, value);
   return values;
@@ -33,13 +33,13 @@ void WriteCellData(const QuadResult& result, vtkCellData* data)
 {
   const QuadMesh& mesh = result.mesh;
   const std::size_t lines = mesh.boundary.size();
-  ColumnWriting::AddIntegers(data, names::BlockId, WithLines(result.blocks.block, lines, -1));
-  ColumnWriting::AddIntegers(data, names::I, WithLines(result.blocks.i, lines, -1));
-  ColumnWriting::AddIntegers(data, names::J, WithLines(result.blocks.j, lines, -1));
+  ColumnWriting::AddIntegers(data, names::BlockId, AppendForLines(result.blocks.block, lines, -1));
+  ColumnWriting::AddIntegers(data, names::I, AppendForLines(result.blocks.i, lines, -1));
+  ColumnWriting::AddIntegers(data, names::J, AppendForLines(result.blocks.j, lines, -1));
   ColumnWriting::AddNumbers(
-    data, names::ScaledJacobian, WithLines(result.quality.scaledJacobian, lines, 1.0));
+    data, names::ScaledJacobian, AppendForLines(result.quality.scaledJacobian, lines, 1.0));
   ColumnWriting::AddNumbers(
-    data, names::SizeRatio, WithLines(result.quality.sizeRatio, lines, 1.0));
+    data, names::SizeRatio, AppendForLines(result.quality.sizeRatio, lines, 1.0));
   std::vector<int> kinds(mesh.quads.size(), 0);
   std::vector<int> ids(mesh.quads.size(), -1);
   for (const crossfield::QuadBoundaryEdge& edge : mesh.boundary)
@@ -61,7 +61,7 @@ void WritePointData(const QuadMesh& mesh, vtkPointData* data)
     [](const QuadPoint& point) { return point.curve.loop; });
 }
 
-/** Points inside that are not regular, by valence: how many there are, and how many were asked for. */
+/** Writes the numbers of irregular interior points by valence: obtained and requested. */
 void WriteIrregular(const QuadMesh& mesh, vtkFieldData* data)
 {
   std::map<int, std::array<int, 2>> counts;

@@ -11,15 +11,15 @@ class vtkUnstructuredGrid;
 /** Conversion of quad meshes; see vtkQuadMesher for the arrays. */
 namespace QuadConversion
 {
-/** Quads, boundary lines, and the report in field data. */
+/** Writes quads, boundary lines, and the report as field data. */
 void WriteQuads(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkUnstructuredGrid* output);
 
-/** A vtkStructuredGrid per block. */
+/** Writes one vtkStructuredGrid per block. */
 void WriteBlocks(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkMultiBlockDataSet* output);
 
-/** A polyline per arc of the T-mesh. */
+/** Writes one polyline per arc of the T-mesh. */
 void WriteLayout(
   const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkPolyData* output);
 }

@@ -6,16 +6,18 @@
 
 class vtkFieldData;
 
-/** A configuration in field data: one tuple (x, y, z, quarter index) for each singularity, without radii. */
+/**
+ * Configurations in field data: one tuple (x, y, z, quarter index) per singularity, without radii.
+ */
 namespace SingularityRecord
 {
-/** Replaces an array of this name. */
+/** Writes a configuration; replaces an array of the same name. */
 void Write(const char* name, const crossfield::Configuration& configuration,
   const crossfield::DomainPlane& plane, vtkFieldData* data);
 
 /**
- * Nothing where there is no such array or it does not have 4 components. Throws crossfield::Error when a
- * quarter index is not an integer that a mesh can resolve.
+ * Reads a configuration. Returns none if there is no such array or it does not have 4 components.
+ * Throws crossfield::Error if a quarter index is not an integer that a mesh can resolve.
  */
 crossfield::Configuration Read(
   const char* name, const crossfield::DomainPlane& plane, vtkFieldData* data);

@@ -109,13 +109,13 @@ vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
   cells->SetPoints(points);
   cells->Allocate(domain->GetNumberOfCells());
   std::vector<vtkIdType> ids;
-  CellLoop::OfData(domain,
+  CellLoop::ForEachCell(domain,
     [&](vtkIdType, int type, const auto& cell)
     {
       ids.clear();
       for (const auto point : cell)
       {
-        ids.push_back(used.NumberOf(static_cast<vtkIdType>(point)));
+        ids.push_back(used.IndexOf(static_cast<vtkIdType>(point)));
       }
       if (hasSurface && IsSurface(type))
       {
@@ -139,7 +139,7 @@ Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::D
 {
   const UsedPoints used(domain);
   bool hasSurface = false;
-  CellLoop::OfData(domain,
+  CellLoop::ForEachCell(domain,
     [&hasSurface](vtkIdType, int type, const auto&)
     { hasSurface = hasSurface || IsSurface(type); });
   const auto cells = CellsToSample(domain, used, hasSurface);

@@ -20,7 +20,7 @@ namespace
 using crossfield::Index;
 using crossfield::Point;
 
-/** What is said of a line. */
+/** Cell data of a line. */
 struct LineRow
 {
   int line = -1;
@@ -31,7 +31,7 @@ struct LineRow
   double length = 0.0;
 };
 
-/** Polylines with their rows. */
+/** Polylines with their cell data. */
 class LineWriter
 {
 public:
@@ -80,7 +80,10 @@ private:
   std::vector<LineRow> Rows;
 };
 
-/** The triangle that a point of the plane lies in, and its place in the map; −1 outside. */
+/**
+ * Returns the triangle that contains a point of the plane and stores its position in the map; −1 if
+ * the point is outside.
+ */
 int Locate(const crossfield::SeamlessMap& map, const Point& place, Point& w)
 {
   const auto& triangles = map.topology->mesh.triangles;
@@ -93,7 +96,7 @@ int Locate(const crossfield::SeamlessMap& map, const Point& place, Point& w)
     const double area = crossfield::Cross(b, c);
     const double beta = crossfield::Cross(place - a, c) / area;
     const double gamma = crossfield::Cross(b, place - a) / area;
-    // Rounding, so that no seed on an edge is lost.
+    // Tolerance for rounding, so that seeds on edges are found.
     constexpr double Tolerance = -1e-12;
     if (beta >= Tolerance && gamma >= Tolerance && 1.0 - beta - gamma >= Tolerance)
     {

@@ -9,17 +9,17 @@
 class vtkFieldData;
 class vtkPolyData;
 
-/** Conversion of what is traced in a flat map; every function throws crossfield::Error. */
+/** Conversion of lines traced in a seamless map. Every function throws crossfield::Error. */
 namespace TMeshConversion
 {
 /**
- * A polyline for each line, and four from each seed, of lengths up to `longest` in the map; see
- * vtkSeparatrices.
+ * Writes a polyline for each separatrix and four streamlines from each seed, of lengths up to
+ * `longest` in the map; see vtkSeparatrices.
  */
 void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph& graph,
   const std::vector<crossfield::Point>& seeds, double longest, vtkPolyData* output);
 
-/** The field data of vtkSeparatrices. */
+/** Adds the field data of vtkSeparatrices. */
 void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field);
 }
 

@@ -6,9 +6,9 @@
 
 //------------------------------------------------------------------------------
 UsedPoints::UsedPoints(vtkDataSet* input)
-  : Numbers(static_cast<std::size_t>(input->GetNumberOfPoints()), -1)
+  : Indices(static_cast<std::size_t>(input->GetNumberOfPoints()), -1)
 {
-  CellLoop::OfData(input,
+  CellLoop::ForEachCell(input,
     [this](vtkIdType, int type, const auto& points)
     {
       if (type == VTK_EMPTY_CELL || type == VTK_VERTEX || type == VTK_POLY_VERTEX)
@@ -17,14 +17,14 @@ UsedPoints::UsedPoints(vtkDataSet* input)
       }
       for (const auto point : points)
       {
-        this->Numbers[static_cast<std::size_t>(point)] = 0;
+        this->Indices[static_cast<std::size_t>(point)] = 0;
       }
     });
   for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
   {
-    if (this->Numbers[static_cast<std::size_t>(point)] == 0)
+    if (this->Indices[static_cast<std::size_t>(point)] == 0)
     {
-      this->Numbers[static_cast<std::size_t>(point)] = static_cast<int>(this->Ids.size());
+      this->Indices[static_cast<std::size_t>(point)] = static_cast<int>(this->Ids.size());
       this->Ids.push_back(point);
     }
   }

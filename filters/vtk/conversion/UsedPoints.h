@@ -11,24 +11,25 @@
 class vtkDataSet;
 
 /**
- * The points that lines and surface cells use. Others, which vertices may use, count for nothing: they
- * may be anywhere.
+ * Points that lines and surface cells use. All other points, even of vertex cells, are ignored:
+ * they may be anywhere.
  */
 class UsedPoints
 {
 public:
   explicit UsedPoints(vtkDataSet* input);
 
-  /** In ascending order. */
+  /** Returns the ids of the used points in ascending order. */
   const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
 
-  /** Where a used point is among them. */
-  int NumberOf(vtkIdType point) const { return this->Numbers[static_cast<std::size_t>(point)]; }
+  /** Returns the index of a used point in GetIds(). */
+  int IndexOf(vtkIdType point) const { return this->Indices[static_cast<std::size_t>(point)]; }
 
+  /** Returns the plane of the used points. */
   crossfield::DomainPlane FindPlane(vtkDataSet* input) const;
 
 private:
-  std::vector<int> Numbers; ///< −1 for points that are not used.
+  std::vector<int> Indices; ///< Indices in Ids; −1 for points that are not used.
   std::vector<vtkIdType> Ids;
 };
 

@@ -11,7 +11,7 @@
 namespace ViewText
 {
 //------------------------------------------------------------------------------
-std::string InLines(const std::string& text)
+std::string WrapLines(const std::string& text)
 {
   constexpr std::size_t LongestLine = 60;
   std::istringstream words(text);

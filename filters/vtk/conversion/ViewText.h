@@ -5,13 +5,16 @@
 
 class vtkTable;
 
-/** Sentences for a view: ParaView draws the text of a table. */
+/** Texts for a view. ParaView displays the text of a table. */
 namespace ViewText
 {
-/** The words of a text in lines of at most 60 characters, but at least one word each. */
-std::string InLines(const std::string& text);
+/** Returns the words of a text in lines of at most 60 characters, with at least one word each. */
+std::string WrapLines(const std::string& text);
 
-/** One column with one row, the text, and field data `Alarm`: whether it says that something is wrong. */
+/**
+ * Writes one column with one row, the text, and the field data `Alarm`: 1 if the text reports a
+ * problem.
+ */
 void Write(const char* name, const std::string& text, bool isAlarm, vtkTable* table);
 }
 

@@ -1,4 +1,4 @@
-#include "FaceConversion.h"
+#include "PatchConversion.h"
 
 #include "ColumnWriting.h"
 #include "Index.h"
@@ -20,15 +20,17 @@ namespace
 using crossfield::Index;
 using crossfield::Point;
 
-/** A point of the outline of a face. */
+/** Point of the outline of a patch. */
 struct OutlinePoint
 {
   Point place = Point::Zero();
-  Point uv = Point::Zero(); ///< In the rectangle, whose first corner is the origin.
+  Point uv = Point::Zero(); ///< Coordinates in the rectangle, with its first corner as the origin.
   int kind = 0;
 };
 
-/** The points inside of arcs, in the plane and by the length in the map, along their first half-edges. */
+/**
+ * Interior points of arcs, in the plane and by the length in the map, along their first half-edges.
+ */
 class ArcOutlines
 {
 public:
@@ -38,46 +40,47 @@ public:
   {
     for (const crossfield::TArc& arc : mesh.arcs)
     {
-      this->Inside.emplace_back();
+      this->Interior.emplace_back();
       double length = 0.0;
       for (const crossfield::ChartPiece& piece : arc.pieces)
       {
         if (length > 0.0 && length < arc.length)
         {
-          this->Inside.back().emplace_back(length, this->Walk.PlaneAt(piece.triangle, piece.from));
+          this->Interior.back().emplace_back(
+            length, this->Walk.PlaneAt(piece.triangle, piece.from));
         }
         length += (piece.to - piece.from).norm();
       }
     }
   }
 
-  /** The outline of a face, counter-clockwise from its first corner. */
-  std::vector<OutlinePoint> Around(const crossfield::TPatch& face) const
+  /** Returns the outline of a patch, counter-clockwise from its first corner. */
+  std::vector<OutlinePoint> Outline(const crossfield::TPatch& patch) const
   {
-    const double width = this->Mesh.SideLength(face, 0);
-    const double height = this->Mesh.SideLength(face, 1);
+    const double width = this->Mesh.SideLength(patch, 0);
+    const double height = this->Mesh.SideLength(patch, 1);
     const Point corners[] = { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
     std::vector<OutlinePoint> outline;
     for (std::size_t side = 0; side < 4; ++side)
     {
       const double sideLength = side % 2 == 0 ? width : height;
-      const Point way = corners[(side + 1) % 4] - corners[side];
+      const Point sideVector = corners[(side + 1) % 4] - corners[side];
       double start = 0.0;
-      for (const int half : face.sides[side])
+      for (const int half : patch.sides[side])
       {
         const crossfield::TArc& arc = this->Mesh.arcs[Index(half / 2)];
         const auto add = [&](double along, const Point& place, int kind)
         {
           const double part = sideLength > 0.0 ? std::min(1.0, (start + along) / sideLength) : 0.0;
-          outline.push_back({ place, corners[side] + part * way, kind });
+          outline.push_back({ place, corners[side] + part * sideVector, kind });
         };
         const crossfield::TNode& node =
           this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(half)].node)];
         add(0.0, node.place, static_cast<int>(node.kind) + 1);
-        const auto& inside = this->Inside[Index(half / 2)];
-        for (std::size_t i = 0; i < inside.size(); ++i)
+        const auto& interior = this->Interior[Index(half / 2)];
+        for (std::size_t i = 0; i < interior.size(); ++i)
         {
-          const auto& [at, place] = half % 2 == 0 ? inside[i] : inside[inside.size() - 1 - i];
+          const auto& [at, place] = half % 2 == 0 ? interior[i] : interior[interior.size() - 1 - i];
           add(half % 2 == 0 ? at : arc.length - at, place, 0);
         }
         start += arc.length;
@@ -89,40 +92,40 @@ public:
 private:
   const crossfield::TMesh& Mesh;
   const crossfield::LineWalk Walk;
-  std::vector<std::vector<std::pair<double, Point>>> Inside;
+  std::vector<std::vector<std::pair<double, Point>>> Interior;
 };
 }
 
-namespace FaceConversion
+namespace PatchConversion
 {
 //------------------------------------------------------------------------------
-void WriteFaces(
+void WritePatches(
   const MapConversion::Map& traced, const crossfield::TMesh& mesh, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> triangles;
   std::vector<OutlinePoint> all;
-  std::vector<int> faceOfPoint;
-  std::vector<int> faceOfCell;
+  std::vector<int> patchOfPoint;
+  std::vector<int> patchOfCell;
   const ArcOutlines outlines(traced.map, mesh);
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
   {
-    const std::vector<OutlinePoint> outline = outlines.Around(mesh.faces[Index(f)]);
+    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.faces[Index(f)]);
     const vtkIdType first = points->GetNumberOfPoints();
     crossfield::Loop polygon;
     for (const OutlinePoint& point : outline)
     {
       points->InsertNextPoint(traced.plane.ToSpace(point.place).data());
       polygon.push_back(point.place);
-      faceOfPoint.push_back(f);
+      patchOfPoint.push_back(f);
     }
     all.insert(all.end(), outline.begin(), outline.end());
     for (const auto& [i, j, k] : crossfield::TriangulatePolygon(polygon))
     {
       const vtkIdType ids[] = { first + i, first + j, first + k };
       triangles->InsertNextCell(3, ids);
-      faceOfCell.push_back(f);
+      patchOfCell.push_back(f);
     }
   }
   output->SetPoints(points);
@@ -130,7 +133,7 @@ void WriteFaces(
   vtkPointData* pointData = output->GetPointData();
   ColumnWriting::AddColumn<vtkIntArray>(
     pointData, names::NodeKind, all, [](const OutlinePoint& point) { return point.kind; });
-  ColumnWriting::AddIntegers(pointData, names::FaceId, faceOfPoint);
+  ColumnWriting::AddIntegers(pointData, names::FaceId, patchOfPoint);
   vtkNew<vtkDoubleArray> uv;
   uv->SetName(names::UV);
   uv->SetNumberOfComponents(2);
@@ -140,10 +143,10 @@ void WriteFaces(
   }
   pointData->AddArray(uv);
   vtkCellData* cellData = output->GetCellData();
-  ColumnWriting::AddIntegers(cellData, names::FaceId, faceOfCell);
+  ColumnWriting::AddIntegers(cellData, names::FaceId, patchOfCell);
   const auto addSize = [&](const char* name, std::size_t side)
   {
-    ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, faceOfCell,
+    ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, patchOfCell,
       [&mesh, side](int f) { return mesh.SideLength(mesh.faces[Index(f)], side); });
   };
   addSize(names::USize, 0);
