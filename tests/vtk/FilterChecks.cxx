@@ -349,8 +349,8 @@ void CheckProgressAndAbort(vtkAlgorithm* filter, bool reportsInBetween)
     EXPECT_TRUE(messages.errors.empty()) << messages.errors.front();
     EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
     EXPECT_TRUE(IsEmpty(filter->GetOutputDataObject(0)))
-      << filter->GetClassName() << " gives an output though it was aborted at progress event " << i
-      << ", " << fractions[static_cast<std::size_t>(i)];
+      << filter->GetClassName() << " has an output after an abort at progress event " << i << ", "
+      << fractions[static_cast<std::size_t>(i)];
   }
   filter->SetAbortExecute(0);
   filter->Modified();

@@ -129,7 +129,7 @@ TEST_F(BoundaryCornerClassifier, FlatAnglesAreCancellable)
 
 TEST_F(BoundaryCornerClassifier, TiesAreReported)
 {
-  // The heptagon has seven equal corners, of which any four can have index 1.
+  // The seven corners of a heptagon are equal; any four of them can have index 1.
   this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Circle(7, 1.0) }));
   FilterChecks::UpdateWithoutError(this->Filter);
   double sum = 0.0;

@@ -120,9 +120,9 @@ TEST_F(CrossFieldSingularities, OutputCanBeDrilled)
     EXPECT_EQ(this->At("BoundaryKind", i), 3.0);
     // Without given radii a hole has a third of the distance to the boundary, a polygon of 42
     // sides.
-    const double way = 1.0 - std::hypot(holes->GetPoint(i)[0], holes->GetPoint(i)[1]);
-    EXPECT_LE(this->At("Radius", i), way / 3.0 + 1e-9);
-    EXPECT_GE(this->At("Radius", i), (way - 0.003) / 3.0);
+    const double distance = 1.0 - std::hypot(holes->GetPoint(i)[0], holes->GetPoint(i)[1]);
+    EXPECT_LE(this->At("Radius", i), distance / 3.0 + 1e-9);
+    EXPECT_GE(this->At("Radius", i), (distance - 0.003) / 3.0);
     const auto row = static_cast<vtkIdType>(this->At("BoundaryId", i));
     EXPECT_NEAR(holes->GetPoint(i)[0], found->GetPoint(row)[0], 1e-9);
     EXPECT_NEAR(holes->GetPoint(i)[1], found->GetPoint(row)[1], 1e-9);

@@ -175,16 +175,16 @@ TEST_F(CrossGlyphs, LengthDependsOnScaleAndNorm)
   this->Glyphs->ScaleByNormOn();
   const std::vector<Stroke> scaled = this->Strokes();
   ASSERT_EQ(scaled.size(), plain.size());
-  double least = 1.0;
-  double largest = 1.0;
+  double smallestNorm = 1.0;
+  double largestNorm = 1.0;
   for (std::size_t i = 0; i < plain.size(); ++i)
   {
     const double expected = 0.25 * plain[i].norm * Length(plain[i].along);
     EXPECT_NEAR(Length(scaled[i].along), expected, 1e-14);
-    least = std::min(least, plain[i].norm);
-    largest = std::max(largest, plain[i].norm);
+    smallestNorm = std::min(smallestNorm, plain[i].norm);
+    largestNorm = std::max(largestNorm, plain[i].norm);
   }
-  EXPECT_LT(least, 0.9 * largest) << "norms that hardly differ show nothing";
+  EXPECT_LT(smallestNorm, 0.9 * largestNorm) << "the norms must vary for this test";
 }
 
 TEST_F(CrossGlyphs, SpacingGivesOneCrossPerGridSquare)

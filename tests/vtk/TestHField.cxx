@@ -169,18 +169,18 @@ TEST_F(HField, WarnsThatHIsMultivalued)
 
 TEST_F(HField, RejectsInvalidInput)
 {
-  const auto refuse =
+  const auto expectError =
     [this](const std::vector<TestInputs::Row>& rows, const std::vector<std::string>& parts)
   {
     this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
     return FilterChecks::CaptureError(this->Filter, parts);
   };
-  EXPECT_EQ(refuse({ { 0.0, 0.0, 3.0, 0.1 } }, { "add up to 3", "asks for 4" }),
+  EXPECT_EQ(expectError({ { 0.0, 0.0, 3.0, 0.1 } }, { "add up to 3", "asks for 4" }),
     vtkCrossFieldErrorCodes::Inconsistent);
-  EXPECT_EQ(refuse({ { 2.0, 0.0, 4.0, 0.1 } }, { "(2, 0)", "outside the domain" }),
+  EXPECT_EQ(expectError({ { 2.0, 0.0, 4.0, 0.1 } }, { "(2, 0)", "outside the domain" }),
     vtkErrorCode::UserError);
   this->Filter->SetInputData(TestInputs::DrilledDisk());
-  EXPECT_EQ(refuse({ { 0.0, 0.0, 4.0, 0.1 } }, { "has holes", "quarter index 4" }),
+  EXPECT_EQ(expectError({ { 0.0, 0.0, 4.0, 0.1 } }, { "has holes", "quarter index 4" }),
     vtkErrorCode::UserError);
   vtkNew<vtkPolyData> bare;
   bare->ShallowCopy(TestInputs::Singularities({ { 0.1, 0.0, 4.0, 0.1 } }));

@@ -269,26 +269,26 @@ TEST_P(Planes, RowsAreInThePlaneOfStart)
   vtkNew<vtkConfigurationProposal> proposal;
   proposal->SetInputData(this->Tilted.Domain);
   proposal->SetSingularitiesData(this->Tilted.Singularities);
-  vtkNew<vtkSingularitySource> taken;
-  taken->SetStartConnection(proposal->GetOutputPort());
-  FilterChecks::UpdateWithoutError(taken);
-  const vtkIdType count = taken->GetOutputRows()->GetNumberOfTuples();
+  vtkNew<vtkSingularitySource> copied;
+  copied->SetStartConnection(proposal->GetOutputPort());
+  FilterChecks::UpdateWithoutError(copied);
+  const vtkIdType count = copied->GetOutputRows()->GetNumberOfTuples();
   ASSERT_GT(count, 0);
-  vtkNew<vtkSingularitySource> again; // without a domain
-  again->SetStartConnection(taken->GetOutputPort());
-  again->RemoveAllSingularities();
+  vtkNew<vtkSingularitySource> reset; // without a domain
+  reset->SetStartConnection(copied->GetOutputPort());
+  reset->RemoveAllSingularities();
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const double* row = taken->GetOutputRows()->GetTuple4(i);
-    again->AddSingularity(row[0], row[1], row[2], row[3]);
+    const double* row = copied->GetOutputRows()->GetTuple4(i);
+    reset->AddSingularity(row[0], row[1], row[2], row[3]);
   }
-  FilterChecks::UpdateWithoutError(again);
-  ASSERT_EQ(again->GetOutput()->GetNumberOfPoints(), count);
+  FilterChecks::UpdateWithoutError(reset);
+  ASSERT_EQ(reset->GetOutput()->GetNumberOfPoints(), count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     Vector place;
     proposal->GetOutput()->GetPoint(i, place.data());
-    EXPECT_LT(Distance(place, again->GetOutput()->GetPoint(i)), 1e-12);
+    EXPECT_LT(Distance(place, reset->GetOutput()->GetPoint(i)), 1e-12);
   }
   // Points that another filter moved are no longer in the recorded plane.
   vtkNew<vtkPolyData> moved;

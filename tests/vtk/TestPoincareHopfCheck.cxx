@@ -195,21 +195,21 @@ TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
   EXPECT_EQ(report->GetArray("UnwantedSingularities")->GetTuple1(0), 0.0);
   EXPECT_EQ(report->GetArray("RequiredInteriorQuarters")->GetTuple1(0), 0.0);
 
-  // The field has the chosen indices.
+  // The field has the prescribed indices.
   this->Filter->SetInputConnection(solver->GetOutputPort());
   this->Filter->SetCornersConnection(classifier->GetOutputPort());
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Consistent"), 1.0) << this->Reason();
-  vtkPolyData* chosen = classifier->GetOutput();
-  vtkPolyData* taken = this->Corners();
-  ASSERT_EQ(taken->GetNumberOfPoints(), chosen->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < chosen->GetNumberOfPoints(); ++i)
+  vtkPolyData* prescribed = classifier->GetOutput();
+  vtkPolyData* counted = this->Corners();
+  ASSERT_EQ(counted->GetNumberOfPoints(), prescribed->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < prescribed->GetNumberOfPoints(); ++i)
   {
     double point[3];
-    chosen->GetPoint(i, point);
-    const vtkIdType match = taken->FindPoint(point);
-    EXPECT_EQ(taken->GetPointData()->GetArray("QuarterIndex")->GetTuple1(match),
-      chosen->GetPointData()->GetArray("QuarterIndex")->GetTuple1(i));
+    prescribed->GetPoint(i, point);
+    const vtkIdType match = counted->FindPoint(point);
+    EXPECT_EQ(counted->GetPointData()->GetArray("QuarterIndex")->GetTuple1(match),
+      prescribed->GetPointData()->GetArray("QuarterIndex")->GetTuple1(i));
   }
 }
 

@@ -202,7 +202,9 @@ const Pipeline Constrained = []
 { return Perforated(false, vtkPerforatedCrossField::MethodConstrained); };
 const Pipeline UnitNorm = [] { return Perforated(true, vtkPerforatedCrossField::MethodUnitNorm); };
 
-/** Returns the number of repetitions; an environment variable can increase it to find rare races. */
+/**
+ * Returns the number of repetitions, which an environment variable can increase to find rare races.
+ */
 int Repetitions()
 {
   const char* given = std::getenv("CROSSFIELD_THREAD_REPETITIONS");

@@ -165,7 +165,7 @@ void RequireCoveredOnce(vtkPolyData* surface, const DomainConversion::Domain& co
   }
   const double enclosed = covered.domain.Area();
   const double diagonal = covered.domain.Diagonal();
-  // Both sums use the same points and differ only by rounding, which is far below MergeTolerance. Smaller
+  // Both sums use the same points and differ only by rounding, far below MergeTolerance. Smaller
   // overlaps are ignored.
   if (std::abs(area - enclosed) > MergeTolerance * diagonal * diagonal)
   {
@@ -187,8 +187,8 @@ std::vector<crossfield::Loop> ChainCurves(vtkPolyData* cells, const crossfield::
   if (curves->GetNumberOfLines() == 0)
   {
     throw Error(
-      "The domain has no boundary lines and no surface cells, or only such as shrink to a "
-      "point; give closed curves or a mesh.");
+      "The domain has no boundary lines and no surface cells, or all of them shrink to a point; "
+      "give closed curves or a mesh.");
   }
 
   std::vector<Point> points;
@@ -224,8 +224,8 @@ void RejectMergedPoints(vtkPolyData* cells, const crossfield::DomainPlane& plane
     return;
   }
   throw Error(
-    "The boundary has points nearer to each other than 1e-9 of its diagonal, which count as "
-    "one, and then its curves are not closed; move them apart or remove what is so narrow.");
+    "The boundary has points closer to each other than 1e-9 of its diagonal; they count as one, "
+    "and its curves are then not closed. Move the points apart or remove the narrow part.");
 }
 }
 

@@ -125,7 +125,7 @@ inline vtkInformationStringKey* MessageKey()
   return key;
 }
 
-/** Returns the error message of the nearest failed filter upstream, or nothing if none has failed. */
+/** Returns the message of the nearest failed filter upstream, or nothing if none has failed. */
 inline std::optional<std::string> UpstreamFailure(vtkAlgorithm* self)
 {
   for (int port = 0; port < self->GetNumberOfInputPorts(); ++port)

@@ -42,7 +42,7 @@ std::vector<Loop> RequireComplete(std::vector<Loop> loops, const std::string& fi
     if (loops[i].size() < 3)
     {
       throw Error("Loop " + std::to_string(i + 1) + " of '" + file +
-        "' holds fewer than three points; complete it, or take it out.");
+        "' holds fewer than three points; complete or remove it.");
     }
   }
   return loops;
@@ -98,7 +98,7 @@ std::vector<Loop> ReadTable(const std::string& text, const std::string& file)
   }
   if (table->GetNumberOfRows() == 0)
   {
-    throw Error("The file '" + file + "' holds no points; give those of a loop.");
+    throw Error("The file '" + file + "' holds no points; add the points of a loop.");
   }
   vtkAbstractArray* names = PointTable::FindColumn(table, { "loop" });
   std::map<std::string, std::size_t> known;
@@ -162,7 +162,8 @@ std::vector<Loop> ReadAerofoil(const std::string& text, const std::string& file)
   }
   if (loops[0].size() < 3)
   {
-    throw Error("The file '" + file + "' holds fewer than three points; give those of a profile.");
+    throw Error(
+      "The file '" + file + "' holds fewer than three points; add the points of a profile.");
   }
   // The first row of Lednicer's format has the numbers of points of the upper and the lower side.
   const std::array<double, 3> first = loops[0][0];

@@ -30,7 +30,7 @@ vtkDataArray* RequireArray(vtkFieldData* data, const char* name, int components)
   if (array == nullptr || array->GetNumberOfComponents() != components)
   {
     throw crossfield::Error(std::string("The input has no array '") + name +
-      "' of a flat map; give the output of the cross field map filter.");
+      "' of a seamless map; give the output of the cross field map filter.");
   }
   return array;
 }
@@ -42,7 +42,7 @@ int RequireInteger(vtkDataArray* array, vtkIdType tuple, int component, int mini
   if (!(value >= minimum && value <= maximum))
   {
     throw crossfield::Error(std::string("The array '") + array->GetName() +
-      "' of the flat map has a value out of range; give the output of the cross field map filter "
+      "' of the seamless map has a value out of range; give the output of the cross field map filter "
       "as it is.");
   }
   return static_cast<int>(value);
