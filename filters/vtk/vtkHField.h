@@ -21,8 +21,8 @@
  * On a mesh with holes the singularities must be those of the holes or be on the boundary.
  * Input port 2, optional: corners (points) with `QuarterIndex` (integers), as for
  * vtkPerforatedCrossField. All other corners have the index of the smallest rotation of the cross.
- * If the sum of quarter indices is then wrong, they have the indices that
- * vtkBoundaryCornerClassifier chooses for the given ones.
+ * If the sum of quarter indices is then wrong, they have the indices of vtkBoundaryCornerClassifier
+ * with the given ones fixed.
  *
  * Output port 0 (vtkUnstructuredGrid): the mesh, with the arrays of vtkDrillHoles if it was made
  * here, and

@@ -33,8 +33,8 @@
  *   coordinates of the plane of the mesh, whichever plane it is (see vtkDrillHoles);
  * - `Cross`, `Cross2` (cells and points, float, 3): a unit branch (cos θ, sin θ, 0) of the cross
  *   with θ = arg(u) / 4, and the branch at +90°, as directions in space in the plane of the mesh;
- * - `CrossNorm` (cells and points, float, 1): |u|, which differs from 1 because the minimisation is
- *   over the plane.
+ * - `CrossNorm` (cells and points, float, 1): |u|. It is not 1 in general, since Constrained
+ *   minimises over the plane and values at centres and points are averages.
  * All but the first are computed from it in single precision and can be omitted; see Arrays.
  *
  * Output port 1 (vtkTable): the column `Summary` with one row, a text for a view: the number of

@@ -1,6 +1,6 @@
 #include "FilterChecks.h"
 
-#include "Written.h"
+#include "ResultFiles.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -259,7 +259,7 @@ void UpdateWithoutError(vtkAlgorithm* filter)
   EXPECT_TRUE(messages.warnings.empty()) << messages.warnings.front();
   EXPECT_EQ(filter->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_FALSE(IsEmpty(filter->GetOutputDataObject(0)));
-  Written::Keep(filter);
+  ResultFiles::Save(filter);
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 #include "FilterChecks.h"
 #include "TestInputs.h"
-#include "Written.h"
+#include "ResultFiles.h"
 #include "vtkDrillHoles.h"
 #include "vtkHField.h"
 #include "vtkPerforatedCrossField.h"
@@ -95,7 +95,7 @@ TEST_P(BoundarySingularities, HaveAVertexAndNoHole)
   solve->SetInputConnection(drill->GetOutputPort());
   solve->SetMethodToUnitNorm();
   FilterChecks::UpdateWithoutError(solve);
-  Written::Keep(solve);
+  ResultFiles::Save(solve);
   EXPECT_EQ(Value(solve, "Converged"), 1.0);
   EXPECT_EQ(Value(solve, "UnwantedSingularities"), 0.0);
   EXPECT_EQ(Value(solve, "RequiredInteriorQuarters"), 3.0);

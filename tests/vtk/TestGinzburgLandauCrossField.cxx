@@ -2,7 +2,7 @@
 #include "MeshReading.h"
 #include "SolverTest.h"
 #include "TestInputs.h"
-#include "Written.h"
+#include "ResultFiles.h"
 #include "vtkDrillHoles.h"
 #include "vtkGinzburgLandauCrossField.h"
 #include "vtkPoincareHopfCheck.h"
@@ -234,7 +234,7 @@ TEST_F(GinzburgLandauCrossField, WarnsWithoutConvergence)
   this->Filter->SetInputData(Disk());
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
-  Written::Keep(this->Filter);
+  ResultFiles::Save(this->Filter);
   EXPECT_TRUE(messages.errors.empty());
   ASSERT_EQ(messages.warnings.size(), 1u);
   EXPECT_NE(messages.warnings[0].find("1 step"), std::string::npos) << messages.warnings[0];

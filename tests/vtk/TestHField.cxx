@@ -3,7 +3,7 @@
 #include "OnTheDisk.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
-#include "Written.h"
+#include "ResultFiles.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkCrossGlyphs.h"
@@ -161,7 +161,7 @@ TEST_F(HField, WarnsThatHIsMultivalued)
     TestInputs::Singularities({ { 0.75, 0.05, 1.0, 0.1 }, { -0.1, 0.65, -1.0, 0.1 } }));
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
-  Written::Keep(this->Filter);
+  ResultFiles::Save(this->Filter);
   EXPECT_TRUE(messages.errors.empty());
   ASSERT_EQ(messages.warnings.size(), 1u);
   EXPECT_NE(messages.warnings[0].find("not single-valued: at inner loop 1"), std::string::npos);

@@ -1,5 +1,5 @@
 #include "TestInputs.h"
-#include "Written.h"
+#include "ResultFiles.h"
 
 #include "vtkDrillHoles.h"
 
@@ -222,7 +222,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Drill(
   drill->SetSingularitiesData(Singularities(rows));
   drill->SetMeshSize(meshSize);
   drill->Update();
-  Written::Keep(drill);
+  ResultFiles::Save(drill);
   return drill->GetOutput();
 }
 

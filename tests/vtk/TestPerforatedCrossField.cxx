@@ -2,7 +2,7 @@
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
 #include "TestInputs.h"
-#include "Written.h"
+#include "ResultFiles.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -280,7 +280,7 @@ TEST_F(PerforatedCrossField, WarnsWithoutConvergence)
   this->Filter->SetInputData(TestInputs::DrilledDisk());
   FilterChecks::MessageRecorder messages(this->Filter);
   this->Filter->Update();
-  Written::Keep(this->Filter);
+  ResultFiles::Save(this->Filter);
   EXPECT_TRUE(messages.errors.empty());
   ASSERT_EQ(messages.warnings.size(), 1u);
   EXPECT_NE(messages.warnings[0].find("1 step"), std::string::npos) << messages.warnings[0];

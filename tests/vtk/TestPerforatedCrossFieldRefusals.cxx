@@ -34,8 +34,8 @@ public:
     FilterChecks::UpdateWithoutError(this->Filter);
   }
 
-  /** Returns the drilled disk with the cells for which `keep` is true. */
-  vtkSmartPointer<vtkUnstructuredGrid> Keep(const std::function<bool(vtkIdType)>& keep)
+  /** Returns the drilled disk with the cells for which `isSelected` is true. */
+  vtkSmartPointer<vtkUnstructuredGrid> Select(const std::function<bool(vtkIdType)>& isSelected)
   {
     const auto mesh = TestInputs::DrilledDisk();
     auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -46,7 +46,7 @@ public:
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
     {
-      if (keep(cell))
+      if (isSelected(cell))
       {
         mesh->GetCellPoints(cell, ids);
         data->CopyData(
@@ -121,18 +121,18 @@ TEST_F(PerforatedCrossFieldRefusals, CellsOfOtherTypes)
 {
   const auto mesh = TestInputs::DrilledDisk();
   const vtkIdType last = mesh->GetNumberOfCells() - 1;
-  const auto withoutLastLine = this->Keep([last](vtkIdType cell) { return cell != last; });
+  const auto withoutLastLine = this->Select([last](vtkIdType cell) { return cell != last; });
   this->ExpectError(withoutLastLine, {});
   const auto withoutLines =
-    this->Keep([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_TRIANGLE; });
+    this->Select([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_TRIANGLE; });
   this->ExpectError(withoutLines, {});
-  const auto withoutTriangle = this->Keep([](vtkIdType cell) { return cell != 0; });
+  const auto withoutTriangle = this->Select([](vtkIdType cell) { return cell != 0; });
   this->ExpectError(withoutTriangle, {});
   const auto onlyLines =
-    this->Keep([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_LINE; });
+    this->Select([&mesh](vtkIdType cell) { return mesh->GetCellType(cell) == VTK_LINE; });
   this->ExpectError(onlyLines, {});
 
-  const auto quadrilateral = this->Keep([](vtkIdType) { return true; });
+  const auto quadrilateral = this->Select([](vtkIdType) { return true; });
   const vtkIdType ids[4] = { 0, 1, 2, 3 };
   quadrilateral->InsertNextCell(VTK_QUAD, 4, ids);
   for (const char* name : { "BoundaryKind", "BoundaryId", "QuarterIndex" })

@@ -1,4 +1,4 @@
-#include "Written.h"
+#include "ResultFiles.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
@@ -29,9 +29,9 @@ std::string RunningTest()
 }
 }
 
-namespace Written
+namespace ResultFiles
 {
-void Keep(vtkAlgorithm* filter)
+void Save(vtkAlgorithm* filter)
 {
   const char* folder = std::getenv("CROSSFIELD_WRITTEN");
   auto* grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
