@@ -154,12 +154,12 @@ inline std::optional<std::string> UpstreamFailure(vtkAlgorithm* self)
 }
 
 /**
- * RequestData of a source: runs work(progress), sets the error code, and returns 0 after an error.
+ * Runs work(progress), sets the error code, and returns the result of RequestData: 0 after an error.
  * In ParaView it returns 1, and a filter downstream of a failed filter does nothing and has an error
  * code as well. After an error calls report(message), with the message of the failed filter.
  */
 template <class Algorithm, class Work, class Report>
-int Run(Algorithm* self, unsigned long& errorCode, Work work, Report report)
+int RunAndReport(Algorithm* self, unsigned long& errorCode, Work work, Report report)
 {
   const bool inParaView = IsInParaView(self);
   const std::optional<std::string> upstream =
@@ -167,26 +167,27 @@ int Run(Algorithm* self, unsigned long& errorCode, Work work, Report report)
   const Outcome outcome =
     upstream ? Outcome{ vtkCrossFieldErrorCodes::BadInput, *upstream } : Try(self, work);
   errorCode = outcome.errorCode;
-  self->GetInformation()->Set(MessageKey(), outcome.message);
+  self->GetInformation()->Remove(MessageKey());
   if (errorCode != vtkErrorCode::NoError)
   {
+    self->GetInformation()->Set(MessageKey(), outcome.message);
     report(outcome.message.c_str());
   }
   return errorCode == vtkErrorCode::NoError || inParaView ? 1 : 0;
 }
 
-/** Same for a source without a report. */
+/** Runs RequestData of a source. */
 template <class Algorithm, class Work>
 int Run(Algorithm* self, unsigned long& errorCode, Work work)
 {
-  return Run(self, errorCode, work, [](const char*) {});
+  return RunAndReport(self, errorCode, work, [](const char*) {});
 }
 
-/** RequestData of a filter with a report. An input without cells gives empty outputs. */
+/** Runs RequestData of a filter with a report. An input without cells gives empty outputs. */
 template <class Algorithm, class Work, class Report>
 int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work, Report report)
 {
-  return Run(
+  return RunAndReport(
     self, errorCode,
     [&](const crossfield::Progress& progress)
     {
@@ -198,7 +199,7 @@ int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work,
     report);
 }
 
-/** Same for a filter without a report. */
+/** Runs RequestData of a filter without a report. */
 template <class Algorithm, class Work>
 int Run(Algorithm* self, unsigned long& errorCode, vtkDataSet* input, Work work)
 {
