@@ -1,7 +1,8 @@
-# The warnings that all code of ours is compiled with; code that VTK generates is not ours. g++ 12 and
-# clang 14 give none of them. Headers of other libraries are SYSTEM and not looked at.
-# Not -Wpedantic: it minds the semicolon after vtkTypeMacro(...); the numerics add it.
-option(CROSSFIELD_WARNINGS_AS_ERRORS "A warning stops the build" OFF)
+# Warnings for all code of this project, but not for code that VTK generates. g++ 12 and clang 14 print
+# none of them. Headers of other libraries are SYSTEM headers, which print no warnings.
+# -Wpedantic is missing because it complains about the semicolon after vtkTypeMacro(...); the numerics
+# add it.
+option(CROSSFIELD_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
 
 set(crossfield_warnings
   -Wall
@@ -25,7 +26,7 @@ if (CROSSFIELD_WARNINGS_AS_ERRORS)
   list(APPEND crossfield_warnings -Werror)
 endif ()
 
-# crossfield_add_warnings(TARGET...)
+# Adds the warnings to targets: crossfield_add_warnings(TARGET...)
 function(crossfield_add_warnings)
   foreach (target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE ${crossfield_warnings})

@@ -1,30 +1,54 @@
 #!/usr/bin/env bash
-# Builds the presets named, or paraview511: the library, the Python package, the ParaView plugin and
-# the program in build/. Installs missing Debian packages first and builds only what has changed.
+# Builds the given presets, by default paraview511: the library, the Python package, the ParaView
+# plugin, the program and the tests, in build/. Installs missing Debian packages first. Compiles only
+# what has changed.
 #
-#   scripts/build.sh [PRESET...]
+#   scripts/build.sh [--without-tests] [PRESET...]
+#
+#   --without-tests   in a new build folder: does not configure or compile tests and benchmarks,
+#                     and does not install the packages that only they need
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-presets=("${@:-paraview511}")
-# A machine that only builds paraview511 need not have what the others are built with.
-if [[ ${presets[*]} == paraview511 ]]; then
-  scripts/packages.sh
-else
-  scripts/packages.sh --all
+tests=yes
+if [[ "${1:-}" == --without-tests ]]; then
+  tests=no
+  shift
 fi
-# The numerics are the same in all presets; so they are compiled once and found by ccache then.
-export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+presets=("${@:-paraview511}")
+if [[ ${presets[*]} != paraview511 ]]; then
+  scripts/packages.sh --all
+elif [[ $tests == yes ]]; then
+  scripts/packages.sh --tests
+else
+  scripts/packages.sh
+fi
+# All presets compile the same numerics: ccache compiles them once. It needs to be told that
+# precompiled headers depend on neither macros of the command line nor the time.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros
 for preset in "${presets[@]}"; do
-  # Debian's VTK needs Debian's Python, also when another python3 comes first on the PATH.
+  folder=build-$preset
+  if [[ $preset == paraview511 ]]; then
+    folder=build
+  fi
+  # Debian's VTK needs Debian's Python, even if another python3 comes first on the PATH.
   python=/usr/bin/python3
   if [[ $preset == vtk91 ]]; then
     scripts/vtk91.sh
     python=$PWD/build-vtk91/vtk/bin/python3
   fi
-  cmake --preset "$preset" "-DPython3_EXECUTABLE=$python"
-  cmake --build --preset "$preset"
+  options=("-DPython3_EXECUTABLE=$python")
+  target=all
+  if [[ $tests == yes ]]; then
+    options+=(-DCROSSFIELD_BUILD_TESTING=ON)
+  elif [[ ! -e $folder/CMakeCache.txt ]]; then
+    options+=(-DCROSSFIELD_BUILD_TESTING=OFF)
+  else
+    target=product # a folder that was configured with tests keeps them
+  fi
+  cmake --preset "$preset" "${options[@]}"
+  cmake --build --preset "$preset" --target "$target"
   if [[ $preset == checked ]]; then
-    find build-checked -name '*.gcda' -delete # counters of another build do not fit
+    find build-checked -name '*.gcda' -delete # counters of an earlier build do not match
   fi
 done

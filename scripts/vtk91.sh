@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Unpacks Debian's VTK 9.1 into build-vtk91/vtk, because its packages cannot be installed beside those
-# of ParaView. Preset vtk91 finds it there, and build-vtk91/vtk/bin/python3 is a Python that has it.
-# Quick when it is there already.
+# Unpacks Debian's VTK 9.1 into build-vtk91/vtk, because its packages conflict with those of ParaView.
+# The preset vtk91 uses it, and build-vtk91/vtk/bin/python3 can import it. Returns at once if VTK is
+# there already.
 #
 #   scripts/vtk91.sh
 set -euo pipefail
@@ -19,17 +19,17 @@ mkdir -p "$folder/packages"
 download() {
   (cd "$folder/packages" && apt-get --quiet --quiet download "${packages[@]}")
 }
-# Lists of packages that are missing or old name files that the mirror does not have.
+# Missing or outdated lists of packages name files that the mirror does not have.
 download || { scripts/packages.sh --update && download; }
 for package in "$folder"/packages/*.deb; do
   dpkg-deb --extract "$package" "$folder"
 done
 rm -r "$folder/packages"
 
-# A library of VTK finds the others beside it, without LD_LIBRARY_PATH.
+# Lets the libraries of VTK find each other without LD_LIBRARY_PATH.
 libraries=$folder/usr/lib/x86_64-linux-gnu
 find "$libraries" -maxdepth 1 -name 'lib*.so*' -type f -exec patchelf --set-rpath '$ORIGIN' {} +
-# A Python of its own, which looks for modules here before it does so in the system.
+# A Python environment that looks for modules here before it looks in the system.
 /usr/bin/python3 -m venv --without-pip --system-site-packages "$folder"
 site=$("$folder/bin/python3" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
 ln -s "$folder/usr/lib/python3/dist-packages/"{vtk.py,vtkmodules} "$site"

@@ -1,21 +1,45 @@
-"""The modules of filters/numerics: docs/architecture.md and the build name the same modules and arrows, libraries of
-others are included in their modules alone, and no two units of the numerics include each other, however many
-others are between them. Everywhere a function is defined in the unit whose header declares it."""
+"""Checks the modules of filters/numerics.
+
+    python3 test_modules.py
+
+- docs/architecture.md and the build name the same modules and dependencies.
+- Each external library is included in one module only.
+- No two units of the numerics include each other, directly or through other units. A unit is a
+  header and the source of the same name.
+- A function is defined in the unit whose header declares it.
+- Tests are in the folder of the module that they test, and every filter has a test.
+"""
 
 import pathlib
 import re
-import sys
 import unittest
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-import messages  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NUMERICS = ROOT / "filters" / "numerics"
 
 
+TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"'
+                   r"|'(?:\\.|[^'\\\n])+'|[A-Za-z_]\w*|\.?\d[\w.']*|<<|>>|->|::|\+=|==|[^\s]", re.DOTALL)
+
+
+def tokens_of(source):
+    """Returns the tokens of C++ source without its comments."""
+    found = [match.group() for match in TOKEN.finditer(source)]
+    return [token for token in found if not token.startswith(("//", "/*"))]
+
+
+def closing(tokens, opening):
+    """Returns the index of the bracket that closes the one at index `opening`."""
+    depth = 0
+    for i in range(opening, len(tokens)):
+        depth += (tokens[i] in ("(", "[", "{")) - (tokens[i] in (")", "]", "}"))
+        if depth == 0:
+            return i
+    return len(tokens)
+
+
 def modules_of_the_build(text):
-    """Module -> modules that it may use, from the calls of crossfield_add_module."""
+    """Returns module -> modules that it may use, from the calls of crossfield_add_module."""
     modules = {}
     for words in re.findall(r"^crossfield_add_module\(([^)]*)\)", text, re.MULTILINE):
         name, *rest = words.split()
@@ -28,7 +52,7 @@ def modules_of_the_build(text):
 
 
 def modules_of_the_page(text):
-    """The same from the table of the page."""
+    """Returns module -> modules that it may use, from the table of docs/architecture.md."""
     section = text.split("## The modules of the numerics")[1].split("\n## ")[0]
     modules = {}
     for line in section.splitlines():
@@ -38,24 +62,25 @@ def modules_of_the_page(text):
     return modules
 
 
-# What headers of a library are called; a module has the libraries that the page says it has.
+# Patterns of the headers of each library; docs/architecture.md lists the libraries of each module.
 LIBRARIES = {"CGAL": r"CGAL/", "CHOLMOD": r"cholmod\.h", "LAPACK": r"(cblas|lapacke?|openblas\w*)\.h|OpenBLAS's functions",
              "OpenMP": r"omp\.h", "LEMON": r"lemon/", "GLPK": r"glpk\.h"}
-# Headers that every module may include: of the language, of Eigen, and of the system for what it says of memory.
+# Headers that every module may include: of the standard library, of Eigen, and of the system to
+# query memory.
 EVERYWHERE = r"[a-z_]+$|Eigen/|unistd\.h$|sys/resource\.h$"
 
 
 def libraries_of_the_page(text):
-    """Library -> the module that is said to be the only one with it."""
+    """Returns library -> the only module that uses it."""
     found = {}
-    for module, said in re.findall(r"^\| `(\w+)` \|.*the only module with ([^|]*?) \|", text, re.MULTILINE):
-        for library in re.split(r", | and ", said):
+    for module, libraries in re.findall(r"^\| `(\w+)` \|.*the only module with ([^|]*?) \|", text, re.MULTILINE):
+        for library in re.split(r", | and ", libraries):
             found[library] = module
     return found
 
 
 def foreign_includes(files, modules):
-    """What no module, or another, may include; files: (module, name) -> text."""
+    """Returns the includes that are not allowed in their module; files: (module, name) -> text."""
     found = []
     for (module, name), text in files.items():
         included = re.findall(r"^ *# *include *<([^>]+)>", text, re.MULTILINE)
@@ -69,11 +94,11 @@ def foreign_includes(files, modules):
 
 
 def functions(text):
-    """(declared, defined): functions of a file as namespace::name, without those of namespaces that have no name and
-    of classes."""
-    tokens = messages.tokens_of(re.sub(r"^ *#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE))
+    """Returns (declared, defined): the functions of a file as namespace::name, without those in
+    unnamed namespaces and without the members that a class declares."""
+    tokens = tokens_of(re.sub(r"^ *#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE))
     declared, defined = set(), set()
-    spaces = []  # of the namespaces that are open here
+    spaces = []  # the namespaces that are open at token i
     i = 0
     while i < len(tokens):
         if tokens[i] == "namespace":
@@ -86,21 +111,21 @@ def functions(text):
             spaces.pop()
             i += 1
             continue
-        # A statement, or a definition with what is in its braces.
+        # A statement, or a definition with its body.
         end = i
         while end < len(tokens) and tokens[end] not in (";", "{", "}"):
-            end = messages.closing(tokens, end) + 1 if tokens[end] in ("(", "[") else end + 1
+            end = closing(tokens, end) + 1 if tokens[end] in ("(", "[") else end + 1
         statement = tokens[i:end]
         if end < len(tokens) and tokens[end] == "{":
             has_body = True
-            i = messages.closing(tokens, end) + 1
+            i = closing(tokens, end) + 1
         else:
             has_body = False
             i = end + 1 if end < len(tokens) and tokens[end] == ";" else max(end, i + 1)
         if "(" not in statement or {"class", "struct", "enum", "using", "extern"} & set(statement[:2]) or "" in spaces:
             continue
         bracket = statement.index("(")
-        if "=" in statement[:bracket] or not messages.is_name(statement[bracket - 1]) or bracket < 2:
+        if "=" in statement[:bracket] or not re.match(r"[A-Za-z_]", statement[bracket - 1]) or bracket < 2:
             continue
         first = bracket - 1
         while first >= 2 and statement[first - 1] == "::":
@@ -110,8 +135,8 @@ def functions(text):
     return declared, defined
 
 
-def strays(files):
-    """Functions that one header declares and another unit defines; files: name -> text."""
+def misplaced_functions(files):
+    """Returns the functions that one unit defines and the header of another declares; files: name -> text."""
     owner = {}
     for name, text in files.items():
         if name.endswith(".h"):
@@ -127,7 +152,7 @@ def strays(files):
 
 
 def units(files):
-    """Unit -> units whose headers its .h or .cxx includes; files: name -> text."""
+    """Returns unit -> units whose headers its .h or .cxx includes; files: name -> text."""
     known = {name.rsplit(".", 1)[0] for name in files}
     graph = {name: set() for name in known}
     for name, text in files.items():
@@ -139,7 +164,7 @@ def units(files):
 
 
 def cycle(graph):
-    """Units that include each other in a ring, or None."""
+    """Returns a cycle of units that include each other, or None."""
     done = set()
     path = []
 
@@ -165,19 +190,19 @@ def cycle(graph):
 
 
 class Modules(unittest.TestCase):
-    def test_a_ring_is_found(self):
+    def test_finds_a_cycle(self):
         files = {"A.h": '#include "B.h"', "B.cxx": '#include "C.h"', "C.h": '#include "A.h"', "D.h": ""}
         self.assertEqual(cycle(units(files)), ["A", "B", "C", "A"])
         files["C.h"] = '#include "D.h"'
         self.assertIsNone(cycle(units(files)))
 
-    def test_another_arrow_is_found(self):
+    def test_finds_a_different_dependency(self):
         build = "crossfield_add_module(base)\ncrossfield_add_module(mesh MAY_USE base LIBRARIES X::Y)\n"
         page = "## The modules of the numerics\n| `base` | a | |\n| `mesh` | b | `base` |\n"
         self.assertEqual(modules_of_the_build(build), modules_of_the_page(page))
         self.assertNotEqual(modules_of_the_build(build), modules_of_the_page(page.replace("`base` |\n", "|\n")))
 
-    def test_a_stranger_is_found(self):
+    def test_finds_a_foreign_include(self):
         page = "| `meshing` | meshes; the only module with CGAL | `mesh` |\n| `algebra` | the only module with LAPACK and OpenMP | |"
         modules = libraries_of_the_page(page)
         self.assertEqual(modules, {"CGAL": "meshing", "LAPACK": "algebra", "OpenMP": "algebra"})
@@ -187,31 +212,31 @@ class Modules(unittest.TestCase):
                  ("mesh", "C.cxx"): 'extern "C" void dgemm_();', ("meshing", "D.h"): "#include <glpk.h>"}
         self.assertEqual(len(foreign_includes(files, modules)), 4)
 
-    def test_a_function_in_another_unit_is_found(self):
+    def test_finds_a_misplaced_function(self):
         header = ("#define F(x) \\\n  G(x)\nnamespace n\n{\nclass C { void M(); };\nint F(int a = 1);\nconstexpr int N = F(2);\n"
                   "template <class T>\nT K(T t) { return H(t); }\nstd::vector<int> G(const C& c);\n}\n")
         here = "namespace n\n{\nnamespace\n{\nint G(int) { return 1; }\n}\nint F(int a)\n{\n  return G(a);\n}\nvoid C::M() {}\n}\n"
         there = "std::vector<int> n::G(const C& c)\n{\n  return {};\n}\n"
         self.assertEqual(functions(header)[0], {"n::F", "n::G"})
         self.assertEqual(functions(here)[1], {"n::F", "n::C::M"})
-        self.assertEqual(strays({"A.h": header, "A.cxx": here + there}), [])
-        self.assertEqual(strays({"A.h": header, "B.cxx": here, "A.cxx": there}), ["B.cxx defines n::F of A.h"])
+        self.assertEqual(misplaced_functions({"A.h": header, "A.cxx": here + there}), [])
+        self.assertEqual(misplaced_functions({"A.h": header, "B.cxx": here, "A.cxx": there}), ["B.cxx defines n::F of A.h"])
 
-    def test_libraries_of_others_stay_in_their_rooms(self):
+    def test_each_library_is_used_in_one_module(self):
         modules = libraries_of_the_page((ROOT / "docs" / "architecture.md").read_text())
         self.assertEqual(set(modules), set(LIBRARIES))
         files = {(path.parent.name, path.name): path.read_text()
                  for suffix in ("h", "cxx") for path in NUMERICS.glob(f"*/*.{suffix}")}
         self.assertEqual(foreign_includes(files, modules), [])
 
-    def test_functions_live_where_they_are_declared(self):
+    def test_functions_are_defined_in_the_unit_that_declares_them(self):
         for folder in (*NUMERICS.iterdir(), ROOT / "filters" / "vtk", ROOT / "pipelines"):
             if folder.is_dir():
                 files = {path.name: path.read_text() for suffix in ("h", "cxx") for path in folder.glob(f"*.{suffix}")
-                         if path.name != "CommandLine.h"}  # the list of the commands
-                self.assertEqual(strays(files), [], folder)
+                         if path.name != "CommandLine.h"}  # declares the commands, which are defined in a file each
+                self.assertEqual(misplaced_functions(files), [], folder)
 
-    def test_page_build_and_folders_agree(self):
+    def test_documentation_build_and_folders_agree(self):
         build = modules_of_the_build((NUMERICS / "CMakeLists.txt").read_text())
         page = modules_of_the_page((ROOT / "docs" / "architecture.md").read_text())
         folders = {path.name for path in NUMERICS.iterdir() if path.is_dir() and path.name != "cmake"}
@@ -219,14 +244,14 @@ class Modules(unittest.TestCase):
         self.assertEqual(set(build), folders)
         self.assertEqual(list(NUMERICS.glob("*.h")) + list(NUMERICS.glob("*.cxx")), [])
 
-    def test_tests_mirror_the_rooms(self):
+    def test_tests_are_in_the_folder_of_their_module(self):
         modules = modules_of_the_build((NUMERICS / "CMakeLists.txt").read_text())
-        room_of = {path.stem: path.parent.name for path in NUMERICS.glob("*/*.h")}
+        module_of = {path.stem: path.parent.name for path in NUMERICS.glob("*/*.h")}
         for test in (ROOT / "tests" / "numerics").glob("*/Test*.cxx"):
             self.assertIn(test.parent.name, modules)
-            # That of a unit is where the unit is; others test what several do together.
+            # The test of one unit is in the folder of its module; other tests cover several units.
             unit = test.stem[len("Test"):]
-            self.assertEqual(test.parent.name, room_of.get(unit, test.parent.name), unit)
+            self.assertEqual(test.parent.name, module_of.get(unit, test.parent.name), unit)
 
     def test_every_filter_has_its_tests(self):
         filters = ROOT / "filters" / "vtk"
@@ -235,7 +260,7 @@ class Modules(unittest.TestCase):
         for name in set(listed) - {"vtkCrossFieldSolver"}:  # abstract
             self.assertTrue((ROOT / "tests" / "vtk" / f"Test{name[len('vtk'):]}.cxx").exists(), name)
 
-    def test_no_two_units_need_each_other(self):
+    def test_no_two_units_include_each_other(self):
         files = {path.name: path.read_text() for suffix in ("h", "cxx") for path in NUMERICS.glob(f"*/*.{suffix}")}
         self.assertGreater(len(files), 100)
         self.assertIsNone(cycle(units(files)))

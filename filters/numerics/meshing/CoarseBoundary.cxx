@@ -14,7 +14,7 @@ namespace
 {
 /// Maximum distance of removed vertices from the new sides, relative to the maximum length of a
 /// side.
-constexpr double Deviation = 1e-3;
+constexpr double RelativeDeviation = 1e-3;
 
 /// Marks the vertices that must not be removed.
 std::vector<bool> FindFixed(
@@ -68,7 +68,7 @@ Loop Coarsen(const Loop& loop, const std::vector<bool>& fixed, double length, do
     {
       turn += std::abs(TurningAt(loop, to));
       if ((loop[(to + 1) % loop.size()] - loop[from]).norm() > length || turn > 0.5 * cornerAngle ||
-        !IsNear(loop, from, to + 1, Deviation * length))
+        !IsNear(loop, from, to + 1, RelativeDeviation * length))
       {
         break;
       }

@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t MostCorrections = 8;
 
 /// Unknowns from which on two threads share vectors, as QuadEnergy does quads.
-constexpr Eigen::Index FewestForTwoThreads = 40000;
+constexpr Eigen::Index MinimumUnknownsForTwoThreads = 40000;
 }
 
 QuadDescent::QuadDescent(QuadEnergy& energy)
@@ -27,7 +27,7 @@ QuadDescent::QuadDescent(QuadEnergy& energy)
 template <typename Function>
 double QuadDescent::Sum(const Function& function) const
 {
-  if (this->Size < FewestForTwoThreads)
+  if (this->Size < MinimumUnknownsForTwoThreads)
   {
     return function(Eigen::Index(0), this->Size);
   }

@@ -13,7 +13,7 @@ namespace crossfield
 namespace
 {
 /// Quads from which on two threads pay: their energy takes a millisecond then.
-constexpr std::size_t FewestForTwoThreads = 20000;
+constexpr std::size_t MinimumQuadsForTwoThreads = 20000;
 
 /// The sides of a quad over the wanted lengths: two of either direction. Corner (i, j) is between a_i and b_j.
 struct QuadFrame
@@ -200,7 +200,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
 {
   this->Place(unknowns);
   std::array<double, 2> energies{};
-  ForBothHalves(this->Mesh.quads.size() >= FewestForTwoThreads,
+  ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
     [&](std::size_t half)
     { energies[half] = this->HalfValue(half, epsilon, gradient != nullptr); });
   double energy = energies[0] + energies[1];
@@ -214,7 +214,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   const Eigen::Index size = this->Places.size();
   gradient->resize(size);
-  ForBothHalves(this->Mesh.quads.size() >= FewestForTwoThreads,
+  ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
     [&](std::size_t half)
     {
       const Eigen::Index begin = half == 0 ? 0 : size / 2;
