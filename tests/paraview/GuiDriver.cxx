@@ -1,5 +1,8 @@
-// What a person does in ParaView's client, for gui_driver.py, which loads this library into the client by ctypes:
-// mouse events of Qt in the active 3D view, entries of menus, clicks on buttons, cells of the table, messages, and pictures.
+// User actions in ParaView's client, for gui_driver.py, which loads this library into the client
+// with ctypes: mouse events in the active 3D view, menu entries, clicks on buttons, cells of the
+// table, messages, and pictures.
+
+#include "GuiDialogs.h"
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
@@ -22,8 +25,6 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QImage>
-#include <QKeyEvent>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QMainWindow>
 #include <QMouseEvent>
@@ -31,12 +32,9 @@
 #include <QTimer>
 #include <QTreeView>
 
-#include <functional>
-#include <vector>
-
 namespace
 {
-/** The widget of the active view that gets mouse events: the innermost one, which draws. */
+/** Returns the innermost widget of the active view, which receives mouse events. */
 QWidget* Canvas()
 {
   QWidget* canvas = pqActiveObjects::instance().activeView()->widget();
@@ -47,7 +45,9 @@ QWidget* Canvas()
   return canvas;
 }
 
-/** A mouse event as the window system makes them, in pixels from the lower left corner as in VTK. */
+/**
+ * Posts a mouse event as the window system does, in pixels from the lower left corner as in VTK.
+ */
 void Mouse(QEvent::Type type, int x, int y, Qt::MouseButton button, Qt::MouseButtons buttons)
 {
   QWidget* canvas = Canvas();
@@ -57,9 +57,9 @@ void Mouse(QEvent::Type type, int x, int y, Qt::MouseButton button, Qt::MouseBut
       type, place, canvas->mapToGlobal(place.toPoint()), button, buttons, Qt::NoModifier));
 }
 
-/** What is visible of this name in the panel; a panel is kept for every proxy. */
+/** Returns the visible widget of a name; the panels of other proxies are hidden, not deleted. */
 template <class Widget>
-Widget* Visible(const char* name)
+Widget* FindVisible(const char* name)
 {
   for (Widget* widget : pqCoreUtilities::mainWidget()->findChildren<Widget*>(name))
   {
@@ -71,115 +71,16 @@ Widget* Visible(const char* name)
   return nullptr;
 }
 
-/** Warnings and errors that the window of messages has got. */
+/** Warnings and errors shown in the message window since the last call of gui_messages. */
 QString Messages;
 
+/** Number of update signals counted by gui_count_updates. */
 int Updates = 0;
-
-/** A key as the window system sends it, pressed and let go. */
-void Key(QWidget* widget, int key, const QString& text = {})
-{
-  for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
-  {
-    QCoreApplication::postEvent(widget, new QKeyEvent(type, key, Qt::NoModifier, text));
-  }
-}
-
-void Click(QWidget* widget, const QPoint& place)
-{
-  for (const QEvent::Type type : { QEvent::MouseButtonPress, QEvent::MouseButtonRelease })
-  {
-    const bool isPress = type == QEvent::MouseButtonPress;
-    QCoreApplication::postEvent(widget,
-      new QMouseEvent(type, place, widget->mapToGlobal(place), Qt::LeftButton,
-        isPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier));
-  }
-}
-
-/** What to do in a modal dialog of this class; not done (false) as long as what it needs is not there. */
-struct Answer
-{
-  const char* dialog;
-  std::function<bool(QWidget*)> give;
-};
-
-/** Types a name where the dialog for files wants it, and Return. */
-Answer TypeFile(const QString& file)
-{
-  return { "pqFileDialog",
-    [file](QWidget* dialog)
-    {
-      auto* line = dialog->findChild<QLineEdit*>("EntityName");
-      if (!line || !line->isVisible())
-      {
-        return false;
-      }
-      line->selectAll();
-      for (const QChar& character : file)
-      {
-        Key(line, 0, QString(character));
-      }
-      // After what the completion of names shows meanwhile.
-      QTimer::singleShot(300, line, [line] { Key(line, Qt::Key_Return); });
-      return true;
-    } };
-}
-
-Answer ClickOk(const char* dialogClass)
-{
-  return { dialogClass,
-    [](QWidget* dialog)
-    {
-      for (QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
-      {
-        if (button->isVisible() && button->isEnabled() && button->text().remove("&") == "OK")
-        {
-          Click(button, button->rect().center());
-          return true;
-        }
-      }
-      return false;
-    } };
-}
-
-/**
- * Chooses an entry of a menu, and answers the dialogs that it opens one after the other. False, with all dialogs closed, where one does
- * not come or not have what is looked for within seconds.
- */
-bool Converse(const char* action, std::vector<Answer> answers)
-{
-  auto* chosen = pqCoreUtilities::mainWidget()->findChild<QAction*>(action);
-  if (!chosen || !chosen->isEnabled())
-  {
-    return false;
-  }
-  std::size_t next = 0;
-  int patience = 100;
-  QTimer timer;
-  QObject::connect(&timer, &QTimer::timeout,
-    [&]
-    {
-      QWidget* dialog = QApplication::activeModalWidget();
-      if (dialog && next < answers.size() && dialog->inherits(answers[next].dialog) &&
-        dialog->isVisible() && answers[next].give(dialog))
-      {
-        ++next;
-        patience = 100;
-      }
-      else if (--patience < 0 && dialog)
-      {
-        dialog->close();
-      }
-    });
-  timer.start(100);
-  chosen->trigger(); // returns after the last dialog
-  return next == answers.size();
-}
 }
 
 extern "C"
 {
-  /** Lets the client handle what waits, for at least so long. */
+  /** Lets the client process events for a time. */
   void gui_wait(int milliseconds)
   {
     QEventLoop loop;
@@ -202,14 +103,14 @@ extern "C"
     Mouse(QEvent::MouseButtonRelease, x, y, Qt::LeftButton, Qt::NoButton);
   }
 
-  /** The seconds from a move of the mouse until the client has handled all that follows from it. */
+  /** Returns the seconds from a mouse move until the client has processed all its consequences. */
   double gui_time_of_move(int x, int y)
   {
     QElapsedTimer timer;
     timer.start();
     gui_move(x, y, true);
     QCoreApplication::sendPostedEvents();
-    // The widget follows when nothing else waits, and what it has drawn comes to the screen after that.
+    // The widget handles the move after all other events, and the drawn frame is shown after that.
     for (int i = 0; i < 3; ++i)
     {
       QCoreApplication::processEvents(QEventLoop::AllEvents);
@@ -217,12 +118,12 @@ extern "C"
     return 1e-9 * static_cast<double>(timer.nsecsElapsed());
   }
 
-  /** Whether there was a button of this text that can be clicked. */
+  /** Clicks a button by its text; reports whether there is such a button and it is enabled. */
   bool gui_click(const char* text)
   {
     for (QAbstractButton* button : pqCoreUtilities::mainWidget()->findChildren<QAbstractButton*>())
     {
-      // Desktops add keys to press, marked by &.
+      // Desktops add keyboard accelerators, marked by &.
       if (button->text().remove("&") == text && button->isVisible())
       {
         const bool isEnabled = button->isEnabled();
@@ -233,10 +134,10 @@ extern "C"
     return false;
   }
 
-  /** File > Open: the name typed, and the reader chosen in the list that comes then. */
+  /** File > Open: types the file name, and selects the reader in the list that follows. */
   bool gui_open(const char* file, const char* reader)
   {
-    const Answer choose = { "pqSelectReaderDialog",
+    const GuiDialogs::Response choose = { "pqSelectReaderDialog",
       [reader](QWidget* dialog)
       {
         auto* readers = dialog->findChild<QListWidget*>();
@@ -247,17 +148,18 @@ extern "C"
           return false;
         }
         readers->scrollToItem(found.front());
-        Click(readers->viewport(), readers->visualItemRect(found.front()).center());
+        GuiDialogs::Click(readers->viewport(), readers->visualItemRect(found.front()).center());
         return true;
       } };
-    return Converse("actionFileOpen",
-      { TypeFile(QString::fromUtf8(file)), choose, ClickOk("pqSelectReaderDialog") });
+    return GuiDialogs::Run("actionFileOpen",
+      { GuiDialogs::TypeFile(QString::fromUtf8(file)), choose,
+        GuiDialogs::ClickOk("pqSelectReaderDialog") });
   }
 
-  /** File > Save Data: the name typed, and this choice of the property in the options. */
+  /** File > Save Data: types the file name, and selects a choice of a property in the options. */
   bool gui_save(const char* file, const char* property, const char* choice)
   {
-    const Answer choose = { "pqProxyWidgetDialog",
+    const GuiDialogs::Response choose = { "pqProxyWidgetDialog",
       [property, choice](QWidget* dialog)
       {
         for (QWidget* widget : dialog->findChildren<QWidget*>(property))
@@ -271,17 +173,20 @@ extern "C"
         }
         return false;
       } };
-    return Converse("actionFileSaveData",
-      { TypeFile(QString::fromUtf8(file)), choose, ClickOk("pqProxyWidgetDialog") });
+    return GuiDialogs::Run("actionFileSaveData",
+      { GuiDialogs::TypeFile(QString::fromUtf8(file)), choose,
+        GuiDialogs::ClickOk("pqProxyWidgetDialog") });
   }
 
-  /** File > Load State, without the window that asks where its data are. */
+  /** File > Load State, without the dialog that asks where the data are. */
   void gui_load_state(const char* file)
   {
     pqLoadStateReaction::loadState(file, true);
   }
 
-  /** Whether there was an entry of this text in a menu that can be chosen. */
+  /**
+   * Triggers a menu entry by its text; reports whether there is such an entry and it is enabled.
+   */
   bool gui_trigger(const char* text)
   {
     for (QAction* action : pqCoreUtilities::mainWidget()->findChildren<QAction*>())
@@ -295,7 +200,10 @@ extern "C"
     return false;
   }
 
-  /** The filter of the active source and another one that the menu makes after a dialog that asks for the second input. */
+  /**
+   * Creates a filter of the active source with a second input, as the menu does after its input
+   * dialog.
+   */
   void gui_filter(const char* name, const char* input, const char* source)
   {
     pqApplicationCore* core = pqApplicationCore::instance();
@@ -307,8 +215,11 @@ extern "C"
       active.activeServer()));
   }
 
-  /** Whether there was a list of choices with this one, for the property of this name in the panel. */
-  bool gui_take(const char* property, const char* choice)
+  /**
+   * Selects a choice of a property in the panel; reports whether there is such a choice and it is
+   * enabled.
+   */
+  bool gui_select_choice(const char* property, const char* choice)
   {
     for (QWidget* widget : pqCoreUtilities::mainWidget()->findChildren<QWidget*>(property))
     {
@@ -316,7 +227,7 @@ extern "C"
       const int place = choices && choices->isVisible() ? choices->findText(choice) : -1;
       if (place >= 0)
       {
-        // As the mouse can: not what is grey.
+        // Disabled choices cannot be selected with the mouse.
         const QModelIndex chosen = choices->model()->index(place, 0);
         const bool isEnabled = choices->model()->flags(chosen).testFlag(Qt::ItemIsEnabled);
         if (isEnabled)
@@ -329,7 +240,7 @@ extern "C"
     return false;
   }
 
-  /** From now on warnings and errors are kept for gui_messages. */
+  /** Starts to store warnings and errors for gui_messages. */
   void gui_listen()
   {
     for (pqOutputWidget* shown : pqCoreUtilities::mainWidget()->findChildren<pqOutputWidget*>())
@@ -345,15 +256,16 @@ extern "C"
     }
   }
 
+  /** Returns the warnings and errors since the last call. */
   const char* gui_messages()
   {
-    static QByteArray said;
-    said = Messages.toUtf8();
+    static QByteArray text;
+    text = Messages.toUtf8();
     Messages.clear();
-    return said.constData();
+    return text.constData();
   }
 
-  /** Clicks on an item of this name in the Pipeline Browser, the last one, as a person who selects an output. */
+  /** Clicks the last item of a name in the Pipeline Browser, for example an output. */
   bool gui_select(const char* name)
   {
     for (auto* tree : pqCoreUtilities::mainWidget()->findChildren<pqPipelineBrowserWidget*>())
@@ -365,14 +277,14 @@ extern "C"
         tree->scrollTo(found.back());
         QRect place;
         tree->getVisibleRect(found.back(), place);
-        Click(tree->viewport(), place.center());
+        GuiDialogs::Click(tree->viewport(), place.center());
         return true;
       }
     }
     return false;
   }
 
-  /** From now on it is counted how often the client is told that this source has run, which keeps panels and menus busy. */
+  /** Starts to count the update signals of a source, each of which refreshes panels and menus. */
   void gui_count_updates(const char* source)
   {
     pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
@@ -385,7 +297,7 @@ extern "C"
     return Updates;
   }
 
-  /** A window of this size, with so much of its width for the panel. */
+  /** Sets the size of the window and the width of the panel. */
   void gui_window(int width, int height, int panelWidth)
   {
     auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
@@ -394,25 +306,26 @@ extern "C"
       { window->findChild<QDockWidget*>("propertiesDock") }, { panelWidth }, Qt::Horizontal);
   }
 
+  /** Returns the number of rows of the table, or -1 if no table is visible. */
   int gui_rows()
   {
-    auto* table = Visible<QTableWidget>("SingularityTable");
+    auto* table = FindVisible<QTableWidget>("SingularityTable");
     return table ? table->rowCount() : -1;
   }
 
   int gui_chosen()
   {
-    return Visible<QTableWidget>("SingularityTable")->currentRow();
+    return FindVisible<QTableWidget>("SingularityTable")->currentRow();
   }
 
   void gui_choose(int row)
   {
-    Visible<QTableWidget>("SingularityTable")->selectRow(row);
+    FindVisible<QTableWidget>("SingularityTable")->selectRow(row);
   }
 
   double gui_number(int row, int column)
   {
-    return Visible<QTableWidget>("SingularityTable")
+    return FindVisible<QTableWidget>("SingularityTable")
       ->item(row, column)
       ->data(Qt::EditRole)
       .toDouble();
@@ -420,21 +333,21 @@ extern "C"
 
   void gui_type(int row, int column, double number)
   {
-    Visible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
+    FindVisible<QTableWidget>("SingularityTable")->item(row, column)->setData(Qt::EditRole, number);
   }
 
-  /** A picture for people: of the whole window, or of the panel and the view alone. */
-  bool gui_picture(const char* file, bool isIntegral)
+  /** Saves a picture of the window, or of the panel and the view alone. */
+  bool gui_picture(const char* file, bool isWholeWindow)
   {
     auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
     QRect part = window->rect();
-    if (!isIntegral)
+    if (!isWholeWindow)
     {
       const QRect view = window->centralWidget()->geometry();
       part.setTop(view.top());
       part.setBottom(view.bottom());
     }
-    // 0: the smallest file
+    // Quality 0 gives the smallest file.
     return window->grab(part).toImage().convertToFormat(QImage::Format_RGB888).save(file, "PNG", 0);
   }
 
@@ -448,7 +361,7 @@ extern "C"
     pqApplicationCore::instance()->getUndoStack()->redo();
   }
 
-  /** What Edit > Undo would say that it undoes; empty when there is nothing. */
+  /** Returns the label of Edit > Undo, empty if there is nothing to undo. */
   const char* gui_undo_label()
   {
     static QByteArray label;

@@ -12,7 +12,7 @@ gui.gui_time_of_move.restype = gui.gui_number.restype = ctypes.c_double
 gui.gui_type.argtypes = [ctypes.c_int, ctypes.c_int, ctypes.c_double]
 for function in gui.gui_undo_label, gui.gui_messages:
     function.restype = ctypes.c_char_p
-for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_take:
+for function in gui.gui_click, gui.gui_picture, gui.gui_open, gui.gui_save, gui.gui_select, gui.gui_trigger, gui.gui_select_choice:
     function.restype = ctypes.c_bool
 gui.gui_listen()
 
@@ -30,9 +30,9 @@ def wait(milliseconds=100):
     gui.gui_wait(milliseconds)
 
 
-def picture(name, is_whole=True):
+def picture(name, is_whole_window=True):
     wait(300)
-    check(gui.gui_picture(os.path.join(os.environ["FOLDER"], name).encode(), is_whole), "no picture")
+    check(gui.gui_picture(os.path.join(os.environ["FOLDER"], name).encode(), is_whole_window), "no picture")
 
 
 def messages():

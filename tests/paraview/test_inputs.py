@@ -19,7 +19,7 @@ def test_chosen_in_the_panel(domain, rows):
     for name, label in ("Poincare Hopf Check", "Singularities"), ("Cross Field Map", "Singularities"), (
             "Layout Designer", "StartFrom"):
         make(name, domain)
-        check(gui.gui_take(label.encode(), b"Three and one"), "no list of choices for " + name)
+        check(gui.gui_select_choice(label.encode(), b"Three and one"), "no list of choices for " + name)
         check(gui.gui_click(b"Apply"), "no Apply")
         wait(200)
         # ParaView's browser builds its tree anew for a further input, and sometimes the branch that is then selected is another one's.
@@ -37,7 +37,7 @@ def test_chosen_in_the_panel(domain, rows):
 
 def test_taken_back(domain, rows):
     designer = GetActiveSource()
-    check(gui.gui_take(b"StartFrom", b"(none)"), "no way back to none")
+    check(gui.gui_select_choice(b"StartFrom", b"(none)"), "no way back to none")
     check(gui.gui_click(b"Apply"), "no Apply")
     wait(200)
     check_equal(designer.SMProxy.GetProperty("StartFrom").GetNumberOfProxies(), 0, "inputs after none was chosen")
@@ -49,8 +49,8 @@ def test_no_circle(domain, rows):
     Render()
     SetActiveSource(designer)
     wait(200)
-    check(not gui.gui_take(b"StartFrom", b"Follows"), "what follows from a filter can be its input")
-    check(gui.gui_take(b"StartFrom", b"Three and one"), "other choices have gone")
+    check(not gui.gui_select_choice(b"StartFrom", b"Follows"), "what follows from a filter can be its input")
+    check(gui.gui_select_choice(b"StartFrom", b"Three and one"), "other choices have gone")
 
 
 def ask(test):

@@ -16,11 +16,11 @@ def make(name, **inputs):
 def applied(name, **inputs):
     wait()
     for label, choice in inputs.items():
-        check(gui.gui_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
     check(gui.gui_click(b"Apply"), "no Apply for " + name)
     wait(400)
     check_equal(messages(), "", "messages of " + name)
-    picture(name.replace(" ", "_").lower() + ".png", is_whole=False)
+    picture(name.replace(" ", "_").lower() + ".png", is_whole_window=False)
     return GetRepresentation(GetActiveSource(), GetActiveView())
 
 

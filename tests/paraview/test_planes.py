@@ -77,7 +77,7 @@ def test_designer(plane, name):
     plane.drag_first(designer, 2, OTHER_ENDS[0])
     check_equal(designer.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("Stale").GetValue(0), 0,
                 "whether the layout is an old one")
-    picture(name + "_designer.png", is_whole=False)
+    picture(name + "_designer.png", is_whole_window=False)
     gui.gui_click(b"Add pair")
     wait(300)
     check_equal(len(plane.points(designer, 2)), 6, "singularities with a pair")
@@ -111,7 +111,7 @@ def test_source(plane, name):
     SetActiveSource(None)
     wait()
     check(gui.gui_trigger(b"Singularity Source"), "no Singularity Source in the menu")
-    check(gui.gui_take(b"Domain", ("Moved " + name).encode()), "no choice of the domain")
+    check(gui.gui_select_choice(b"Domain", ("Moved " + name).encode()), "no choice of the domain")
     check(gui.gui_click(b"Apply"), "no Apply")
     wait(300)
     source = GetActiveSource()
@@ -125,7 +125,7 @@ def test_source(plane, name):
     wait(300)
     plane.check_in_plane(plane.points(source))
     plane.drag_first(source, 0, OTHER_ENDS[1])
-    picture(name + "_source.png", is_whole=False)
+    picture(name + "_source.png", is_whole_window=False)
     # It fits the domain.
     drilled = DrillHoles(Input=plane.domain, Singularities=source, MeshSize=0.2)
     drilled.UpdatePipeline()

@@ -100,7 +100,7 @@ def step_snap(view):
 def step_quads(view):
     designer = GetActiveSource()
     for choice, there_are in (b"None", False), (b"Smooth", True):
-        check(gui.gui_take(b"Quads", choice), "no choice of quads in the panel")
+        check(gui.gui_select_choice(b"Quads", choice), "no choice of quads in the panel")
         check(gui.gui_click(b"Apply"), "no Apply for quads")
         wait()
         quads = designer.GetClientSideObject().GetOutputDataObject(3)
@@ -130,7 +130,7 @@ def walk(step):
     view = GetActiveViewOrCreate("RenderView")
     SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
     step(view)
-    picture(step.__name__[5:] + ".png", is_whole=False)
+    picture(step.__name__[5:] + ".png", is_whole_window=False)
     check_equal(messages(), "", "messages of " + step.__name__)
 
 

@@ -28,7 +28,7 @@ def make(name, **inputs):
     check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     wait()
     for label, choice in inputs.items():
-        check(gui.gui_take(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
+        check(gui.gui_select_choice(label.encode(), choice.encode()), "no %s for %s" % (choice, name))
     apply()
     return GetActiveSource()
 
@@ -40,8 +40,8 @@ def test_field(domain, points):
     field = make("Perforated Cross Field")
     check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text of the default")
     check_equal(messages(), "", "messages of the default")
-    picture("unit_norm.png", is_whole=False)
-    check(gui.gui_take(b"Method", b"Constrained"), "no Constrained in the panel")
+    picture("unit_norm.png", is_whole_window=False)
+    check(gui.gui_select_choice(b"Method", b"Constrained"), "no Constrained in the panel")
     apply()
     text, colour = drawn("Lower Center")
     check("4 unwanted singularities" in text and "Unit Norm" in text, "the text of Constrained: " + text)
@@ -50,7 +50,7 @@ def test_field(domain, points):
     # Fetch would be a step of undo.
     report = field.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
     check_equal(report.GetArray("UnwantedSingularities").GetValue(0), 4, "unwanted singularities, as the tutorial says")
-    picture("constrained.png", is_whole=False)
+    picture("constrained.png", is_whole_window=False)
     # The colour is no step of its own.
     check_equal(gui.gui_undo_label(), b"Apply", "what would be undone")
     gui.gui_undo()
@@ -63,7 +63,7 @@ def test_field(domain, points):
     text, colour = drawn("Lower Center")
     check("4" in text and colour == RED, "the text where the sum is wrong: %s %s" % (text, colour))
     check(messages() != "", "no message of a wrong sum")
-    picture("no_field.png", is_whole=False)
+    picture("no_field.png", is_whole_window=False)
 
 
 def test_check(domain, points):
@@ -72,7 +72,7 @@ def test_check(domain, points):
     make("Poincare Hopf Check", Singularities="Points")
     text, colour = drawn("Upper Left Corner")
     check(text.startswith("Inconsistent") and colour == RED, "the check on a wrong sum: %s %s" % (text, colour))
-    picture("check.png", is_whole=False)
+    picture("check.png", is_whole_window=False)
     points.Singularities = [0.4, 0, 4, 0.1]
     Render()
     wait(400)
@@ -93,7 +93,7 @@ def test_designer(domain, points):
     wait(400)
     text, colour = drawn("Lower Center")
     check("outside" in text and colour == RED, "the summary of what cannot be: %s %s" % (text, colour))
-    picture("outside.png", is_whole=False)
+    picture("outside.png", is_whole_window=False)
     gui.gui_type(0, 0, x)
     wait(400)
     check_equal(drawn("Lower Center")[1], BLACK, "the colour of what can be again")
@@ -107,7 +107,7 @@ def test_designer(domain, points):
     check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
     check_equal(gui.gui_rows(), 0, "rows of the table without a domain")
     check("open" in messages(), "no message of an open curve")
-    picture("no_domain.png", is_whole=False)
+    picture("no_domain.png", is_whole_window=False)
     domain.Closed = 1
     Render()
     wait(400)
@@ -125,11 +125,11 @@ def test_designer_of_no_domain(domain, points):
     text, colour = drawn("Lower Center")
     check("open" in text and colour == RED, "the summary without a domain: %s %s" % (text, colour))
     check(messages() != "", "no message")
-    picture("never_a_domain.png", is_whole=False)
+    picture("never_a_domain.png", is_whole_window=False)
     domain.Closed = 1
     Render()
     wait(600)
-    picture("a_domain_at_last.png", is_whole=False)
+    picture("a_domain_at_last.png", is_whole_window=False)
     text, colour = drawn("Lower Center")
     check("minimum angle" in text and colour == BLACK, "the summary with a domain at last: %s %s" % (text, colour))
 
