@@ -1,7 +1,8 @@
 """State: two configurations on one domain, their fields side by side and their energies in a table.
 
-The table has one row per configuration, the best first: singularities at distance 0.85 from the
-centre of the disk cost less than at 0.6. The titles say how many unwanted singularities the fields have.
+The table has one row for each configuration, the best first: singularities at distance 0.85 from the
+centre of the disk have a lower energy than at 0.6. The titles show the number of unwanted
+singularities of each field.
 """
 import math
 
@@ -11,7 +12,7 @@ domain = PlanarDomainSource(registrationName="Domain", EdgeLength=0.05)
 
 
 def square(radius):
-    """Rows of four singularities of quarter index 1 on the diagonals."""
+    """Returns rows of four singularities of quarter index 1 on the diagonals."""
     rows = []
     for side in range(4):
         angle = math.pi / 4 + math.pi / 2 * side

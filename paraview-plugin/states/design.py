@@ -1,9 +1,11 @@
-"""State: the layout of eight singularities on a disk, to be moved.
+"""State: the layout of eight singularities on a disk, to be dragged.
 
-Faces have pale colours, lines that of the index of the singularity where they start, red for 1 and blue for -1, and grey where they
-are those of an earlier place; thin lines
-are quads, drafts while a handle is dragged. The text says what the layout is good for, or why there is none. Move rows of the designer's singularities, or use
-its buttons. A ready start for a domain of your own: change the input of the designer.
+Select *Designer* and drag its handles, edit its rows, or use its buttons. To design a domain of your
+own, change the input of the designer.
+
+Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1, blue
+at -1, and grey if the layout is that of earlier positions. Thin lines are quads, drafts while a handle
+is dragged. The text summarises the quality of the layout, or reports why there is none.
 """
 from paraview.simple import *
 

@@ -1,7 +1,8 @@
-"""State: let four scattered singularities move to where the field is smoothest.
+"""State: four scattered singularities move to the lowest energy.
 
-The green points are where they start, the red ones where they end, and the grey lines are their ways when the state is
-loaded; the curve is the renormalised energy over the iterations. The field is that of the moved singularities.
+Green points are the start, red points the result, and grey lines the paths between them, computed when
+the state is loaded. The curve is the renormalised energy W over the iterations (lower is better). The
+field is that of the moved singularities.
 """
 from paraview import servermanager
 from paraview.simple import *
@@ -29,23 +30,23 @@ SetProperties(surface, ColorArrayName=["POINTS", ""], Ambient=1, Diffuse=0,
               AmbientColor=[0.85, 0.92, 1])
 lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
-# Where the first steps, of which there are few, lead. That they do not arrive is no news for the window of messages.
-ways = [[] for _ in range(4)]
+# Paths from runs with few iterations; their warnings about convergence are switched off.
+paths = [[] for _ in range(4)]
 vtkObject.GlobalWarningDisplayOff()
 try:
     for iterations in (0, 1, 2, 3, 4, 6, 8, 12, 200):
-        way = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
-        places = servermanager.Fetch(way)
+        partial = SingularityOptimizer(Input=domain, Singularities=start, MeshSize=0.05, MaximumIterations=iterations)
+        places = servermanager.Fetch(partial)
         for i in range(4):
-            ways[i] += places.GetPoint(i)
-        Delete(way)
+            paths[i] += places.GetPoint(i)
+        Delete(partial)
 finally:
     vtkObject.GlobalWarningDisplayOn()
-for number, way in enumerate(ways):
-    drawn = Show(PolyLineSource(registrationName="Way %d" % (number + 1), Points=way), view)
+for number, path in enumerate(paths):
+    drawn = Show(PolyLineSource(registrationName="Path %d" % (number + 1), Points=path), view)
     SetProperties(drawn, ColorArrayName=["POINTS", ""], AmbientColor=[0.4, 0.4, 0.4], DiffuseColor=[0.4, 0.4, 0.4],
                   LineWidth=2, Position=[0, 0, 0.01])
-legend = Show(Text(registrationName="Legend", Text="green: start, red: where the energy is least"), view)
+legend = Show(Text(registrationName="Legend", Text="green: start, red: lowest energy"), view)
 SetProperties(legend, Color=[0, 0, 0], FontSize=14, WindowLocation="Upper Center")
 for points, colour in ((start, [0, 0.6, 0]), (moved, [0.8, 0, 0])):
     shown = Show(points, view)

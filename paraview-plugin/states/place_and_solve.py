@@ -1,9 +1,10 @@
 """State: place singularities with the mouse and see the field.
 
-Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles in the view: the field
-follows. Without *Live* in its panel it follows when a handle is let go. Spheres are red where the quarter index is
-positive, blue where it is negative. The text above says whether they fit the domain, that below whether the field has other
-singularities than these.
+Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles in
+the view: the field follows. With *Live* switched off in its panel, the field follows when a handle is
+released. Spheres are red for positive quarter indices and blue for negative ones. The upper text
+reports whether the singularities can exist on the domain, the lower text whether the field has
+unwanted singularities.
 """
 from paraview.simple import *
 
@@ -26,10 +27,10 @@ lines = Show(crosses, view)
 SetProperties(lines, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0])
 summary = Show(OutputPort(check, 3), view)
 SetProperties(summary, Color=[0, 0, 0], FontSize=12)
-# A field with other singularities than these is not the one that was asked for.
+# Reports unwanted singularities of the field.
 unwanted = Show(OutputPort(field, 1), view)
 SetProperties(unwanted, Color=[0, 0, 0], FontSize=14, WindowLocation="Lower Center")
-# Red: three quads meet there; blue: five.
+# Red: three quads meet at the singularity; blue: five.
 spheres = Glyph(registrationName="Spheres", Input=singularities, GlyphType="Sphere",
                 ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")
 shown = Show(spheres, view)

@@ -1,7 +1,7 @@
-"""State: an all-quad mesh of a disk with six irregular nodes, and the blocks that it consists of.
+"""State: an all-quad mesh of a disk with six irregular nodes, and its blocks.
 
-Blocks have pale colours, their sides thick lines; nodes of valence 3 are red, those of valence 5 blue. Change the rows
-of the singularities and press Apply. Without singularities the mesher chooses them.
+Change the rows of the singularities and press *Apply*. Without singularities the mesher chooses them.
+Blocks have pale colours and thick outlines; nodes of valence 3 are red, nodes of valence 5 blue.
 """
 from paraview.simple import *
 
@@ -15,7 +15,7 @@ quads = QuadMesher(registrationName="Quads", Input=domain, Singularities=singula
 view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
-# Not 0, the value that gives way to the least one of the array, which is -1.
+# A threshold of 0 would be replaced by the minimum of the array, -1.
 faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "BlockId"],
                   LowerThreshold=-0.5, UpperThreshold=1e9)
 shown = Show(faces, view)

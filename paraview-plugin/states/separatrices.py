@@ -1,7 +1,7 @@
-"""State: the lines that leave the singularities of a ring, and the rectangles between them.
+"""State: the separatrices of eight singularities in a ring, and the patches between them.
 
-Four singularities of each sign. Lines are red where they start at quarter index 1, blue at -1; faces are rectangles of
-the flat map, in pale colours; the thin black lines are streamlines of the field from one seed.
+There are four singularities of each sign. Separatrices are red if they start at quarter index 1, blue
+at -1; patches have pale colours; thin black lines are streamlines of the field from one seed.
 """
 from paraview.simple import *
 
@@ -11,7 +11,7 @@ singularities = SingularitySource(
     Singularities=[0.796, 0.08, 1, 0.05, -0.08, 0.796, 1, 0.05, -0.796, -0.08, 1, 0.05,
                    0.08, -0.796, 1, 0.05, 0.547, 0.055, -1, 0.05, -0.055, 0.547, -1, 0.05,
                    -0.547, -0.055, -1, 0.05, 0.055, -0.547, -1, 0.05])
-flat = CrossFieldMap(registrationName="Flat map", Input=domain, Singularities=singularities,
+flat = CrossFieldMap(registrationName="Seamless map", Input=domain, Singularities=singularities,
                      MeshSize=0.04, RepairHolonomy=1)
 seed = SingularitySource(registrationName="Seed", Singularities=[0.6, 0.35, 1, 0.05])
 lines = Separatrices(registrationName="Separatrices", Input=flat, Seeds=seed)
@@ -28,12 +28,12 @@ SetProperties(
                 (0.91, 0.85, 0.96)][face * 7 % 5])])
 faces.SetScalarBarVisibility(view, False)
 SetProperties(faces, Ambient=1, Diffuse=0)
-# Not 0, the value that gives way to the least one of the array, which is -1.
-separatrices = Threshold(registrationName="Lines of singularities", Input=lines,
+# A threshold of 0 would be replaced by the minimum of the array, -1.
+separatrices = Threshold(registrationName="Separatrices only", Input=lines,
                          Scalars=["CELLS", "Line"], LowerThreshold=-0.5, UpperThreshold=1e9)
 shown = Show(separatrices, view)
 ColorBy(shown, ("CELLS", "Singularity"))
-# The first four are of quarter index 1.
+# The first four singularities have quarter index 1.
 SetProperties(GetColorTransferFunction("Singularity"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
               RGBPoints=[0, 0.85, 0.1, 0.1, 3.4, 0.85, 0.1, 0.1, 3.6, 0.1, 0.2, 0.85, 7, 0.1, 0.2, 0.85])
 shown.SetScalarBarVisibility(view, False)

@@ -1,7 +1,7 @@
-"""State: the scalar field H, the sizes of the quads that it asks for, and the crosses from it.
+"""State: the size field H, the quad sizes that follow from it, and its crosses.
 
-Five singularities of both signs lie off the centre of a disk. The lines are contours of H, which
-meet the boundary at a right angle where it is straight; the colours are the size map.
+The disk has five singularities of both signs. Colours are the size map; lines are contours of the size
+field H, which meet straight boundaries at right angles.
 """
 from paraview.simple import *
 
@@ -22,8 +22,8 @@ surface.SetScalarBarVisibility(view, True)
 SetProperties(GetScalarBar(GetColorTransferFunction("SizeMap"), view),
               Title="Size, 1 on average", ComponentTitle="", TitleColor=[0, 0, 0], LabelColor=[0, 0, 0])
 field.UpdatePipeline()
-least, largest = field.PointData["H"].GetRange()
-levels = [least + (largest - least) * (i + 0.5) / 16 for i in range(16)]
+smallest, largest = field.PointData["H"].GetRange()
+levels = [smallest + (largest - smallest) * (i + 0.5) / 16 for i in range(16)]
 contours = Show(Contour(registrationName="Contours of H", Input=field, ContourBy=["POINTS", "H"],
                         Isosurfaces=levels), view)
 SetProperties(contours, ColorArrayName=["POINTS", ""], AmbientColor=[0.5, 0, 0.5], DiffuseColor=[0.5, 0, 0.5])
@@ -39,6 +39,6 @@ colours = GetColorTransferFunction("QuarterIndex")
 SetProperties(colours, ColorSpace="RGB", RGBPoints=[-2, 0.1, 0.2, 0.85, -0.1, 0.1, 0.2, 0.85, 0.1, 0.85, 0.1, 0.1,
                                                     2, 0.85, 0.1, 0.1])
 SetProperties(shown, Ambient=1, Diffuse=0)
-title = Show(Text(registrationName="Title", Text="Sizes of quads, and contours of H"), view)
+title = Show(Text(registrationName="Title", Text="Sizes of quads, and contours of the size field H"), view)
 SetProperties(title, Color=[0, 0, 0], FontSize=16, WindowLocation="Upper Center")
 ResetCamera(view)

@@ -1,4 +1,4 @@
-"""A person who uses ParaView's client: the library of GuiDriver.cxx, and what tests in the client need around it."""
+"""Drives ParaView's client through the library of GuiDriver.cxx, with helpers for tests in the client."""
 import ctypes
 import os
 import sys
@@ -22,8 +22,8 @@ def check(condition, message):
         raise AssertionError(message)
 
 
-def check_equal(found, wanted, what):
-    check(found == wanted, "%s: %r, not %r" % (what, found, wanted))
+def check_equal(found, expected, what):
+    check(found == expected, "%s: %r, not %r" % (what, found, expected))
 
 
 def wait(milliseconds=100):
@@ -36,7 +36,7 @@ def picture(name, is_whole_window=True):
 
 
 def messages():
-    """What the client has shown as warnings and errors since the last call."""
+    """Returns the warnings and errors that the client has shown since the last call."""
     return gui.gui_messages().decode()
 
 
@@ -48,7 +48,7 @@ def pixel(view, x, y, z=0):
 
 
 def drag(view, path):
-    """Along places of space, without z in z = 0; yields the seconds of each move, with the button down."""
+    """Drags along points of space, z = 0 by default; yields the seconds of each move, button down."""
     path = [tuple(map(int, np.rint(pixel(view, *place)))) for place in path]
     gui.gui_press(*path[0])
     wait()
@@ -59,10 +59,10 @@ def drag(view, path):
 
 
 def run(prefix, names, each, window=None):
-    """Calls `each` with every function of `names` whose name begins so, in order, and ends the client.
+    """Calls `each` with every function of `names` whose name starts with `prefix`, then ends the client.
 
-    `window` is its size: width, height, width of the panel. An exception is told, with a picture; run_client.py looks
-    for "all well".
+    `window` is width, height and panel width of the window. An exception is printed, and a picture
+    saved; run_client.py looks for "all well".
     """
     try:
         if window:

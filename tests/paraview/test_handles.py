@@ -1,7 +1,7 @@
-"""Handles of singularities in ParaView's client, used as by a person; started by run_client.py.
+"""Handles of singularities in ParaView's client; started by run_client.py.
 
-The library of GuiDriver.cxx sends the mouse events, clicks the buttons and types into the table. Pictures of
-the window are for people to look at.
+The library of GuiDriver.cxx sends mouse events, clicks buttons and types into the table. Pictures of
+the window are saved for visual inspection.
 """
 import os
 import statistics
@@ -55,24 +55,24 @@ class Scene:
         return pixel(self.view, x, y)
 
     def drawn(self):
-        """The places of the separatrices, as they are in the pipeline without asking it to update."""
+        """Returns the points of the separatrices now in the pipeline, without an update."""
         data = self.lines.GetClientSideObject().GetOutputDataObject(0)
         return vtk_to_numpy(data.GetPoints().GetData()).copy()
 
     def handles(self):
-        """The number of discs in the view."""
+        """Returns the number of handles in the view."""
         actors = self.view.GetClientSideObject().GetNonCompositedRenderer().GetActors2D()
         coloured = 0
         for i in range(actors.GetNumberOfItems()):
             mapper = actors.GetItemAsObject(i).GetMapper()
             drawing = mapper.GetInput() if mapper and mapper.IsA("vtkPolyDataMapper2D") else None
-            # Nothing else in the view is drawn with colours that fade.
+            # Only handles are drawn with transparent colours.
             coloured += bool(drawing and drawing.GetPointData().GetScalars()
                              and drawing.GetPointData().GetScalars().GetNumberOfComponents() == 4)
         return coloured
 
     def drag(self, start, end, moves=3):
-        """From a place to another, straight."""
+        """Drags along a straight line."""
         start, end = np.array(start), np.array(end)
         return drag(self.view, [start + (end - start) * i / moves for i in range(moves + 1)] if moves else [start])
 
@@ -84,19 +84,19 @@ def test_drag(scene):
     times, seen = [], [scene.drawn()]
     shown = scene.view.GetClientSideObject()
     gui.gui_count_updates(b"Separatrices")
-    end = -0.05, 0.15 # more than a pixel for each move
+    end = -0.05, 0.15  # each move is longer than a pixel
     for seconds in scene.drag(ROWS[:2], end, MOVES):
         times.append(seconds)
         check(not np.array_equal(scene.drawn(), seen[-1]), "the separatrices did not follow a move")
         seen.append(scene.drawn())
         check_equal(gui.gui_number(0, 0), scene.row(0)[0], "the table while dragging")
-        # What would take a frame longer rests until the handle is let go.
-        check_equal((gui.gui_updates(), shown.GetUseFXAA()), (0, False), "panels told and edges smoothed while dragging")
+        # Slow updates of the client wait until the handle is released.
+        check_equal((gui.gui_updates(), shown.GetUseFXAA()), (0, False), "panel updates and anti-aliasing while dragging")
         if len(times) == MOVES // 2:
             picture("dragging.png")
-    check_equal((gui.gui_updates(), shown.GetUseFXAA()), (1, True), "panels told and edges smoothed at the end")
+    check_equal((gui.gui_updates(), shown.GetUseFXAA()), (1, True), "panel updates and anti-aliasing after a drag")
     check_equal(scene.runs, MOVES + 1, "runs of the pipeline, one for each move and for the end")
-    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the final position")
     check_equal(scene.rows()[2:4] + scene.rows()[4:], ROWS[2:4] + ROWS[4:], "the rest of the rows")
     check_equal(gui.gui_chosen(), 0, "the row chosen by the drag")
     picture("dragged.png")
@@ -130,10 +130,10 @@ def test_other_item_chosen(scene):
     ResetCamera(scene.view)
     scene.choose()
     check_equal(scene.handles(), 4, "handles of the item chosen again")
-    # The camera looks from aside now; the handle stays in the plane and under the mouse.
+    # From an oblique camera, the handle stays in the plane and under the mouse.
     for _ in scene.drag(ROWS[4:6], (-0.2, 0.3)):
         pass
-    check(abs(scene.pixel(*scene.row(1)[:2]) - scene.pixel(-0.2, 0.3)).max() <= 1, "the place at last")
+    check(abs(scene.pixel(*scene.row(1)[:2]) - scene.pixel(-0.2, 0.3)).max() <= 1, "the final position")
     picture("aside.png")
     gui.gui_undo()
     SetProperties(scene.view, CameraPosition=[0, 0, 6], CameraFocalPoint=[0, 0, 0], CameraViewUp=[0, 1, 0])
@@ -149,7 +149,7 @@ def test_click_moves_nothing(scene):
     check_equal(gui.gui_chosen(), 2, "the row chosen by a click")
 
 
-def test_moves_that_wait_are_one(scene):
+def test_pending_moves_are_merged(scene):
     Render()
     runs = scene.runs
     x, y = map(int, np.rint(scene.pixel(*ROWS[:2])))
@@ -166,11 +166,11 @@ def test_moves_that_wait_are_one(scene):
     check_equal(scene.rows(), ROWS, "the rows after undo")
 
 
-def test_not_live(scene):
+def test_live_off(scene):
     check(gui.gui_click(b"Live"), "no box")
     for _ in scene.drag(ROWS[:2], (0.3, 0.3)):
         check_equal(scene.rows(), ROWS, "the rows while dragging with Live off")
-    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(0.3, 0.3)).max() <= 1, "the place at last")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(0.3, 0.3)).max() <= 1, "the final position")
     gui.gui_click(b"Live")
     gui.gui_undo()
     wait()
@@ -183,7 +183,7 @@ def test_buttons(scene):
     rows = np.array(scene.rows()).reshape(-1, 4)
     check_equal(list(rows[:, 2]), [1, 1, 1, 1, 1, -1], "the quarter indices with a pair")
     apart = [abs(a - b).max() for i, a in enumerate(rows[:, :2]) for b in rows[:i, :2]]
-    check(min(apart) > 0.05, "a new singularity is upon another")
+    check(min(apart) > 0.05, "a new singularity coincides with another")
     check_equal(scene.handles(), 6, "handles with a pair")
     picture("pair.png")
     check(gui.gui_click(b"Add"), "no button")
@@ -201,7 +201,7 @@ def test_remove(scene):
     check_equal((gui.gui_rows(), scene.handles()), (3, 3), "what Python has set in table and view")
     gui.gui_choose(1)
     check(gui.gui_click(b"Remove"), "no button")
-    check_equal(scene.rows(), [-0.5, 0, 1, 0.1, 0.5, 0, 1, 0.1], "the rows without the middle one")
+    check_equal(scene.rows(), [-0.5, 0, 1, 0.1, 0.5, 0, 1, 0.1], "the rows after the middle one is removed")
     for _ in range(2):
         check(gui.gui_click(b"Remove"), "no button")
     check_equal((scene.rows(), scene.handles()), ([], 0), "rows and handles without any")
@@ -216,9 +216,9 @@ def test_remove(scene):
 def test_typed_numbers(scene):
     gui.gui_type(1, 2, -1)
     gui.gui_type(0, 0, 0.25)
-    wanted = list(ROWS)
-    wanted[6], wanted[0] = -1, 0.25
-    check_equal(scene.rows(), wanted, "the rows with numbers typed, the others with all digits")
+    expected = list(ROWS)
+    expected[6], expected[0] = -1, 0.25
+    check_equal(scene.rows(), expected, "the rows with numbers typed, the others with all digits")
     gui.gui_undo()
     gui.gui_undo()
     wait()
@@ -239,7 +239,7 @@ def test_trace(scene):
     wait()
 
 
-def test_rows_that_do_not_count(scene):
+def test_rows_that_are_ignored(scene):
     for name, value, usual in ("FileName", "/none.csv", ""), ("UseHandles", 1, 0):
         setattr(scene.source, name, value)
         wait()
@@ -272,7 +272,7 @@ def test_deleted(scene):
     check_equal(scene.handles(), 4, "handles of another source")
     times = list(scene.drag(ROWS[:2], (-0.05, 0.15), MOVES))
     check(other.Singularities[0] < 0.1, "the handle of another source is not dragged")
-    print("frames of a drag with nothing behind it: median %.0f ms" % (1e3 * statistics.median(times)))
+    print("frames of a drag with no pipeline downstream: median %.0f ms" % (1e3 * statistics.median(times)))
     Delete(other)
     wait()
     check_equal(scene.handles(), 0, "handles of a source that is deleted")
@@ -289,10 +289,10 @@ def test_designer(scene):
     check_equal(scene.rows(), [], "the rows of a designer that chooses")
     chosen = np.reshape(designer.GetProperty("Rows"), (-1, 4))
     check_equal((gui.gui_rows(), scene.handles()), (len(chosen), len(chosen)), "chosen rows in table and view")
-    # Dragged, they are the user's.
+    # After a drag the rows belong to the user.
     end = chosen[0, :2] + [0.05, 0.02]
     times = list(scene.drag(chosen[0, :2], end, MOVES // 4))
-    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the place at last")
+    check(abs(scene.pixel(*scene.row(0)[:2]) - scene.pixel(*end)).max() <= 1, "the final position")
     check_equal(scene.rows()[4:], list(chosen[1:].ravel()), "the other rows")
     print("frames of a drag of the designer: median %.0f ms" % (1e3 * statistics.median(times)))
     # A command moves the rows; they become the value of the property.
@@ -331,10 +331,10 @@ def test_state_of_the_designer(scene):
 scenes = []
 
 
-def play(test):
+def run_in_scene(test):
     if not scenes:
         scenes.append(Scene())
     test(scenes[0])
 
 
-run("test_", globals(), play)
+run("test_", globals(), run_in_scene)

@@ -1,4 +1,4 @@
-"""How what a person makes in the menu is shown at first, without a setting; started by run_client.py."""
+"""Default display of sources and filters created from the menu; started by run_client.py."""
 from paraview.modules.vtkRemotingViews import vtkSMPVRepresentationProxy
 from paraview.simple import *
 
@@ -8,7 +8,7 @@ BLACK, RED, BLUE = [0, 0, 0], [0.85, 0.1, 0.1], [0.1, 0.2, 0.85]
 
 
 def make(name, **inputs):
-    """What the menu makes of the active source, applied, with inputs chosen in the panel; how its first output is shown."""
+    """Creates and applies a filter of the active source from the menu; returns the display of output 0."""
     check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     return applied(name, **inputs)
 
@@ -29,13 +29,13 @@ def is_coloured(shown, array):
 
 
 def colours(array):
-    """Of an array's map: the colour of each value."""
+    """Returns the colour of each value in the colour map of an array."""
     points = list(GetColorTransferFunction(array).RGBPoints)
     return {points[i]: [round(c, 3) for c in points[i + 1:i + 4]] for i in range(0, len(points), 4)}
 
 
 def has_legend(shown):
-    """GetScalarBar would make one."""
+    """Reports whether a legend is visible; GetScalarBar would create one."""
     return bool(vtkSMPVRepresentationProxy.IsScalarBarVisible(shown.SMProxy, GetActiveView().SMProxy))
 
 
@@ -72,7 +72,7 @@ def test_mesh():
 def test_field():
     shown = make("Perforated Cross Field")
     is_coloured(shown, "CrossNorm")
-    check_equal(sorted(colours("CrossNorm")), [0, 0.5, 1], "the map of the norm, whatever values there are")
+    check_equal(sorted(colours("CrossNorm")), [0, 0.5, 1], "the fixed colour map of the norm")
     check(min(colours("CrossNorm")[1]) > 0.9 and max(colours("CrossNorm")[0]) < 0.4, "norm 1 is not pale or 0 not dark")
     check_equal(has_legend(shown), True, "a legend of the norm")
     shown = make("Cross Glyphs")
@@ -85,7 +85,7 @@ def test_sizes():
     SetActiveSource(FindSource("Domain"))
     shown = make("H Field", Singularities="Points")
     is_coloured(shown, "SizeMap")
-    # From dark to light, by no hue twice.
+    # A sequential map: from dark to light.
     light = [sum(colour) for _, colour in sorted(colours("SizeMap").items())]
     check_equal(light, sorted(light), "how light sizes are")
     check_equal(has_legend(shown), True, "a legend of sizes")
@@ -96,23 +96,23 @@ def test_quads():
     shown = make("Quad Mesher", Singularities="Points")
     is_coloured(shown, "BlockId")
     check_equal(shown.Representation, "Surface With Edges", "quads")
-    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 1), GetActiveView()).Visibility, 0, "blocks upon the quads")
+    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 1), GetActiveView()).Visibility, 0, "visibility of the blocks over the quads")
     check_equal(GetRepresentation(OutputPort(GetActiveSource(), 2), GetActiveView()).LineWidth, 3, "sides of blocks")
     check_equal(legends(), 0, "legends of blocks")
     check(all(min(colour) > 0.7 for colour in colours("BlockId").values()), "colours of blocks are not pale")
 
 
-def test_what_scripts_make_stays():
+def test_scripts_keep_their_settings():
     shown = Show(PlanarDomainSource(registrationName="Scripted"))
     SetProperties(shown, LineWidth=7)
     wait(400)
     check_equal(shown.LineWidth, 7, "the width that the script has set")
 
 
-def look(test):
+def run_in_empty_view(test):
     view = GetActiveViewOrCreate("RenderView")
     HideAll(view)
     test()
 
 
-run("test_", globals(), look, (1000, 800, 370))
+run("test_", globals(), run_in_empty_view, (1000, 800, 370))

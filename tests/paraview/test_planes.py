@@ -1,6 +1,6 @@
-"""Handles on domains that are not in z = 0, used as by a person; started by run_client.py.
+"""Handles on domains in planes other than z = 0; started by run_client.py.
 
-Everything is told in the plane: rows are its coordinates, handles lie in it, and a mouse that drags one stays in it.
+Rows are coordinates in the plane, handles are placed in it, and a dragged handle stays in it.
 """
 import numpy as np
 from paraview.simple import *
@@ -8,14 +8,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from gui_driver import check, check_equal, drag, gui, messages, picture, pixel, run, wait
 
-# Rotation in degrees as of Transform, place of the disk's middle, and where one looks at it from.
+# Rotation in degrees as in Transform, centre of the disk, and camera position.
 PLANES = {"raised": ([0, 0, 0], [0, 0, 2], [3, -4, 6]), "tilted": ([50, 0, 20], [0.3, 0, 1], [2.5, -4, 5.5]),
           "upright": ([90, 0, 0], [0, 1, 0], [2, -4, 2])}
-OTHER_ENDS = (0.02, 0.1), (0.1, -0.3)
+DRAG_ENDS = (0.02, 0.1), (0.1, -0.3)
 
 
 class Plane:
-    """A disk in a plane of space in a view of its own that looks at it from aside, as ParaView does in perspective."""
+    """A disk in a plane of space, in an oblique perspective view of its own."""
 
     def __init__(self, name):
         rotation, middle, eye = PLANES[name]
@@ -37,7 +37,7 @@ class Plane:
 
     @staticmethod
     def points(proxy, port=0):
-        """What is in the pipeline now."""
+        """Returns the points that are now in the pipeline."""
         return vtk_to_numpy(proxy.GetClientSideObject().GetOutputDataObject(port).GetPoints().GetData()).astype(float)
 
     def check_in_plane(self, points):
@@ -48,20 +48,20 @@ class Plane:
         wait(300)
 
     def drag_first(self, source, port, end):
-        """Drags the handle of the first row to a place that is so far along two edges of the plane, and looks whether it is there."""
+        """Drags the handle of the first row to an offset from the centre in the plane, and checks its position."""
         start = self.points(source, port)[0]
         side = np.cross(self.normal, [0, 0, 1] if abs(self.normal[2]) < 0.9 else [0, 1, 0])
         side /= np.linalg.norm(side)
-        wanted = self.middle + end[0] * side + end[1] * np.cross(self.normal, side)
+        target = self.middle + end[0] * side + end[1] * np.cross(self.normal, side)
         before = self.points(source, port)[1:]
-        for _ in drag(self.view, [start + (wanted - start) * i / 5 for i in range(6)]):
+        for _ in drag(self.view, [start + (target - start) * i / 5 for i in range(6)]):
             self.check_in_plane(self.points(source, port))
         wait(300)
         found = self.points(source, port)
         self.check_in_plane(found)
-        # One pixel, where the plane is seen from aside.
+        # The size of a pixel in the oblique view.
         size = 4 * np.linalg.norm(np.array(self.view.CameraPosition) - self.middle) * np.tan(np.radians(15)) / self.view.ViewSize[1]
-        check(np.linalg.norm(found[0] - wanted) < 3 * size, "the place at last: %s, not %s" % (found[0], wanted))
+        check(np.linalg.norm(found[0] - target) < 3 * size, "the final position: %s, not %s" % (found[0], target))
         check(abs(found[1:] - before).max() < 1e-9, "other singularities have moved")
         check_equal(messages(), "", "messages")
 
@@ -74,15 +74,15 @@ def test_designer(plane, name):
     designer = GetActiveSource()
     Hide(plane.domain, plane.view)
     check_equal(gui.gui_rows(), 4, "rows of the table")
-    plane.drag_first(designer, 2, OTHER_ENDS[0])
+    plane.drag_first(designer, 2, DRAG_ENDS[0])
     check_equal(designer.GetClientSideObject().GetOutputDataObject(0).GetFieldData().GetArray("Stale").GetValue(0), 0,
-                "whether the layout is an old one")
+                "whether the layout is stale")
     picture(name + "_designer.png", is_whole_window=False)
     gui.gui_click(b"Add pair")
     wait(300)
     check_equal(len(plane.points(designer, 2)), 6, "singularities with a pair")
     plane.check_in_plane(plane.points(designer, 2))
-    # Beside the chosen one, not somewhere under the pixel.
+    # Beside the selected one, not elsewhere on the line of sight.
     check(np.linalg.norm(plane.points(designer, 2)[4:] - plane.points(designer, 2)[0], axis=1).max() < 1, "a pair far away")
     gui.gui_undo()
     wait(300)
@@ -99,8 +99,8 @@ def test_proposal_with_handles(plane, name):
     plane.choose(handles)
     check_equal(gui.gui_rows(), 4, "rows of the table")
     before = plane.points(lines)
-    plane.drag_first(handles, 0, OTHER_ENDS[0])
-    check(plane.points(lines).shape != before.shape or abs(plane.points(lines) - before).max() > 0.01, "the lines have stayed")
+    plane.drag_first(handles, 0, DRAG_ENDS[0])
+    check(plane.points(lines).shape != before.shape or abs(plane.points(lines) - before).max() > 0.01, "the separatrices have not moved")
     plane.check_in_plane(plane.points(lines))
     for proxy in lines, lines.Input, handles, proposal:
         Delete(proxy)
@@ -124,9 +124,9 @@ def test_source(plane, name):
                             for number in (*np.dot(axes, plane.middle - origin) + [x / 10, y / 10], 1, 0.1)]
     wait(300)
     plane.check_in_plane(plane.points(source))
-    plane.drag_first(source, 0, OTHER_ENDS[1])
+    plane.drag_first(source, 0, DRAG_ENDS[1])
     picture(name + "_source.png", is_whole_window=False)
-    # It fits the domain.
+    # The domain accepts it.
     drilled = DrillHoles(Input=plane.domain, Singularities=source, MeshSize=0.2)
     drilled.UpdatePipeline()
     check_equal(messages(), "", "messages")

@@ -1,6 +1,6 @@
-"""The run of docs/tutorial_paraview.md, step 7, in ParaView's client: a file, a proposal, a hand, Snap, quads, a file.
+"""Step 7 of docs/tutorial_paraview.md in ParaView's client: open a file, propose, drag, snap, mesh, save.
 
-Started by run_client.py. Pictures of the window after each step, for the page and to look at.
+Started by run_client.py. Saves pictures of the window after each step, for the page and for inspection.
 """
 import os
 import statistics
@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import VTK_QUAD
 from gui_driver import check, check_equal, drag, gui, messages, picture, run, wait
 
 MOVES = 60
-# The page's own polygon.
+# The polygon is read from the page.
 PAGE = os.path.join(os.environ["STATES"], "..", "..", "docs", "tutorial_paraview.md")
 
 
@@ -28,7 +28,7 @@ def rows_of(designer):
 
 
 def check_summary(view, designer):
-    """The text in the view is that of the layout shown, black on white."""
+    """Checks that the view shows the summary of the layout, black on white."""
     found = [shown for shown in view.Representations if shown.GetXMLName() == "TextSourceRepresentation"]
     check_equal(len(found), 1, "texts in the view")
     drawn = found[0].GetClientSideObject().GetTextWidgetRepresentation().GetRepresentation().GetText()
@@ -62,25 +62,25 @@ def step_drag(view):
     designer = GetActiveSource()
     chosen = int(rows_of(designer)[:, 0].argmin())
     start, end = rows_of(designer)[chosen, :2], np.array([-0.9, 0.02])
-    # A half turn, from the end of the domain up and in.
+    # A half circle from the end of the domain, up and inwards.
     angles = np.pi * np.arange(MOVES + 1) / MOVES
     path = [(start + end) / 2 + np.cos(a) * (start - end) / 2 + [0, 0.25 * np.sin(a)] for a in angles]
     times, seen = [], None
     for seconds in drag(view, path):
         times.append(seconds)
-        check_equal(designer.Dragging, 1, "whether the designer knows of the hand")
+        check_equal(designer.Dragging, 1, "Dragging during a drag")
         lines = vtk_to_numpy(designer.GetClientSideObject().GetOutputDataObject(0).GetPoints().GetData()).copy()
-        check(not np.array_equal(lines, seen), "the lines did not follow a move")
+        check(not np.array_equal(lines, seen), "the separatrices did not follow a move")
         seen = lines
-    check_equal(designer.Dragging, 0, "whether the designer knows that the hand is gone")
+    check_equal(designer.Dragging, 0, "Dragging after a drag")
     right = int(rows_of(designer)[:, 0].argmax())
     for _ in drag(view, [rows_of(designer)[right, :2], (1.1, 0), (0.9, 0)]):
         pass
     pixel = 2 * view.CameraParallelScale / view.ViewSize[1]
     found = rows_of(designer)
-    check(abs(found[chosen, :2] - end).max() <= pixel, "the place of the first: %s" % found[chosen])
-    check(abs(found[right, :2] - [0.9, 0]).max() <= pixel, "the place of the second: %s" % found[right])
-    check_equal(text(designer, "Stale"), 0, "whether the layout is that of an earlier place")
+    check(abs(found[chosen, :2] - end).max() <= pixel, "the position of the first: %s" % found[chosen])
+    check(abs(found[right, :2] - [0.9, 0]).max() <= pixel, "the position of the second: %s" % found[right])
+    check_equal(text(designer, "Stale"), 0, "whether the layout is stale")
     check_summary(view, designer)
     print("frames of the recorded run: median %.0f ms, from %.0f to %.0f ms" % tuple(
         1e3 * t for t in (statistics.median(times), min(times), max(times))))
@@ -92,7 +92,7 @@ def step_snap(view):
     check(gui.gui_click(b"Snap"), "no button of the designer")
     wait(300)
     check_equal((faces, text(designer, "Faces"), text(designer, "Stale")), (9, 5, 0), "faces before and after, and stale")
-    # Lines that meet leave no thin faces.
+    # Joined separatrices leave no thin patches.
     check(text(designer, "ShortestArc") > 4, "a short arc is left: %g" % text(designer, "ShortestArc"))
     check_summary(view, designer)
 
@@ -114,19 +114,19 @@ def step_save(view):
     wait()
     check(gui.gui_save(file.encode(), b"DataMode", b"Binary"), "the quads cannot be saved")
     quads = servermanager.Fetch(OpenDataFile(file))
-    # The sides of the boundary are lines.
+    # Boundary edges are lines.
     types = [quads.GetCellType(i) for i in range(quads.GetNumberOfCells()) if quads.GetCell(i).GetCellDimension() == 2]
     check_equal(set(types), {VTK_QUAD}, "the types of faces")
     check(900 < len(types) < 1100, "%d quads" % len(types))
     report = quads.GetFieldData()
-    got, asked, valence = (vtk_to_numpy(report.GetArray(name)).tolist()
+    obtained, requested, valence = (vtk_to_numpy(report.GetArray(name)).tolist()
                            for name in ("IrregularObtained", "IrregularRequested", "IrregularValence"))
-    check_equal(got, asked, "irregular nodes")
-    check_equal(dict(zip(valence, got)).get(3), 4, "nodes of valence 3")
+    check_equal(obtained, requested, "irregular nodes")
+    check_equal(dict(zip(valence, obtained)).get(3), 4, "nodes of valence 3")
     check_equal(report.GetArray("Inverted").GetValue(0), 0, "inverted quads")
 
 
-def walk(step):
+def run_step(step):
     view = GetActiveViewOrCreate("RenderView")
     SetProperties(view, UseColorPaletteForBackground=0, Background=[1, 1, 1], OrientationAxesVisibility=0)
     step(view)
@@ -134,4 +134,4 @@ def walk(step):
     check_equal(messages(), "", "messages of " + step.__name__)
 
 
-run("step_", globals(), walk, (960, 800, 370))
+run("step_", globals(), run_step, (960, 800, 370))

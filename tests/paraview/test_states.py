@@ -1,6 +1,6 @@
 """Every state of the plugin, loaded in ParaView's client as File > Load State does; started by run_client.py.
 
-Nothing may be said in the window of messages, every view has to show something, and the pictures are to be looked at.
+The message window must stay empty and every layout needs a view; pictures are saved for inspection.
 """
 import os
 
@@ -22,7 +22,7 @@ def load(state):
     for view in simple.GetRenderViews():
         texts = [str(shown.WindowLocation) for shown in view.Representations
                  if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility]
-        check_equal(sorted(set(texts)), sorted(texts), "where texts are, in " + state)
+        check_equal(sorted(set(texts)), sorted(texts), "positions of texts, in " + state)
     picture(state[:-3] + ".png")
     check_equal(messages(), "", "messages of " + state)
 
@@ -34,7 +34,7 @@ def test_states():
         try:
             load(state)
         except AssertionError as error:
-            wrong.append("%s: %s" % (state, error))  # the next may be well
+            wrong.append("%s: %s" % (state, error))  # the other states are still loaded
     check_equal(wrong, [], "what is wrong with states")
 
 

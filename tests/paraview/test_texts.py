@@ -1,4 +1,4 @@
-"""What filters made in the menu say in the view: black where all is well, red where it is not; started by run_client.py."""
+"""Texts of filters in the view: black, or red if something is wrong; started by run_client.py."""
 from paraview.simple import *
 
 from gui_driver import check, check_equal, gui, messages, picture, run, wait
@@ -10,7 +10,7 @@ POLYGON = [1.3, 0, 0, 1.13, 0.5, 0, 0.65, 0.87, 0, 0, 1, 0, -0.65, 0.87, 0, -1.1
 
 
 def drawn(where):
-    """The text in the view there and its colour; one that says nothing is not shown."""
+    """Returns the text at a position of the view and its colour; empty texts are not shown."""
     found = [shown for shown in GetActiveView().Representations
              if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility and shown.WindowLocation == where]
     check_equal(len(found), 1, "texts in the view at " + where)
@@ -24,7 +24,7 @@ def apply():
 
 
 def make(name, **inputs):
-    wait()  # until the menu knows what is active
+    wait()  # until the menu is updated for the active source
     check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     wait()
     for label, choice in inputs.items():
@@ -46,17 +46,17 @@ def test_field(domain, points):
     text, colour = drawn("Lower Center")
     check("4 unwanted singularities" in text and "Unit Norm" in text, "the text of Constrained: " + text)
     check_equal(colour, RED, "the colour of unwanted singularities")
-    check("unwanted" in messages(), "the warning has gone")
-    # Fetch would be a step of undo.
+    check("unwanted" in messages(), "there is no warning")
+    # Fetch would add an undo step.
     report = field.GetClientSideObject().GetOutputDataObject(0).GetFieldData()
     check_equal(report.GetArray("UnwantedSingularities").GetValue(0), 4, "unwanted singularities, as the tutorial says")
     picture("constrained.png", is_whole_window=False)
-    # The colour is no step of its own.
+    # The colour is not an undo step.
     check_equal(gui.gui_undo_label(), b"Apply", "what would be undone")
     gui.gui_undo()
     wait(400)
     check_equal(drawn("Lower Center"), ("No unwanted singularities.", BLACK), "the text after undo")
-    # No field: why not.
+    # Without a field, the text gives the reason.
     points.Singularities = [0, 0, 3, 0.1]
     Render()
     wait(400)
@@ -87,19 +87,19 @@ def test_designer(domain, points):
     check("minimum angle" in text and colour == BLACK, "the summary: %s %s" % (text, colour))
     rows = gui.gui_rows()
     check(rows > 0, "no singularities are proposed")
-    # A singularity outside, and back.
+    # A singularity is moved outside and back.
     x = gui.gui_number(0, 0)
     gui.gui_type(0, 0, 7)
     wait(400)
     text, colour = drawn("Lower Center")
-    check("outside" in text and colour == RED, "the summary of what cannot be: %s %s" % (text, colour))
+    check("outside" in text and colour == RED, "the summary of a singularity outside: %s %s" % (text, colour))
     picture("outside.png", is_whole_window=False)
     gui.gui_type(0, 0, x)
     wait(400)
-    check_equal(drawn("Lower Center")[1], BLACK, "the colour of what can be again")
+    check_equal(drawn("Lower Center")[1], BLACK, "the colour after the singularity is back")
     designer.Singularities = []
     check_equal(messages(), "", "messages of a singularity outside")
-    # A domain that is none.
+    # An open curve is not a domain.
     domain.Closed = 0
     Render()
     wait(400)
@@ -117,7 +117,7 @@ def test_designer(domain, points):
 
 
 def test_designer_of_no_domain(domain, points):
-    """From its first update on."""
+    """The designer is created while its domain is invalid."""
     domain.Closed = 0
     SetActiveSource(domain)
     wait()
@@ -134,7 +134,7 @@ def test_designer_of_no_domain(domain, points):
     check("minimum angle" in text and colour == BLACK, "the summary with a domain at last: %s %s" % (text, colour))
 
 
-def say(test):
+def run_with_domain(test):
     ResetSession()
     wait(200)
     view = GetActiveViewOrCreate("RenderView")
@@ -147,4 +147,4 @@ def say(test):
     test(domain, points)
 
 
-run("test_", globals(), say, (1000, 800, 370))
+run("test_", globals(), run_with_domain, (1000, 800, 370))

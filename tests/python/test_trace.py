@@ -1,7 +1,7 @@
-"""ParaView's trace of a session is a script that runs again: pvpython test_trace.py PLUGIN
+"""Runs ParaView's trace of a session: pvpython test_trace.py PLUGIN
 
-A session with every proxy of the plugin is traced, with what Apply does after a change in the panel; the
-script that comes out makes the same data in an empty ParaView.
+A session with every proxy of the plugin is traced, with changes that Apply makes; the recorded script
+produces the same data in an empty ParaView.
 """
 import os
 import sys
@@ -16,7 +16,7 @@ simple.LoadPlugin(sys.argv[1], ns=vars(simple))
 
 
 def apply(proxy, **changes):
-    """What the button Apply does: it traces the properties that have changed, and updates."""
+    """Does what the button Apply does: traces the changed properties, and updates."""
     item = smtrace.PropertiesModified(proxy)
     simple.SetProperties(proxy, **changes)
     item.finalize()
@@ -24,7 +24,7 @@ def apply(proxy, **changes):
 
 
 def session(table):
-    """One source of each kind."""
+    """Creates a source of each kind."""
     drawn = simple.PlanarDomainSource(registrationName="Drawn", DomainName="ring", EdgeLength=0.2)
     apply(drawn, DomainName="disk")
     domain = simple.PlanarDomainReader(registrationName="Domain", FileName=table)
@@ -60,7 +60,7 @@ def session(table):
 
 
 def contents():
-    """What each source gives: class, points and rows of its data, and the sizes of all arrays."""
+    """Returns proxy name, class, number of rows, and points of the data of each source."""
     found = {}
     for (name, _), source in simple.GetSources().items():
         data = servermanager.Fetch(source)
@@ -90,5 +90,5 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as folder:
     again = contents()
 check_equal(sorted(again), sorted(first), "the sources of the script")
 for source_name, content in first.items():
-    check(again[source_name] == content, "%s of the script is another: %s\ninstead of %s"
+    check(again[source_name] == content, "%s of the script differs: %s\ninstead of %s"
           % (source_name, again[source_name], content))
