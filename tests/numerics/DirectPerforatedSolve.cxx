@@ -12,13 +12,13 @@ namespace
 {
 constexpr int Aligned = -1;
 
-/// Which edges are unknowns, where they are, and the prescribed values of the others.
+/// Numbering of the unknown edges and prescribed values of the others.
 struct Unknowns
 {
-  std::vector<int> ofEdge;     ///< Number of the unknown, or Aligned.
-  std::vector<Point> midpoint; ///< Of each unknown.
+  std::vector<int> ofEdge;     ///< Number of the unknown on each edge, or Aligned.
+  std::vector<Point> midpoint; ///< Midpoint of the edge of each unknown.
   std::vector<int> holes;      ///< Unknowns on holes, hole by hole counter-clockwise.
-  ComplexVector aligned;       ///< Of each edge; zero where it is an unknown.
+  ComplexVector aligned;       ///< Prescribed value on each edge; zero if it is an unknown.
 };
 
 Unknowns NumberUnknowns(
@@ -63,7 +63,7 @@ Unknowns NumberUnknowns(
   return unknowns;
 }
 
-/// The part of a matrix over all edges that couples unknowns.
+/// Returns the block of a matrix over all edges that couples unknowns.
 SparseMatrix Restrict(const SparseMatrix& matrix, const Unknowns& unknowns)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -192,7 +192,7 @@ SolvedField SolvePerforatedDirectly(const TriangleMesh& mesh, const MinimiserOpt
   field.converged = reduced.converged;
   field.multipliers.assign(reduced.multipliers.begin(), reduced.multipliers.end());
 
-  // The multipliers act on the hole edges as forces.
+  // The multipliers contribute a gradient on the hole edges.
   const ComplexVector forces = ConstraintGradients(problem, reduced);
   for (std::size_t i = 0; i < unknowns.holes.size(); ++i)
   {

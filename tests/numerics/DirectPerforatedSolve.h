@@ -6,14 +6,15 @@
 
 namespace crossfield
 {
-/// A symmetric positive definite matrix with a block for every constraint.
+/// Converts a dense symmetric positive definite matrix to one with a block for each constraint.
 GramMatrix MatrixOn(const std::vector<DegreeConstraint>& constraints, const Eigen::MatrixXd& dense);
 
-/// −Σ λ_i A_i x: the forces on the hole edges that hold the constraints, S x − b when solved.
+/// Returns −Σ λ_i A_i x, the gradient of the constraint terms on the hole edges; it equals S x − b
+/// at a solution.
 ComplexVector ConstraintGradients(const ReducedProblem& problem, const MinimiserResult& solution);
 
-/// The constrained problem of PotentialReduction.h in its direct form (docs/method.md §3.2): the oracle
-/// that the reduced form is compared with.
+/// Solves the constrained problem of PotentialReduction.h in its direct form (docs/method.md §3.2),
+/// as a reference for the reduced form.
 ///
 /// The Crouzeix-Raviart stiffness matrix itself is factored with the hole edges last; its trailing
 /// block is the Schur complement S on them, and the energy is ½ uᴴ K u.

@@ -12,7 +12,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// The unit disk with circular islands.
+/// Returns the unit disk with circular islands.
 PlanarDomain Islands(const std::vector<Singularity>& circles)
 {
   std::vector<Loop> loops = Builtin("disk", 0.05).loops;
@@ -85,7 +85,7 @@ HardCase RandomHardCase(int number)
   {
     if (attempt % 1000 == 999)
     {
-      holes.clear(); // the first ones left no room
+      holes.clear(); // restart: no more holes fit
     }
     const Point place(random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5));
     const double radius = random.Uniform(0.02, 0.08);

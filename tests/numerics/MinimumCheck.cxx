@@ -48,7 +48,7 @@ Eigen::VectorXd Minimise(
   {
     const Derivatives here = Differentiate(function, start, 1e-5);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(here.hessian);
-    // By the size of the eigenvalues, so that a saddle is left.
+    // Absolute values of the eigenvalues, so that the iteration leaves a saddle.
     const Eigen::VectorXd slopes = eigen.eigenvectors().transpose() * here.gradient;
     const double floor = 1e-3 * eigen.eigenvalues().cwiseAbs().maxCoeff();
     const Eigen::VectorXd newton =
@@ -102,7 +102,7 @@ MinimumCheck CheckMinimum(
     return off;
   };
   const auto loops = static_cast<Eigen::Index>(here.holonomyDefect.size());
-  // Directions that keep the defects, and the way back to where they are kept.
+  // Directions that preserve the defects, and the correction that restores them.
   const double step = 1e-3;
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(std::max<Eigen::Index>(loops, 1), start.size());
   for (Eigen::Index i = 0; loops > 0 && i < start.size(); ++i)

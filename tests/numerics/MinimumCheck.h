@@ -9,7 +9,7 @@
 
 namespace crossfield::test
 {
-/// First and second derivatives of a function by central differences.
+/// First and second derivatives of a function, by central differences.
 struct Derivatives
 {
   Eigen::VectorXd gradient;
@@ -18,18 +18,20 @@ struct Derivatives
 Derivatives Differentiate(const std::function<double(const Eigen::VectorXd&)>& function,
   const Eigen::VectorXd& at, double step);
 
-/// Newton's method with differences, damped until every step goes down. It ends where the gradient
-/// vanishes but for rounding, and the second derivatives have no direction down.
+/// Minimises a function by Newton's method with finite differences, damped until each step
+/// decreases the function. Stops where the gradient vanishes up to rounding and the second
+/// derivatives have no descent direction.
 Eigen::VectorXd Minimise(
   const std::function<double(const Eigen::VectorXd&)>& function, Eigen::VectorXd start);
 
-/// What values of W and of the defects alone, on a mesh of this size, say of a configuration among those with
-/// the same holonomy defects.
+/// Properties of a configuration among those with the same holonomy defects, from values of W and
+/// of the defects on a mesh of a given size.
 struct MinimumCheck
 {
-  /// Of the second derivatives of W in all directions that keep the defects; below 0 at a saddle.
+  /// Lowest eigenvalue of the second derivatives of W in the directions that preserve the defects;
+  /// negative at a saddle.
   double lowestEigenvalue = 0.0;
-  /// How much lower W is where its second-order expansion has its minimum.
+  /// Decrease of W from the configuration to the minimum of its second-order expansion.
   double gain = 0.0;
 };
 MinimumCheck CheckMinimum(

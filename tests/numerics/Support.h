@@ -1,12 +1,13 @@
 #pragma once
 
-// What the tests of the numerics share: random inputs from a fixed seed, similarities, measures of
-// a mesh, and the check that a refusal says why.
+// Shared by the tests of the numerics: random inputs from a fixed seed, similarities, domains, and
+// the check that an error message gives its reason.
 
 #include "Alignment.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
 #include "Error.h"
+#include "MeshMeasures.h"
 #include "PlanarDomain.h"
 #include "PointPotential.h"
 #include "Singularity.h"
@@ -22,7 +23,7 @@
 
 namespace crossfield::test
 {
-/// Numbers that are the same on every platform, which those of std::uniform_*_distribution are not.
+/// Random numbers that are the same on every platform, unlike those of std::uniform_*_distribution.
 class Random
 {
 public:
@@ -31,9 +32,9 @@ public:
   {
   }
   double Uniform(double lower, double upper);
-  /// An integer in [lower, upper].
+  /// Returns an integer in [lower, upper].
   int Integer(int lower, int upper);
-  /// Both parts in [−1, 1].
+  /// Returns a complex number with both parts in [−1, 1].
   Complex Square();
   Complex UnitComplex();
   template <typename T>
@@ -49,7 +50,7 @@ private:
   std::mt19937 Engine;
 };
 
-/// Rotation about the origin, then scaling, then translation.
+/// Rotation about the origin, followed by scaling and translation.
 struct Similarity
 {
   double angle = 0.0;
@@ -64,50 +65,51 @@ struct Similarity
   TriangleMesh operator()(const TriangleMesh& mesh) const;
 };
 
-/// Regular polygon, counter-clockwise.
+/// Returns a regular polygon, counter-clockwise.
 Loop RegularPolygon(int count, double radius = 1.0, const Point& centre = Point::Zero());
 
-/// A smooth star-shaped domain of diameter about two: radius 1 + a few low harmonics.
+/// Returns a smooth star-shaped domain of diameter about two: radius 1 plus a few low harmonics.
 PlanarDomain RandomSmoothDomain(Random& random, int pointCount = 128);
 
-/// Holes with radii between 0.01 and 0.08 and quarter indices −2 .. 2, one radius apart at least.
+/// Returns holes with radii between 0.01 and 0.08 and quarter indices −2 .. 2, at least one radius
+/// apart.
 Configuration RandomHoles(Random& random, const PlanarDomain& domain, int count);
 
-/// The domain bounded by polygons of a built-in domain.
+/// Returns the domain bounded by the polygons of a built-in domain.
 PlanarDomain Builtin(const std::string& name, double edgeLength = 0.0);
 
-/// What DrillHoles makes of them with all other options as they are.
+/// Drills holes with default options except mesh size and mode.
 TriangleMesh DrillMesh(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize, DrillMode mode = DrillMode::Perforate);
 
 double DistanceToLoop(const Point& point, const Loop& loop);
 
-/// `count` singularities on a circle around the origin, the first one at an angle.
+/// Returns `count` singularities on a circle around the origin, the first one at `firstAngle`.
 Configuration OnCircle(
   int count, double circleRadius, double firstAngle, int quarterIndex, double holeRadius);
 
-/// Those of both, in order.
+/// Concatenates two configurations.
 Configuration Join(Configuration first, const Configuration& second);
 
-/// The square of side 2 without the unit square at (1, 1).
+/// Returns the square of side 2 without the unit square at (1, 1).
 PlanarDomain LShape();
-/// The unit disk, and with an island of radius 0.4, of edges of about this length.
+/// Returns the unit disk with edges of about this length.
 PlanarDomain DiskOfEdges(double edge);
 PlanarDomain RingOfEdges(double edge);
 
-/// On the unit circle.
+/// Returns a singularity on the unit circle.
 Singularity OnTheCircle(double angle, int quarterIndex);
 
-/// Where on the polygon of a curve a singularity of the curve lies.
+/// Position of a singularity of a curve on the polygon that approximates the curve.
 enum class Place
 {
   Vertex,
-  Middle, ///< Of a side.
+  Middle, ///< Middle of a side.
   Anywhere
 };
 
-/// A regular polygon of the unit disk, and singularities of which those outside of the radius 0.999 lie
-/// on the circle, and where a user of the polygon puts them.
+/// Regular polygon that approximates the unit disk, with singularities on the circle and on the
+/// polygon. Those beyond the radius 0.999 are on the boundary.
 struct OnPolygonOfDisk
 {
   PlanarDomain domain;
@@ -115,40 +117,23 @@ struct OnPolygonOfDisk
   Configuration given;
 };
 
-/// The polygon has a vertex at `angle`. Those on the circle go to the nearest place of this kind.
+/// Places the singularities on a polygon with a vertex at `angle`. Those on the circle move to the
+/// nearest point of the given kind.
 OnPolygonOfDisk PutOnPolygon(
   int count, double angle, const Configuration& configuration, Place place);
 
-double MeshArea(const TriangleMesh& mesh);
-double TriangleArea(const TriangleMesh& mesh, std::size_t triangle);
-/// Smallest angle of one triangle, in degrees.
-double SmallestAngle(const TriangleMesh& mesh, std::size_t triangle);
-double SmallestAngle(const TriangleMesh& mesh);
-Point Midpoint(const TriangleMesh& mesh, const EdgeNumbering& edges, int edge);
-bool Identical(const TriangleMesh& a, const TriangleMesh& b);
-
-/// Vertices of a boundary loop in the order in which the loop is walked.
-std::vector<int> WalkedVertices(const TriangleMesh& mesh, const BoundaryLoop& loop);
-Loop WalkedPoints(const TriangleMesh& mesh, const BoundaryLoop& loop);
-
-/// Every triangle in four; the marks of boundary edges go to both halves.
-TriangleMesh Refine(const TriangleMesh& mesh);
-
-/// The same mesh with its points, triangles and boundary edges in a random order, and every
-/// triangle starting at a random corner.
-TriangleMesh Renumber(const TriangleMesh& mesh, Random& random);
-
-/// Slope of the regression line of log(error) over log(size).
+/// Returns the slope of the regression line of log(error) over log(size).
 double ConvergenceRate(const std::vector<double>& sizes, const std::vector<double>& errors);
 
-/// Succeeds when `call` throws crossfield::Error of this kind, with all the parts in its sentence.
+/// Succeeds if `call` throws crossfield::Error of this kind with all parts in its message.
 testing::AssertionResult Refuses(const std::function<void()>& call,
   const std::vector<std::string>& parts, Error::Kind kind = Error::Kind::BadInput);
 
-/// The mesh with its factor, and its boundary aligned.
+/// Factors a mesh and aligns its boundary.
 PotentialProblem ProblemOn(const TriangleMesh& mesh, const std::vector<CornerChoice>& corners = {});
 
-/// The same for singularities that are points, of a given sum of quarter indices.
+/// Factors a mesh and aligns its boundary for point singularities with a given sum of quarter
+/// indices.
 PointPotential PointPotentialOn(
   const TriangleMesh& mesh, const std::vector<CornerChoice>& corners, int pointQuarters);
 }

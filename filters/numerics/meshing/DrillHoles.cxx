@@ -158,10 +158,10 @@ void RequireResolution(
   }
 }
 
-/// Short segments of the boundary and of the holes ask for small triangles around them.
+/// Builds the size field of a domain: short segments of the boundary and of the holes require small
+/// triangles around them.
 SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const DrillOptions& options)
 {
-  // Short segments of the boundary and of the holes ask for small triangles around them.
   std::vector<SizeSource> sources = options.refinements;
   Eigen::AlignedBox2d box;
   for (const Loop& loop : domain.loops)

@@ -20,7 +20,7 @@ namespace
 {
 using namespace crossfield;
 
-std::string Sentence(const std::function<void()>& work)
+std::string ErrorMessage(const std::function<void()>& work)
 {
   try
   {
@@ -40,7 +40,7 @@ PlanarDomain Disk(double edgeLength)
   return MakePlanarDomain(MakeBuiltinDomain(disk));
 }
 
-/// A folder in which files stand for those of the kernel.
+/// Fixture with a folder of files that replace those of the kernel.
 class AvailableMemoryTest : public testing::Test
 {
 protected:
@@ -52,7 +52,7 @@ protected:
   }
   ~AvailableMemoryTest() override { std::filesystem::remove_all(Root); }
 
-  void Put(const std::string& name, const std::string& text) const
+  void WriteFile(const std::string& name, const std::string& text) const
   {
     const std::filesystem::path path = Root + "/" + name;
     std::filesystem::create_directories(path.parent_path());
@@ -68,49 +68,49 @@ TEST_F(AvailableMemoryTest, IsUnknownWithoutAnyLimit)
   EXPECT_FALSE(AvailableMemory(Files).has_value());
 }
 
-TEST_F(AvailableMemoryTest, IsThatOfTheMachine)
+TEST_F(AvailableMemoryTest, EqualsThatOfTheMachine)
 {
-  Put("proc/meminfo", "MemTotal: 8000 kB\nMemAvailable:    5000 kB\nSwapFree: 9000 kB\n");
+  WriteFile("proc/meminfo", "MemTotal: 8000 kB\nMemAvailable:    5000 kB\nSwapFree: 9000 kB\n");
   EXPECT_EQ(AvailableMemory(Files), 5000.0 * 1024.0);
 }
 
-TEST_F(AvailableMemoryTest, IsTheLeastOfAllControlGroupsAbove)
+TEST_F(AvailableMemoryTest, IsTheMinimumOverParentControlGroups)
 {
-  Put("proc/meminfo", "MemAvailable: 5000 kB\n");
-  Put("proc/self/cgroup", "0::/user/shell\n");
-  Put("cgroup/user/shell/memory.max", "max\n");
-  Put("cgroup/user/shell/memory.current", "700000\n");
+  WriteFile("proc/meminfo", "MemAvailable: 5000 kB\n");
+  WriteFile("proc/self/cgroup", "0::/user/shell\n");
+  WriteFile("cgroup/user/shell/memory.max", "max\n");
+  WriteFile("cgroup/user/shell/memory.current", "700000\n");
   EXPECT_EQ(AvailableMemory(Files), 5000.0 * 1024.0);
-  Put("cgroup/user/memory.max", "1000000\n");
-  Put("cgroup/user/memory.current", "800000\n");
+  WriteFile("cgroup/user/memory.max", "1000000\n");
+  WriteFile("cgroup/user/memory.current", "800000\n");
   EXPECT_EQ(AvailableMemory(Files), 200000.0);
-  // Page cache is given back.
-  Put("cgroup/user/memory.stat", "anon 5\ninactive_file 30000\nactive_file 20000\n");
+  // Page cache counts as available.
+  WriteFile("cgroup/user/memory.stat", "anon 5\ninactive_file 30000\nactive_file 20000\n");
   EXPECT_EQ(AvailableMemory(Files), 250000.0);
 }
 
-TEST_F(AvailableMemoryTest, KnowsControlGroupsOfTheFirstVersion)
+TEST_F(AvailableMemoryTest, SupportsControlGroupsOfVersionOne)
 {
-  Put("proc/self/cgroup", "5:cpu,cpuacct:/a\n4:memory:/not/visible/in/a/container\n");
-  Put("cgroup/memory/memory.limit_in_bytes", "1000000\n");
-  Put("cgroup/memory/memory.usage_in_bytes", "900000\n");
-  Put("cgroup/memory/memory.stat", "cache 1\ntotal_inactive_file 1000\n");
+  WriteFile("proc/self/cgroup", "5:cpu,cpuacct:/a\n4:memory:/not/visible/in/a/container\n");
+  WriteFile("cgroup/memory/memory.limit_in_bytes", "1000000\n");
+  WriteFile("cgroup/memory/memory.usage_in_bytes", "900000\n");
+  WriteFile("cgroup/memory/memory.stat", "cache 1\ntotal_inactive_file 1000\n");
   EXPECT_EQ(AvailableMemory(Files), 101000.0);
-  // More than the limit is in use: nothing is left, not less than nothing.
-  Put("cgroup/memory/memory.usage_in_bytes", "2000000\n");
+  // If usage exceeds the limit, 0 is left rather than a negative number.
+  WriteFile("cgroup/memory/memory.usage_in_bytes", "2000000\n");
   EXPECT_EQ(AvailableMemory(Files), 0.0);
 }
 
-TEST(MemoryBudget, NamesBothNumbersAndTheMend)
+TEST(MemoryBudget, MessageStatesBothAmountsAndTheRemedy)
 {
-  EXPECT_EQ(Sentence([] { RequireMemory(1.0, "A byte", "leave it out"); }), "");
-  const std::string sentence =
-    Sentence([] { RequireMemory(std::ldexp(1.0, 70), "A lot", "ask for less"); });
-  EXPECT_EQ(sentence.find("A lot would need about 1.1e+12 GiB of memory, more than the "), 0u);
-  EXPECT_NE(sentence.find(" GiB available; ask for less."), std::string::npos) << sentence;
+  EXPECT_EQ(ErrorMessage([] { RequireMemory(1.0, "A byte", "leave it out"); }), "");
+  const std::string message =
+    ErrorMessage([] { RequireMemory(std::ldexp(1.0, 70), "A lot", "ask for less"); });
+  EXPECT_EQ(message.find("A lot would need about 1.1e+12 GiB of memory, more than the "), 0u);
+  EXPECT_NE(message.find(" GiB available; ask for less."), std::string::npos) << message;
 }
 
-/// The prediction against the mesh itself, for bulk, boundary and holes in turn.
+/// Compares the prediction with the mesh for the bulk, the boundary and a point inside in turn.
 TEST(MeshBudget, PredictsTheTrianglesOfAMesh)
 {
   const auto compare = [](const PlanarDomain& domain, const std::vector<SizeSource>& sources,
@@ -125,14 +125,15 @@ TEST(MeshBudget, PredictsTheTrianglesOfAMesh)
       << made << " triangles";
   };
   compare(Disk(0.02), {}, 0.02, 0.25, 0.1);
-  // Half of the excess of a place inside the domain is missing, as documented.
+  // For a point inside the domain half of the excess is missing, as documented.
   compare(Disk(0.05), { { { 0.3, 0.1 }, 1e-5 } }, 0.05, 0.25, 0.5);
   compare(Disk(0.05), { { { 0.3, 0.1 }, 1e-3 } }, 0.1, 0.02, 0.6);
 }
 
-TEST(MeshBudget, TheMiddleOfTheDomainIsAPlaceLikeAnyOther)
+TEST(MeshBudget, PredictsTheTrianglesAroundASource)
 {
-  // Around a place size + 0.25 r: ∫ 2πr dr (h⁻² − maximum⁻²) to where h is the maximum, and half of it.
+  // Around a point: ∫ 2πr dr (h⁻² − maximum⁻²) with h = size + 0.25 r, up to the radius where h is
+  // the maximum, and half of it.
   constexpr double Size = 1e-6;
   constexpr double Maximum = 0.05;
   constexpr double Slope = 0.25;
@@ -149,7 +150,7 @@ TEST(MeshBudget, TheMiddleOfTheDomainIsAPlaceLikeAnyOther)
   }
 }
 
-TEST(MeshBudget, RefusesAMeshBeforeItIsMade)
+TEST(MeshBudget, RefusesAMeshBeforeAllocation)
 {
   const PlanarDomain disk = Disk(0.05);
   DrillOptions options;
@@ -157,24 +158,24 @@ TEST(MeshBudget, RefusesAMeshBeforeItIsMade)
   for (const Configuration& configuration :
     { Configuration(), Configuration{ { { 0.0, 0.0 }, 4, 0.1 } } })
   {
-    const std::string sentence = Sentence([&] { DrillHoles(disk, configuration, options); });
-    EXPECT_EQ(sentence.find("A mesh with edge length 1e-06 would have about 7.2"), 0u) << sentence;
-    EXPECT_NE(sentence.find("choose a larger edge length, about "), std::string::npos) << sentence;
+    const std::string message = ErrorMessage([&] { DrillHoles(disk, configuration, options); });
+    EXPECT_EQ(message.find("A mesh with edge length 1e-06 would have about 7.2"), 0u) << message;
+    EXPECT_NE(message.find("choose a larger edge length, about "), std::string::npos) << message;
   }
   options.meshSize = 1e-300; // its square is 0
-  EXPECT_NE(Sentence([&] { DrillHoles(disk, {}, options); }), "");
+  EXPECT_NE(ErrorMessage([&] { DrillHoles(disk, {}, options); }), "");
 }
 
 TEST(MeshBudget, SuggestsAnEdgeLengthThatFits)
 {
   const PlanarDomain disk = Disk(0.05);
-  const std::string sentence = Sentence([&] { RequireMemoryForMesh(disk, {}, 1e-6, 0.25); });
+  const std::string message = ErrorMessage([&] { RequireMemoryForMesh(disk, {}, 1e-6, 0.25); });
   const std::string before = "edge length, about ";
-  ASSERT_NE(sentence.find(before), std::string::npos) << sentence;
-  const double suggested = std::stod(sentence.substr(sentence.find(before) + before.size()));
-  // Others may take memory meanwhile: a little more than what is suggested.
-  EXPECT_EQ(Sentence([&] { RequireMemoryForMesh(disk, {}, 1.5 * suggested, 0.25); }), "");
-  EXPECT_NE(Sentence([&] { RequireMemoryForMesh(disk, {}, 0.1 * suggested, 0.25); }), "");
+  ASSERT_NE(message.find(before), std::string::npos) << message;
+  const double suggested = std::stod(message.substr(message.find(before) + before.size()));
+  // Other processes may allocate memory meanwhile, so the size is a little larger than suggested.
+  EXPECT_EQ(ErrorMessage([&] { RequireMemoryForMesh(disk, {}, 1.5 * suggested, 0.25); }), "");
+  EXPECT_NE(ErrorMessage([&] { RequireMemoryForMesh(disk, {}, 0.1 * suggested, 0.25); }), "");
 }
 
 TEST(MeshBudget, RefusesAGradationThatSpreadsSmallTrianglesEverywhere)
@@ -183,24 +184,24 @@ TEST(MeshBudget, RefusesAGradationThatSpreadsSmallTrianglesEverywhere)
   options.meshSize = 0.1;
   options.gradation = 1e-7;
   options.refinements = { { { 0.1, 0.2 }, 1e-7 } };
-  const std::string sentence = Sentence([&] { DrillHoles(Disk(0.05), {}, options); });
-  EXPECT_NE(sentence.find("larger gradation"), std::string::npos) << sentence;
+  const std::string message = ErrorMessage([&] { DrillHoles(Disk(0.05), {}, options); });
+  EXPECT_NE(message.find("larger gradation"), std::string::npos) << message;
 }
 
 TEST(MeshBudget, RefusesAHoleWithTooManyEdges)
 {
   for (const int quarterIndex : { 2147483647, -2147483647 - 1, 2000000000 })
   {
-    const std::string sentence = Sentence(
+    const std::string message = ErrorMessage(
       [&] {
         DrillHoles(Disk(0.05), { { { 0.0, 0.0 }, quarterIndex, 0.1 } });
       });
-    EXPECT_NE(sentence.find("edges"), std::string::npos) << quarterIndex << ": " << sentence;
+    EXPECT_NE(message.find("edges"), std::string::npos) << quarterIndex << ": " << message;
   }
 }
 
-/// A dense border is what many holes make: unknowns that come last.
-TEST(MemoryBudget, RefusesADenseBorderBeforeItIsMade)
+/// Many holes make a dense border: unknowns that are eliminated last.
+TEST(MemoryBudget, RefusesADenseBorderBeforeAllocation)
 {
   constexpr int Size = 400000; // its square is 1.2 TiB
   Eigen::SparseMatrix<double> matrix(Size, Size);
@@ -211,13 +212,13 @@ TEST(MemoryBudget, RefusesADenseBorderBeforeItIsMade)
   {
     last.push_back(i);
   }
-  const std::string sentence = Sentence([&] { DissectedCholesky(matrix, places, last, {}); });
-  EXPECT_EQ(sentence.find("The factorisation of 400000 unknowns"), 0u) << sentence;
-  EXPECT_NE(sentence.find("fewer holes"), std::string::npos) << sentence;
+  const std::string message = ErrorMessage([&] { DissectedCholesky(matrix, places, last, {}); });
+  EXPECT_EQ(message.find("The factorisation of 400000 unknowns"), 0u) << message;
+  EXPECT_NE(message.find("fewer holes"), std::string::npos) << message;
 }
 
-/// The bound on the fill that stands for it before it is known.
-TEST(MemoryBudget, FillGrowsAsOfNestedDissection)
+/// Checks the estimate of the fill that is used before the fill is known.
+TEST(MemoryBudget, EstimatesFillOfNestedDissection)
 {
   EXPECT_NEAR(DissectionFill(1024.0), 7.75 * 1024.0 * 10.0, 1e-9);
   EXPECT_EQ(DissectionFill(1.0), 1.0);

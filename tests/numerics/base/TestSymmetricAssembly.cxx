@@ -8,7 +8,7 @@ namespace crossfield::test
 {
 namespace
 {
-TEST(SymmetricAssembly, AddsUpWhatIsGivenSeveralTimes)
+TEST(SymmetricAssembly, AddsUpRepeatedEntries)
 {
   constexpr int Size = 12;
   std::mt19937 random(5);
@@ -22,7 +22,7 @@ TEST(SymmetricAssembly, AddsUpWhatIsGivenSeveralTimes)
     expected(j, j) = diagonal[j];
   }
   std::vector<SymmetricEntry> entries;
-  while (entries.size() < 200) // of 66 places
+  while (entries.size() < 200) // of 66 distinct pairs
   {
     const SymmetricEntry entry{ index(random), index(random), value(random) };
     if (entry.row != entry.column)
@@ -46,7 +46,7 @@ TEST(SymmetricAssembly, AddsUpWhatIsGivenSeveralTimes)
   }
 }
 
-TEST(SymmetricAssembly, TakesNothing)
+TEST(SymmetricAssembly, AcceptsEmptyInput)
 {
   EXPECT_EQ(AssembleSymmetric(Eigen::VectorXd(), {}).nonZeros(), 0);
   const Eigen::SparseMatrix<double> matrix = AssembleSymmetric(Eigen::VectorXd::Ones(3), {});

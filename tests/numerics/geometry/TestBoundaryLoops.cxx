@@ -17,7 +17,7 @@ struct Curves
   Segments segments;
 };
 
-/// Two squares and a triangle, their points numbered at random.
+/// Returns two squares and a triangle with randomly numbered points.
 Curves MakeCurves(Random& random)
 {
   const std::vector<Loop> loops = { RegularPolygon(4, 2.0), RegularPolygon(4, 1.0),
@@ -41,7 +41,7 @@ Curves MakeCurves(Random& random)
   return curves;
 }
 
-TEST(BoundaryLoops, ChainsEveryLoopWhole)
+TEST(BoundaryLoops, ChainsEachLoopCompletely)
 {
   Random random(1);
   for (int trial = 0; trial < 20; ++trial)
@@ -60,7 +60,7 @@ TEST(BoundaryLoops, ChainsEveryLoopWhole)
   }
 }
 
-TEST(BoundaryLoops, OrderDirectionAndRepetitionOfSegmentsDoNotMatter)
+TEST(BoundaryLoops, IgnoresOrderDirectionAndRepetitionOfSegments)
 {
   Random random(2);
   const Curves curves = MakeCurves(random);
@@ -87,7 +87,7 @@ TEST(BoundaryLoops, OrderDirectionAndRepetitionOfSegmentsDoNotMatter)
   }
 }
 
-TEST(BoundaryLoops, PointsWithoutSegmentsCountForNothing)
+TEST(BoundaryLoops, IgnoresPointsWithoutSegments)
 {
   const std::vector<Point> points = { { 9.0, 9.0 }, { 0.0, 0.0 }, { 1.0, 0.0 },
     { std::numeric_limits<double>::quiet_NaN(), 0.0 }, { 0.0, 1.0 } };
@@ -105,11 +105,11 @@ TEST(BoundaryLoops, RefusesAnOpenCurveAndNamesItsEnd)
       ChainLoops(points, { { 0, 1 }, { 1, 2 } });
     },
     { "open curve", "(0.5, 0.25)", "join" }));
-  // Going there and back is not a loop.
+  // A segment and its reverse are not a loop.
   EXPECT_TRUE(Refuses([&] { ChainLoops(points, { { 0, 1 }, { 1, 0 } }); }, { "open curve" }));
 }
 
-TEST(BoundaryLoops, RefusesABranchAndNamesItsPlace)
+TEST(BoundaryLoops, RefusesABranchAndNamesItsPosition)
 {
   std::vector<Point> points = RegularPolygon(4);
   points[2] = { -1.5, 0.125 };

@@ -16,7 +16,7 @@ Loop Rectangle(double width, double height)
     { 0.5 * width, 0.5 * height }, { -0.5 * width, 0.5 * height } };
 }
 
-TEST(BoundarySymmetry, OfKnownDomains)
+TEST(BoundarySymmetry, FindsSymmetriesOfKnownDomains)
 {
   const struct
   {
@@ -29,7 +29,7 @@ TEST(BoundarySymmetry, OfKnownDomains)
     { { Rectangle(1.0, 1.0) }, 4, true },
     { { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 2.5, 1.0 }, { 0.5, 1.0 } } }, 2, false }, // parallelogram
     { { { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.3, 1.0 } } }, 1, false },
-    // A hole off the centre leaves one reflection, two of unlike size in a row leave the same.
+    // A hole off the centre leaves one reflection, and so do two holes of different size in a row.
     { { Rectangle(2.0, 1.0), RegularPolygon(12, 0.2, { 0.5, 0.0 }) }, 1, true },
     { { Rectangle(2.0, 1.0), RegularPolygon(12, 0.2, { 0.5, 0.0 }),
         RegularPolygon(12, 0.2, { -0.5, 0.0 }) },
@@ -50,7 +50,7 @@ TEST(BoundarySymmetry, OfKnownDomains)
         const SymmetryGroup group = FindSymmetries(domain);
         EXPECT_EQ(group.order, one.order) << one.loops.size() << " loops at " << angle;
         EXPECT_EQ(group.reflects, one.reflects) << one.loops.size() << " loops at " << angle;
-        // Every element maps every vertex to one.
+        // Each element maps each vertex to a vertex.
         for (const Isometry& map : group.Elements())
         {
           const Point image = map(domain.loops[0][0]);
@@ -67,7 +67,7 @@ TEST(BoundarySymmetry, OfKnownDomains)
   }
 }
 
-TEST(BoundarySymmetry, StraightVerticesDoNotMatter)
+TEST(BoundarySymmetry, IgnoresStraightVertices)
 {
   Loop square = Rectangle(1.0, 1.0);
   square.insert(square.begin() + 1, Point(0.1, -0.5));
@@ -112,15 +112,15 @@ TEST(ConfigurationSymmetry, ProjectsToTheLargestSubgroupThatFits)
   {
     EXPECT_LT((places[i].position - before[i].position).norm(), 0.05);
   }
-  // The projection of directions is its derivative, and orthogonal.
-  Eigen::VectorXd way = Eigen::VectorXd::Random(8);
+  // The projection of directions is the derivative of Project and orthogonal.
+  Eigen::VectorXd direction = Eigen::VectorXd::Random(8);
   Configuration moved = places;
   for (std::size_t i = 0; i < 4; ++i)
   {
-    moved[i].position += way.segment<2>(2 * static_cast<Eigen::Index>(i));
+    moved[i].position += direction.segment<2>(2 * static_cast<Eigen::Index>(i));
   }
   symmetry.Project(moved);
-  const Eigen::VectorXd projected = symmetry.ProjectDirections(way);
+  const Eigen::VectorXd projected = symmetry.ProjectDirections(direction);
   for (std::size_t i = 0; i < 4; ++i)
   {
     EXPECT_LT((moved[i].position - places[i].position -
@@ -128,12 +128,12 @@ TEST(ConfigurationSymmetry, ProjectsToTheLargestSubgroupThatFits)
                 .norm(),
       1e-14);
   }
-  EXPECT_NEAR(projected.dot(way), projected.squaredNorm(), 1e-14);
-  // Another index at one place leaves the reflection through it, and only that.
+  EXPECT_NEAR(projected.dot(direction), projected.squaredNorm(), 1e-14);
+  // A different index at one position leaves only the reflection through it.
   Configuration odd = OnCircle(4, 0.85, 0.0, 1, 0.0);
   odd[0].quarterIndex = -1;
   EXPECT_EQ(MatchSymmetry(odd, group, 0.05).elements.size(), 2u);
-  // No symmetry, and nothing moves.
+  // Without symmetry nothing moves.
   Configuration none = { { Point(0.1, 0.2), 1, 0.0 }, { Point(-0.5, 0.3), -1, 0.0 } };
   const ConfigurationSymmetry trivial = MatchSymmetry(none, group, 0.001);
   EXPECT_TRUE(trivial.IsTrivial());

@@ -43,7 +43,8 @@ struct Exact
   double perimeter;
 };
 
-/// Of the default lengths: radius 1, inner radius 0.4, width 1, height 0.5.
+/// Returns the exact values for the default lengths: radius 1, inner radius 0.4, width 1, height
+/// 0.5.
 std::vector<Exact> CurvedDomains()
 {
   return { { "disk", Pi, 2.0 * Pi }, { "ring", Pi * (1.0 - 0.16), 2.0 * Pi * 1.4 },
@@ -63,14 +64,15 @@ TEST(BuiltinDomains, CurvesConvergeAtSecondOrder)
     {
       BuiltinDomain shape;
       shape.name = exact.name;
-      // A whole number of segments on every quarter of every curve, so that halving halves.
+      // An integer number of segments on each quarter of each curve, so that halving the size
+      // halves them.
       shape.edgeLength = 0.5 * Pi * size;
       const std::vector<Loop> loops = MakeBuiltinDomain(shape);
       sizes.push_back(size);
       areaErrors.push_back(exact.area - MakePlanarDomain(loops).Area());
       perimeterErrors.push_back(exact.perimeter - Perimeter(loops));
     }
-    // Arcs of any radius lose the same area per length, so those of a ring even cancel out.
+    // Arcs of any radius lose the same area per length, so the errors of a ring even cancel.
     EXPECT_GE(ConvergenceRate(sizes, areaErrors), 1.98);
     EXPECT_NEAR(ConvergenceRate(sizes, perimeterErrors), 2.0, 0.02);
     EXPECT_LT(std::abs(areaErrors.back()), 1e-4);
@@ -94,7 +96,7 @@ TEST(BuiltinDomains, PolygonsAreExact)
   check("l-shape", 6.75, 12.0);
 }
 
-TEST(BuiltinDomains, CurvesHaveNoSegmentLongerThanAsked)
+TEST(BuiltinDomains, CurveSegmentsRespectTheEdgeLength)
 {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial)

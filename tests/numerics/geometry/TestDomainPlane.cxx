@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-/** Points of a grid of 5 × 4 with steps of 0.5, in z = 0. */
+/// Returns the points of a grid of 5 × 4 with steps of 0.5 in the plane z = 0.
 Matrix3Xd Grid()
 {
   Matrix3Xd points(3, 20);
@@ -28,8 +28,8 @@ Matrix3Xd Grid()
   return points;
 }
 
-/** The shortest rotation that takes a coordinate axis to a unit vector. */
-Matrix3d Shortest(const Vector3d& from, const Vector3d& to)
+/// Returns the shortest rotation that maps a coordinate axis to a unit vector.
+Matrix3d ShortestRotation(const Vector3d& from, const Vector3d& to)
 {
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
@@ -68,7 +68,7 @@ TEST(DomainPlane, CopiesTheBitsOfCoordinatePlanes)
   }
 }
 
-TEST(DomainPlane, IsTheNearestCoordinatePlaneTurnedTheShortestWay)
+TEST(DomainPlane, IsTheNearestCoordinatePlaneAfterTheShortestRotation)
 {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -77,7 +77,7 @@ TEST(DomainPlane, IsTheNearestCoordinatePlaneTurnedTheShortestWay)
     const Vector3d direction =
       Vector3d(normal(random), normal(random), normal(random)).normalized();
     const Vector3d shift(normal(random), normal(random), normal(random));
-    const Matrix3d turn = Shortest(Vector3d::UnitZ(), direction);
+    const Matrix3d turn = ShortestRotation(Vector3d::UnitZ(), direction);
     const DomainPlane plane = DomainPlane::Find((turn * Grid()).colwise() + shift);
     const Matrix3d frame = FrameOf(plane);
     EXPECT_LT((frame.transpose() * frame - Matrix3d::Identity()).norm(), 1e-14);
@@ -95,7 +95,7 @@ TEST(DomainPlane, IsTheNearestCoordinatePlaneTurnedTheShortestWay)
       base << 1, 0, 0, 0, 0, -1, 0, 1, 0; // (x, z), normal -y
     }
     EXPECT_GT(base.col(2).dot(frame.col(2)), 0.57) << "the nearest of three";
-    EXPECT_LT((frame - Shortest(base.col(2), frame.col(2)) * base).norm(), 1e-13);
+    EXPECT_LT((frame - ShortestRotation(base.col(2), frame.col(2)) * base).norm(), 1e-13);
 
     for (int i = 0; i < 20; ++i)
     {
@@ -112,7 +112,7 @@ TEST(DomainPlane, RoundingDoesNotDecideTies)
   for (int trial = 0; trial < 50; ++trial)
   {
     const Vector3d direction = Vector3d(slope(random), slope(random), 1.0).normalized();
-    const Matrix3Xd points = Shortest(Vector3d::UnitZ(), direction) * Grid();
+    const Matrix3Xd points = ShortestRotation(Vector3d::UnitZ(), direction) * Grid();
     const DomainPlane plane = DomainPlane::Find(points);
     for (int i = 0; i < 20; ++i)
     {
@@ -134,7 +134,8 @@ TEST(DomainPlane, ASlopeOf45DegreesIsNotDecidedByRounding)
 
 TEST(DomainPlane, DoesNotDependOnTheOrderOfPoints)
 {
-  const Matrix3Xd points = Shortest(Vector3d::UnitZ(), Vector3d(1, -2, 1.5).normalized()) * Grid();
+  const Matrix3Xd points =
+    ShortestRotation(Vector3d::UnitZ(), Vector3d(1, -2, 1.5).normalized()) * Grid();
   const DomainPlane plane = DomainPlane::Find(points);
   const DomainPlane reversed = DomainPlane::Find(points.rowwise().reverse());
   EXPECT_LT((FrameOf(plane) - FrameOf(reversed)).norm(), 1e-14);
@@ -145,9 +146,9 @@ TEST(DomainPlane, RefusesCurvedDataWithItsDeviation)
   for (const Vector3d& direction : { Vector3d(0, 0, 1), Vector3d(1, 2, 3) })
   {
     Matrix3Xd points = Grid();
-    // A saddle: its plane of least squares is that of the grid, and it leaves it by 0.15.
+    // A saddle: its least-squares plane is that of the grid, and it deviates from it by 0.15.
     points.row(2) = 0.2 * points.row(0).array() * (points.row(1).array() - 0.75);
-    points = Shortest(Vector3d::UnitZ(), direction.normalized()) * points;
+    points = ShortestRotation(Vector3d::UnitZ(), direction.normalized()) * points;
     try
     {
       DomainPlane::Find(points);
@@ -161,9 +162,9 @@ TEST(DomainPlane, RefusesCurvedDataWithItsDeviation)
   }
 }
 
-TEST(DomainPlane, TakesCoordinatesOfSinglePrecision)
+TEST(DomainPlane, AcceptsCoordinatesOfSinglePrecision)
 {
-  const Matrix3d turn = Shortest(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());
+  const Matrix3d turn = ShortestRotation(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());
   for (double distance : { 0.0, 1e3 })
   {
     const Matrix3Xd exact = (turn * Grid()).colwise() + Vector3d(distance, -distance, distance);
@@ -177,7 +178,7 @@ TEST(DomainPlane, TakesCoordinatesOfSinglePrecision)
   }
 }
 
-TEST(DomainPlane, PointsThatAreNotFiniteAreLeftToOthers)
+TEST(DomainPlane, IsHorizontalForPointsThatAreNotFinite)
 {
   Matrix3Xd points = Grid();
   points.row(2).setLinSpaced(0.0, 1.0);
@@ -190,9 +191,9 @@ TEST(DomainPlane, PointsThatAreNotFiniteAreLeftToOthers)
   EXPECT_TRUE(DomainPlane::Find(Matrix3Xd(3, 0)).IsHorizontal());
 }
 
-TEST(DomainPlane, RequiresPlacesToBeInThePlane)
+TEST(DomainPlane, RefusesPointsOffThePlane)
 {
-  const Matrix3d turn = Shortest(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());
+  const Matrix3d turn = ShortestRotation(Vector3d::UnitZ(), Vector3d(1, 2, 3).normalized());
   const DomainPlane plane = DomainPlane::Find(turn * Grid());
   const Vector3d inside(0.25, 0.75, 0.0);
   EXPECT_LT((plane.RequireInPlane(turn * inside, "It") - Point(0.25, 0.75)).norm(), 1e-12);

@@ -8,10 +8,10 @@ namespace crossfield::test
 {
 namespace
 {
-/// 4 × 2, counter-clockwise, with a vertex in the middle of the lower side.
+/// Rectangle of 4 × 2, counter-clockwise, with a vertex in the middle of the lower side.
 const Loop Rectangle = { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 2 }, { 0, 2 } };
 
-TEST(LoopArc, GoesRoundTheLoop)
+TEST(LoopArc, EvaluatesPointsAlongTheLoop)
 {
   const LoopArc arc(Rectangle);
   EXPECT_EQ(arc.Length(), 12.0);
@@ -35,20 +35,20 @@ TEST(LoopArc, GoesRoundTheLoop)
   EXPECT_EQ(arc.NearestVertex(-1.5), 4U);
 }
 
-TEST(LoopArc, FindsWhatIsNearest)
+TEST(LoopArc, FindsNearestPoints)
 {
   const LoopArc arc(Rectangle);
   EXPECT_EQ(arc.Nearest({ 1, -3 }), 1.0);
-  EXPECT_EQ(arc.Nearest({ 2, -3 }), 2.0);    // a vertex, near on both its sides
-  EXPECT_EQ(arc.Nearest({ -1, -1 }), 0.0);   // and the first one
-  EXPECT_EQ(arc.Nearest({ 3.5, 1.5 }), 6.0); // as near to two sides: between them
+  EXPECT_EQ(arc.Nearest({ 2, -3 }), 2.0);    // a vertex, equally near on both of its sides
+  EXPECT_EQ(arc.Nearest({ -1, -1 }), 0.0);   // the first vertex
+  EXPECT_EQ(arc.Nearest({ 3.5, 1.5 }), 6.0); // equally near to two sides: the vertex between them
   EXPECT_EQ(arc.Nearest({ 0.25, 0.25 }), 0.0);
   EXPECT_EQ(arc.Find({ 1, -3 }, 3.0), 1.0);
   EXPECT_LT(arc.Find({ 1, -3 }, 2.9), 0.0);
   EXPECT_EQ(arc.FindAll({ { 5, 1 }, { 9, 9 }, { 1, 0 } }, 1.0), std::vector<double>({ 5.0, 1.0 }));
 }
 
-TEST(LoopArc, TurnsByAWholeTurn)
+TEST(LoopArc, TurningAddsUpToAFullTurn)
 {
   const LoopArc arc(Rectangle);
   double sum = 0.0;
@@ -59,13 +59,13 @@ TEST(LoopArc, TurnsByAWholeTurn)
   EXPECT_NEAR(sum, 2.0 * Pi, 1e-15);
   EXPECT_EQ(arc.Turns()[1], 0.0);
   EXPECT_EQ(arc.Corners(Pi / 6.0), std::vector<double>({ 0.0, 4.0, 6.0, 10.0 }));
-  EXPECT_TRUE(arc.Corners(Pi / 2.0).empty()); // by more than the angle
+  EXPECT_TRUE(arc.Corners(Pi / 2.0).empty()); // corners turn by more than the angle
 }
 
-TEST(LoopArc, MeasuresHowFarAVertexIsFromTheSideThatStandsForIt)
+TEST(LoopArc, MeasuresDistancesFromReplacementSides)
 {
   const LoopArc arc(Rectangle);
-  // Without (4, 0), from (2, 0) to (4, 2): it is √2 away.
+  // Without (4, 0), the side from (2, 0) to (4, 2) is √2 away from it.
   const std::vector<ArcVertex> vertices = { { 0.0, { 0, 0 } }, { 2.0, { 2, 0 } }, { 6.0, { 4, 2 } },
     { 10.0, { 0, 2 } } };
   EXPECT_DOUBLE_EQ(LargestDistance(arc, vertices), std::sqrt(2.0));

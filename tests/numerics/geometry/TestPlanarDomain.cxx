@@ -21,17 +21,17 @@ Loop Reversed(Loop loop)
   return loop;
 }
 
-TEST(PlanarDomain, SignedAreaFollowsTheOrientationAndIgnoresThePlace)
+TEST(PlanarDomain, SignedAreaDependsOnOrientationNotOnPosition)
 {
   EXPECT_DOUBLE_EQ(SignedArea(Box(0.0, 0.0, 3.0, 2.0)), 6.0);
   EXPECT_DOUBLE_EQ(SignedArea(Reversed(Box(0.0, 0.0, 3.0, 2.0))), -6.0);
-  // Products of absolute coordinates would leave nothing of an area of 1 at 1e9.
+  // Products of absolute coordinates would cancel entirely for an area of 1 at 1e9.
   EXPECT_DOUBLE_EQ(SignedArea(Box(1e9, -1e9, 1e9 + 1.0, -1e9 + 1.0)), 1.0);
   EXPECT_DOUBLE_EQ(BoundingDiagonal({ Box(-1.0, 2.0, 2.0, 6.0) }), 5.0);
   EXPECT_DOUBLE_EQ(BoundingDiagonal({}), 0.0);
 }
 
-TEST(PlanarDomain, OrientsAndNestsWhateverTheOrder)
+TEST(PlanarDomain, OrientsAndNestsLoopsInAnyOrder)
 {
   const Loop outer = Box(0.0, 0.0, 10.0, 10.0);
   const Loop first = Box(1.0, 1.0, 3.0, 3.0);
@@ -58,9 +58,9 @@ TEST(PlanarDomain, OrientsAndNestsWhateverTheOrder)
   }
 }
 
-TEST(PlanarDomain, ScaleAndTranslationChangeNothing)
+TEST(PlanarDomain, CommutesWithScalingAndTranslation)
 {
-  // Turned, so that the leftmost point of every loop is so by more than rounding.
+  // Rotated, so that the leftmost point of each loop is unique by more than rounding.
   const std::vector<Loop> loops = Similarity{ 0.3, 1.0, Point::Zero() }(
     std::vector<Loop>{ Reversed(RegularPolygon(9, 0.2, Point(0.3, 0.3))), RegularPolygon(41),
       RegularPolygon(5, 0.1, Point(-0.5, 0.1)) });
@@ -105,9 +105,9 @@ TEST(PlanarDomain, TheSameCurvesGiveTheSameDomain)
   }
 }
 
-TEST(PlanarDomain, TouchingIsExactNotAMatterOfTolerance)
+TEST(PlanarDomain, DetectsTouchingExactly)
 {
-  // One unit in the last place between an inner loop and the outer one is enough.
+  // A gap of one unit in the last place between an inner loop and the outer one is sufficient.
   const double gap = std::nextafter(10.0, 0.0);
   EXPECT_NO_THROW(MakePlanarDomain({ Box(0.0, 0.0, 10.0, 10.0), Box(gap - 1.0, 4.0, gap, 5.0) }));
 }
@@ -161,7 +161,7 @@ TEST(PlanarDomain, RefusesLoopsThatTouch)
     { "touches", "(1, 0)" }));
 }
 
-TEST(PlanarDomain, RefusesWhatIsNotOneConnectedDomain)
+TEST(PlanarDomain, RefusesDisconnectedDomains)
 {
   EXPECT_TRUE(Refuses([] { MakePlanarDomain({}); }, { "no boundary" }));
   EXPECT_TRUE(Refuses(

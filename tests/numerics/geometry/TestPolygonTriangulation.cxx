@@ -8,7 +8,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// As many triangles as a polygon has, none turned over, that fill it.
+/// Expects the number of triangles of a triangulated polygon, positive areas and their sum.
 void ExpectFills(const Loop& polygon, std::size_t collinear = 0)
 {
   const auto triangles = TriangulatePolygon(polygon);
@@ -52,7 +52,7 @@ TEST(PolygonTriangulation, FillsARingThatIsCutOpen)
   ExpectFills(ring);
 }
 
-TEST(PolygonTriangulation, TakesSidesOfSeveralPoints)
+TEST(PolygonTriangulation, AcceptsCollinearPoints)
 {
   ExpectFills(
     { { 0.0, 0.0 }, { 0.5, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.5 }, { 1.0, 1.0 }, { 0.0, 1.0 } });

@@ -8,7 +8,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// Random directions, so that there are indices of every kind.
+/// Returns a field of random directions, with indices of all kinds.
 CrossField RandomField(const char* domain, std::uint32_t seed)
 {
   const SharedTopology topology = ShareTopology(DrillMesh(Builtin(domain, 0.15), {}, 0.15));
@@ -21,7 +21,7 @@ CrossField RandomField(const char* domain, std::uint32_t seed)
   return field;
 }
 
-TEST(UnwrapPhase, IsTheArgumentUpToWholeTurns)
+TEST(UnwrapPhase, EqualsTheArgumentUpToFullTurns)
 {
   for (const char* domain : { "disk", "ring" })
   {
@@ -35,7 +35,7 @@ TEST(UnwrapPhase, IsTheArgumentUpToWholeTurns)
   }
 }
 
-TEST(UnwrapPhase, TheMatchingOfATriangleIsMinusItsIndex)
+TEST(UnwrapPhase, MatchingAddsUpToMinusTheIndex)
 {
   const CrossField field = RandomField("ring", 8);
   const UnwrappedPhase phase = UnwrapPhase(field);
@@ -62,13 +62,13 @@ TEST(UnwrapPhase, TheMatchingOfATriangleIsMinusItsIndex)
     EXPECT_EQ(sum, -index);
   }
   EXPECT_GT(singular, 10);
-  // A tree over all edges has one step fewer than there are edges.
+  // A spanning tree of the edges has one step fewer than there are edges.
   EXPECT_GE(onTree, field.topology->edges.Count() - 1);
 }
 
-TEST(UnwrapPhase, OfASmoothFieldHasNoMatching)
+TEST(UnwrapPhase, MatchingVanishesForSmoothFields)
 {
-  // u = e^{4iθ} of a smooth θ without singularities on a simply connected domain.
+  // u = e^{4iθ} for a smooth θ without singularities on a simply connected domain.
   CrossField field = RandomField("disk", 9);
   for (int e = 0; e < field.topology->edges.Count(); ++e)
   {

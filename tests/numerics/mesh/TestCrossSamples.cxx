@@ -27,7 +27,7 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
   return (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
 }
 
-/// Largest errors of the samples at triangles and at vertices.
+/// Returns the largest errors of the samples at triangles and at vertices.
 std::pair<double, double> Errors(const TriangleMesh& mesh, const Function& f)
 {
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -53,7 +53,7 @@ TEST(CrossSamples, LinearFieldsAreExactEverywhere)
   EXPECT_LT(atVertices, 1e-13);
 }
 
-TEST(CrossSamples, SmoothFieldsAreOfSecondOrderUpToTheBoundary)
+TEST(CrossSamples, ConvergesAtSecondOrderUpToTheBoundary)
 {
   DrillOptions options;
   options.meshSize = 0.2;

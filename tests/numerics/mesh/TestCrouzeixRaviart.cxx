@@ -31,7 +31,7 @@ std::vector<bool> OnBoundary(const EdgeNumbering& edges)
   return result;
 }
 
-/// A domain with an inner loop, holes and triangles of very different sizes.
+/// Returns a mesh with an inner loop, holes and triangles of very different sizes.
 TriangleMesh TestMesh()
 {
   return DrillHoles(Builtin("ring"), { { { 0.7, 0.1 }, 1, 0.01 }, { { -0.6, 0.3 }, -1, 0.15 } });
@@ -70,7 +70,8 @@ TEST(CrouzeixRaviart, BoundaryResidualIsTheFluxThroughTheEdge)
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const auto& [from, to] = mesh.boundary[i].vertices;
-    // The domain is on the left: the outward normal times the length is the edge turned right.
+    // The domain is on the left, so the outward normal times the length is the edge rotated to the
+    // right.
     const double flux = Cross(slope, mesh.points[to] - mesh.points[from]);
     EXPECT_NEAR(residual[edges.ofBoundary[i]], flux, 1e-12);
   }
@@ -94,13 +95,14 @@ TEST(CrouzeixRaviart, IsSymmetricAndPositiveSemidefiniteWithTheConstantsAsKernel
     }
     EXPECT_GT(u.dot(stiffness * u), 0.0);
   }
-  // Nothing else is in the kernel: on the functions that vanish on one edge it is definite.
+  // The kernel contains nothing else: on the functions that vanish on one edge the matrix is
+  // definite.
   const Eigen::SimplicialLLT<SparseMatrix> factor(
     SparseMatrix(stiffness.bottomRightCorner(edges.Count() - 1, edges.Count() - 1)));
   EXPECT_EQ(factor.info(), Eigen::Success);
 }
 
-TEST(CrouzeixRaviart, DoesNotDependOnScaleRotationOrPlace)
+TEST(CrouzeixRaviart, IsInvariantUnderSimilarities)
 {
   const TriangleMesh mesh = TestMesh();
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -160,7 +162,8 @@ TEST(CrouzeixRaviart, IsFourTimesTheLinearElement)
   }
 }
 
-/// Minimises the energy with the values of f on the boundary edges; returns all values.
+/// Minimises the energy with the values of f on the boundary edges and returns the values on all
+/// edges.
 Eigen::VectorXd SolveDirichlet(const TriangleMesh& mesh, const EdgeNumbering& edges,
   const SparseMatrix& stiffness, const Function& f)
 {
@@ -196,7 +199,7 @@ TEST(CrouzeixRaviart, EnergyAndValuesConvergeAtSecondOrder)
     const EdgeNumbering edges = NumberEdges(mesh);
     const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, edges);
     const Eigen::VectorXd u = SolveDirichlet(mesh, edges, stiffness, f);
-    if (level >= 2) // before, the errors along the boundary and inside partly cancel
+    if (level >= 2) // on coarser levels, the errors along the boundary and inside partly cancel
     {
       sizes.push_back(std::pow(0.5, level));
       energyErrors.push_back(std::abs(0.5 * u.dot(stiffness * u) - exact));
@@ -235,7 +238,7 @@ TEST(AlignedRepresentation, IsTheFourthPowerOfTheDirection)
     const Point direction = length * Point(std::cos(angle), std::sin(angle));
     const Complex u = AlignedRepresentation(direction);
     EXPECT_LT(std::abs(u - std::polar(1.0, 4.0 * angle)), 1e-14);
-    // A cross is the same after a quarter turn.
+    // A cross is invariant under a quarter turn.
     EXPECT_LT(std::abs(u - AlignedRepresentation({ -direction.y(), direction.x() })), 1e-14);
   }
 }

@@ -9,7 +9,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// A square of four triangles around its centre, vertex 4.
+/// Returns a square of four triangles around its centre, vertex 4.
 TriangleMesh Fan()
 {
   TriangleMesh mesh;
@@ -32,7 +32,7 @@ std::vector<TriangleMesh> Meshes()
   return meshes;
 }
 
-TEST(EdgeNumbering, NumbersEveryEdgeOnceAndKnowsItsEnds)
+TEST(EdgeNumbering, NumbersEachEdgeOnceWithItsEndPoints)
 {
   for (const TriangleMesh& mesh : Meshes())
   {
@@ -65,7 +65,7 @@ TEST(EdgeNumbering, NumbersEveryEdgeOnceAndKnowsItsEnds)
           EXPECT_EQ(std::count(edges.ofTriangle[t].begin(), edges.ofTriangle[t].end(), e), 1);
         }
       }
-      // Two different ones, or one on the boundary.
+      // Two different triangles, or one on the boundary.
       EXPECT_GE(edges.triangles[e][0], 0);
       EXPECT_NE(edges.triangles[e][0], edges.triangles[e][1]);
       const bool onBoundary = std::count(edges.ofBoundary.begin(), edges.ofBoundary.end(), e) > 0;
@@ -77,7 +77,7 @@ TEST(EdgeNumbering, NumbersEveryEdgeOnceAndKnowsItsEnds)
       ASSERT_TRUE(
         joins(edges.ofBoundary[i], mesh.boundary[i].vertices[0], mesh.boundary[i].vertices[1]));
     }
-    // Every triangle has three edges; inside two triangles share one.
+    // Each triangle has three edges; each interior edge is shared by two triangles.
     EXPECT_EQ(2 * edges.vertices.size(), 3 * mesh.triangles.size() + mesh.boundary.size());
   }
 }
@@ -125,7 +125,7 @@ TEST(FindBoundaryLoops, WalksEveryLoopCounterClockwise)
   std::set<int> seen;
   for (const BoundaryLoop& loop : loops)
   {
-    // Consecutive edges share the vertex between them, the last one closes the loop.
+    // Consecutive edges share the vertex between them, and the last one closes the loop.
     const std::vector<int> vertices = WalkedVertices(mesh, loop);
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
@@ -172,7 +172,7 @@ TEST(FindBoundaryLoops, RefusesLinesThatDoNotFormOneLoop)
   TriangleMesh indices = Fan();
   indices.boundary[3].quarterIndex = 2;
   EXPECT_TRUE(refused(indices, "1", "0"));
-  // Two loops under one number.
+  // Two loops with the same id.
   TriangleMesh ring = DrillHoles(Builtin("disk"), OnCircle(2, 0.5, 0.0, 2, 0.1));
   for (BoundaryEdge& edge : ring.boundary)
   {

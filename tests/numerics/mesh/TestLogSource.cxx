@@ -9,7 +9,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// Sources within a square, some far nearer to its centre than others.
+/// Returns sources within a square, some much closer to its centre than others.
 std::vector<LogSource> RandomSources(Random& random, int count, double size)
 {
   std::vector<LogSource> logs;
@@ -23,7 +23,7 @@ std::vector<LogSource> RandomSources(Random& random, int count, double size)
   return logs;
 }
 
-TEST(LogSource, SumsAreThoseOfSingleLogarithmsAtAllExtents)
+TEST(LogSource, SumOfLogsEqualsSingleLogarithmsAtAllExtents)
 {
   for (const double size : { 1e-60, 1e-40, 1e-20, 1.0, 1e20, 1e40, 1e60 })
   {
@@ -50,7 +50,7 @@ TEST(LogSource, SumsAreThoseOfSingleLogarithmsAtAllExtents)
   }
 }
 
-TEST(LogSource, SumOfTurnsIsThatOfSingleTurnsAtAllExtents)
+TEST(LogSource, SumOfTurnsEqualsSingleTurnsAtAllExtents)
 {
   for (const double size : { 1e-60, 1e-40, 1e-20, 1.0, 1e20, 1e40, 1e60 })
   {
@@ -60,7 +60,7 @@ TEST(LogSource, SumOfTurnsIsThatOfSingleTurnsAtAllExtents)
     {
       std::vector<LogSource> logs = RandomSources(random, count, size);
       logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // of a corner
-      for (const double step : { 1e-8, 0.1, 1.0 }) // seen under small angles, and under obtuse ones
+      for (const double step : { 1e-8, 0.1, 1.0 }) // seen under small and under obtuse angles
       {
         const auto place = [&]
         { return Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0)); };
@@ -80,7 +80,7 @@ TEST(LogSource, SumOfTurnsIsThatOfSingleTurnsAtAllExtents)
   }
 }
 
-TEST(LogSource, SumsAreInfiniteAtASourceAndTurnsLeaveItOut)
+TEST(LogSource, SumOfLogsIsInfiniteAtASourceThatTurnsIgnore)
 {
   const std::vector<LogSource> logs = { { { 0.3, 0.4 }, 2.0, 2.0 * Pi },
     { { 0.0, 0.0 }, 1.0, 2.0 * Pi }, { { -1.0, 0.5 }, 1.0, 2.0 * Pi } };

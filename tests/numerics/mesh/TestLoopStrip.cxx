@@ -7,7 +7,7 @@ namespace crossfield::test
 {
 namespace
 {
-TEST(LoopStrip, LeadsFromTheOuterLoopToEveryOtherWithOneSideLeft)
+TEST(LoopStrip, ConnectsTheOuterLoopToEachOtherLoop)
 {
   Random random(100);
   const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(24),
@@ -24,14 +24,14 @@ TEST(LoopStrip, LeadsFromTheOuterLoopToEveryOtherWithOneSideLeft)
     EXPECT_EQ(mesh.boundary[strip.firstBoundaryEdge].kind, BoundaryKind::Outer);
     EXPECT_EQ(mesh.boundary[strip.lastBoundaryEdge].kind, loops[k + 1].kind);
     EXPECT_EQ(mesh.boundary[strip.lastBoundaryEdge].id, loops[k + 1].id);
-    // η jumps across exactly the edges that the strip passes: between the edge where it comes in
-    // and the next, its left ends are 1 and its right ends 0.
+    // η jumps across exactly the edges that the strip crosses: between the edge where it enters and
+    // the next, it is 1 at the left ends and 0 at the right ends.
     int in = edges.ofBoundary[strip.firstBoundaryEdge];
     for (std::size_t s = 0; s < strip.steps.size(); ++s)
     {
       const int t = strip.steps[s].triangle;
       const int out = s + 1 < strip.steps.size() ? -1 : edges.ofBoundary[strip.lastBoundaryEdge];
-      int passed = 0;
+      int crossed = 0;
       int next = -1;
       for (int i = 0; i < 3; ++i)
       {
@@ -40,13 +40,13 @@ TEST(LoopStrip, LeadsFromTheOuterLoopToEveryOtherWithOneSideLeft)
         const int edge = edges.ofTriangle[t][i];
         if (from != to)
         {
-          ++passed;
-          // Coming in the left end is where the edge, walked with the triangle on the left, starts.
+          ++crossed;
+          // On entry the left end is the start of the edge in the orientation of the triangle.
           EXPECT_EQ(from, edge == in ? 1.0 : 0.0);
           next = edge == in ? next : edge;
         }
       }
-      EXPECT_EQ(passed, 2);
+      EXPECT_EQ(crossed, 2);
       EXPECT_TRUE(out < 0 || next == out);
       if (s + 1 < strip.steps.size())
       {
@@ -58,7 +58,7 @@ TEST(LoopStrip, LeadsFromTheOuterLoopToEveryOtherWithOneSideLeft)
   }
 }
 
-TEST(LoopStrip, ThereIsNoneWithoutAnotherLoop)
+TEST(LoopStrip, IsAbsentWithoutOtherLoops)
 {
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), { { { 0.0, 0.0 }, 4, 0.1 } });
   const std::vector<BoundaryLoop> loops = FindBoundaryLoops(mesh);

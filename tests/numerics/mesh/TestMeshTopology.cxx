@@ -9,8 +9,8 @@ namespace
 {
 TEST(MeshTopology, TheBoundaryTurnsOnceAroundEveryLoop)
 {
-  // With the domain on the left: 2π along the outer loop, −2π along the others; each loop at every
-  // vertex once.
+  // With the domain on the left, the turning adds up to 2π along the outer loop and −2π along the
+  // others; each vertex of a loop is visited once.
   const SharedTopology topology = ShareTopology(DrillMesh(
     Builtin("ring", 0.1), { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } }, 0.1));
   ASSERT_EQ(topology->loops.size(), 4u);
@@ -43,7 +43,7 @@ TEST(MeshTopology, AlignedLoopsAreThePolygonsOfTheDomain)
   {
     EXPECT_EQ(topology->PointAt(topology->alignedVertices[0][i]), loops[0][i]);
   }
-  // Its six corners, and none on the hole, where a polygon turns as well.
+  // Six corners, and none on the hole, although a polygon turns there as well.
   EXPECT_EQ(std::accumulate(topology->corners.begin(), topology->corners.end(), 0), 6);
   for (const Corner& corner : FindCorners(loops))
   {

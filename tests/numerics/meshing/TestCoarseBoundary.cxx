@@ -14,7 +14,7 @@ bool Has(const Loop& loop, const Point& point)
   return std::find(loop.begin(), loop.end(), point) != loop.end();
 }
 
-TEST(CoarseBoundary, OfACircleIsWithinAThousandthOfTheLength)
+TEST(CoarseBoundary, CircleIsWithinAThousandthOfTheLength)
 {
   const Loop circle = RegularPolygon(40000);
   const double length = 0.04;
@@ -23,7 +23,7 @@ TEST(CoarseBoundary, OfACircleIsWithinAThousandthOfTheLength)
   ASSERT_EQ(coarse.loops.size(), 1u);
   const Loop& loop = coarse.loops[0];
   EXPECT_TRUE(Has(loop, circle[17]));
-  // Of a chord c the height is c²/8.
+  // The height of an arc over a chord c is c²/8.
   EXPECT_NEAR(static_cast<double>(loop.size()), 2.0 * Pi / std::sqrt(8.0 * 1e-3 * length), 4.0);
   for (std::size_t i = 0; i < circle.size(); i += 7)
   {
@@ -33,7 +33,7 @@ TEST(CoarseBoundary, OfACircleIsWithinAThousandthOfTheLength)
 
 TEST(CoarseBoundary, CornersKeepTheirAnglesAndStraightSidesTheLength)
 {
-  // A square with sides in a thousand parts, and a hole of few sides.
+  // A square with a thousand vertices per side, and a hole with few sides.
   Loop square;
   const Loop corners = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } };
   for (std::size_t side = 0; side < 4; ++side)
@@ -60,9 +60,9 @@ TEST(CoarseBoundary, CornersKeepTheirAnglesAndStraightSidesTheLength)
   }
 }
 
-TEST(CoarseBoundary, LoopsThatWouldTouchStayAsTheyAre)
+TEST(CoarseBoundary, LeavesLoopsThatWouldTouchUnchanged)
 {
-  // An island whose vertices lie between the circle and the chords of a coarser one.
+  // An island whose vertices are between the circle and the chords of a coarser polygon.
   const Loop circle = RegularPolygon(3000);
   Loop island = RegularPolygon(300, 1.0 - 2e-5);
   std::reverse(island.begin(), island.end());

@@ -21,7 +21,7 @@ struct Drilled
   TriangleMesh mesh;
 };
 
-/// Random smooth domain, random holes, random mesh size; trial 0 has no hole.
+/// Drills random holes into a random smooth domain with a random mesh size; trial 0 has no hole.
 Drilled DrillRandom(int trial)
 {
   Random random(static_cast<std::uint32_t>(1000 + trial));
@@ -33,7 +33,7 @@ Drilled DrillRandom(int trial)
   return result;
 }
 
-/// Distances of the boundary vertices of a hole from its centre.
+/// Returns the distances of the boundary vertices of a hole from its centre.
 std::vector<double> RimDistances(const Drilled& drilled, int hole)
 {
   std::vector<double> distances;
@@ -48,8 +48,8 @@ std::vector<double> RimDistances(const Drilled& drilled, int hole)
   return distances;
 }
 
-/// Corners of the polygon that stands for a hole: the rim vertices on the circle itself, to the
-/// rounding of coordinates of size one.
+/// Returns the number of corners of a hole's polygon: the rim vertices on the circle itself, up to
+/// the rounding of coordinates of size one.
 int PolygonCorners(const Drilled& drilled, int hole)
 {
   const std::vector<double> distances = RimDistances(drilled, hole);
@@ -62,7 +62,7 @@ double PolygonSide(const Drilled& drilled, int hole)
   return 2.0 * drilled.holes[hole].radius * std::sin(Pi / PolygonCorners(drilled, hole));
 }
 
-TEST(DrillHoles, TopologyAndAreaAreThoseOfTheDrilledDomain)
+TEST(DrillHoles, HasTopologyAndAreaOfTheDrilledDomain)
 {
   for (int trial = 0; trial < Trials; ++trial)
   {
@@ -95,7 +95,7 @@ TEST(DrillHoles, HolesAreRegularPolygonsOnTheirCircles)
       EXPECT_GE(corners, drilled.options.minimumHoleEdges);
       EXPECT_GE(corners, 8 * std::abs(hole.quarterIndex));
       EXPECT_LE(PolygonSide(drilled, i), meshSize * (1.0 + 1e-12));
-      // Points that the mesher puts on a side lie between its middle and its ends.
+      // Points that the mesher inserts on a side are between its middle and its ends.
       const double apothem = hole.radius * std::cos(Pi / corners);
       for (const double distance : RimDistances(drilled, i))
       {
@@ -117,7 +117,7 @@ TEST(DrillHoles, MarksEveryLoopWithItsRowAndIndex)
     EXPECT_EQ(loops[0].kind, BoundaryKind::Outer);
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
-      // Counter-clockwise around what it encloses, whichever kind it is.
+      // Counter-clockwise around the enclosed region, for all kinds of loops.
       EXPECT_GT(SignedArea(WalkedPoints(drilled.mesh, loops[i])), 0.0);
       if (i > 0)
       {
@@ -129,14 +129,14 @@ TEST(DrillHoles, MarksEveryLoopWithItsRowAndIndex)
   }
 }
 
-TEST(DrillHoles, NoAngleIsSmallAndNoEdgeIsLong)
+TEST(DrillHoles, RespectsBoundsOfAnglesAndLengths)
 {
   for (int trial = 0; trial < Trials; ++trial)
   {
     SCOPED_TRACE(trial);
     const Drilled drilled = DrillRandom(trial);
     EXPECT_GE(SmallestAngle(drilled.mesh), 20.7);
-    // The size asked for, by the formula of docs/method.md §10.1: graded down to the segments of the
+    // Target size by the formula of docs/method.md §10.1: graded down to the segments of the
     // boundary and to the sides of the holes.
     std::vector<std::pair<Point, double>> sources;
     for (std::size_t i = 0; i < drilled.domain.loops[0].size(); ++i)
@@ -169,7 +169,7 @@ TEST(DrillHoles, NoAngleIsSmallAndNoEdgeIsLong)
   }
 }
 
-TEST(DrillHoles, TwoRunsGiveTheSameMeshToTheLastBit)
+TEST(DrillHoles, IsDeterministic)
 {
   for (int trial = 0; trial < Trials; trial += 4)
   {
@@ -194,9 +194,9 @@ TEST(DrillHoles, InnerLoopsAndHolesKeepTheirKinds)
   EXPECT_EQ(NumberEdges(mesh).EulerCharacteristic(mesh), -3);
 }
 
-TEST(DrillHoles, HolesGetTheEdgesThatTheirIndexNeeds)
+TEST(DrillHoles, HoleEdgesGrowWithTheQuarterIndex)
 {
-  // 8 |k|, so that the phase turns by no more than π/4 from one edge to the next.
+  // At least 8 |k| edges, so that the phase turns by no more than π/4 from one edge to the next.
   for (const int quarters : { -6, -5, 3, 5, 6 })
   {
     DrillOptions options;
@@ -210,7 +210,7 @@ TEST(DrillHoles, HolesGetTheEdgesThatTheirIndexNeeds)
 
 TEST(DrillHoles, NearlyTouchingHolesAreResolved)
 {
-  // A gap of a hundredth of the radius between two holes, and between a hole and the boundary.
+  // Gaps of a hundredth of the radius between two holes, and between a hole and the boundary.
   const PlanarDomain disk = Builtin("disk", 0.05);
   const Configuration holes = { { { -0.1, 0.0 }, 1, 0.1 }, { { 0.101, 0.0 }, 1, 0.1 },
     { { 0.0, 0.89 }, 2, 0.1 } };
@@ -226,7 +226,8 @@ TEST(DrillHoles, MeshSizeDefaultsToAFortiethOfTheDiagonal)
   DrillOptions options;
   options.meshSize = 0.3;
   EXPECT_EQ(ResolveMeshSize(options, square), 0.3);
-  // A singularity without a radius gets the mesh size, or a third of the distance to the boundary.
+  // The default radius is the mesh size, or a third of the distance to the boundary if that is
+  // smaller.
   const Configuration holes = { { { 0.5, 0.5 }, 1, 0.0 } };
   EXPECT_EQ(WithChosenRadii(square, holes, 0.1)[0].radius, 0.1);
   const Drilled drilled{ square, { { { 0.5, 0.5 }, 1, 0.5 / 3.0 } }, options,
@@ -234,7 +235,7 @@ TEST(DrillHoles, MeshSizeDefaultsToAFortiethOfTheDiagonal)
   EXPECT_GE(PolygonCorners(drilled, 0), 32);
 }
 
-TEST(DrillHoles, ScaleChangesNothing)
+TEST(DrillHoles, CommutesWithScaling)
 {
   const Drilled drilled = DrillRandom(5);
   for (const double scale : { 1e-6, 1e6 })
@@ -261,19 +262,19 @@ TEST(DrillHoles, RefusesHolesThatDoNotFit)
   EXPECT_TRUE(Refuses(drill({ good, { { 2.0, 0.0 }, 1, 0.1 } }),
     { "singularity 2", "(2, 0)", "outside", "move it" }));
   EXPECT_TRUE(Refuses(drill({ { { 0.1, 0.0 }, 1, 0.01 } }), { "singularity 1", "outside" }));
-  // Too close to either boundary: the distance is in the sentence.
+  // Too close to one of the boundaries: the message states the distance.
   EXPECT_TRUE(Refuses(drill({ { { 0.0, 0.75 }, 1, 0.5 } }),
     { "singularity 1", "(0, 0.75)", "radius 0.5", "cuts the boundary", "only 0.24", "smaller" }));
   EXPECT_TRUE(Refuses(drill({ { { 0.5, 0.0 }, 1, 0.101 } }), { "cuts the boundary" }));
   EXPECT_FALSE(Refuses(drill({ { { 0.5, 0.0 }, 1, 0.09 } }), {}));
-  // Overlap, tangency, and one inside another: both rows and both numbers are in the sentence.
+  // Overlap, tangency, and one hole inside another: the message states both rows and both numbers.
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.125 }, -1, 0.1 } }),
     { "singularity 1", "singularity 2", "overlap", "0.125 apart", "add up to 0.2" }));
   EXPECT_TRUE(Refuses(drill({ good, { { 0.7, 0.2 }, -1, 0.1 } }), { "overlap" }));
   EXPECT_TRUE(Refuses(drill({ good, good }), { "overlap" }));
 }
 
-TEST(DrillHoles, RefusesNumbersThatMakeNoSense)
+TEST(DrillHoles, RefusesInvalidNumbers)
 {
   constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
   constexpr double Infinity = std::numeric_limits<double>::infinity();
@@ -316,7 +317,7 @@ TEST(DrillHoles, RefusesHolesWithFewerThanThreeEdges)
   {
     DrillOptions options;
     options.minimumHoleEdges = few;
-    // An index of zero asks for no edges of its own, and a small radius for one.
+    // An index of zero requires no edges of its own, and a small radius requires one.
     EXPECT_TRUE(Refuses(
       [&] {
         DrillHoles(disk, { { { 0.0, 0.0 }, 0, 1e-3 } }, options);

@@ -12,14 +12,14 @@ namespace
 {
 constexpr int Margin = 2;
 
-/// A lattice with points strewn over it, and a wall of points all around and across.
-struct Strewn
+/// A lattice with random points scattered over it, and a wall of points all around and across.
+struct ScatteredPoints
 {
   TriangularLattice lattice;
   std::vector<Point> others;
   double wall;
 
-  explicit Strewn(unsigned seed)
+  explicit ScatteredPoints(unsigned seed)
   {
     Random random(seed);
     this->lattice.origin = Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
@@ -49,7 +49,7 @@ struct Strewn
   {
     return this->lattice.At(this->lattice.columns - 1, this->lattice.rows - 1);
   }
-  /// The part below the wall.
+  /// Returns whether a point is below the wall.
   bool IsInside(const Point& point) const { return point.y() < this->wall; }
 
   double ToOthers(const Point& point) const
@@ -71,53 +71,54 @@ struct Strewn
 
 using Edge = std::pair<std::size_t, std::size_t>;
 
-TEST(LatticeCore, HasTheTrianglesThatAreFarFromAllOthersAndOnlyThese)
+TEST(LatticeCore, ContainsExactlyTheTrianglesFarFromOtherPoints)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     SCOPED_TRACE(seed);
-    const Strewn strewn(seed);
-    const LatticeCore core = strewn.Core();
+    const ScatteredPoints scattered(seed);
+    const LatticeCore core = scattered.Core();
     ASSERT_FALSE(core.GetTriangles().empty());
     for (const LatticeCore::Triangle& triangle : core.GetTriangles())
     {
       for (const std::size_t corner : triangle)
       {
-        EXPECT_TRUE(strewn.IsInside(strewn.lattice.At(corner)));
-        EXPECT_GE(strewn.ToOthers(strewn.lattice.At(corner)), Margin);
+        EXPECT_TRUE(scattered.IsInside(scattered.lattice.At(corner)));
+        EXPECT_GE(scattered.ToOthers(scattered.lattice.At(corner)), Margin);
       }
     }
-    // What is near is marked by squares of lattice points, wider by one at most on either side, and by the half of rounding.
+    // Points are marked in squares of lattice points; these are wider by at most one on either
+    // side, and by half a spacing of rounding.
     const double surely = std::sqrt(2.0) * (Margin + 2.0) + 1.0;
-    for (int row = 0; row < strewn.lattice.rows; ++row)
+    for (int row = 0; row < scattered.lattice.rows; ++row)
     {
-      for (int column = 0; column < strewn.lattice.columns; ++column)
+      for (int column = 0; column < scattered.lattice.columns; ++column)
       {
-        const Point point = strewn.lattice.At(column, row);
-        EXPECT_TRUE(!strewn.IsInside(point) || strewn.ToOthers(point) < surely + 1.0 ||
+        const Point point = scattered.lattice.At(column, row);
+        EXPECT_TRUE(!scattered.IsInside(point) || scattered.ToOthers(point) < surely + 1.0 ||
           core.IsInterior(column, row));
       }
     }
   }
 }
 
-TEST(LatticeCore, TrianglesAreEquilateralAndTheBorderIsWhatHasOneOnly)
+TEST(LatticeCore, TrianglesAreEquilateralAndBorderEdgesHaveOne)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     SCOPED_TRACE(seed);
-    const Strewn strewn(seed);
-    const LatticeCore core = strewn.Core();
+    const ScatteredPoints scattered(seed);
+    const LatticeCore core = scattered.Core();
     std::map<Edge, int> edges;
-    std::vector<int> trianglesAt(strewn.lattice.Count(), 0);
+    std::vector<int> trianglesAt(scattered.lattice.Count(), 0);
     for (const LatticeCore::Triangle& triangle : core.GetTriangles())
     {
-      const std::array<Point, 3> at = { strewn.lattice.At(triangle[0]),
-        strewn.lattice.At(triangle[1]), strewn.lattice.At(triangle[2]) };
+      const std::array<Point, 3> at = { scattered.lattice.At(triangle[0]),
+        scattered.lattice.At(triangle[1]), scattered.lattice.At(triangle[2]) };
       EXPECT_GT(Cross(at[1] - at[0], at[2] - at[0]), 0.0);
       for (std::size_t i = 0; i < 3; ++i)
       {
-        EXPECT_NEAR((at[i] - at[(i + 1) % 3]).norm(), strewn.lattice.spacing, 1e-13);
+        EXPECT_NEAR((at[i] - at[(i + 1) % 3]).norm(), scattered.lattice.spacing, 1e-13);
         ++edges[{ triangle[i], triangle[(i + 1) % 3] }];
         ++trianglesAt[triangle[i]];
       }
@@ -125,7 +126,7 @@ TEST(LatticeCore, TrianglesAreEquilateralAndTheBorderIsWhatHasOneOnly)
     std::vector<Edge> border;
     for (const auto& [edge, count] : edges)
     {
-      EXPECT_EQ(count, 1); // each triangle is there once
+      EXPECT_EQ(count, 1); // each triangle occurs once
       if (edges.count({ edge.second, edge.first }) == 0)
       {
         border.push_back(edge);
@@ -138,23 +139,23 @@ TEST(LatticeCore, TrianglesAreEquilateralAndTheBorderIsWhatHasOneOnly)
     }
     std::sort(told.begin(), told.end());
     EXPECT_EQ(told, border);
-    for (int row = 0; row < strewn.lattice.rows; ++row)
+    for (int row = 0; row < scattered.lattice.rows; ++row)
     {
-      for (int column = 0; column < strewn.lattice.columns; ++column)
+      for (int column = 0; column < scattered.lattice.columns; ++column)
       {
         EXPECT_EQ(
-          core.IsInterior(column, row), trianglesAt[strewn.lattice.NumberOf(column, row)] == 6);
+          core.IsInterior(column, row), trianglesAt[scattered.lattice.NumberOf(column, row)] == 6);
       }
     }
   }
 }
 
-TEST(LatticeCore, EveryPartHasOneOfTheFirstTriangles)
+TEST(LatticeCore, EachPartContainsAFirstTriangle)
 {
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     SCOPED_TRACE(seed);
-    const LatticeCore core = Strewn(seed).Core();
+    const LatticeCore core = ScatteredPoints(seed).Core();
     std::map<Edge, std::size_t> leftOf;
     for (std::size_t t = 0; t < core.GetTriangles().size(); ++t)
     {

@@ -11,9 +11,9 @@ namespace crossfield::test
 {
 namespace
 {
-/// Below this CGAL's criterion, sin² < 1/8, calls a triangle bad: 20.705°.
+/// Angle bound in degrees: CGAL's criterion sin² < 1/8 means angles below 20.705°.
 constexpr double GuaranteedAngle = 20.7;
-/// Edges over the size asked for at the centroid of their triangle.
+/// Maximum ratio of an edge to the target size at the centroid of its triangle.
 constexpr double LongestRatio = 1.6;
 
 std::vector<BoundaryEdge> PlainMarks(const PlanarDomain& domain)
@@ -48,7 +48,7 @@ struct NamedDomain
   PlanarDomain domain;
 };
 
-/// Domains without corners sharper than 60°, for which the angle bound is guaranteed.
+/// Returns domains without corners sharper than 60°, for which the angle bound is guaranteed.
 std::vector<NamedDomain> BluntDomains()
 {
   std::vector<NamedDomain> domains;
@@ -97,7 +97,7 @@ TEST(PlanarMesher, BoundaryEdgesLieOnTheLoopTheyAreMarkedWith)
     std::vector<BoundaryEdge> marks = PlainMarks(domain);
     for (std::size_t l = 0; l < marks.size(); ++l)
     {
-      // Values that only copying can produce.
+      // Values that can only result from copying.
       marks[l].id = 100 + static_cast<int>(l);
       marks[l].quarterIndex = 7 - static_cast<int>(l);
       marks[l].kind = l % 2 == 0 ? BoundaryKind::Outer : BoundaryKind::Hole;
@@ -119,7 +119,7 @@ TEST(PlanarMesher, BoundaryEdgesLieOnTheLoopTheyAreMarkedWith)
         ASSERT_LT(DistanceToLoop(point, domain.loops[l]), 1e-14 * domain.Diagonal());
       }
     }
-    // They lie on it, and are as long as all of it: every segment is covered once.
+    // The edges are on the loop and as long as all of it, so each segment is covered once.
     for (std::size_t l = 0; l < domain.loops.size(); ++l)
     {
       double expected = 0.0;
@@ -134,7 +134,7 @@ TEST(PlanarMesher, BoundaryEdgesLieOnTheLoopTheyAreMarkedWith)
   }
 }
 
-TEST(PlanarMesher, KeepsAngleSizeAndNumberOfTriangles)
+TEST(PlanarMesher, RespectsBoundsOfAngleSizeAndCount)
 {
   for (const auto& [name, domain] : BluntDomains())
   {
@@ -160,7 +160,7 @@ TEST(PlanarMesher, KeepsAngleSizeAndNumberOfTriangles)
         }
         ideal += TriangleArea(mesh, t) / (0.25 * std::sqrt(3.0) * wanted * wanted);
       }
-      // Equilateral triangles of the wanted size would be `ideal` many.
+      // `ideal` is the number of equilateral triangles of the target size.
       EXPECT_GE(static_cast<double>(mesh.triangles.size()), 0.8 * ideal);
       EXPECT_LE(static_cast<double>(mesh.triangles.size()), 3.0 * ideal);
     }
@@ -173,7 +173,8 @@ TEST(PlanarMesher, DomainIsOnTheLeftOfBoundaryEdges)
   {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = Triangulate(domain, SizeOver(domain, domain.Diagonal() / 20.0, {}));
-    // Triangles are counter-clockwise, so the one beside a boundary edge walks it the same way.
+    // Triangles are counter-clockwise, so the one at a boundary edge has the edge in the same
+    // direction.
     std::vector<std::array<int, 2>> walked;
     for (const auto& triangle : mesh.triangles)
     {
@@ -190,7 +191,7 @@ TEST(PlanarMesher, DomainIsOnTheLeftOfBoundaryEdges)
   }
 }
 
-TEST(PlanarMesher, TwoRunsGiveTheSameMeshToTheLastBit)
+TEST(PlanarMesher, IsDeterministic)
 {
   for (const auto& [name, domain] : BluntDomains())
   {
@@ -226,7 +227,7 @@ TEST(PlanarMesher, OnlySharpCornersHaveSmallAngles)
   }
 }
 
-TEST(PlanarMesher, ReportsProgressUpwardsAndStopsWhenAsked)
+TEST(PlanarMesher, ReportsIncreasingProgressAndAborts)
 {
   const PlanarDomain domain = Builtin("disk");
   const SizeField size = SizeOver(domain, 0.02, {});
@@ -255,7 +256,7 @@ TEST(PlanarMesher, IsDelaunayAroundTheCoreOfTheLatticeAsWell)
     const TriangleMesh mesh =
       Triangulate(domain, SizeOver(domain, h, { { domain.loops[0][0], 0.1 * h } }));
     EXPECT_NEAR(MeshArea(mesh), domain.Area(), 1e-12 * domain.Area());
-    std::map<std::array<int, 2>, double> opposite; // the angle opposite of a directed edge
+    std::map<std::array<int, 2>, double> opposite; // the angle opposite each directed edge
     std::size_t equilateral = 0;
     for (const auto& triangle : mesh.triangles)
     {
@@ -306,7 +307,7 @@ TEST(PlanarMesher, OrdersTrianglesAlongACurve)
       unused = std::max(unused, vertex + 1);
     }
   }
-  // In random order it is the mean distance of two points, near to 1.
+  // In random order this would be the mean distance of two points, about 1.
   EXPECT_LT(way / static_cast<double>(mesh.triangles.size()), 1.5 * h);
 }
 
@@ -318,12 +319,12 @@ TEST(PlanarMesher, RefusesGapsThatWouldTakeMillionsOfTriangles)
       { { -0.5, -1.0 + gap }, { 0.5, -1.0 + gap }, { 0.5, 0.0 }, { -0.5, 0.0 } } });
     return Triangulate(domain, SizeOver(domain, 0.1, {}));
   };
-  // One row of triangles about as wide as the gap, which is 1 long.
+  // A gap of length 1 takes one row of triangles about as wide as the gap.
   const std::size_t triangles = withGap(1e-4).triangles.size();
   EXPECT_GT(triangles, 10000u);
   EXPECT_LT(triangles, 40000u);
   EXPECT_TRUE(Refuses([&] { withGap(1e-9); }, { "within 1e-09 of itself", "widen the gap" }));
-  // Triangles of that size on request are no surprise.
+  // Small triangles are accepted if the size field requires them.
   const PlanarDomain strip = MakePlanarDomain({ { { 0, 0 }, { 400, 0 }, { 400, 1 }, { 0, 1 } } });
   EXPECT_GT(Triangulate(strip, SizeOver(strip, 0.05, {})).triangles.size(), 300000u);
 }

@@ -22,7 +22,7 @@ double NearestOther(const std::vector<Point>& points, const Point& place)
   return nearest;
 }
 
-/// All points of a graded lattice in the box.
+/// Returns the points of a graded lattice that are in the box.
 std::vector<Point> PointsInBox(const SizeField& size)
 {
   const GradedLattice lattice = MakeGradedLattice(size);
@@ -44,7 +44,7 @@ TEST(PointLattice, ConstantSizeGivesEquilateralTriangles)
   const std::vector<Point> points = PointsInBox(SizeField({}, Size, 0.25, Box));
   const double cell = 0.5 * std::sqrt(3.0) * Size * Size;
   const auto count = static_cast<double>(points.size());
-  // Up to those along the border of the box, whose length is 6.8.
+  // Up to the points along the border of the box, whose length is 6.8.
   EXPECT_NEAR(count * cell, Box.volume(), 6.8 * Size);
   for (const Point& point : points)
   {
@@ -53,7 +53,7 @@ TEST(PointLattice, ConstantSizeGivesEquilateralTriangles)
   }
 }
 
-TEST(PointLattice, GradedPointsAreAboutAsFarApartAsAsked)
+TEST(PointLattice, GradedSpacingFollowsTheSizeField)
 {
   Random random(90);
   for (int trial = 0; trial < 8; ++trial)
@@ -80,7 +80,7 @@ TEST(PointLattice, GradedPointsAreAboutAsFarApartAsAsked)
   }
 }
 
-TEST(PointLattice, TwoRunsGiveTheSamePointsToTheLastBit)
+TEST(PointLattice, IsDeterministic)
 {
   const SizeField size({ { { 0.1, 0.2 }, 0.001 } }, 0.1, 0.25, Box);
   EXPECT_EQ(PointsInBox(size), PointsInBox(size));

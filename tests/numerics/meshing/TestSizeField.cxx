@@ -22,7 +22,7 @@ struct Field
     return SizeField(
       this->sources, this->maximum, this->gradation, Eigen::AlignedBox2d(this->lower, this->upper));
   }
-  /// The formula of SizeField.h.
+  /// Evaluates the formula of SizeField.h.
   double BruteForce(const Point& point) const
   {
     double size = this->maximum;
@@ -127,9 +127,9 @@ TEST(SizeField, LeavesTileTheBoxAndHaveItsValues)
   }
 }
 
-TEST(SizeField, ManySourcesInOnePlaceAreStillCheap)
+TEST(SizeField, HandlesManyCoincidentSources)
 {
-  // A thousand equal sources on each other must not multiply through the tree.
+  // A thousand coincident sources must not multiply through the tree.
   Field field;
   field.lower = { -1.0, -1.0 };
   field.upper = { 1.0, 1.0 };

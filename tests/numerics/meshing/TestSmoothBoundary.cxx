@@ -13,7 +13,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// The unit circle with `waves` waves round it.
+/// Returns the unit circle with `waves` waves around it.
 Loop WavyCircle(int waves, double height, int count)
 {
   Loop loop = RegularPolygon(count);
@@ -24,7 +24,7 @@ Loop WavyCircle(int waves, double height, int count)
   return loop;
 }
 
-/// Half of what the radii of a loop around the origin differ by.
+/// Returns half of the range of radii of a loop around the origin.
 double Height(const Loop& loop)
 {
   double least = 1e300;
@@ -37,9 +37,9 @@ double Height(const Loop& loop)
   return 0.5 * (most - least);
 }
 
-TEST(SmoothBoundary, TakesOutShortWavesAndKeepsLongOnes)
+TEST(SmoothBoundary, RemovesShortWavesAndRetainsLongOnes)
 {
-  // 2 G − G² with G = exp(−2π² (0.4 L / wave)²) keeps 8 %, 70 % and 97 %.
+  // The filter 2 G − G² with G = exp(−2π² (0.4 L / wave)²) retains 8 %, 70 % and 97 %.
   const double height = 4e-3;
   for (const auto& [lengths, kept] : { std::pair{ 1.0, 0.083 }, { 2.0, 0.702 }, { 4.0, 0.967 } })
   {
@@ -52,7 +52,7 @@ TEST(SmoothBoundary, TakesOutShortWavesAndKeepsLongOnes)
   }
 }
 
-TEST(SmoothBoundary, LeavesWhatIsSmoothAsItIs)
+TEST(SmoothBoundary, LeavesSmoothBoundariesUnchanged)
 {
   Loop ellipse = RegularPolygon(400);
   for (Point& point : ellipse)
@@ -67,7 +67,7 @@ TEST(SmoothBoundary, LeavesWhatIsSmoothAsItIs)
   EXPECT_EQ(same.domain.loops[1].size(), ellipse.size());
 }
 
-TEST(SmoothBoundary, OfARaggedSideHasNoCornersAndTheOthersStay)
+TEST(SmoothBoundary, SmoothsARaggedSideAndRetainsCorners)
 {
   std::mt19937 engine(5);
   std::uniform_real_distribution<double> jump(-0.01, 0.01);
@@ -94,7 +94,7 @@ TEST(SmoothBoundary, OfARaggedSideHasNoCornersAndTheOthersStay)
   }
 }
 
-TEST(SmoothBoundary, KeptPlacesStay)
+TEST(SmoothBoundary, RetainsGivenPoints)
 {
   const Loop loop = WavyCircle(40, 1e-2, 4000);
   const Loop smooth = SmoothBoundary({ { loop } }, 0.15, { loop[123] }).domain.loops[0];
@@ -104,7 +104,7 @@ TEST(SmoothBoundary, KeptPlacesStay)
 
 TEST(SmoothBoundary, RefusesToCrossOtherLoops)
 {
-  // A hole in the tip of a spike that goes.
+  // A hole in the tip of a spike that smoothing removes.
   const PlanarDomain domain{ { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.55, 1.0 },
                                  { 0.5, 1.1 }, { 0.45, 1.0 }, { 0.0, 1.0 } },
     { { 0.5, 1.07 }, { 0.505, 1.06 }, { 0.495, 1.06 } } } };

@@ -11,7 +11,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// A symmetric profile with a trailing edge of some thickness, cosine spacing from 1 to 0 and back, clockwise inside a box.
+/// Returns a symmetric profile with a trailing edge of given thickness, clockwise inside a box;
+/// cosine spacing from 1 to 0 and back.
 PlanarDomain ProfileInBox(std::size_t half, double thickness)
 {
   Loop upper;
@@ -50,7 +51,7 @@ bool HasVertex(const Loop& loop, const Point& place)
     loop.begin(), loop.end(), [&](const Point& point) { return (point - place).norm() < 1e-12; });
 }
 
-TEST(ThinBoundary, DefaultLengthIsByTheFinerOfTheMeshSizes)
+TEST(ThinBoundary, DefaultLengthFollowsTheSmallerMeshSize)
 {
   const PlanarDomain domain{ { RegularPolygon(4) } }; // in the unit circle
   const double usual = 0.02 * domain.Diagonal() / 40.0;
@@ -60,7 +61,7 @@ TEST(ThinBoundary, DefaultLengthIsByTheFinerOfTheMeshSizes)
   EXPECT_THROW(DefaultThinning(domain, -1.0), Error);
 }
 
-TEST(ThinBoundary, LeavesWhatIsLongerThanTheLengthAsItIs)
+TEST(ThinBoundary, LeavesLongSidesUnchanged)
 {
   const PlanarDomain domain{ { RegularPolygon(96) } };
   const SimplifiedBoundary same = ThinBoundary(domain, 0.06);
@@ -68,10 +69,10 @@ TEST(ThinBoundary, LeavesWhatIsLongerThanTheLengthAsItIs)
   EXPECT_EQ(same.domain.loops, domain.loops);
 }
 
-TEST(ThinBoundary, OfACircleHasSidesOfHalfTheLengthToTheLength)
+TEST(ThinBoundary, CircleSidesAreBetweenHalfTheLengthAndTheLength)
 {
   const double length = 0.02;
-  // The outer one is around the centre, the inner one is not.
+  // The outer loop is centred at the centre of the domain, the inner one is not.
   Loop hole = RegularPolygon(30001);
   std::reverse(hole.begin(), hole.end());
   for (Point& point : hole)
@@ -85,7 +86,7 @@ TEST(ThinBoundary, OfACircleHasSidesOfHalfTheLengthToTheLength)
     EXPECT_GT(ShortestSide(loop), 0.45 * length);
     EXPECT_LE((loop[1] - loop[0]).norm(), length);
   }
-  // Of a chord c the height is c²/8R, and a vertex is at most as far from it as that.
+  // The height of an arc over a chord c is c²/8R, the maximum distance of a vertex from it.
   EXPECT_LE(thin.moved, length * length / (8.0 * 0.3));
   EXPECT_GT(thin.moved, 0.25 * length * length / 8.0);
   for (std::size_t i = 0; i < hole.size(); i += 17)
@@ -94,7 +95,7 @@ TEST(ThinBoundary, OfACircleHasSidesOfHalfTheLengthToTheLength)
   }
 }
 
-TEST(ThinBoundary, CornersWithinTheLengthBecomeOneWithTheSumOfTheirTurns)
+TEST(ThinBoundary, MergesCloseCornersAndAddsTheirTurns)
 {
   const double thickness = 1e-3;
   const PlanarDomain domain = ProfileInBox(2000, thickness);
@@ -103,7 +104,7 @@ TEST(ThinBoundary, CornersWithinTheLengthBecomeOneWithTheSumOfTheirTurns)
   const std::vector<Corner> corners = FindCorners(thin.domain.loops);
   ASSERT_EQ(corners.size(), 5U);
   EXPECT_LT((corners[4].position - Point(1.0, 0.0)).norm(), 1e-15);
-  // A side of eight times the thickness to the middle of it turns by a sixteenth.
+  // A side of eight times the thickness that ends at the middle of the edge turns by a sixteenth.
   const std::vector<Corner> both = FindCorners(domain.loops);
   EXPECT_NEAR(corners[4].Turning(), both[4].Turning() + both[5].Turning(), 2.0 / 16.0);
   EXPECT_GE(thin.moved, 0.5 * thickness * 0.97);
@@ -131,7 +132,7 @@ TEST(ThinBoundary, KeepsTheSymmetriesOfADomain)
   EXPECT_TRUE(group.reflects);
 }
 
-TEST(ThinBoundary, PlacesThatAreKeptStay)
+TEST(ThinBoundary, RetainsGivenPoints)
 {
   const PlanarDomain domain = ProfileInBox(2000, 1e-3);
   const Point edge(1.0, 0.5e-3);
@@ -140,21 +141,21 @@ TEST(ThinBoundary, PlacesThatAreKeptStay)
   EXPECT_TRUE(HasVertex(thin, edge));
   EXPECT_FALSE(HasVertex(thin, { 1.0, -0.5e-3 }));
   EXPECT_TRUE(HasVertex(thin, on));
-  // Two of them in one place are not merged.
+  // Corners at two given points are not merged.
   const Loop both = ThinBoundary(domain, 0.002, { edge, { 1.0, -0.5e-3 } }).domain.loops[1];
   EXPECT_TRUE(HasVertex(both, edge));
   EXPECT_TRUE(HasVertex(both, { 1.0, -0.5e-3 }));
 }
 
-TEST(ThinBoundary, EndsOfChannelsStay)
+TEST(ThinBoundary, RetainsEndsOfChannels)
 {
-  // Four corners would become two needles, and with the bend there would still be a loop.
+  // Four corners would become two cusps, and with the bend a loop would still remain.
   const PlanarDomain channel{ { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.999, 1.0 },
     { 0.999, 0.001 }, { 0.0, 0.001 } } } };
   const SimplifiedBoundary same = ThinBoundary(channel, 0.01);
   EXPECT_EQ(FindCorners(same.domain.loops).size(), 6U);
   EXPECT_EQ(same.moved, 0.0);
-  // The chamfer of a corner is as short, and goes.
+  // The chamfer of a corner is as short and is removed.
   const PlanarDomain chamfer{
     { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 0.999 }, { 0.999, 1.0 }, { 0.0, 1.0 } } }
   };
@@ -163,9 +164,9 @@ TEST(ThinBoundary, EndsOfChannelsStay)
   EXPECT_NEAR(square.moved, 0.0005, 1e-6); // across the new sides
 }
 
-TEST(ThinBoundary, SmallStepsGoAndSmallHolesStay)
+TEST(ThinBoundary, RemovesSmallStepsAndRetainsSmallHoles)
 {
-  // Corners of opposite turns make none; the hole is smaller than the length on the whole.
+  // Corners of opposite turns cancel; the hole is smaller than the length.
   const PlanarDomain domain{
     { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.5, 1.0 }, { 0.5, 1.001 }, { 0.0, 1.001 } },
       { { 0.5, 0.5 }, { 0.5, 0.501 }, { 0.501, 0.501 }, { 0.501, 0.5 } } }
