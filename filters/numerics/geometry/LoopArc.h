@@ -38,7 +38,7 @@ public:
   /// vertices.
   double Nearest(const Point& place) const;
 
-  /// Returns the same if the distance is at most `reach`, otherwise a negative number.
+  /// Works as Nearest, but returns a negative number if the distance exceeds `reach`.
   double Find(const Point& place, double reach) const;
   /// Returns the arc lengths of those points that are at most `reach` away from the loop.
   std::vector<double> FindAll(const std::vector<Point>& places, double reach) const;

@@ -54,7 +54,7 @@ constexpr double SideOfMerged = 8.0;
 /// Minimum length of these sides relative to the run; otherwise the corners are not merged.
 constexpr double MinimumSideOfMerged = 2.0;
 
-/// Vertices beside a run of corners, in one direction.
+/// Distances of the vertices next to a run of corners, in one direction.
 struct Approach
 {
   double absorbed = 0.0; ///< Distance of the last vertex that is removed.

@@ -8,7 +8,7 @@
 
 namespace crossfield
 {
-/// Point around which edges are short.
+/// Point at which the edge length is `size`; around it the edge length grows by the gradation.
 struct SizeSource
 {
   Point position;
