@@ -12,8 +12,8 @@ class Error : public std::runtime_error
 public:
   enum class Kind
   {
-    BadInput,    ///< The input makes no sense, or a computation on it broke down.
-    Inconsistent ///< Valid input, but no cross field with these singularities exists.
+    BadInput,    ///< The input is invalid, or a computation on it broke down.
+    Inconsistent ///< The input is valid, but no cross field with these singularities exists.
   };
 
   explicit Error(const std::string& message, Kind kind = Kind::BadInput)

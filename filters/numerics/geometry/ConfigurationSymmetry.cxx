@@ -10,8 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the subgroups with at most `maximumRotations` rotations, without a reflection or with one
-/// of the axes, the largest first.
+/// Returns the subgroups with at most `maximumRotations` rotations, largest first, each without a
+/// reflection or with one of the axes.
 std::vector<SymmetryGroup> Subgroups(const SymmetryGroup& group, int maximumRotations)
 {
   std::vector<SymmetryGroup> subgroups;

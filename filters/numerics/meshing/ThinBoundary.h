@@ -22,11 +22,11 @@ double DefaultThinning(const PlanarDomain& domain, double meshSize = 0.0);
 /// sixth of the corner angle.
 ///
 /// Corners that would merge into one sharper than the corner angle, such as the end of a narrow
-/// channel, are retained. Vertices at the points of `keep` on the boundary are retained, and corners
-/// within the length of one of them are merged there. No point moves by more than the length.
-/// Symmetries of the domain are preserved, up to rounding. A loop is unchanged if all its sides are
-/// longer than the length, or if fewer than three vertices would be left; a domain is unchanged if
-/// its new loops would touch.
+/// channel, are retained. Vertices at the points of `keep` on the boundary are retained, and
+/// corners within the length of one of them are merged there. No point moves by more than the
+/// length. Symmetries of the domain are preserved, up to rounding. A loop is unchanged if all its
+/// sides are longer than the length, or if fewer than three vertices would be left; a domain is
+/// unchanged if its new loops would touch.
 SimplifiedBoundary ThinBoundary(const PlanarDomain& domain, double length,
   const std::vector<Point>& keep = {}, double cornerAngle = DefaultCornerAngle);
 }

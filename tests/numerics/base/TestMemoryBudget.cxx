@@ -46,7 +46,8 @@ class AvailableMemoryTest : public testing::Test
 protected:
   AvailableMemoryTest()
   {
-    std::string name = testing::TempDir() + "crossfield-memory-" + std::string(6, 'X'); // mkdtemp's
+    // replaced by mkdtemp
+    std::string name = testing::TempDir() + "crossfield-memory-" + std::string(6, 'X');
     Root = mkdtemp(name.data());
     Files = { Root + "/proc", Root + "/cgroup" };
   }

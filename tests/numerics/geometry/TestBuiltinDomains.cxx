@@ -143,7 +143,7 @@ TEST(BuiltinDomains, RoundShapesKeepTheirSymmetry)
       {
         for (const Point& point : loop)
         {
-          // The mirror images of every vertex are vertices.
+          // The mirror images of each vertex are vertices.
           const auto has = [&](const Point& image)
           {
             return std::any_of(loop.begin(), loop.end(),

@@ -197,7 +197,7 @@ TEST(DomainPlane, RefusesPointsOffThePlane)
   const DomainPlane plane = DomainPlane::Find(turn * Grid());
   const Vector3d inside(0.25, 0.75, 0.0);
   EXPECT_LT((plane.RequireInPlane(turn * inside, "It") - Point(0.25, 0.75)).norm(), 1e-12);
-  // Typed with four digits.
+  // Coordinates typed with four digits.
   const Vector3d typed = ((turn * inside) * 1e4).array().round() / 1e4;
   EXPECT_LT((plane.RequireInPlane(typed, "It") - Point(0.25, 0.75)).norm(), 1e-3);
   try

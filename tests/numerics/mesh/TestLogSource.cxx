@@ -43,7 +43,7 @@ TEST(LogSource, SumOfLogsEqualsSingleLogarithmsAtAllExtents)
       }
       EXPECT_LT(std::abs(UnitOfTurns(logs, logs.size(), Point::Zero()) - turns), 1e-12);
       EXPECT_NEAR(SumOfLogs(logs, Point::Zero()), sum, 1e-14 * largest);
-      logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // of a corner
+      logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // a source at a corner
       EXPECT_NEAR(
         SumOfLogs(logs, Point::Zero()), sum + logs.back().Value(Point::Zero()), 1e-14 * largest);
     }
@@ -59,7 +59,7 @@ TEST(LogSource, SumOfTurnsEqualsSingleTurnsAtAllExtents)
     for (const int count : { 0, 1, 2, 5, 40, 300 })
     {
       std::vector<LogSource> logs = RandomSources(random, count, size);
-      logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // of a corner
+      logs.push_back({ Point(size, size), 0.37, 0.5 * Pi }); // a source at a corner
       for (const double step : { 1e-8, 0.1, 1.0 }) // seen under small and under obtuse angles
       {
         const auto place = [&]

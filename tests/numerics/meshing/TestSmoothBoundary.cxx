@@ -84,7 +84,7 @@ TEST(SmoothBoundary, SmoothsARaggedSideAndRetainsCorners)
   for (const Corner& corner : corners)
   {
     EXPECT_NEAR((corner.position - Point(0.5, 0.5)).norm(), std::sqrt(0.5), 1e-12);
-    EXPECT_NEAR(corner.angle, 0.5 * Pi, 0.02); // half a wave of the ragged side
+    EXPECT_NEAR(corner.angle, 0.5 * Pi, 0.02); // tolerance: half a wave of the ragged side
   }
   EXPECT_GT(smooth.moved, 0.005);
   EXPECT_LT(smooth.moved, 0.02);

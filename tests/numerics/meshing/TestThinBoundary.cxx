@@ -161,7 +161,7 @@ TEST(ThinBoundary, RetainsEndsOfChannels)
   };
   const SimplifiedBoundary square = ThinBoundary(chamfer, 0.01);
   EXPECT_EQ(FindCorners(square.domain.loops).size(), 4U);
-  EXPECT_NEAR(square.moved, 0.0005, 1e-6); // across the new sides
+  EXPECT_NEAR(square.moved, 0.0005, 1e-6); // distance from the new sides
 }
 
 TEST(ThinBoundary, RemovesSmallStepsAndRetainsSmallHoles)
