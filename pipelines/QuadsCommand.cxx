@@ -1,5 +1,5 @@
 /**
- * crossfield quads DOMAIN -s S.csv -o Q.vtu: an all-quad mesh with exactly the chosen irregular nodes.
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: an all-quad mesh with exactly the chosen irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json -
  */
@@ -60,7 +60,13 @@ double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
   return quads->GetFieldData()->GetArray(name)->GetTuple1(i);
 }
 
-/** Nodes by valence, under the names of the valences. */
+/** Returns the singularities that the mesh was made of, at their positions after repair. */
+vtkDataSet* Singularities(vtkQuadMesher* mesher)
+{
+  return vtkDataSet::SafeDownCast(mesher->GetOutputDataObject(3));
+}
+
+/** Returns the numbers of nodes by valence. */
 Json ByValence(vtkUnstructuredGrid* quads, const char* name)
 {
   Json counts = Json::object();
@@ -76,7 +82,7 @@ Json ByValence(vtkUnstructuredGrid* quads, const char* name)
   return counts;
 }
 
-std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
+std::string WriteJson(vtkQuadMesher* mesher)
 {
   vtkUnstructuredGrid* quads = mesher->GetOutput();
   const auto count = [quads](const char* name)
@@ -101,9 +107,10 @@ std::string WriteJson(vtkQuadMesher* mesher, vtkDataSet* singularities)
   report["inverted"] = count(names::Inverted);
   report["moved"] = Value(quads, names::Moved);
   report["seconds"] = { { "mesh", seconds[0] }, { "map", seconds[1] }, { "trace", seconds[2] },
-    { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] } };
+    { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] },
+    { "choose", seconds[6] } };
   ReportJson::AddRepair(report, quads->GetFieldData());
-  ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(quads));
+  ReportJson::AddSingularities(report, Singularities(mesher), DomainReader::HasHeight(quads));
   return report.dump(2) + "\n";
 }
 
@@ -114,7 +121,7 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
   {
     mesher->SetSizingToField();
     mesher->SetSizeArray(options.sizing[1]);
-    mesher->SetQuadSize(options.countIsGiven ? 0.0 : 1.0); // of the array's lengths
+    mesher->SetQuadSize(options.countIsGiven ? 0.0 : 1.0); // factor of the array's lengths
   }
   else
   {
@@ -122,7 +129,7 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
   }
 }
 
-/** Why the words after --sizing make no sense; empty if they do. */
+/** Returns what is wrong with the words after --sizing; empty if nothing is. */
 std::string CheckSizing(const QuadsOptions& options)
 {
   const std::string& sizing = options.sizing[0];
@@ -157,17 +164,20 @@ int Mesh(const QuadsOptions& options)
   mesher->SetCapCorners(options.capCorners);
   mesher->SetRepairHolonomy(options.repairHolonomy);
   mesher->SetPairs(options.pairs);
-  SingularityInput singularities(options.singularities, domain, options.meshSize, options.corners);
-  singularities.SetCapCorners(options.capCorners);
-  singularities.SetQuads(options.clearance, mesher);
-  singularities.Update();
-  mesher->SetSingularitiesConnection(singularities.GetOutputPort());
-  singularities.ConnectCorners(mesher.Get());
+  mesher->SetClearance(options.clearance);
+  if (!options.singularities.empty())
+  {
+    mesher->SetSingularitiesConnection(
+      OpenPointsOf(domain, options.singularities)->GetOutputPort());
+  }
+  if (!options.corners.empty())
+  {
+    mesher->SetCornersConnection(OpenPointsOf(domain, options.corners)->GetOutputPort());
+  }
 
   // 3. Mesh.
   PipelineRun::Update(mesher, "meshing");
   vtkUnstructuredGrid* quads = mesher->GetOutput();
-  singularities.TakeRepaired(quads->GetFieldData());
 
   // 4. Write.
   OutputTransaction outputs;
@@ -183,16 +193,25 @@ int Mesh(const QuadsOptions& options)
     }
     OutputFile::WriteBlocks(blocks, options.blocks, outputs);
   }
-  singularities.Save(options.savedSingularities, outputs);
+  const bool hasHeight =
+    DomainReader::HasHeight(vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0)));
+  if (!options.savedSingularities.empty())
+  {
+    OutputFile::WriteConfiguration(
+      Singularities(mesher), hasHeight, options.savedSingularities, outputs);
+  }
   if (!options.json.empty())
   {
-    outputs.Write(
-      BoundaryInput::AddTo(WriteJson(mesher, singularities.GetOutput()), domain), options.json);
+    outputs.Write(BoundaryInput::AddTo(WriteJson(mesher), domain), options.json);
   }
   else if (!outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
-    singularities.PrintChoice();
+    PrintRepair(quads->GetFieldData());
+    if (options.singularities.empty())
+    {
+      PrintChosen(Singularities(mesher), hasHeight);
+    }
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
               << ByValence(quads, names::IrregularObtained).dump() << ", least scaled Jacobian "
@@ -219,39 +238,39 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_option("-o,--output", options->output, "the .vtu file to write, with the quads")
     ->required();
   CLI::Option* size =
-    command->add_option("--size", options->size, "length of the sides of quads, on the average")
+    command->add_option("--size", options->size, "mean side length of quads")
       ->check(CLI::PositiveNumber);
   CLI::Option* count =
-    command->add_option("--quads", options->quads, "wanted number of quads; default 1000")
+    command->add_option("--quads", options->quads, "target number of quads; default 1000")
       ->check(CLI::PositiveNumber)
       ->excludes(size);
   command
     ->add_option("--sizing", options->sizing,
       "conformal: sizes of the field, the best shapes; uniform: the same everywhere, singularities may move; "
-      "field NAME: those of a point array of the domain, with --quads in these proportions")
+      "field NAME: the lengths in a point array of the domain, with --quads their proportions")
     ->expected(1, 2)
     ->type_name("WORD");
-  command->add_flag("--coarse", options->coarse, "the fewest blocks that are sound");
+  command->add_flag("--coarse", options->coarse, "the smallest number of blocks with sound quads");
   command
     ->add_option("--mesh-size", options->meshSize,
-      "length of the edges of the triangles that the map is solved on")
+      "edge length of the triangles on which the map is solved")
     ->check(CLI::PositiveNumber);
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option("--layout", options->layout, "write the layout to this .vtp file");
   command
     ->add_option("--clearance", options->clearance,
-      "where singularities are chosen, their least distance to the boundary and to each other; default: 0.7 of "
-      "the size of quads")
+      "minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of the size of "
+      "quads")
     ->check(CLI::PositiveNumber);
   command
     ->add_option("--pairs", options->pairs,
-      "where singularities are chosen, up to so many pairs of quarter indices 1 and -1 more than needed, while they make "
-      "sizes more even")
+      "maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities where they make "
+      "sizes more uniform")
     ->check(CLI::Range(0, 100));
   command->add_flag("--cap-corners,!--no-cap-corners", options->capCorners,
-    "give sharp corners of quarter index 2 index 1; the rest must be among the singularities; default: on");
+    "give sharp corners of quarter index 2 index 1; given singularities must make up for it; default: on");
   command->add_flag("--repair-holonomy", options->repairHolonomy,
-    "move the singularities the least way to where no inner loop has a holonomy defect");
+    "move the singularities by the smallest distances after which no inner loop has a holonomy defect");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

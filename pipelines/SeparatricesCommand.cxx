@@ -92,7 +92,7 @@ int Trace(const SeparatricesOptions& options)
   PipelineRun::Update(map, "mapping");
   PipelineRun::Update(separatrices, "tracing");
   vtkPolyData* lines = separatrices->GetOutput();
-  singularities.TakeRepaired(map->GetOutput()->GetFieldData());
+  singularities.ApplyRepair(map->GetOutput()->GetFieldData());
 
   // 4. Write.
   OutputTransaction outputs;

@@ -26,8 +26,8 @@ def checked(size: Optional[float]) -> float:
 def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional[float],
            corners: Union[Corners, Singularities],
            properties: Optional[dict[str, Any]] = None) -> Configuration:
-    """What vtkConfigurationProposal, with these properties, chooses for a domain and moves to where the energy is
-    least."""
+    """Singularities that vtkConfigurationProposal, with these properties, chooses for a domain and moves to a minimum
+    of the energy."""
     proposal = _proposal(pipeline, domain, given, size, corners)
     for name, value in (properties or {}).items():
         getattr(proposal, "Set" + name)(value)
@@ -38,7 +38,8 @@ def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional
 def give(pipeline: Pipeline, algorithm: Any, domain: Any, singularities: Singularities,
          size: Optional[float], corners: Union[Corners, Singularities],
          properties: Optional[dict[str, Any]] = None) -> Optional[Configuration]:
-    """Gives a filter its singularities and corners; returns them if they had to be chosen, with these properties."""
+    """Gives a filter its singularities and corners; returns the singularities if vtkConfigurationProposal, with these
+    properties, had to choose them."""
     if singularities is None:
         choice = chosen(pipeline, domain, None, size, corners, properties)
         algorithm.SetSingularitiesData(choice.data)
@@ -63,7 +64,7 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
 
 
 def report_choice(report: dict[str, Any], chosen: Optional[Configuration], points: np.ndarray) -> None:
-    """Adds a choice as the program writes it: z only where the points of the result differ in it."""
+    """Adds chosen singularities as the program reports them: z only where the points of the result differ in it."""
     if chosen is None:
         return
     axes = "xyz" if np.ptp(points[:, 2]) > 0 else "xy"

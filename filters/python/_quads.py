@@ -11,9 +11,10 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LINE, VTK_QUAD, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 from . import names
-from ._configurations import checked, give, report_choice
-from ._input import Domain, Singularities, as_domain
-from ._results import Corners, chains, copied, places, repair_of, report_of, write_grid
+from ._configurations import checked, corner_points, report_choice
+from ._input import Domain, Singularities, as_configuration, as_domain
+from ._results import (
+    Configuration, Corners, chains, configuration_of, copied, places, repair_of, report_of, write_grid)
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
@@ -33,9 +34,10 @@ class QuadMesh:
     valence          (n,) int, quads at each point
     irregular        (n,) int, quarter index of a singularity or corner, else 0
     block            (q,) int, the block of each quad
-    scaled_jacobian  (q,) float, least sine of the angles of each quad, negative where it is turned over
+    scaled_jacobian  (q,) float, minimum sine of the angles of each quad, negative where it is inverted
     blocks           list of (i, j, 3) float, the points of each block, right-handed
     layout           list of (m, 3) float, a polyline for each side of a block
+    singularities    the singularities used, at their positions after repair, with the corners used
     report           the numbers, under the names of `crossfield quads --json`
     grid, block_data, layout_data
                      all of it as a vtkUnstructuredGrid, a vtkMultiBlockDataSet and a vtkPolyData
@@ -52,6 +54,7 @@ class QuadMesh:
     scaled_jacobian: np.ndarray
     blocks: list[np.ndarray]
     layout: list[np.ndarray]
+    singularities: Configuration
     report: dict[str, Any]
     grid: vtkUnstructuredGrid
     block_data: vtkMultiBlockDataSet
@@ -73,7 +76,7 @@ class QuadMesh:
                            cell_data={"BoundaryId": loops})
         try:
             mesh.write(path)
-        except (Exception, SystemExit) as error:  # meshio has many ways to say no
+        except (Exception, SystemExit) as error:  # meshio raises errors of many types
             raise Error("The file '%s' cannot be written by meshio (%s); check its ending and its folder."
                         % (path, error)) from None
 
@@ -87,8 +90,8 @@ def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
     found = report_of(mesher.GetOutput())
     seconds = mesher.GetStageSeconds()
     report = {
-        "quads": found["quads"], "irregular": _by_valence(found, "irregular_got"),
-        "asked": _by_valence(found, "irregular_asked"), "blocks": found["blocks"],
+        "quads": found["quads"], "irregular": _by_valence(found, "irregular_obtained"),
+        "asked": _by_valence(found, "irregular_requested"), "blocks": found["blocks"],
         "scaled_jacobian": {"min": found["scaled_jacobian_range"][0],
                             "mean": found["scaled_jacobian_range"][1],
                             "bound": found["scaled_jacobian_bound"]},
@@ -98,7 +101,7 @@ def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
         "integers": {"variables": found["integer_variables"], "seconds": seconds[3],
                      "optimal": found["integer_optimal"] != 0, "gap": found["integer_gap"]},
         "inverted": found["inverted"], "moved": found["moved"],
-        "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth"), seconds))}
+        "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth", "choose"), seconds))}
     return {**report, **repair_of(found)}
 
 
@@ -127,7 +130,7 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
         irregular=copied(grid.GetPointData(), names.Irregular), block=of(quads, names.BlockId),
         scaled_jacobian=of(quads, names.ScaledJacobian),
         blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
-        layout=chains(places(layout), layout.GetLines()), report=_report(mesher), grid=grid,
+        layout=chains(places(layout), layout.GetLines()), singularities=configuration_of(mesher, 3), report=_report(mesher), grid=grid,
         block_data=blocks, layout_data=layout)
 
 
@@ -140,26 +143,27 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     """An all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
-                   as for `solve`, without holes; None: they are chosen for the domain, and
-                   report["events"] says how
-    size           length of the sides of quads, on the average
-    count          or about so many quads; default: 1000
-    mesh_size      edge length of the triangles that the map is solved on; default: 1/40 of the diagonal
-    cap_corners    sharp corners of quarter index 2, which have no angle in a flat map, get 1
+                   as for `solve`, without holes; without singularities they are chosen for the domain, and
+                   report["events"] lists the decisions
+    size           mean side length of quads
+    count          target number of quads, instead of a size; default: 1000
+    mesh_size      edge length of the triangles on which the map is solved; default: 1/40 of the diagonal
+    cap_corners    gives sharp corners of quarter index 2, which have no angle in a seamless map, index 1
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
-                   singularities may move; "field": the lengths of a point array of the domain, in
-                   these proportions if `count` is given; with both, chosen singularities are where sizes are
-                   most like that
-    size_array     the name of this array
-    coarse         the fewest blocks that are sound
+                   singularities may move; "field": the lengths in a point array of the domain, or their
+                   proportions if `count` is given; with the last two, chosen singularities are moved to where
+                   sizes are nearest to these
+    size_array     name of this array
+    coarse         the smallest number of blocks with sound quads
     repair_holonomy
-                   moves singularities the least way to where no inner loop has a holonomy defect
-    clearance      where singularities are chosen, their least distance to the boundary and to each other;
-                   default: 0.7 of the size of quads
-    pairs          where singularities are chosen, up to so many pairs of quarter indices 1 and -1 more than
-                   needed, while they make sizes more even
+                   moves singularities by the smallest distances after which no inner loop has a holonomy defect
+    clearance      minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of
+                   the size of quads
+    pairs          maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities
+                   where they make sizes more uniform
 
-    Quads that are turned over are a RuntimeWarning, and report["inverted"] counts them.
+    The singularities and corners used are in `singularities` of the result. Inverted quads are a
+    RuntimeWarning, and report["inverted"] counts them.
 
     >>> mesh = quads("builtin:l-shape", size=0.2)
     >>> mesh.quads.shape, mesh.report["irregular"], [block.shape for block in mesh.blocks]
@@ -190,13 +194,15 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetSizing(_SIZINGS[sizing])
     if size_array is not None:
         mesher.SetSizeArray(size_array)
-        mesher.SetQuadSize(1.0 if count is None else 0.0)  # of the array's lengths
+        mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
-    chosen = give(pipeline, mesher, data, singularities, mesh_size, corners, {
-        "CapCorners": cap_corners, "Clearance": checked(clearance),
-        "QuadSize": mesher.GetQuadSize(), "QuadCount": mesher.GetQuadCount(),
-        "Sizing": mesher.GetSizing(), "SizeArray": mesher.GetSizeArray(), "Pairs": pairs})
+    mesher.SetClearance(checked(clearance))
+    mesher.SetPairs(pairs)
+    if singularities is not None:
+        mesher.SetSingularitiesData(as_configuration(singularities))
+    if corners is not None:
+        mesher.SetCornersData(corner_points(corners))
     mesh = _mesh_of(pipeline.update(mesher))
-    report_choice(mesh.report, chosen, mesh.points)
+    report_choice(mesh.report, mesh.singularities if singularities is None else None, mesh.points)
     return mesh

@@ -194,12 +194,12 @@ class Configuration:
     corners: Optional[vtkPolyData]
 
 
-def configuration_of(algorithm: Any) -> Configuration:
-    """The singularities in the first output of a filter, and the corners in its second, if any."""
-    data = algorithm.GetOutput()
+def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
+    """The singularities in an output of a filter, and the corners in the next one, if any."""
+    data = algorithm.GetOutputDataObject(port)
     events = data.GetFieldData().GetAbstractArray(names.Events)
     has_radii = bool(data.GetPointData().HasArray(names.Radius))
-    corners = algorithm.GetOutputDataObject(1)
+    corners = algorithm.GetOutputDataObject(port + 1)
     return Configuration(
         points=places(data), quarter_index=copied(data.GetPointData(), names.QuarterIndex),
         radius=copied(data.GetPointData(), names.Radius) if has_radii else None,

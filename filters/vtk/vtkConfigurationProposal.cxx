@@ -10,7 +10,6 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "ProposalConversion.h"
-#include "SizeConversion.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -74,8 +73,8 @@ int vtkConfigurationProposal::RequestData(
         options.variations = this->Alternatives > 0;
         std::vector<crossfield::ProposedConfiguration> proposals =
           crossfield::ProposeConfigurations(input.domain, options, progress);
-        const auto most = static_cast<std::size_t>(this->Alternatives) + 1;
-        proposals.resize(std::min(proposals.size(), most));
+        const auto maximum = static_cast<std::size_t>(this->Alternatives) + 1;
+        proposals.resize(std::min(proposals.size(), maximum));
         ConfigurationConversion::WriteConfiguration(
           proposals[0].singularities, input.plane, output);
         CornerConversion::WriteChoices(proposals[0].corners, input.plane, chosen);
@@ -87,8 +86,6 @@ int vtkConfigurationProposal::RequestData(
         return;
       }
       automatic.optimizer.meshSize = this->MeshSize;
-      SizeConversion::ChooseForQuads(domain, input,
-        { this->Sizing, this->SizeArray, this->QuadSize, this->QuadCount, this->Pairs }, automatic);
       const crossfield::AutomaticConfiguration choice =
         crossfield::ChooseConfiguration(input.domain, automatic, progress);
       const crossfield::OptimizerResult& result = choice.optimum;
@@ -119,10 +116,5 @@ void vtkConfigurationProposal::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Automatic: " << (this->Automatic ? "on" : "off") << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
-  os << indent << "QuadSize: " << this->QuadSize << "\n";
-  os << indent << "QuadCount: " << this->QuadCount << "\n";
-  os << indent << "Sizing: " << this->Sizing << "\n";
-  os << indent << "SizeArray: " << this->SizeArray << "\n";
-  os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "KeepAll: " << (this->KeepAll ? "on" : "off") << "\n";
 }

@@ -12,6 +12,7 @@
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
+#include "QuadWorkflow.h"
 #include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
 
@@ -83,8 +84,10 @@ int vtkCrossFieldMap::RequestData(
         options.corners = CornerConversion::ReadCorners(corners, result.plane);
         if (this->RepairHolonomy)
         {
-          configuration = HolonomyConversion::Repair(input, configuration,
-            { options.corners, this->CapCorners, this->MeshSize }, field, progress.Part(0.0, 0.2));
+          const crossfield::HolonomyRepair repair = crossfield::RepairForMap(
+            input.domain, configuration, options, this->MeshSize, progress.Part(0.0, 0.2));
+          HolonomyConversion::WriteRepair(repair, input.plane, field);
+          configuration = repair.singularities;
         }
         topology = crossfield::ShareTopology(this->KeepMesh
             ? this->Cache->Factor(configuration, this->MeshSize, progress.Part(0.2, 0.3))

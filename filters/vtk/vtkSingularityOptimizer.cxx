@@ -55,12 +55,17 @@ int vtkSingularityOptimizer::RequestData(
       options.tolerance = this->Tolerance;
       options.clearance = this->Clearance;
       options.keepAll = this->KeepAll;
-      options.uniformSizes = this->UniformSizes;
       options.pairs = this->Pairs;
-      if (this->Sizing == SizingField && (this->UniformSizes || this->Pairs > 0))
+      if (this->UniformSizes || this->Pairs > 0)
       {
-        options.wantedSize =
-          SizeConversion::ReadSizes(domain, this->SizeArray, input, this->MeshSize).relative;
+        options.sizes.sizing = SizeConversion::ReadSizing(this->Sizing);
+      }
+      if (options.sizes.sizing == crossfield::Sizing::Field)
+      {
+        options.sizes.field = crossfield::ComputeRelativeSizes(
+          SizeConversion::ReadSizes(domain, this->SizeArray, input.plane), input.domain,
+          this->MeshSize)
+                                .field;
       }
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         ConfigurationConversion::ReadConfiguration(singularities, input.plane), options, progress);

@@ -103,7 +103,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 17> Rules = { {
+constexpr std::array<Rule, 19> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "SingularitySource", 0, Look::ShowSingularities },
@@ -121,6 +121,8 @@ constexpr std::array<Rule, 17> Rules = { {
   { "QuadMesher", 0, ShowQuads },
   { "QuadMesher", 1, Hide }, // the blocks would cover the quads
   { "QuadMesher", 2, ShowOutline },
+  { "QuadMesher", 3, Look::ShowSingularities },
+  { "QuadMesher", 4, Hide }, // corners are visible in the outline
 } };
 
 /** Output that is a text for the view. */

@@ -6,7 +6,6 @@
 #include "PipelineRun.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
-#include "vtkQuadMesher.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -14,7 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include <iostream>
@@ -27,12 +25,10 @@ SingularityInput::SingularityInput(
 {
   if (!file.empty())
   {
-    this->Source = DomainReader::OpenPoints(file);
-    BoundaryInput::Keep(domain, this->Source);
+    this->Source = OpenPointsOf(domain, file);
     if (!corners.empty())
     {
-      this->Corners = DomainReader::OpenPoints(corners);
-      BoundaryInput::Keep(domain, this->Corners);
+      this->Corners = OpenPointsOf(domain, corners);
     }
     return;
   }
@@ -42,9 +38,7 @@ SingularityInput::SingularityInput(
   this->Proposal->SetMeshSize(size);
   if (!corners.empty())
   {
-    const auto given = DomainReader::OpenPoints(corners);
-    this->Proposal->SetCornersConnection(given->GetOutputPort());
-    BoundaryInput::Keep(domain, given);
+    this->Proposal->SetCornersConnection(OpenPointsOf(domain, corners)->GetOutputPort());
   }
   this->Source = this->Proposal;
   this->Corners = this->Proposal;
@@ -64,19 +58,6 @@ void SingularityInput::SetCapCorners(bool cap)
   }
 }
 
-void SingularityInput::SetQuads(double clearance, vtkQuadMesher* mesher)
-{
-  if (this->AreChosen())
-  {
-    this->Proposal->SetClearance(clearance);
-    this->Proposal->SetQuadSize(mesher->GetQuadSize());
-    this->Proposal->SetQuadCount(mesher->GetQuadCount());
-    this->Proposal->SetSizing(mesher->GetSizing());
-    this->Proposal->SetSizeArray(mesher->GetSizeArray());
-    this->Proposal->SetPairs(mesher->GetPairs());
-  }
-}
-
 void SingularityInput::Update()
 {
   PipelineRun::Update(this->Source, this->AreChosen() ? "choosing" : "reading");
@@ -91,64 +72,74 @@ vtkDataSet* SingularityInput::GetOutput() const
   return vtkDataSet::SafeDownCast(this->Source->GetOutputDataObject(0));
 }
 
-void SingularityInput::TakeRepaired(vtkFieldData* field)
+void SingularityInput::ApplyRepair(vtkFieldData* field)
 {
-  vtkDataArray* places = field->GetArray(names::RepairedPositions);
+  vtkDataArray* positions = field->GetArray(names::RepairedPositions);
   auto* given = vtkPointSet::SafeDownCast(this->GetOutput());
-  if (places == nullptr || given == nullptr)
+  if (positions == nullptr || given == nullptr)
   {
     return;
   }
   const auto moved = vtk::TakeSmartPointer(given->NewInstance());
   moved->DeepCopy(given);
-  for (vtkIdType i = 0; i < places->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; i < positions->GetNumberOfTuples(); ++i)
   {
-    moved->GetPoints()->SetPoint(i, places->GetTuple3(i));
+    moved->GetPoints()->SetPoint(i, positions->GetTuple3(i));
   }
   this->Repaired = moved;
-  this->RepairDistance = field->GetArray(names::RepairDistance)->GetTuple1(0);
+  this->RepairReport = field;
 }
 
-std::vector<std::string> SingularityInput::GetEvents() const
+bool SingularityInput::HasHeight() const
 {
-  std::vector<std::string> events;
-  auto* array = vtkStringArray::SafeDownCast(
-    this->GetOutput()->GetFieldData()->GetAbstractArray(names::Events));
-  for (vtkIdType i = 0; array != nullptr && i < array->GetNumberOfValues(); ++i)
-  {
-    events.push_back(array->GetValue(i));
-  }
-  return events;
+  return DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0)));
 }
 
 void SingularityInput::PrintChoice() const
 {
-  if (this->Repaired != nullptr)
+  if (this->RepairReport != nullptr)
   {
-    std::cout << "The singularities moved by up to " << this->RepairDistance
-              << " to repair the holonomy.\n";
+    PrintRepair(this->RepairReport);
   }
-  if (!this->AreChosen())
+  if (this->AreChosen())
   {
-    return;
+    PrintChosen(this->GetOutput(), this->HasHeight());
   }
-  for (const std::string& event : this->GetEvents())
-  {
-    std::cout << event << "\n";
-  }
-  PrintSingularities(this->GetOutput(),
-    DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0))));
 }
 
 void SingularityInput::Save(const std::string& file, OutputTransaction& outputs) const
 {
-  if (file.empty())
+  if (!file.empty())
   {
-    return;
+    OutputFile::WriteConfiguration(this->GetOutput(), this->HasHeight(), file, outputs);
   }
-  OutputFile::WriteConfiguration(this->GetOutput(),
-    DomainReader::HasHeight(vtkDataSet::SafeDownCast(this->Domain->GetOutputDataObject(0))), file,
-    outputs);
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenPointsOf(vtkAlgorithm* domain, const std::string& file)
+{
+  const auto points = DomainReader::OpenPoints(file);
+  BoundaryInput::Keep(domain, points);
+  return points;
+}
+
+void PrintRepair(vtkFieldData* field)
+{
+  if (vtkDataArray* distance = field->GetArray(names::RepairDistance))
+  {
+    std::cout << "The singularities moved by up to " << distance->GetTuple1(0)
+              << " to repair the holonomy.\n";
+  }
+}
+
+void PrintChosen(vtkDataSet* singularities, bool hasHeight)
+{
+  auto* events = vtkStringArray::SafeDownCast(
+    singularities->GetFieldData()->GetAbstractArray(names::Events));
+  for (vtkIdType i = 0; events != nullptr && i < events->GetNumberOfValues(); ++i)
+  {
+    std::cout << events->GetValue(i) << "\n";
+  }
+  PrintSingularities(singularities, hasHeight);
 }
 
 void PrintSingularities(vtkDataSet* singularities, bool hasHeight)

@@ -5,47 +5,42 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
-#include <vector>
 
 class OutputTransaction;
 class vtkConfigurationProposal;
 class vtkDataSet;
 class vtkFieldData;
 class vtkPointSet;
-class vtkQuadMesher;
 
 /**
- * The singularities of a command: those of its option -s or, where that is left out, those that
- * vtkConfigurationProposal chooses for the domain, with the corners that go with them.
+ * The singularities of a command: those of its option -s or, without it, those that vtkConfigurationProposal chooses
+ * for the domain, with the corners that belong to them. (The command quads leaves the choice to vtkQuadMesher.)
  */
 class SingularityInput
 {
 public:
-  /** `file` and `corners` may be empty; `size` is that of the mesh. Reads or chooses nothing yet. */
+  /** Reads and chooses nothing yet. `file` and `corners` may be empty; `size` is the mesh size. */
   SingularityInput(
     const std::string& file, vtkAlgorithm* domain, double size, const std::string& corners);
 
-  /** What a source gives. */
+  /** Uses the first output of a source. */
   explicit SingularityInput(vtkAlgorithm* source);
 
-  /** Whether sharp corners of quarter index 2 get 1 where singularities are chosen. */
+  /** Sets whether sharp corners of quarter index 2 get 1 where singularities are chosen. */
   void SetCapCorners(bool cap);
-
-  /** What singularities are chosen for: quads as they are asked for. */
-  void SetQuads(double clearance, vtkQuadMesher* mesher);
 
   /** Reads or chooses; throws PipelineRun::Error. */
   void Update();
 
   bool AreChosen() const { return this->Proposal != nullptr; }
   vtkAlgorithmOutput* GetOutputPort() const { return this->Source->GetOutputPort(); }
-  /** With the places where TakeRepaired has put them. */
+  /** Returns the singularities, at the positions set by ApplyRepair. */
   vtkDataSet* GetOutput() const;
 
-  /** Takes the places that a filter says it has moved them to, if it has; see vtkCrossFieldMap. */
-  void TakeRepaired(vtkFieldData* field);
+  /** Moves the singularities to the field data `RepairedPositions` of a filter, if present; see vtkCrossFieldMap. */
+  void ApplyRepair(vtkFieldData* field);
 
-  /** Gives a filter the corners that were named or chosen, if any. */
+  /** Connects the prescribed or chosen corners, if any, to a filter. */
   template <class Filter>
   void ConnectCorners(Filter* filter) const
   {
@@ -55,26 +50,34 @@ public:
     }
   }
 
-  /** What was decided, a sentence each; nothing if the singularities were given. */
-  std::vector<std::string> GetEvents() const;
-
-  /** The events, how far singularities were moved, then the places of chosen ones. */
+  /** Prints the distance of a repair, and the events and positions of chosen singularities. */
   void PrintChoice() const;
 
-  /** Writes the singularities to a .csv file, if one is named. */
+  /** Writes the singularities to a .csv file; does nothing if `file` is empty. */
   void Save(const std::string& file, OutputTransaction& outputs) const;
 
 private:
-  vtkSmartPointer<vtkConfigurationProposal> Proposal; ///< Null if they are given.
+  bool HasHeight() const;
+
+  vtkSmartPointer<vtkConfigurationProposal> Proposal; ///< Null if the singularities are given.
   vtkSmartPointer<vtkAlgorithm> Source;
   vtkSmartPointer<vtkAlgorithm> Corners; ///< Null if there are none.
   int CornerPort = 0;
   vtkSmartPointer<vtkAlgorithm> Domain;
-  vtkSmartPointer<vtkPointSet> Repaired; ///< Null where they have not moved.
-  double RepairDistance = 0.0;
+  vtkSmartPointer<vtkPointSet> Repaired; ///< Null before ApplyRepair.
+  vtkSmartPointer<vtkFieldData> RepairReport; ///< Null before ApplyRepair.
 };
 
-/** One line "quarter index K at X Y" for each of the points, with Z in planes that have one. */
+/** Opens a file of singularities or corners. The points of the domain's boundary at these positions are kept. */
+vtkSmartPointer<vtkAlgorithm> OpenPointsOf(vtkAlgorithm* domain, const std::string& file);
+
+/** Prints the distance of a holonomy repair if the field data of a filter have one. */
+void PrintRepair(vtkFieldData* field);
+
+/** Prints the field data `Events` of chosen singularities, then their positions. */
+void PrintChosen(vtkDataSet* singularities, bool hasHeight);
+
+/** Prints one line "quarter index K at X Y" per point, with Z in planes other than z = const. */
 void PrintSingularities(vtkDataSet* singularities, bool hasHeight);
 
 #endif

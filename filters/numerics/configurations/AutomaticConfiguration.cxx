@@ -16,7 +16,7 @@ namespace crossfield
 {
 namespace
 {
-/// "6 singularities were chosen: 5 of quarter index 1, 1 of −1."
+/// Returns a sentence such as "6 singularities were chosen: 5 of quarter index 1, 1 of quarter index -1."
 std::string DescribeChoice(const Configuration& configuration)
 {
   std::map<int, int> counts;
@@ -65,23 +65,23 @@ double LargestDefect(const OptimizerResult& optimum)
   return largest;
 }
 
-/// At rest, with a single-valued H.
-bool Arrived(const OptimizerResult& optimum)
+/// Returns whether a run converged with a single-valued H.
+bool HasConvergedWithoutDefect(const OptimizerResult& optimum)
 {
   return optimum.converged && LargestDefect(optimum) < NoticeableDefect;
 }
 
 bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
 {
-  if (Arrived(one) != Arrived(other))
+  if (HasConvergedWithoutDefect(one) != HasConvergedWithoutDefect(other))
   {
-    return Arrived(one);
+    return HasConvergedWithoutDefect(one);
   }
   return LargestDefect(one) < LargestDefect(other);
 }
 
-/// The clearance that is asked for, 0 if none is.
-double AskedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
+/// Returns the requested clearance, 0 for the default.
+double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
 {
   if (options.optimizer.clearance != 0.0)
   {
@@ -92,8 +92,8 @@ double AskedClearance(const PlanarDomain& domain, const AutomaticOptions& option
       : options.quadSize);
 }
 
-/// Adds what happened in a run.
-void Tell(AutomaticConfiguration& result)
+/// Adds the events of the last run.
+void AddEvents(AutomaticConfiguration& result)
 {
   const OptimizerResult& optimum = result.optimum;
   result.events.insert(result.events.end(), optimum.events.begin(), optimum.events.end());
@@ -106,7 +106,7 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   Configuration singularities = start.singularities;
   for (std::size_t i = options.proposal.given.size(); i < singularities.size(); ++i)
   {
-    singularities[i].radius = 0.0; // the place is not yet the last one, so its hole is not, either
+    singularities[i].radius = 0.0; // of the start; holes of moved singularities may not fit
   }
   OptimizerOptions optimizerOptions = options.optimizer;
   optimizerOptions.corners = start.corners;
@@ -115,11 +115,12 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   result.singularities = result.optimum.configuration;
   result.corners = start.corners;
   result.events = { DescribeChoice(result.singularities) + " Start: " + start.origin + "." };
-  Tell(result);
+  AddEvents(result);
   return result;
 }
 
-/// From the least energy on to the least one at a larger clearance, and to even sizes if they are asked for or far from even.
+/// Continues from the minimum of the energy with the clearance for quads, and to the target sizes if there are any, or to
+/// uniform ones if sizes are far from uniform.
 void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
   const Progress& progress, AutomaticConfiguration& result)
 {
@@ -127,14 +128,18 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.corners = result.corners;
   fit.clearance = clearance;
   fit.keepAll = true;
-  // At 1/4 the largest twentieth of the sizes and the smallest differ by more than e. Below, evening them may cost more shape
-  // than it brings (docs/method.md §5.7).
+  // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of more than e. Below it,
+  // more uniform sizes may cost more in shape than they gain (docs/method.md §5.7).
   constexpr double FarFromUniform = 0.25;
-  fit.uniformSizes |= result.optimum.sizeSpread > FarFromUniform;
+  if (fit.sizes.sizing == Sizing::Conformal && result.optimum.sizeSpread > FarFromUniform)
+  {
+    fit.sizes.sizing = Sizing::Uniform;
+  }
   result.optimum = OptimizeSingularities(domain, result.singularities, fit, progress);
   result.singularities = result.optimum.configuration;
-  Tell(result);
-  if (!fit.wantedSize && fit.pairs == 0 && result.optimum.sizeSpread > FarFromUniform)
+  AddEvents(result);
+  if (fit.sizes.sizing != Sizing::Field && fit.pairs == 0 &&
+    result.optimum.sizeSpread > FarFromUniform)
   {
     result.events.push_back(
       "Sizes are far from even, the standard deviation of their logarithm is " +
@@ -145,7 +150,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
 
 double ClearanceForQuads(double quadSize)
 {
-  // The meshes of the gallery are best at 0.7 to 1.
+  // The meshes of the gallery have their best shapes at 0.7 to 1.
   return 0.7 * quadSize;
 }
 
@@ -161,30 +166,30 @@ void CapCorners(const PlanarDomain& domain, AutomaticOptions& options)
 AutomaticConfiguration ChooseConfiguration(
   const PlanarDomain& domain, const AutomaticOptions& options, const Progress& progress)
 {
-  // Before the proposal, which takes its time on a boundary of very many segments.
+  // Checked before the proposal, which is slow on a boundary with very many segments.
   DrillOptions drillOptions;
   drillOptions.meshSize = options.optimizer.meshSize;
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
 
-  // What the singularities are is decided by the energy, where they may go next to the boundary: only then the
-  // size of quads keeps them off it, and sizes are made even.
-  const double clearance = AskedClearance(domain, options);
-  const bool fits =
-    clearance > CoreRadius(domain) || options.optimizer.uniformSizes || options.optimizer.pairs > 0;
-  AutomaticOptions least = options;
-  least.optimizer.clearance = fits ? 0.0 : clearance;
-  least.optimizer.uniformSizes = false;
-  least.optimizer.pairs = 0;
+  // The energy alone decides which singularities there are, while they may move close to the boundary. The clearance for
+  // quads and the target sizes apply afterwards.
+  const double clearance = RequestedClearance(domain, options);
+  const bool fits = clearance > CoreRadius(domain) ||
+    options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;
+  AutomaticOptions minimum = options;
+  minimum.optimizer.clearance = fits ? 0.0 : clearance;
+  minimum.optimizer.sizes = {};
+  minimum.optimizer.pairs = 0;
 
   const std::vector<ProposedConfiguration> starts =
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
-  for (std::size_t i = 0; i < starts.size() && !Arrived(best.optimum); ++i)
+  for (std::size_t i = 0; i < starts.size() && !HasConvergedWithoutDefect(best.optimum); ++i)
   {
     const double share = (fits ? 0.4 : 0.6) / static_cast<double>(starts.size());
     const double begin = 0.4 + share * static_cast<double>(i);
     AutomaticConfiguration tried =
-      Optimize(domain, starts[i], least, progress.Part(begin, begin + share));
+      Optimize(domain, starts[i], minimum, progress.Part(begin, begin + share));
     if (i == 0 || IsBetter(tried.optimum, best.optimum))
     {
       best = std::move(tried);

@@ -7,42 +7,42 @@ namespace crossfield
 {
 struct AutomaticOptions
 {
-  ProposalOptions proposal; ///< What is given and what is asked of the corners.
-  /// Its corners are those of the proposal. Even sizes and pairs are for the quads to come: what singularities are needed
-  /// is decided before.
+  ProposalOptions proposal; ///< Given singularities and corners.
+  /// Options of the runs that follow; their corners are those of the proposal. Target sizes and pairs take effect after
+  /// the minimum of the energy has decided which singularities there are.
   OptimizerOptions optimizer;
-  /// Of the quads to come, if there are any: the length of their sides, or else their number, from which it follows.
-  /// Where the optimiser's clearance is not given it is 0.7 of that length (docs/method.md §5.6).
+  /// Side length of the quads that singularities are chosen for, or else their number, which determines it; both 0 where
+  /// no quads are to be made. Sets the optimiser's clearance where that is 0 (ClearanceForQuads).
   double quadSize = 0.0;
   int quadCount = 0;
 };
 
-/// The clearance that is good for quads of a size: 0.7 of it (docs/method.md §5.6).
+/// Returns the recommended clearance of singularities for quads of a size: 0.7 of it (docs/method.md §5.6).
 double ClearanceForQuads(double quadSize);
 
-/// Sharp corners of quarter index 2 get 1 (PoincareHopf.h). Where there are any, every singularity stays what it
-/// is: one that goes into such a corner would undo it.
+/// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). Where there are any, sets keepAll: a singularity
+/// that moved into such a corner would undo the change.
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options);
 
-/// Singularities that were chosen for a domain, and how.
+/// Singularities chosen for a domain, and how they were found.
 struct AutomaticConfiguration
 {
-  Configuration singularities; ///< Those given first; without radii where none were given.
-  std::vector<CornerChoice>
-    corners;               ///< Quarter indices that the field has to take at the boundary.
-  OptimizerResult optimum; ///< The run that led here.
-  /// One sentence for each thing that was decided or happened.
+  Configuration singularities; ///< Given ones first; without radii unless they were given.
+  std::vector<CornerChoice> corners; ///< Quarter indices that the field must have at the boundary.
+  OptimizerResult optimum;           ///< The last run.
+  /// Decisions and events, one sentence each.
   std::vector<std::string> events;
 };
 
-/// Chooses the singularities of a domain of which nothing else is known: proposes
-/// (ConfigurationProposal.h) and moves what is inside to where the renormalised energy is least
-/// (SingularityOptimizer.h). From the best proposal on, until one comes to rest without a holonomy
-/// defect; if none does, that with the least defect is taken, which is no error: optimum.converged
-/// says so, and the last event why. Then on to the clearance for quads, if quads are to come, and to even sizes, if they are asked
-/// for or sizes are far from even.
+/// Chooses the singularities of a domain: proposes starts (ConfigurationProposal.h) and moves their interior
+/// singularities to a minimum of the renormalised energy (SingularityOptimizer.h), from one start after the other until a
+/// run converges without a holonomy defect. If none does, the run with the smallest defect is used; this is no error:
+/// optimum.converged is false, and the last event gives the reason.
 ///
-/// Throws Error as the two do.
+/// For quads a second run follows, with the clearance for quads. It also moves to the target sizes if their sizing is
+/// Uniform or Field, and to uniform sizes if the sizes at the minimum are far from uniform (docs/method.md §5.7).
+///
+/// Throws Error as ProposeConfigurations and OptimizeSingularities do.
 AutomaticConfiguration ChooseConfiguration(
   const PlanarDomain& domain, const AutomaticOptions& options = {}, const Progress& progress = {});
 }

@@ -6,9 +6,13 @@
 
 namespace crossfield
 {
-double TargetSize(const SizeFunction& sizes, const Point& place)
+double TargetSizes::At(const Point& place) const
 {
-  const double size = sizes(place);
+  if (this->sizing != Sizing::Field)
+  {
+    return 1.0;
+  }
+  const double size = this->field(place);
   if (!(size > 0.0) || !std::isfinite(size))
   {
     throw Error("The target size at " + Describe(place) +

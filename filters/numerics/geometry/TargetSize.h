@@ -6,9 +6,25 @@
 
 namespace crossfield
 {
-/// Target size of quads at a point of the plane. Usually only its proportions matter.
+/// Relative target size of quads as a function of position: positive, and only its proportions matter.
 using SizeFunction = std::function<double(const Point&)>;
 
-/// Returns the target size at a point; throws Error if it is not a positive number.
-double TargetSize(const SizeFunction& sizes, const Point& place);
+/// How the target size of quads varies over a domain.
+enum class Sizing
+{
+  Conformal, ///< The size of the map, e^H.
+  Uniform,   ///< The same size everywhere.
+  Field      ///< In proportion to a size field.
+};
+
+/// Relative target sizes of quads over a domain.
+struct TargetSizes
+{
+  Sizing sizing = Sizing::Conformal;
+  SizeFunction field; ///< Size field; used with Sizing::Field only.
+
+  /// Returns the relative target size at a point: that of the size field, 1 with the other sizings. Throws
+  /// Error where the field is not a positive number.
+  double At(const Point& place) const;
+};
 }

@@ -46,7 +46,7 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
   , Length(domain.Diagonal())
   , Barrier(domain, configuration, options.clearance)
   , Sizes(options.goal == OptimizerGoal::UniformSizes
-        ? std::make_shared<const SizeUniformity>(*this->Points, options.wantedSize)
+        ? std::make_shared<const SizeUniformity>(*this->Points, options.sizes)
         : nullptr)
   , Symmetry(options.keepSymmetry
         ? FindKeptSymmetry(*this->Points, domain, configuration, this->SymmetryTest())

@@ -38,9 +38,8 @@ struct ObjectiveOptions
   /// Whether places are as symmetric as those of the start (OptimizerSymmetry.h).
   bool keepSymmetry = true;
   OptimizerGoal goal = OptimizerGoal::Energy;
-  /// Wanted sizes, to which those of UniformSizes are in proportion; empty: the same everywhere. Symmetries of the
-  /// domain that they have not are not kept.
-  SizeFunction wantedSize;
+  /// Target sizes for UniformSizes. Symmetries of the domain that they do not have are not kept.
+  TargetSizes sizes;
 };
 
 /// What the optimiser minimises on one mesh, as a function of the places of interior singularities.

@@ -29,8 +29,8 @@ std::string ReasonOf(
     {
       return "The singularities are at a stationary point of the renormalised energy.";
     }
-    return objective.wantedSize
-      ? "The singularities are where sizes are nearest to the wanted ones."
+    return objective.sizes.sizing == Sizing::Field
+      ? "The singularities are where sizes are nearest to the target sizes."
       : "The singularities are where sizes are most even.";
   case OptimizerEnd::Aborted:
     return "The iteration was aborted; this is the best configuration so far.";

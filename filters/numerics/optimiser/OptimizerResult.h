@@ -24,13 +24,13 @@ struct OptimizerOptions
   double clearance = 0.0;
   /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken out.
   bool keepAll = false;
-  /// After the least W, move on to where the sizes of quads are most even: the least W + 10,000 J
-  /// (SizeUniformity.h), with the singularities that there are and as many iterations again.
-  bool uniformSizes = false;
-  /// Of quads, to which even sizes are in proportion (docs/method.md §5.7); empty: the same everywhere.
-  SizeFunction wantedSize;
-  /// Then add up to so many pairs of quarter indices 1 and −1, where they make sizes most even (docs/method.md §5.8),
-  /// while one brings 15 % of the spread or halves a holonomy defect. More than 0 is with uniformSizes.
+  /// Target sizes of quads (docs/method.md §5.7). Conformal: the run ends at the minimum of W. Uniform and Field: it
+  /// goes on, with the same singularities and as many iterations again, to the minimum of W + 10,000 J
+  /// (SizeUniformity.h), where the sizes of the field are nearest to the target sizes.
+  TargetSizes sizes;
+  /// Maximum number of pairs of quarter indices 1 and −1 that are added after that where they reduce the spread of sizes
+  /// most (docs/method.md §5.8), as long as each reduces it by 15 % or halves a holonomy defect. With pairs, Conformal
+  /// is treated as Uniform.
   int pairs = 0;
 };
 
@@ -57,8 +57,8 @@ struct OptimizerResult
   Configuration configuration;
   double energyBefore = 0.0;              ///< W of the start,
   double energyAfter = 0.0;               ///< and of the result.
-  std::optional<SizeSpreads> sizeSpreads; ///< Nothing if uniformSizes is off.
-  /// With uniformSizes: at the least W, with even sizes, and with each pair that was added.
+  std::optional<SizeSpreads> sizeSpreads; ///< None where the sizing is Conformal.
+  /// Where sizes are Uniform or Field: at the least W, with even sizes, and with each pair that was added.
   std::vector<FrontPoint> front;
   int iterations = 0;
   bool converged = false;

@@ -33,7 +33,7 @@ OptimizerRun::OptimizerRun(
   this->Stages.corners = options.corners;
   this->Stages.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
-  this->Stages.objective.wantedSize = options.wantedSize;
+  this->Stages.objective.sizes = options.sizes;
   this->Iteration.tolerance = options.tolerance;
   this->Iteration.maximumIterations = options.maximumIterations;
 }

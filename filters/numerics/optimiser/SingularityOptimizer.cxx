@@ -10,7 +10,7 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   OptimizerResult result;
   OptimizerRun run(domain, options, result);
   run.Start(start, progress);
-  const bool even = options.uniformSizes || options.pairs > 0;
+  const bool even = options.sizes.sizing != Sizing::Conformal || options.pairs > 0;
   const double share = options.pairs > 0 ? 0.4 : even ? 0.6 : 1.0;
   OptimizerEnd end = run.Move(progress.Part(0.2, share));
   if (even && end != OptimizerEnd::Aborted)

@@ -3,6 +3,7 @@
 #include "TriangleArea.h"
 
 #include <cmath>
+#include <utility>
 
 namespace crossfield
 {
@@ -18,8 +19,8 @@ double SizeUniformity::Value::Spread() const
   return std::sqrt(2.0 * this->energy);
 }
 
-SizeUniformity::SizeUniformity(const PointPotential& potential, const SizeFunction& wanted)
-  : Wanted(wanted)
+SizeUniformity::SizeUniformity(const PointPotential& potential, TargetSizes target)
+  : Target(std::move(target))
 {
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   this->Masses = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
@@ -37,9 +38,9 @@ SizeUniformity::SizeUniformity(const PointPotential& potential, const SizeFuncti
     Core * Core * 4.0 / std::sqrt(3.0) * area / static_cast<double>(mesh.triangles.size());
   this->Masses /= area;
   this->LogTarget = Eigen::VectorXd::Zero(this->Masses.size());
-  for (Eigen::Index v = 0; wanted && v < this->LogTarget.size(); ++v)
+  for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
   {
-    this->LogTarget[v] = std::log(TargetSize(wanted, mesh.points[static_cast<std::size_t>(v)]));
+    this->LogTarget[v] = std::log(this->Target.At(mesh.points[static_cast<std::size_t>(v)]));
   }
 }
 
@@ -48,10 +49,10 @@ bool SizeUniformity::IsKeptBy(const PointPotential& potential, const Isometry& m
   constexpr double MostDifference = 0.01;
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   double squares = 0.0;
-  for (Eigen::Index v = 0; this->Wanted && v < this->LogTarget.size(); ++v)
+  for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
   {
     const Point image = map(mesh.points[static_cast<std::size_t>(v)]);
-    const double difference = std::log(TargetSize(this->Wanted, image)) - this->LogTarget[v];
+    const double difference = std::log(this->Target.At(image)) - this->LogTarget[v];
     squares += this->Masses[v] * difference * difference;
     if (squares > MostDifference * MostDifference)
     {

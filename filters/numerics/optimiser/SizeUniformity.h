@@ -20,8 +20,9 @@ public:
     double Spread() const;    ///< √(2J).
   };
 
-  /// `wanted` may be empty: the same everywhere. Throws Error where it is not positive.
-  explicit SizeUniformity(const PointPotential& potential, const SizeFunction& wanted = {});
+  /// Compares with target sizes; all but those of Sizing::Field are the same everywhere. Throws Error where they are
+  /// not positive.
+  explicit SizeUniformity(const PointPotential& potential, TargetSizes target = {});
 
   /// D at vertices, less its mean over the area.
   Eigen::VectorXd SizesOf(
@@ -40,7 +41,7 @@ public:
 private:
   Eigen::VectorXd Masses;    ///< Part of the area that every vertex stands for.
   double SquaredCore;        ///< ε².
-  SizeFunction Wanted;       ///< Empty: the same everywhere.
-  Eigen::VectorXd LogTarget; ///< log s at vertices, 0 without wanted sizes.
+  TargetSizes Target;        ///< s.
+  Eigen::VectorXd LogTarget; ///< log s at vertices.
 };
 }

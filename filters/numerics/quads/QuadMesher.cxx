@@ -102,7 +102,7 @@ public:
   void Smooth(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
-    const bool even = this->Options.sizes.sizing != QuadSizing::Conformal;
+    const bool even = this->Options.sizes.sizing != Sizing::Conformal;
     result.blocks = FindBlocks(result.mesh); // of the quads alone, wherever the points go
     if (!this->Options.smooth)
     {

@@ -14,7 +14,7 @@ struct QuadOptions
 {
   double size = 0.0; ///< Length of quads in the map, whose area is the domain's; 0: by count.
   int count = 1000;  ///< Wanted number of quads where no size is given.
-  SizeRequest sizes;
+  TargetSizes sizes;
   bool smooth = true;  ///< Otherwise points are left where the map has them, which is for drafts.
   bool coarse = false; ///< The fewest blocks that are sound, instead of those nearest to the sizes.
 };

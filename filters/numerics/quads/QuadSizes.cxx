@@ -4,42 +4,34 @@
 
 namespace crossfield
 {
-namespace
-{
-double SizeAt(const SizeRequest& request, const Point& place)
-{
-  return request.sizing == QuadSizing::Field ? TargetSize(request.field, place) : 1.0;
-}
-}
-
-std::vector<double> TargetLengths(const TMesh& mesh, const SizeRequest& request)
+std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes)
 {
   std::vector<double> lengths;
   lengths.reserve(mesh.arcs.size());
   for (const TArc& arc : mesh.arcs)
   {
-    double length = request.sizing == QuadSizing::Conformal ? arc.length : 0.0;
+    double length = sizes.sizing == Sizing::Conformal ? arc.length : 0.0;
     // Segments are as short as the triangles that they pass: the midpoint rule is exact enough.
-    for (std::size_t i = 1; request.sizing != QuadSizing::Conformal && i < arc.polyline.size(); ++i)
+    for (std::size_t i = 1; sizes.sizing != Sizing::Conformal && i < arc.polyline.size(); ++i)
     {
       const Point& from = arc.polyline[i - 1];
       const Point& to = arc.polyline[i];
-      length += (to - from).norm() / SizeAt(request, 0.5 * (from + to));
+      length += (to - from).norm() / sizes.At(0.5 * (from + to));
     }
     lengths.push_back(length);
   }
   return lengths;
 }
 
-void WantSizes(QuadMesh& mesh, const SizeRequest& request, double area)
+void WantSizes(QuadMesh& mesh, const TargetSizes& sizes, double area)
 {
-  if (request.sizing == QuadSizing::Conformal)
+  if (sizes.sizing == Sizing::Conformal)
   {
     return;
   }
   double squares = 0.0;
-  std::vector<double> sizes;
-  sizes.reserve(mesh.quads.size());
+  std::vector<double> relative;
+  relative.reserve(mesh.quads.size());
   for (const std::array<int, 4>& quad : mesh.quads)
   {
     Point centre = Point::Zero();
@@ -47,18 +39,18 @@ void WantSizes(QuadMesh& mesh, const SizeRequest& request, double area)
     {
       centre += 0.25 * mesh.points[static_cast<std::size_t>(point)].place;
     }
-    sizes.push_back(SizeAt(request, centre));
-    squares += sizes.back() * sizes.back();
+    relative.push_back(sizes.At(centre));
+    squares += relative.back() * relative.back();
   }
   const double factor = std::sqrt(area / squares);
-  for (std::size_t q = 0; q < sizes.size(); ++q)
+  for (std::size_t q = 0; q < relative.size(); ++q)
   {
-    mesh.wanted[q] = { factor * sizes[q], factor * sizes[q] };
+    mesh.wanted[q] = { factor * relative[q], factor * relative[q] };
   }
-  const double mean = std::sqrt(squares / static_cast<double>(sizes.size()));
+  const double mean = std::sqrt(squares / static_cast<double>(relative.size()));
   for (QuadPoint& point : mesh.points)
   {
-    point.scale = SizeAt(request, point.place) / mean;
+    point.scale = sizes.At(point.place) / mean;
   }
 }
 }

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "LayoutSnap.h"
 #include "PairPlacement.h"
+#include "QuadWorkflow.h"
 #include "QuarterIndexRange.h"
 
 #include <cmath>
@@ -90,15 +91,12 @@ const Configuration& DesignSession::Choose(
 {
   if (!this->Chosen)
   {
-    crossfield::AutomaticOptions automatic;
-    automatic.proposal.corners = request.options.map.corners;
-    if (request.options.map.capCorners)
-    {
-      crossfield::CapCorners(this->Domain.Get(), automatic);
-    }
-    automatic.optimizer.meshSize = request.meshSize;
-    automatic.quadSize = request.quadSize;
-    this->Chosen = crossfield::ChooseConfiguration(this->Domain.Get(), automatic, progress);
+    crossfield::QuadRequest quads;
+    quads.corners = request.options.map.corners;
+    quads.capCorners = request.options.map.capCorners;
+    quads.meshSize = request.meshSize;
+    quads.quadSize = request.quadSize;
+    this->Chosen = crossfield::ChooseSingularities(this->Domain.Get(), quads, progress);
   }
   return this->Chosen->singularities;
 }

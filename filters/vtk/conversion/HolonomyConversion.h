@@ -1,30 +1,20 @@
 #ifndef HolonomyConversion_h
 #define HolonomyConversion_h
 
-#include "CornerClassification.h"
-#include "DomainConversion.h"
-#include "Progress.h"
+#include "DomainPlane.h"
+#include "HolonomyRepair.h"
 
 class vtkFieldData;
 
-/** Repair of holonomy defects in filters; every function throws crossfield::Error. */
+/** Conversion of the report of a holonomy repair to VTK data. */
 namespace HolonomyConversion
 {
-struct Options
-{
-  std::vector<crossfield::CornerChoice> corners;
-  bool capCorners = false;
-  double meshSize = 0.0;
-};
-
 /**
- * The singularities, moved the least way to where no inner loop has a defect. Adds to the field data
- * `RepairDistance`, the longest way of one, `RepairedPositions` (3), the places of all in their order, and
- * `DefectBefore`.
+ * Adds `RepairDistance`, the largest distance that a singularity was moved by, `RepairedPositions` (3), the positions
+ * of all singularities in their order, and `DefectBefore`, the holonomy defects before the repair.
  */
-crossfield::Configuration Repair(const DomainConversion::Domain& domain,
-  const crossfield::Configuration& configuration, const Options& options, vtkFieldData* field,
-  const crossfield::Progress& progress);
+void WriteRepair(const crossfield::HolonomyRepair& repair, const crossfield::DomainPlane& plane,
+  vtkFieldData* field);
 }
 
 #endif

@@ -12,7 +12,7 @@ namespace names = vtkCrossFieldArrayNames;
 using ColumnWriting::AddColumn;
 using crossfield::ProposedConfiguration;
 
-/** A singularity, or a chosen corner, and the proposal that it is part of. */
+/** A singularity or a chosen corner with the number of its proposal. */
 struct PointRow
 {
   crossfield::Point position;

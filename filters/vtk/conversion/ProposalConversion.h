@@ -7,14 +7,14 @@
 class vtkPolyData;
 class vtkTable;
 
-/** Conversion of proposed configurations to VTK data, in the plane of the domain. */
+/** Conversion of proposed configurations to VTK data in space. */
 namespace ProposalConversion
 {
-/** One row per proposal; see vtkConfigurationProposal. */
+/** Writes one row per proposal; see vtkConfigurationProposal. */
 void WriteTable(const std::vector<crossfield::ProposedConfiguration>& proposals, double coreRadius,
   vtkTable* output);
 
-/** The singularities of all, and the corners of each that were chosen for it, as singularities there. */
+/** Writes the singularities of all proposals, and the corners chosen for each as singularities on the boundary. */
 void WritePoints(const std::vector<crossfield::ProposedConfiguration>& proposals,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 }

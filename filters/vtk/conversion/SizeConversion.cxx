@@ -1,12 +1,10 @@
 #include "SizeConversion.h"
 
 #include "CellLoop.h"
-#include "DrilledMeshConversion.h"
 #include "Error.h"
-#include "MeshForPoints.h"
-#include "SizeExtension.h"
 #include "UsedPoints.h"
 #include "vtkQuadMesher.h"
+#include "vtkSingularityOptimizer.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -19,13 +17,14 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace
 {
 using crossfield::Error;
 
-/** Interpolates values at the points of a data set, at the place of its cells that is nearest. */
+/** Interpolates point values of a data set at the nearest point of its cells. */
 class Sampler
 {
 public:
@@ -64,27 +63,27 @@ private:
   std::vector<double> Weights;
 };
 
-/** At the used points. */
-std::vector<double> RequireSizes(
+/** Returns the lengths at the used points; throws where they are missing or not positive. */
+std::vector<double> RequireLengths(
   vtkDataSet* domain, const UsedPoints& used, const std::string& name)
 {
   vtkDataArray* array = domain->GetPointData()->GetArray(name.c_str());
   if (array == nullptr || array->GetNumberOfComponents() != 1)
   {
     throw Error("The domain has no point array '" + name +
-      "' with one component; name one with the wanted length of quads at each point.");
+      "' with one component; name one with the target length of quads at each point.");
   }
-  std::vector<double> sizes;
+  std::vector<double> lengths;
   for (const vtkIdType point : used.GetIds())
   {
-    sizes.push_back(array->GetTuple1(point));
-    if (!(sizes.back() > 0.0) || !std::isfinite(sizes.back()))
+    lengths.push_back(array->GetTuple1(point));
+    if (!(lengths.back() > 0.0) || !std::isfinite(lengths.back()))
     {
-      throw Error("The wanted size at point " + std::to_string(point) +
+      throw Error("The target size at point " + std::to_string(point) +
         " of the domain is not a positive number; correct the array '" + name + "'.");
     }
   }
-  return sizes;
+  return lengths;
 }
 
 bool IsSurface(int type)
@@ -93,8 +92,8 @@ bool IsSurface(int type)
 }
 
 /**
- * The cells of a surface, or else the segments of all lines, as VTK gives no weights along a polyline; with the used points
- * alone, as a locator goes by the bounds of all points.
+ * Returns the surface cells, or where there are none the segments of all lines, since VTK has no weights along a polyline.
+ * The grid holds the used points only: a locator is built on the bounds of all points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
   vtkDataSet* domain, const UsedPoints& used, bool hasSurface)
@@ -134,8 +133,26 @@ vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
 namespace SizeConversion
 {
 //------------------------------------------------------------------------------
-Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::DomainPlane& plane,
-  const crossfield::MeshTopology& topology)
+crossfield::Sizing ReadSizing(int sizing)
+{
+  static_assert(static_cast<int>(vtkSingularityOptimizer::SizingUniform) ==
+      static_cast<int>(vtkQuadMesher::SizingUniform) &&
+    static_cast<int>(vtkSingularityOptimizer::SizingField) ==
+      static_cast<int>(vtkQuadMesher::SizingField));
+  switch (sizing)
+  {
+  case vtkQuadMesher::SizingUniform:
+    return crossfield::Sizing::Uniform;
+  case vtkQuadMesher::SizingField:
+    return crossfield::Sizing::Field;
+  default:
+    return crossfield::Sizing::Conformal;
+  }
+}
+
+//------------------------------------------------------------------------------
+crossfield::PrescribedSizes ReadSizes(
+  vtkDataSet* domain, const std::string& name, const crossfield::DomainPlane& plane)
 {
   const UsedPoints used(domain);
   bool hasSurface = false;
@@ -143,59 +160,11 @@ Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const crossfield::D
     [&hasSurface](vtkIdType, int type, const auto&)
     { hasSurface = hasSurface || IsSurface(type); });
   const auto cells = CellsToSample(domain, used, hasSurface);
-  Sampler given(cells, RequireSizes(domain, used, name));
-  const crossfield::TriangleMesh& mesh = topology.mesh;
-  Eigen::VectorXd sizes(static_cast<Eigen::Index>(mesh.points.size()));
-  if (hasSurface)
-  {
-    for (Eigen::Index v = 0; v < sizes.size(); ++v)
-    {
-      sizes[v] = given.At(plane.ToSpace(mesh.points[static_cast<std::size_t>(v)]));
-    }
-  }
-  else
-  {
-    for (const crossfield::BoundaryEdge& edge : mesh.boundary)
-    {
-      const int vertex = edge.vertices[0];
-      sizes[vertex] = given.At(plane.ToSpace(topology.PointAt(vertex)));
-    }
-    sizes = crossfield::ExtendSizes(topology, sizes);
-  }
-  Sizes result;
-  result.mean = crossfield::EquivalentSize(mesh, sizes);
-  sizes /= result.mean;
-  vtkNew<vtkUnstructuredGrid> grid;
-  DrilledMeshConversion::WriteDrilledMesh(mesh, plane, grid);
-  const auto sampler =
-    std::make_shared<Sampler>(grid, std::vector<double>(sizes.data(), sizes.data() + sizes.size()));
-  result.relative = [sampler, plane](const crossfield::Point& place)
+  const auto sampler = std::make_shared<Sampler>(cells, RequireLengths(domain, used, name));
+  crossfield::PrescribedSizes sizes;
+  sizes.length = [sampler, plane](const crossfield::Point& place)
   { return sampler->At(plane.ToSpace(place)); };
-  return result;
-}
-
-//------------------------------------------------------------------------------
-Sizes ReadSizes(vtkDataSet* domain, const std::string& name, const DomainConversion::Domain& input,
-  double meshSize)
-{
-  const crossfield::SharedTopology topology =
-    crossfield::ShareTopology(crossfield::MeshOnPoints(input.domain, {}, meshSize));
-  return ReadSizes(domain, name, input.plane, *topology);
-}
-
-//------------------------------------------------------------------------------
-void ChooseForQuads(vtkDataSet* domain, const DomainConversion::Domain& input,
-  const QuadRequest& request, crossfield::AutomaticOptions& automatic)
-{
-  automatic.quadSize = request.quadSize;
-  automatic.quadCount = request.quadCount;
-  automatic.optimizer.pairs = request.pairs;
-  automatic.optimizer.uniformSizes = request.sizing != vtkQuadMesher::SizingConformal;
-  if (request.sizing == vtkQuadMesher::SizingField)
-  {
-    const Sizes sizes = ReadSizes(domain, request.sizeArray, input, automatic.optimizer.meshSize);
-    automatic.optimizer.wantedSize = sizes.relative;
-    automatic.quadSize *= sizes.mean; // a factor of the array's lengths
-  }
+  sizes.isOnBoundaryOnly = !hasSurface;
+  return sizes;
 }
 }

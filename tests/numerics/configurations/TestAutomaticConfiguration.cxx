@@ -163,7 +163,7 @@ TEST(AutomaticConfiguration, MovesOnToEvenSizesForQuads)
   options.quadCount = 300;
   const AutomaticConfiguration least = ChooseConfiguration(plate, options);
   EXPECT_FALSE(least.optimum.sizeSpreads);
-  options.optimizer.uniformSizes = true;
+  options.optimizer.sizes.sizing = Sizing::Uniform;
   const AutomaticConfiguration even = ChooseConfiguration(plate, options);
   ASSERT_TRUE(even.optimum.sizeSpreads);
   EXPECT_LT(even.optimum.sizeSpreads->after, even.optimum.sizeSpreads->before);

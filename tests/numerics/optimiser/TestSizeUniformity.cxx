@@ -133,10 +133,10 @@ TEST(SizeUniformity, ItsGradientIsThatOfTheDiscreteJ)
 const Configuration Four = { { { 0.5, 0.1 }, 1, 0.0 }, { { -0.2, 0.6 }, 1, 0.0 },
   { { -0.6, -0.3 }, 1, 0.0 }, { { 0.3, -0.7 }, 1, 0.0 } };
 
-/// e^H of four of index 1 in the disk, smoothed where it vanishes.
-SizeFunction SizesOf(const Configuration& four)
+/// Returns e^H of four singularities of index 1 in the disk, smoothed where it vanishes.
+TargetSizes SizesOf(const Configuration& four)
 {
-  return [four](const Point& place)
+  const auto size = [four](const Point& place)
   {
     constexpr double SquaredCore = 1e-4;
     const std::complex<double> z(place.x(), place.y());
@@ -148,6 +148,7 @@ SizeFunction SizesOf(const Configuration& four)
     }
     return std::exp(h);
   };
+  return { Sizing::Field, size };
 }
 
 /// Of each place in the configuration from the nearest of the other, the largest.
@@ -172,7 +173,8 @@ TEST(SizeUniformity, ToAConstantSizeIsThatOfEvenSizes)
   const PointPotential::Solution solution = potential.Solve(AroundTheIslands());
   const SizeUniformity::Value even = SizeUniformity(potential).Evaluate(potential, solution);
   const SizeUniformity::Value constant =
-    SizeUniformity(potential, [](const Point&) { return 17.0; }).Evaluate(potential, solution);
+    SizeUniformity(potential, { Sizing::Field, [](const Point&) { return 17.0; } })
+      .Evaluate(potential, solution);
   EXPECT_NEAR(constant.energy, even.energy, 1e-13 * even.energy);
   EXPECT_LT((constant.gradient - even.gradient).norm(), 1e-12 * even.gradient.norm());
 }
@@ -185,7 +187,7 @@ TEST(SizeUniformity, DoesNotDependOnTheUnitOfWantedSizes)
   {
     const auto wanted = [unit](const Point& x)
     { return unit * std::exp(0.5 * x.x() - x.y() * x.y()); };
-    return SizeUniformity(potential, wanted).Evaluate(potential, solution);
+    return SizeUniformity(potential, { Sizing::Field, wanted }).Evaluate(potential, solution);
   };
   const SizeUniformity::Value metres = evaluate(1.0);
   const SizeUniformity::Value millimetres = evaluate(1000.0);
@@ -196,8 +198,8 @@ TEST(SizeUniformity, DoesNotDependOnTheUnitOfWantedSizes)
 TEST(SizeUniformity, ItsGradientIsThatOfTheDiscreteJOfWantedSizes)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
-  const SizeUniformity evenness(
-    potential, [](const Point& x) { return 0.3 + std::exp(x.x() - 2.0 * x.y()); });
+  const SizeUniformity evenness(potential,
+    { Sizing::Field, [](const Point& x) { return 0.3 + std::exp(x.x() - 2.0 * x.y()); } });
   ExpectGradientOfJ(potential, evenness, AroundTheIslands());
 }
 
@@ -223,7 +225,10 @@ TEST(SizeUniformity, RefusesASizeThatIsNotPositive)
   for (const double size : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity() })
   {
-    EXPECT_TRUE(Refuses([&] { SizeUniformity(potential, [size](const Point&) { return size; }); },
+    EXPECT_TRUE(Refuses(
+      [&] {
+        SizeUniformity(potential, { Sizing::Field, [size](const Point&) { return size; } });
+      },
       { "The target size at", "not a positive number" }));
   }
 }
@@ -240,14 +245,13 @@ TEST(SizeUniformity, TheOptimiserFindsTheSingularitiesThatHaveTheWantedSizes)
   {
     singularity.position += 0.1 * Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
   }
-  options.wantedSize = SizesOf(Four);
   const OptimizerResult least = OptimizeSingularities(disk, start, options);
-  EXPECT_FALSE(least.sizeSpreads); // sizes are wanted only with uniformSizes
+  EXPECT_FALSE(least.sizeSpreads);
   EXPECT_GT(LargestDistance(Four, least.configuration), 0.1);
-  options.uniformSizes = true;
+  options.sizes = SizesOf(Four);
   const OptimizerResult result = OptimizeSingularities(disk, start, options);
   EXPECT_TRUE(result.converged) << result.reason;
-  EXPECT_NE(result.reason.find("nearest to the wanted ones"), std::string::npos);
+  EXPECT_NE(result.reason.find("nearest to the target sizes"), std::string::npos);
   EXPECT_LT(LargestDistance(Four, result.configuration), 0.01);
   ASSERT_TRUE(result.sizeSpreads);
   EXPECT_LT(result.sizeSpreads->after, 0.02);
@@ -259,15 +263,14 @@ TEST(SizeUniformity, SymmetriesOfTheDomainThatWantedSizesHaveNotAreNotKept)
   const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64, 1.0) });
   OptimizerOptions options;
   options.meshSize = 0.05;
-  options.uniformSizes = true;
-  options.wantedSize = SizesOf(Four);
+  options.sizes = SizesOf(Four);
   const OptimizerResult none = OptimizeSingularities(disk, OnCircle(4, 0.6, 0.0, 1, 0.0), options);
   EXPECT_TRUE(none.converged) << none.reason;
   EXPECT_LT(LargestDistance(Four, none.configuration), 0.01);
   // These have both axes and the half turn, but not the quarter turn.
   const Configuration rectangle = { { { 0.7, 0.4 }, 1, 0.0 }, { { -0.7, 0.4 }, 1, 0.0 },
     { { -0.7, -0.4 }, 1, 0.0 }, { { 0.7, -0.4 }, 1, 0.0 } };
-  options.wantedSize = SizesOf(rectangle);
+  options.sizes = SizesOf(rectangle);
   const OptimizerResult half =
     OptimizeSingularities(disk, OnCircle(4, 0.6, 0.25 * Pi, 1, 0.0), options);
   EXPECT_TRUE(half.converged) << half.reason;
@@ -293,7 +296,7 @@ TEST(SizeUniformity, TheOptimiserEndsAtLessSpreadAndAtRest)
     { { -0.4, -0.2 }, 1, 0.0 }, { { 0.3, 0.05 }, 1, 0.0 } };
   const OptimizerResult least = OptimizeSingularities(domain, start, options);
   EXPECT_FALSE(least.sizeSpreads);
-  options.uniformSizes = true;
+  options.sizes.sizing = Sizing::Uniform;
   const OptimizerResult even = OptimizeSingularities(domain, start, options);
   EXPECT_TRUE(even.converged) << even.reason;
   EXPECT_NE(even.reason.find("most even"), std::string::npos);

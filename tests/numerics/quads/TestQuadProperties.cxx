@@ -298,7 +298,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
   for (const RandomCase& symmetric : cases)
   {
     const SeamlessMap map = MapOf(symmetric);
-    for (const QuadSizing sizing : { QuadSizing::Conformal, QuadSizing::Uniform })
+    for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
     {
       QuadOptions options;
       options.size = 0.2;

@@ -21,7 +21,7 @@ SeamlessMap MapOfSix()
     ShareTopology(MeshOnPoints(DiskOfEdges(0.04), configuration, 0.04)), configuration);
 }
 
-QuadResult QuadsOf(const SeamlessMap& map, int count, QuadSizing sizing = QuadSizing::Conformal)
+QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Conformal)
 {
   QuadOptions options;
   options.count = count;
@@ -200,12 +200,12 @@ TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
 TEST(QuadSmoothing, OfManyEvenQuadsIsAsEvenAsOfFewAndAsWellShaped)
 {
   const SeamlessMap map = MapOfSix();
-  const QuadQuality few = QuadsOf(map, 2000, QuadSizing::Uniform).quality;
+  const QuadQuality few = QuadsOf(map, 2000, Sizing::Uniform).quality;
   // With these numbers lines that nearly meet are apart by one quad: the map's quads are sheared there.
   for (const int count : { 16000, 20000, 24000 })
   {
     SCOPED_TRACE(count);
-    const QuadResult many = QuadsOf(map, count, QuadSizing::Uniform);
+    const QuadResult many = QuadsOf(map, count, Sizing::Uniform);
     EXPECT_LE(many.smoothing.iterations, 10);
     EXPECT_LT(many.quality.variation, few.variation + 0.01);
     EXPECT_GE(many.quality.jacobian.min, few.jacobian.min - 0.1);

@@ -226,7 +226,7 @@ TEST(Quads, OfUniformSizingAreNearlyEqual)
   QuadOptions options;
   options.count = 600;
   const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
-  options.sizes.sizing = QuadSizing::Uniform;
+  options.sizes.sizing = Sizing::Uniform;
   const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   EXPECT_GT(conformal.quality.variation, 0.2);
   EXPECT_LT(uniform.quality.variation, 0.12);
@@ -244,7 +244,7 @@ TEST(Quads, FollowASizeField)
   const SeamlessMap map = MapOf(plate, {}, 0.1);
   QuadOptions options;
   options.count = 500;
-  options.sizes.sizing = QuadSizing::Field;
+  options.sizes.sizing = Sizing::Field;
   options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
   const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   EXPECT_EQ(result.quality.inverted, 0);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "MeshTopology.h"
+#include "PlanarDomain.h"
+#include "TargetSize.h"
+
+namespace crossfield
+{
+/// Side lengths of quads that the data of a domain prescribe, for Sizing::Field.
+struct PrescribedSizes
+{
+  /// Length at a point; only called for points of the boundary where `isOnBoundaryOnly` is set.
+  SizeFunction length;
+  /// Whether lengths are known on the boundary only. Inside, log h is then harmonic (ExtendSizes).
+  bool isOnBoundaryOnly = false;
+};
+
+/// Prescribed sizes as a relative size field and a unit.
+struct RelativeSizes
+{
+  SizeFunction field; ///< Size relative to `mean`, P1 on the mesh that it was computed on.
+  double mean = 0.0;  ///< Side length of equal quads that would be as many (EquivalentSize).
+};
+
+/// Samples prescribed sizes at the vertices of a mesh, continues them inside if they are known on the boundary only,
+/// and divides them by their mean (docs/method.md §14.8).
+RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopology& topology);
+
+/// As above, on a mesh of the domain without singularities. `meshSize`: edge length of its triangles, 0 for the
+/// default.
+RelativeSizes ComputeRelativeSizes(
+  const PrescribedSizes& sizes, const PlanarDomain& domain, double meshSize);
+}

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "AutomaticConfiguration.h"
+#include "HolonomyRepair.h"
+#include "PrescribedSizes.h"
+#include "QuadMesher.h"
+#include "SeamlessMapSolve.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+/// Input of MakeQuadMesh besides the domain.
+struct QuadRequest
+{
+  std::optional<Configuration> singularities; ///< Chosen for the domain where there are none.
+  std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
+
+  Sizing sizing = Sizing::Conformal;
+  PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
+  double quadSize = 0.0;           ///< Side length of quads, with Sizing::Field a factor; 0: by quadCount.
+  int quadCount = 1000;            ///< Target number of quads where quadSize is 0.
+
+  double meshSize = 0.0;  ///< Edge length of triangles, as in DrillOptions.
+  double clearance = 0.0; ///< Minimum distance of chosen singularities; 0: by quadSize or quadCount.
+  int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
+  bool capCorners = true; ///< As in SeamlessMapOptions.
+  bool repairHolonomy = false;
+  bool coarse = false; ///< As in QuadOptions.
+};
+
+/// Wall-clock time of each step of MakeQuadMesh, in seconds.
+struct QuadSeconds
+{
+  double choose = 0.0; ///< 0 where singularities were given.
+  double mesh = 0.0;
+  double map = 0.0;
+  double trace = 0.0;
+  double integers = 0.0;
+  double layout = 0.0;
+  double smooth = 0.0;
+};
+
+/// A quad mesh, and the singularities and corners that it was made of.
+struct QuadWorkflowResult
+{
+  Configuration singularities;       ///< Those given or chosen, at their positions after repair.
+  std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
+  std::vector<std::string> events;   ///< Decisions made in choosing, one sentence each.
+  std::optional<OptimizerResult> optimum; ///< The run that chose them; none where they were given.
+  std::optional<HolonomyRepair> repair;   ///< Where it was requested.
+  std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
+  QuadResult quads;
+  QuadSeconds seconds;
+};
+
+/// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are given, caps corners,
+/// repairs the holonomy, meshes, solves for the map, and makes quads of it.
+///
+/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap and MakeQuads do.
+QuadWorkflowResult MakeQuadMesh(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
+
+/// Chooses the singularities, and the corners that go with them, for the quads of a request; the request's own
+/// singularities are ignored. Throws Error as ChooseConfiguration does.
+AutomaticConfiguration ChooseSingularities(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
+
+/// Repairs the holonomy with the corners that the map will have (HolonomyRepair.h).
+HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,
+  const SeamlessMapOptions& options, double meshSize, const Progress& progress = {});
+
+/// Returns whether a mesh has the requested number of quads within CountTolerance, or none was requested.
+bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);
+}
