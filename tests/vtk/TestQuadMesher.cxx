@@ -34,7 +34,7 @@
 
 namespace
 {
-/** How many sentences the field data of a mesh hold; −1 without the array. */
+/** Returns the number of sentences in an array of the field data of a mesh; −1 without the array. */
 vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
 {
   vtkAbstractArray* array = mesher->GetOutput()->GetFieldData()->GetAbstractArray(name);
@@ -43,7 +43,20 @@ vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
 
 using Place = std::array<double, 3>;
 
-/** The points of a side of a block in the order of increasing I or J. */
+/** Returns the data of an output port that holds singularities or corners. */
+vtkPolyData* UsedPoints(vtkQuadMesher* mesher, int port)
+{
+  return vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(port));
+}
+
+Place PositionOf(vtkDataSet* points, vtkIdType i)
+{
+  Place position{};
+  points->GetPoint(i, position.data());
+  return position;
+}
+
+/** Returns the points of a side of a block in the order of increasing I or J. */
 std::vector<Place> PointsOfSide(vtkMultiBlockDataSet* blocks, int block, int side)
 {
   auto* grid = vtkStructuredGrid::SafeDownCast(blocks->GetBlock(static_cast<unsigned int>(block)));
@@ -119,9 +132,9 @@ TEST_F(QuadMesher, BlocksAreTheQuadsAndShareTheirPoints)
   EXPECT_GT(quads->GetNumberOfCells(), count); // and the boundary's lines
 }
 
-/// Each side of a block has the points of its neighbour's, in the order that is told, and the neighbour
-/// says the same of it; together the sides without a neighbour are the boundary.
-TEST_F(QuadMesher, BlocksKnowTheirNeighbours)
+/// Each side of a block has the same points as the adjacent side, in the order that `NeighbourOrientation` states, and both
+/// name each other; the sides without a neighbour make up the boundary.
+TEST_F(QuadMesher, AdjacentBlocksNameEachOther)
 {
   this->Filter->Update();
   auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1));
@@ -137,7 +150,7 @@ TEST_F(QuadMesher, BlocksKnowTheirNeighbours)
     }
     return row;
   };
-  std::size_t alone = 0;
+  std::size_t boundaryEdges = 0;
   for (int block = 0; block < static_cast<int>(blocks->GetNumberOfBlocks()); ++block)
   {
     for (int side = 0; side < 4; ++side)
@@ -147,7 +160,7 @@ TEST_F(QuadMesher, BlocksKnowTheirNeighbours)
       const auto [neighbour, itsSide, orientation] = read(block, side);
       if (neighbour < 0)
       {
-        alone += places.size() - 1;
+        boundaryEdges += places.size() - 1;
         continue;
       }
       ASSERT_EQ(std::abs(orientation), 1);
@@ -162,10 +175,10 @@ TEST_F(QuadMesher, BlocksKnowTheirNeighbours)
   vtkUnstructuredGrid* quads = this->Filter->GetOutput();
   const double count =
     FilterChecks::RequireArray(quads->GetFieldData(), "Quads")->GetComponent(0, 0);
-  EXPECT_EQ(static_cast<double>(alone), static_cast<double>(quads->GetNumberOfCells()) - count);
+  EXPECT_EQ(static_cast<double>(boundaryEdges), static_cast<double>(quads->GetNumberOfCells()) - count);
 }
 
-TEST_F(QuadMesher, ValencesAreThoseAskedFor)
+TEST_F(QuadMesher, HasTheRequestedValences)
 {
   this->Filter->Update();
   vtkUnstructuredGrid* quads = this->Filter->GetOutput();
@@ -185,8 +198,7 @@ TEST_F(QuadMesher, ValencesAreThoseAskedFor)
 }
 
 /// Along a strip the columns follow h(x) = 0.1 · 2^(x/3): there are ∫ dx / h of them, 30 (1 − 1/2) / log 2 = 21.6, and
-/// between two of them ∫ dx / h is nearly the same, as far as shapes allow. As given along curves and as given
-/// on a surface.
+/// ∫ dx / h over a column is nearly constant, as far as shapes allow. Sizes are given along curves and on a surface.
 TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
 {
   const int columns = 60; // values are linear along the segments between
@@ -239,7 +251,7 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
   }
   this->Filter->SetSizeArray("Other");
   EXPECT_EQ(FilterChecks::CaptureError(
-              this->Filter, { "no point array 'Other'", "name one with the wanted length" }),
+              this->Filter, { "no point array 'Other'", "name one with the target length" }),
     vtkCrossFieldErrorCodes::BadInput);
   lengths->SetValue(7, 0.0);
   lengths->Modified();
@@ -260,9 +272,82 @@ TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
   FilterChecks::UpdateWithoutError(this->Filter);
 }
 
-TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
+TEST_F(QuadMesher, OutputsGivenSingularitiesAsTheyAre)
 {
-  // An ellipse: sizes at the least energy are not far from even.
+  FilterChecks::UpdateWithoutError(this->Filter);
+  auto* given = this->Singularities->GetOutput();
+  vtkPolyData* used = UsedPoints(this->Filter, 3);
+  ASSERT_EQ(used->GetNumberOfPoints(), given->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < given->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(PositionOf(used, i), PositionOf(given, i));
+    for (const char* name : { "QuarterIndex", "Radius" })
+    {
+      EXPECT_EQ(FilterChecks::RequireArray(used->GetPointData(), name)->GetTuple1(i),
+        FilterChecks::RequireArray(given->GetPointData(), name)->GetTuple1(i));
+    }
+  }
+  EXPECT_EQ(used->GetFieldData()->GetAbstractArray("Events"), nullptr);
+  EXPECT_EQ(UsedPoints(this->Filter, 4)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Filter->GetStageSeconds()[6], 0.0);
+}
+
+TEST_F(QuadMesher, OutputsAllCornersWithTheirIndices)
+{
+  this->Domain->SetDomainName("star");
+  this->Filter->SetSingularitiesConnection(nullptr);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  double sum = 0.0;
+  for (const int port : { 3, 4 })
+  {
+    vtkPolyData* used = UsedPoints(this->Filter, port);
+    for (vtkIdType i = 0; i < used->GetNumberOfPoints(); ++i)
+    {
+      const double quarters =
+        FilterChecks::RequireArray(used->GetPointData(), "QuarterIndex")->GetTuple1(i);
+      EXPECT_LE(quarters, 1.0);
+      sum += quarters;
+    }
+  }
+  EXPECT_EQ(UsedPoints(this->Filter, 4)->GetNumberOfPoints(), 10);
+  EXPECT_EQ(sum, 4.0);
+}
+
+TEST_F(QuadMesher, OutputsPositionsAfterRepair)
+{
+  this->Domain->SetDomainName("ring");
+  std::vector<TestInputs::Row> rows;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double turn = 0.5 * vtkMath::Pi() * i;
+    rows.push_back({ 0.8 * std::cos(turn + 0.25), 0.8 * std::sin(turn + 0.25), 1.0, 0.0 });
+    rows.push_back({ 0.55 * std::cos(turn + 0.1), 0.55 * std::sin(turn + 0.1), -1.0, 0.0 });
+  }
+  this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
+  this->Filter->RepairHolonomyOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkFieldData* field = this->Filter->GetOutput()->GetFieldData();
+  vtkDataArray* repaired = FilterChecks::RequireArray(field, "RepairedPositions");
+  vtkPolyData* used = UsedPoints(this->Filter, 3);
+  ASSERT_EQ(used->GetNumberOfPoints(), 8);
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    const Place position = PositionOf(used, i);
+    const TestInputs::Row& row = rows[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_EQ(position[static_cast<std::size_t>(axis)], repaired->GetComponent(i, axis));
+    }
+    largest = std::max(largest, std::hypot(position[0] - row[0], position[1] - row[1]));
+  }
+  EXPECT_NEAR(FilterChecks::RequireArray(field, "RepairDistance")->GetTuple1(0), largest, 1e-14);
+  EXPECT_GT(largest, 0.01);
+}
+
+TEST_F(QuadMesher, MakesTheSameMeshOfWhatItChose)
+{
+  // On an ellipse, sizes at the minimum of the energy are not far from uniform.
   constexpr int Count = 40;
   TestInputs::Curve ellipse;
   vtkNew<vtkDoubleArray> lengths;
@@ -275,39 +360,57 @@ TEST_F(QuadMesher, ChoosesSingularitiesAsTheProposalDoes)
   }
   const auto domain = TestInputs::Loops({ ellipse });
   domain->GetPointData()->AddArray(lengths);
-  std::set<double> places;
+  std::set<double> abscissas;
   for (const int sizing :
     { vtkQuadMesher::SizingConformal, vtkQuadMesher::SizingUniform, vtkQuadMesher::SizingField })
   {
-    vtkNew<vtkConfigurationProposal> proposal;
-    proposal->SetInputData(domain);
-    proposal->AutomaticOn();
-    proposal->SetMeshSize(0.15);
-    proposal->SetQuadSize(0.1);
-    proposal->SetSizing(sizing);
-    proposal->SetSizeArray("Length");
+    vtkNew<vtkQuadMesher> chosen;
     vtkNew<vtkQuadMesher> given;
-    given->SetInputData(domain);
-    given->SetSingularitiesConnection(proposal->GetOutputPort());
-    given->SetCornersConnection(proposal->GetOutputPort(1));
-    vtkNew<vtkQuadMesher> alone;
-    alone->SetInputData(domain);
-    for (vtkQuadMesher* mesher : { given.Get(), alone.Get() })
+    for (vtkQuadMesher* mesher : { chosen.Get(), given.Get() })
     {
+      mesher->SetInputData(domain);
       mesher->SetMeshSize(0.15);
       mesher->SetQuadSize(0.1);
       mesher->SetSizing(sizing);
       mesher->SetSizeArray("Length");
-      FilterChecks::UpdateWithoutError(mesher);
     }
+    given->SetSingularitiesConnection(chosen->GetOutputPort(3));
+    given->SetCornersConnection(chosen->GetOutputPort(4));
+    FilterChecks::UpdateWithoutError(given);
     EXPECT_EQ(FieldStrings(given, "Events"), 0);
-    EXPECT_GT(FieldStrings(alone, "Events"), 0);
-    alone->GetOutput()->GetFieldData()->RemoveArray("Events");
+    EXPECT_GT(FieldStrings(chosen, "Events"), 0);
+    vtkPolyData* used = UsedPoints(chosen, 3);
+    EXPECT_EQ(used->GetFieldData()->GetAbstractArray("Events")->GetNumberOfTuples(),
+      FieldStrings(chosen, "Events"));
+    EXPECT_GT(chosen->GetStageSeconds()[6], 0.0);
+    chosen->GetOutput()->GetFieldData()->RemoveArray("Events");
     given->GetOutput()->GetFieldData()->RemoveArray("Events");
     EXPECT_EQ(
-      FilterChecks::Fingerprint(alone->GetOutput()), FilterChecks::Fingerprint(given->GetOutput()));
-    ASSERT_GT(proposal->GetOutput()->GetNumberOfPoints(), 0);
-    places.insert(proposal->GetOutput()->GetPoint(0)[0]);
+      FilterChecks::Fingerprint(chosen->GetOutput()), FilterChecks::Fingerprint(given->GetOutput()));
+    ASSERT_GT(used->GetNumberOfPoints(), 0);
+    abscissas.insert(used->GetPoint(0)[0]);
   }
-  EXPECT_EQ(places.size(), 3U); // for each of the sizings where it is best
+  EXPECT_EQ(abscissas.size(), 3U); // each sizing has its own optimum
+}
+
+TEST_F(QuadMesher, ChoosesWhatTheProposalChoosesWhereSizesAreUniformEnough)
+{
+  // A clearance below that of the energy's minimum, and no target sizes: nothing moves after the proposal.
+  vtkNew<vtkConfigurationProposal> proposal;
+  proposal->SetInputConnection(this->Domain->GetOutputPort());
+  proposal->AutomaticOn();
+  proposal->SetMeshSize(0.1);
+  FilterChecks::UpdateWithoutError(proposal);
+  this->Filter->SetSingularitiesConnection(nullptr);
+  this->Filter->SetClearance(1e-3); // at most 1/400 of the diagonal
+  FilterChecks::UpdateWithoutError(this->Filter);
+  vtkPolyData* used = UsedPoints(this->Filter, 3);
+  ASSERT_EQ(used->GetNumberOfPoints(), proposal->GetOutput()->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < used->GetNumberOfPoints(); ++i)
+  {
+    const Place position = PositionOf(used, i);
+    const Place proposed = PositionOf(proposal->GetOutput(), i);
+    EXPECT_NEAR(position[0], proposed[0], 1e-3);
+    EXPECT_NEAR(position[1], proposed[1], 1e-3);
+  }
 }

@@ -154,7 +154,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   EXPECT_LT(this->Value("SizeSpreadAfter"), 0.5 * this->Value("SizeSpreadBefore"));
   vtkPolyData* output = this->Filter->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), 2);
-  EXPECT_NE(this->Reason().find("nearest to the wanted ones"), std::string::npos);
+  EXPECT_NE(this->Reason().find("nearest to the target sizes"), std::string::npos);
   const auto x = [output](double quarters)
   {
     const vtkIdType i =
@@ -181,7 +181,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   this->Filter->SetSizeArray("Length");
   setTargetSizes({ 0.1, 0.0, 0.2, 0.1 });
   EXPECT_EQ(
-    FilterChecks::CaptureError(this->Filter, { "wanted size at point 1", "not a positive number" }),
+    FilterChecks::CaptureError(this->Filter, { "target size at point 1", "not a positive number" }),
     vtkErrorCode::UserError);
 }
 

@@ -57,9 +57,9 @@ struct QuadWorkflowResult
 };
 
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are given, caps corners,
-/// repairs the holonomy, meshes, solves for the map, and makes quads of it.
+/// repairs the holonomy, meshes, solves for the map, traces separatrices and makes quads.
 ///
-/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap and MakeQuads do.
+/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap, TraceLines, MakeTMesh and MakeQuads do.
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
 

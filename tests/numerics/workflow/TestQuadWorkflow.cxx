@@ -1,0 +1,173 @@
+// From a domain to its quad mesh: the same as its steps one by one, and what it reports is what it used.
+
+#include "QuadWorkflow.h"
+
+#include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
+#include "PoincareHopf.h"
+#include "Support.h"
+#include "TMeshPatches.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+/// An ellipse, on which no singularity is at a symmetric place by accident.
+PlanarDomain Ellipse()
+{
+  Loop loop = RegularPolygon(40);
+  for (Point& point : loop)
+  {
+    point = { 0.8 * point.x(), 0.5 * point.y() };
+  }
+  return MakePlanarDomain({ loop });
+}
+
+void ExpectSamePoints(const QuadMesh& mesh, const QuadMesh& expected, double tolerance)
+{
+  ASSERT_EQ(mesh.points.size(), expected.points.size());
+  ASSERT_EQ(mesh.quads, expected.quads);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    EXPECT_LE((mesh.points[p].place - expected.points[p].place).norm(), tolerance);
+  }
+}
+
+int SumOfQuarters(const QuadWorkflowResult& result)
+{
+  int sum = TotalQuarters(result.singularities);
+  for (const CornerChoice& corner : result.corners)
+  {
+    sum += corner.quarterIndex;
+  }
+  return sum;
+}
+
+TEST(QuadWorkflow, MakesTheMeshOfItsSteps)
+{
+  const PlanarDomain disk = DiskOfEdges(0.1);
+  QuadRequest request;
+  request.singularities = OnCircle(4, 0.6, 0.1, 1, 0.0);
+  request.quadSize = 0.1;
+  request.meshSize = 0.1;
+  const QuadWorkflowResult result = MakeQuadMesh(disk, request);
+  const SeamlessMap map = SolveSeamlessMap(
+    ShareTopology(MeshOnPoints(disk, *request.singularities, 0.1)), *request.singularities);
+  QuadOptions options;
+  options.size = 0.1;
+  const QuadResult steps = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  ExpectSamePoints(result.quads.mesh, steps.mesh, 0.0);
+  EXPECT_EQ(result.holonomyDefect, map.holonomyDefect);
+  EXPECT_EQ(result.singularities.size(), 4U);
+  EXPECT_TRUE(result.corners.empty());
+  EXPECT_TRUE(result.events.empty());
+  EXPECT_FALSE(result.optimum);
+  EXPECT_FALSE(result.repair);
+  EXPECT_EQ(result.seconds.choose, 0.0);
+  EXPECT_GT(result.seconds.map, 0.0);
+  EXPECT_TRUE(HasRequestedCount(request, result.quads));
+}
+
+TEST(QuadWorkflow, ChoosesAsChooseConfigurationDoes)
+{
+  const PlanarDomain domain = Ellipse();
+  for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform, Sizing::Field })
+  {
+    QuadRequest request;
+    request.sizing = sizing;
+    request.prescribedSizes.length = [](const Point& place) { return 0.1 + 0.04 * place.x(); };
+    request.quadSize = sizing == Sizing::Field ? 1.0 : 0.1;
+    request.meshSize = 0.15;
+    const QuadWorkflowResult result = MakeQuadMesh(domain, request);
+    AutomaticOptions options;
+    options.optimizer.meshSize = 0.15;
+    options.optimizer.sizes.sizing = sizing;
+    const RelativeSizes relative = ComputeRelativeSizes(request.prescribedSizes, domain, 0.15);
+    options.optimizer.sizes.field = relative.field;
+    options.quadSize = sizing == Sizing::Field ? relative.mean : 0.1;
+    const AutomaticConfiguration choice = ChooseConfiguration(domain, options);
+    ASSERT_EQ(result.singularities.size(), choice.singularities.size());
+    for (std::size_t i = 0; i < choice.singularities.size(); ++i)
+    {
+      EXPECT_EQ(result.singularities[i].position, choice.singularities[i].position);
+      EXPECT_EQ(result.singularities[i].quarterIndex, choice.singularities[i].quarterIndex);
+    }
+    EXPECT_EQ(result.events, choice.events);
+    ASSERT_TRUE(result.optimum);
+    EXPECT_GT(result.seconds.choose, 0.0);
+  }
+}
+
+TEST(QuadWorkflow, WhatItUsedGivesTheSameMesh)
+{
+  QuadRequest request;
+  request.quadCount = 300;
+  const PlanarDomain star = Builtin("star");
+  const QuadWorkflowResult chosen = MakeQuadMesh(star, request);
+  // Five corners of index 2 are capped, and singularities make up for it.
+  EXPECT_EQ(chosen.corners.size(), 10U);
+  EXPECT_EQ(SumOfQuarters(chosen), 4);
+  EXPECT_TRUE(std::all_of(chosen.corners.begin(), chosen.corners.end(),
+    [](const CornerChoice& corner) { return corner.quarterIndex <= 1; }));
+  request.singularities = chosen.singularities;
+  request.corners = chosen.corners;
+  request.capCorners = false;
+  const QuadWorkflowResult again = MakeQuadMesh(star, request);
+  ExpectSamePoints(again.quads.mesh, chosen.quads.mesh, 1e-9);
+}
+
+TEST(QuadWorkflow, CornersUsedAreAllOfTheBoundary)
+{
+  QuadRequest request;
+  request.quadSize = 0.25;
+  const QuadWorkflowResult result = MakeQuadMesh(LShape(), request);
+  EXPECT_EQ(result.corners.size(), 6U);
+  EXPECT_EQ(SumOfQuarters(result), 4);
+}
+
+TEST(QuadWorkflow, SingularitiesAreAtTheirPositionsAfterRepair)
+{
+  const PlanarDomain ring = RingOfEdges(0.05);
+  QuadRequest request;
+  request.singularities =
+    Join(OnCircle(4, 0.8, 0.25, 1, 0.0), OnCircle(4, 0.55, 0.1, -1, 0.0));
+  request.quadSize = 0.1;
+  request.repairHolonomy = true;
+  const QuadWorkflowResult result = MakeQuadMesh(ring, request);
+  ASSERT_TRUE(result.repair);
+  EXPECT_GT(result.repair->largestMove, 0.01);
+  ASSERT_EQ(result.holonomyDefect.size(), 1U);
+  EXPECT_LT(std::abs(result.holonomyDefect[0]), NoticeableDefect);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    const Point& position = result.singularities[i].position;
+    largest = std::max(largest, (position - (*request.singularities)[i].position).norm());
+    EXPECT_TRUE(std::any_of(result.quads.mesh.points.begin(), result.quads.mesh.points.end(),
+      [&position](const QuadPoint& point) { return (point.place - position).norm() < 1e-9; }));
+  }
+  EXPECT_EQ(largest, result.repair->largestMove);
+}
+
+TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
+{
+  const PlanarDomain plate =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
+  const SharedTopology topology = ShareTopology(MeshOnPoints(plate, {}, 0.1));
+  const auto size = [](const Point& place) { return 0.2 * std::exp(0.4 * place.x()); };
+  for (const bool isOnBoundaryOnly : { false, true })
+  {
+    const RelativeSizes sizes = ComputeRelativeSizes({ size, isOnBoundaryOnly }, *topology);
+    // The number of quads is ∫ dA / h² = 25 (1 − e^{−2.4}) / 0.8.
+    EXPECT_NEAR(sizes.mean, std::sqrt(3.0 * 0.8 / (25.0 * (1.0 - std::exp(-2.4)))), 1e-3);
+    for (const Point& place : { Point(0.1, 0.1), Point(1.52, 0.48), Point(3.0, 1.0) })
+    {
+      EXPECT_NEAR(sizes.mean * sizes.field(place) / size(place), 1.0, 1e-3);
+    }
+  }
+}
+}
+}
