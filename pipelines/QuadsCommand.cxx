@@ -1,7 +1,9 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: an all-quad mesh with exactly the chosen irregular nodes.
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: an all-quad mesh with exactly the chosen irregular
+ * nodes.
  *
- *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json -
+ *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json
+ *   -
  */
 #include "BoundaryInput.h"
 #include "CommandLine.h"
@@ -237,9 +239,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     "chosen for the domain");
   command->add_option("-o,--output", options->output, "the .vtu file to write, with the quads")
     ->required();
-  CLI::Option* size =
-    command->add_option("--size", options->size, "mean side length of quads")
-      ->check(CLI::PositiveNumber);
+  CLI::Option* size = command->add_option("--size", options->size, "mean side length of quads")
+                        ->check(CLI::PositiveNumber);
   CLI::Option* count =
     command->add_option("--quads", options->quads, "target number of quads; default 1000")
       ->check(CLI::PositiveNumber)
@@ -252,8 +253,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->type_name("WORD");
   command->add_flag("--coarse", options->coarse, "the smallest number of blocks with sound quads");
   command
-    ->add_option("--mesh-size", options->meshSize,
-      "edge length of the triangles on which the map is solved")
+    ->add_option(
+      "--mesh-size", options->meshSize, "edge length of the triangles on which the map is solved")
     ->check(CLI::PositiveNumber);
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option("--layout", options->layout, "write the layout to this .vtp file");

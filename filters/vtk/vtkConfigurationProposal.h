@@ -2,37 +2,45 @@
  * @class   vtkConfigurationProposal
  * @brief   propose a consistent starting configuration of singularities for a planar domain
  *
- * Places singularities so that the Poincaré-Hopf theorem holds. Three starts are tried: the singularities of a coarse
- * Ginzburg-Landau field, corrected to the sum that vtkPoincareHopfCheck requires; the same without pairs of opposite signs;
- * and positions spread over the domain. Each takes a few steps of vtkSingularityOptimizer, and the one with the minimum
- * energy at the core radius is output. Where singularities are given or flat corners are cancelled, nothing is moved. The
- * result is a start, not an optimum. With Automatic the singularities are then moved to a minimum of the renormalised
- * energy, as by vtkSingularityOptimizer. For quads, vtkQuadMesher chooses singularities itself.
+ * Places singularities so that the Poincaré-Hopf theorem holds. Three starts are tried: the
+ * singularities of a coarse Ginzburg-Landau field, corrected to the sum that vtkPoincareHopfCheck
+ * requires; the same without pairs of opposite signs; and positions spread over the domain. Each
+ * takes a few steps of vtkSingularityOptimizer, and the one with the minimum energy at the core
+ * radius is output. Where singularities are given or flat corners are cancelled, nothing is moved.
+ * The result is a start, not an optimum. With Automatic the singularities are then moved to a
+ * minimum of the renormalised energy, as by vtkSingularityOptimizer. For quads, vtkQuadMesher
+ * chooses singularities itself.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
- * Port 1, optional, singularities to keep (points): point arrays `QuarterIndex` (integers) and optionally `Radius`.
+ * Port 1, optional, singularities to keep (points): point arrays `QuarterIndex` (integers) and
+ * optionally `Radius`.
  * Port 2, optional, corners (points) with `QuarterIndex` (integers), as for vtkPoincareHopfCheck.
  *
- * Output port 0 (vtkPolyData): vertices, first those of port 1, then those that cancel flat corners, then the others. Point
- * arrays `QuarterIndex` (int) and `Radius` (double): a third of the distance to the boundary or the next singularity, at most
- * 1/40 of the domain's diagonal; for those of port 1 as given. If one of port 1 has no radius, the others have none either.
- * With Automatic there is `Radius` only where port 1 gives it, and there are the field data of vtkSingularityOptimizer and
- * `Events` (strings: one sentence for each decision).
- * Output port 1 (vtkPolyData): the corners whose quarter index was prescribed or chosen, with `QuarterIndex`.
- * Output port 2 (vtkTable): the proposal and the Alternatives, the best first, with `Alternative` (int), `Origin` (text),
- * `Singularities` (int), `LogarithmCoefficient`, `RenormalizedEnergy`, `CoreRadius`, `EnergyAtCoreRadius`, by which they are
- * ranked, `HolonomyDefect` (largest, radians) and `SizeSpread` (standard deviation of log size, H, over the area). Empty
+ * Output port 0 (vtkPolyData): vertices, first those of port 1, then those that cancel flat
+ * corners, then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the
+ * distance to the boundary or the next singularity, at most 1/40 of the domain's diagonal; for
+ * those of port 1 as given. If one of port 1 has no radius, the others have none either. With
+ * Automatic there is `Radius` only where port 1 gives it, and there are the field data of
+ * vtkSingularityOptimizer and `Events` (strings: one sentence for each decision).
+ * Output port 1 (vtkPolyData): the corners whose quarter index was prescribed or chosen, with
+ * `QuarterIndex`.
+ * Output port 2 (vtkTable): the proposal and the Alternatives, the best first, with `Alternative`
+ * (int), `Origin` (text), `Singularities` (int), `LogarithmCoefficient`, `RenormalizedEnergy`,
+ * `CoreRadius`, `EnergyAtCoreRadius`, by which they are ranked, `HolonomyDefect` (largest, radians)
+ * and `SizeSpread` (standard deviation of log size, H, over the area). Empty with Automatic.
+ * Output port 3 (vtkPolyData): the points of all rows of the table, with `Alternative` and
+ * `QuarterIndex`; corners whose index is not that of the smallest rotation are points, too. Empty
  * with Automatic.
- * Output port 3 (vtkPolyData): the points of all rows of the table, with `Alternative` and `QuarterIndex`; corners whose
- * index is not that of the smallest rotation are points, too. Empty with Automatic.
  *
- * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles refuses; a singularity of
- * port 1 outside of it; arrays that are missing or not integer; a corner that is no vertex of the boundary; a domain too thin
- * for the grid. An optimiser that does not converge is a warning and `Converged` 0.
+ * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
+ * refuses; a singularity of port 1 outside of it; arrays that are missing or not integer; a corner
+ * that is no vertex of the boundary; a domain too thin for the grid. An optimiser that does not
+ * converge is a warning and `Converged` 0.
  *
  * Paper: the algorithm that closes "Generalized Poincaré-Hopf theorem".
  *
- * @sa vtkPoincareHopfCheck, vtkSingularityOptimizer, vtkDrillHoles, crossfield::ProposeConfigurations,
+ * @sa vtkPoincareHopfCheck, vtkSingularityOptimizer, vtkDrillHoles,
+ * crossfield::ProposeConfigurations,
  * crossfield::ChooseConfiguration
  */
 
@@ -57,15 +65,18 @@ public:
   ///@}
 
   ///@{
-  /** Turning angle above which a boundary vertex is a corner, degrees. Default: 30. Range: 1 to 45. */
+  /**
+   * Turning angle above which a boundary vertex is a corner, degrees. Default: 30. Range: 1 to 45.
+   */
   vtkSetClampMacro(CornerAngle, double, 1.0, 45.0);
   vtkGetMacro(CornerAngle, double);
   ///@}
 
   ///@{
   /**
-   * Adds a singularity of index 1 for each corner of interior angle in [3π/4, π), one for two consecutive corners, and as
-   * many of index −1 elsewhere, so that these corners can be regular points of the boundary. Default: off.
+   * Adds a singularity of index 1 for each corner of interior angle in [3π/4, π), one for two
+   * consecutive corners, and as many of index −1 elsewhere, so that these corners can be regular
+   * points of the boundary. Default: off.
    */
   vtkSetMacro(CancelFlatCorners, bool);
   vtkGetMacro(CancelFlatCorners, bool);
@@ -74,8 +85,8 @@ public:
 
   ///@{
   /**
-   * Gives quarter index 1 to sharp corners whose smallest rotation has quarter index 2, as vtkQuadMesher requires;
-   * singularities make up for the difference. Default: off.
+   * Gives quarter index 1 to sharp corners whose smallest rotation has quarter index 2, as
+   * vtkQuadMesher requires; singularities make up for the difference. Default: off.
    */
   vtkSetMacro(CapCorners, bool);
   vtkGetMacro(CapCorners, bool);
@@ -91,9 +102,9 @@ public:
 
   ///@{
   /**
-   * Number of alternatives listed besides the proposal: other starts, other quarter indices of undecided corners, one by
-   * one and together, with the interior singularities that these require, one of ±2 instead of two of ±1, and an additional
-   * pair. Default: 0. Range: 0 to 100.
+   * Number of alternatives listed besides the proposal: other starts, other quarter indices of
+   * undecided corners, one by one and together, with the interior singularities that these require,
+   * one of ±2 instead of two of ±1, and an additional pair. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Alternatives, int, 0, 100);
   vtkGetMacro(Alternatives, int);
@@ -110,15 +121,19 @@ public:
 
   ///@{
   /**
-   * Minimum distance, with Automatic, of interior singularities to the boundary and to each other, as of
-   * vtkSingularityOptimizer; 0: 1/400 of the diagonal of the bounding box. Default: 0. Range: 0 or more.
+   * Minimum distance, with Automatic, of interior singularities to the boundary and to each other,
+   * as of vtkSingularityOptimizer; 0: 1/400 of the diagonal of the bounding box. Default: 0. Range:
+   * 0 or more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
   ///@}
 
   ///@{
-  /** Keeps every singularity, with Automatic, as KeepAll of vtkSingularityOptimizer does. Default: off. */
+  /**
+   * Keeps every singularity, with Automatic, as KeepAll of vtkSingularityOptimizer does. Default:
+   * off.
+   */
   vtkSetMacro(KeepAll, bool);
   vtkGetMacro(KeepAll, bool);
   vtkBooleanMacro(KeepAll, bool);
@@ -126,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the bounding box.
-   * Default: 0. Range: 0 or more.
+   * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the
+   * bounding box. Default: 0. Range: 0 or more.
    */
   vtkSetClampMacro(CoreRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CoreRadius, double);

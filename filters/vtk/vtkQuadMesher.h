@@ -2,48 +2,58 @@
  * @class   vtkQuadMesher
  * @brief   an all-quad mesh with exactly the chosen irregular nodes, and its blocks
  *
- * A singularity of quarter index k becomes a node of valence 4 − k, a corner of quarter index k a node with 2 − k quads; all
- * other nodes are regular. The separatrices that leave them in the map of vtkCrossFieldMap cut the domain into rectangular
- * patches. Edge counts along the sides of the patches, nearest to the target size, come from a minimum cost flow. Each patch
- * becomes a lattice of quads, and nodes move, on the boundary along its polyline, until the quads have their best shape.
+ * A singularity of quarter index k becomes a node of valence 4 − k, a corner of quarter index k a
+ * node with 2 − k quads; all other nodes are regular. The separatrices that leave them in the map
+ * of vtkCrossFieldMap cut the domain into rectangular patches. Edge counts along the sides of the
+ * patches, nearest to the target size, come from a minimum cost flow. Each patch becomes a lattice
+ * of quads, and nodes move, on the boundary along its polyline, until the quads have their best
+ * shape.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
- * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField. Where port 1 has no connection,
- * singularities are chosen as by vtkConfigurationProposal with Automatic, then moved to suit the requested quads. A connected
- * data set without points means no singularities.
+ * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField. Where
+ * port 1 has no connection, singularities are chosen as by vtkConfigurationProposal with Automatic,
+ * then moved to suit the requested quads. A connected data set without points means no
+ * singularities.
  *
- * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary edge with the domain on
- * the left, with
- * - cells: `BlockId`, `I`, `J` (int): block, column and row; −1 on lines; `ScaledJacobian` (double): the minimum sine of
- *   the angles of a quad, `SizeRatio` (double): actual over target size; both 1 on lines; `BoundaryKind`, `BoundaryId` (int):
- *   as for vtkDrillHoles;
- * - points: `Valence` (int): number of quads at the node; `Irregular` (int): the quarter index of a singularity or corner,
- *   else 0; `BoundarySide` (int): number of the boundary loop, −1 inside.
+ * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary
+ * edge with the domain on the left, with
+ * - cells: `BlockId`, `I`, `J` (int): block, column and row; −1 on lines; `ScaledJacobian`
+ *   (double): the minimum sine of the angles of a quad, `SizeRatio` (double): actual over target
+ *   size; both 1 on lines; `BoundaryKind`, `BoundaryId` (int): as for vtkDrillHoles;
+ * - points: `Valence` (int): number of quads at the node; `Irregular` (int): the quarter index of a
+ *   singularity or corner, else 0; `BoundarySide` (int): number of the boundary loop, −1 inside.
  *
- * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are equal in every bit. Field
- * data of each block, per side J = 0, I largest, J largest, I = 0: `NeighbourBlock` (the adjacent block, −1: the boundary),
- * `NeighbourSide` (the adjacent side of that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or
- * J, have the same order; −1: the reversed order; 0: boundary). Every side is adjacent to exactly one whole side.
+ * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are
+ * equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
+ * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
+ * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
+ * same order; −1: the reversed order; 0: boundary). Every side is adjacent to exactly one whole
+ * side.
  *
- * Output 2 (vtkPolyData): the sides of the blocks as polylines, with the cell array `Edges` (int): quads along each.
+ * Output 2 (vtkPolyData): the sides of the blocks as polylines, with the cell array `Edges` (int):
+ * quads along each.
  *
- * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where port 1 gives one, `Radius`
- * (double): those of port 1 or those chosen, at their positions after RepairHolonomy. Where they were chosen, with
- * the field data `Events`.
+ * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
+ * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at their positions after
+ * RepairHolonomy. Where they were chosen, with the field data `Events`.
  *
- * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the boundary, and the
- * vertices of the boundary that have a singularity.
+ * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
+ * boundary, and the vertices of the boundary that have a singularity.
  *
- * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`, `IrregularRequested` (numbers of interior
- * nodes per valence), `ScaledJacobianRange` (minimum, mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum,
- * mean; 1 − (2/π) max |π/2 − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
- * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`, `IntegerVariables`, `IntegerGap`,
- * `IntegerOptimal`, `Inverted` (number of quads that are not positively oriented), `InvertedPlace` (3, position of the worst
- * one), `Released` (whether singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner
- * loop, radians), `Events` (decisions made in choosing singularities, one sentence each; empty where they were given).
+ * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`,
+ * `IrregularRequested` (numbers of interior nodes per valence), `ScaledJacobianRange` (minimum,
+ * mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
+ * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
+ * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
+ * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
+ * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
+ * singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner loop,
+ * radians), `Events` (decisions made in choosing singularities, one sentence each; empty where they
+ * were given).
  *
- * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and vtkSeparatrices; a size so
- * large that no mesh has the requested irregular nodes. A mesh with inverted quads is output with a warning.
+ * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
+ * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
+ * inverted quads is output with a warning.
  *
  * Paper: quads are left to "Further thoughts".
  *
@@ -82,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Side length of quads in the map, whose area is that of the domain: about area / size² quads. 0: by QuadCount.
-   * Default: 0. Range: 0 or more.
+   * Side length of quads in the map, whose area is that of the domain: about area / size² quads. 0:
+   * by QuadCount. Default: 0. Range: 0 or more.
    */
   vtkSetClampMacro(QuadSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(QuadSize, double);
@@ -91,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Target number of quads where QuadSize is 0. Where the separatrices allow no number within 5 % of it, the nearest that was
-   * found is used, with a warning. Default: 1000. Range: 1 or more.
+   * Target number of quads where QuadSize is 0. Where the separatrices allow no number within 5 %
+   * of it, the nearest that was found is used, with a warning. Default: 1000. Range: 1 or more.
    */
   vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
   vtkGetMacro(QuadCount, int);
@@ -108,11 +118,12 @@ public:
 
   ///@{
   /**
-   * SizingConformal: the sizes of the map, larger where its field spreads, which gives the best shapes.
-   * SizingUniform: the same size everywhere as far as the separatrices allow; singularities may move (`Moved`).
-   * SizingField: in the same manner, the lengths in the point array SizeArray of the domain. With these two, chosen
-   * singularities are moved to where the sizes of the map are nearest to the target sizes, as with UniformSizes of
-   * vtkSingularityOptimizer. Default: SizingConformal.
+   * SizingConformal: the sizes of the map, larger where its field spreads, which gives the best
+   * shapes. SizingUniform: the same size everywhere as far as the separatrices allow; singularities
+   * may move (`Moved`). SizingField: in the same manner, the lengths in the point array SizeArray
+   * of the domain. With these two, chosen singularities are moved to where the sizes of the map are
+   * nearest to the target sizes, as with UniformSizes of vtkSingularityOptimizer. Default:
+   * SizingConformal.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);
   vtkGetMacro(Sizing, int);
@@ -123,9 +134,9 @@ public:
 
   ///@{
   /**
-   * Point array of the domain with the target length of quads for SizingField, in units of the domain: linear on surface
-   * cells, or along curves, from which it is continued inside. QuadSize is then a factor of these lengths; where it is 0,
-   * only their proportions matter. Default: none.
+   * Point array of the domain with the target length of quads for SizingField, in units of the
+   * domain: linear on surface cells, or along curves, from which it is continued inside. QuadSize
+   * is then a factor of these lengths; where it is 0, only their proportions matter. Default: none.
    */
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
@@ -135,8 +146,9 @@ public:
 
   ///@{
   /**
-   * Merges separatrices that are nearer to each other than blocks need: the smallest number of blocks whose worst quad has at
-   * least half the scaled Jacobian of the worst quad with all blocks. Default: off.
+   * Merges separatrices that are nearer to each other than blocks need: the smallest number of
+   * blocks whose worst quad has at least half the scaled Jacobian of the worst quad with all
+   * blocks. Default: off.
    */
   vtkSetMacro(Coarse, bool);
   vtkGetMacro(Coarse, bool);
@@ -145,8 +157,8 @@ public:
 
   ///@{
   /**
-   * Target edge length of the triangles on which the map is solved; 0: 1/40 of the diagonal of the bounding box.
-   * Default: 0. Range: 0 or more.
+   * Target edge length of the triangles on which the map is solved; 0: 1/40 of the diagonal of the
+   * bounding box. Default: 0. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
@@ -154,8 +166,8 @@ public:
 
   ///@{
   /**
-   * Minimum distance of chosen singularities to the boundary and to each other; 0: 0.7 of the size of quads.
-   * Default: 0. Range: 0 or more.
+   * Minimum distance of chosen singularities to the boundary and to each other; 0: 0.7 of the size
+   * of quads. Default: 0. Range: 0 or more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -163,8 +175,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of pairs of quarter indices 1 and −1 that are added to chosen singularities where they reduce the spread
-   * of sizes most, as long as each reduces it by 15 %; as of vtkSingularityOptimizer. Default: 0. Range: 0 to 100.
+   * Maximum number of pairs of quarter indices 1 and −1 that are added to chosen singularities
+   * where they reduce the spread of sizes most, as long as each reduces it by 15 %; as of
+   * vtkSingularityOptimizer. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Pairs, int, 0, 100);
   vtkGetMacro(Pairs, int);
@@ -172,8 +185,9 @@ public:
 
   ///@{
   /**
-   * Gives quarter index 1 to sharp corners whose smallest rotation has quarter index 2 and which therefore have no angle in
-   * a seamless map. Given singularities must make up for the difference; chosen ones do. Default: on.
+   * Gives quarter index 1 to sharp corners whose smallest rotation has quarter index 2 and which
+   * therefore have no angle in a seamless map. Given singularities must make up for the difference;
+   * chosen ones do. Default: on.
    */
   vtkSetMacro(CapCorners, bool);
   vtkGetMacro(CapCorners, bool);
@@ -182,9 +196,9 @@ public:
 
   ///@{
   /**
-   * Moves the interior singularities by the smallest distances after which no inner loop has a holonomy defect, so that sizes
-   * are single-valued. Field data then has `RepairDistance`, the largest distance, `RepairedPositions` (3) and
-   * `DefectBefore`. Default: off.
+   * Moves the interior singularities by the smallest distances after which no inner loop has a
+   * holonomy defect, so that sizes are single-valued. Field data then has `RepairDistance`, the
+   * largest distance, `RepairedPositions` (3) and `DefectBefore`. Default: off.
    */
   vtkSetMacro(RepairHolonomy, bool);
   vtkGetMacro(RepairHolonomy, bool);
@@ -192,8 +206,8 @@ public:
   ///@}
 
   /**
-   * Seconds that the last run took for triangles, map, separatrices, edge counts, layout, smoothing and, last, for choosing
-   * singularities (0 where they were given). Not in the output.
+   * Seconds that the last run took for triangles, map, separatrices, edge counts, layout, smoothing
+   * and, last, for choosing singularities (0 where they were given). Not in the output.
    */
   vtkGetVectorMacro(StageSeconds, double, 7);
 

@@ -62,10 +62,10 @@ int vtkSingularityOptimizer::RequestData(
       }
       if (options.sizes.sizing == crossfield::Sizing::Field)
       {
-        options.sizes.field = crossfield::ComputeRelativeSizes(
-          SizeConversion::ReadSizes(domain, this->SizeArray, input.plane), input.domain,
-          this->MeshSize)
-                                .field;
+        const crossfield::PrescribedSizes sizes =
+          SizeConversion::ReadSizes(domain, this->SizeArray, input.plane);
+        options.sizes.field =
+          crossfield::ComputeRelativeSizes(sizes, input.domain, this->MeshSize).field;
       }
       const crossfield::OptimizerResult result = crossfield::OptimizeSingularities(input.domain,
         ConfigurationConversion::ReadConfiguration(singularities, input.plane), options, progress);

@@ -133,8 +133,8 @@ void PrintRepair(vtkFieldData* field)
 
 void PrintChosen(vtkDataSet* singularities, bool hasHeight)
 {
-  auto* events = vtkStringArray::SafeDownCast(
-    singularities->GetFieldData()->GetAbstractArray(names::Events));
+  auto* events =
+    vtkStringArray::SafeDownCast(singularities->GetFieldData()->GetAbstractArray(names::Events));
   for (vtkIdType i = 0; events != nullptr && i < events->GetNumberOfValues(); ++i)
   {
     std::cout << events->GetValue(i) << "\n";

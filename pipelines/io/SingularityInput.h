@@ -13,8 +13,9 @@ class vtkFieldData;
 class vtkPointSet;
 
 /**
- * The singularities of a command: those of its option -s or, without it, those that vtkConfigurationProposal chooses
- * for the domain, with the corners that belong to them. (The command quads leaves the choice to vtkQuadMesher.)
+ * The singularities of a command: those of its option -s or, without it, those that
+ * vtkConfigurationProposal chooses for the domain, with the corners that belong to them. (The
+ * command quads leaves the choice to vtkQuadMesher.)
  */
 class SingularityInput
 {
@@ -37,7 +38,10 @@ public:
   /** Returns the singularities, at the positions set by ApplyRepair. */
   vtkDataSet* GetOutput() const;
 
-  /** Moves the singularities to the field data `RepairedPositions` of a filter, if present; see vtkCrossFieldMap. */
+  /**
+   * Moves the singularities to the field data `RepairedPositions` of a filter, if present; see
+   * vtkCrossFieldMap.
+   */
   void ApplyRepair(vtkFieldData* field);
 
   /** Connects the prescribed or chosen corners, if any, to a filter. */
@@ -64,11 +68,14 @@ private:
   vtkSmartPointer<vtkAlgorithm> Corners; ///< Null if there are none.
   int CornerPort = 0;
   vtkSmartPointer<vtkAlgorithm> Domain;
-  vtkSmartPointer<vtkPointSet> Repaired; ///< Null before ApplyRepair.
+  vtkSmartPointer<vtkPointSet> Repaired;      ///< Null before ApplyRepair.
   vtkSmartPointer<vtkFieldData> RepairReport; ///< Null before ApplyRepair.
 };
 
-/** Opens a file of singularities or corners. The points of the domain's boundary at these positions are kept. */
+/**
+ * Opens a file of singularities or corners. The points of the domain's boundary at these positions
+ * are kept.
+ */
 vtkSmartPointer<vtkAlgorithm> OpenPointsOf(vtkAlgorithm* domain, const std::string& file);
 
 /** Prints the distance of a holonomy repair if the field data of a filter have one. */

@@ -34,7 +34,9 @@
 
 namespace
 {
-/** Returns the number of sentences in an array of the field data of a mesh; −1 without the array. */
+/**
+ * Returns the number of sentences in an array of the field data of a mesh; −1 without the array.
+ */
 vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
 {
   vtkAbstractArray* array = mesher->GetOutput()->GetFieldData()->GetAbstractArray(name);
@@ -132,8 +134,9 @@ TEST_F(QuadMesher, BlocksAreTheQuadsAndShareTheirPoints)
   EXPECT_GT(quads->GetNumberOfCells(), count); // and the boundary's lines
 }
 
-/// Each side of a block has the same points as the adjacent side, in the order that `NeighbourOrientation` states, and both
-/// name each other; the sides without a neighbour make up the boundary.
+/// Each side of a block has the same points as the adjacent side, in the order that
+/// `NeighbourOrientation` states, and both name each other; the sides without a neighbour make up
+/// the boundary.
 TEST_F(QuadMesher, AdjacentBlocksNameEachOther)
 {
   this->Filter->Update();
@@ -175,7 +178,8 @@ TEST_F(QuadMesher, AdjacentBlocksNameEachOther)
   vtkUnstructuredGrid* quads = this->Filter->GetOutput();
   const double count =
     FilterChecks::RequireArray(quads->GetFieldData(), "Quads")->GetComponent(0, 0);
-  EXPECT_EQ(static_cast<double>(boundaryEdges), static_cast<double>(quads->GetNumberOfCells()) - count);
+  EXPECT_EQ(
+    static_cast<double>(boundaryEdges), static_cast<double>(quads->GetNumberOfCells()) - count);
 }
 
 TEST_F(QuadMesher, HasTheRequestedValences)
@@ -197,8 +201,9 @@ TEST_F(QuadMesher, HasTheRequestedValences)
     vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2))->GetNumberOfLines(), 24);
 }
 
-/// Along a strip the columns follow h(x) = 0.1 · 2^(x/3): there are ∫ dx / h of them, 30 (1 − 1/2) / log 2 = 21.6, and
-/// ∫ dx / h over a column is nearly constant, as far as shapes allow. Sizes are given along curves and on a surface.
+/// Along a strip the columns follow h(x) = 0.1 · 2^(x/3): there are ∫ dx / h of them, 30 (1 − 1/2)
+/// / log 2 = 21.6, and ∫ dx / h over a column is nearly constant, as far as shapes allow. Sizes are
+/// given along curves and on a surface.
 TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
 {
   const int columns = 60; // values are linear along the segments between
@@ -385,8 +390,8 @@ TEST_F(QuadMesher, MakesTheSameMeshOfWhatItChose)
     EXPECT_GT(chosen->GetStageSeconds()[6], 0.0);
     chosen->GetOutput()->GetFieldData()->RemoveArray("Events");
     given->GetOutput()->GetFieldData()->RemoveArray("Events");
-    EXPECT_EQ(
-      FilterChecks::Fingerprint(chosen->GetOutput()), FilterChecks::Fingerprint(given->GetOutput()));
+    EXPECT_EQ(FilterChecks::Fingerprint(chosen->GetOutput()),
+      FilterChecks::Fingerprint(given->GetOutput()));
     ASSERT_GT(used->GetNumberOfPoints(), 0);
     abscissas.insert(used->GetPoint(0)[0]);
   }
@@ -395,7 +400,8 @@ TEST_F(QuadMesher, MakesTheSameMeshOfWhatItChose)
 
 TEST_F(QuadMesher, ChoosesWhatTheProposalChoosesWhereSizesAreUniformEnough)
 {
-  // A clearance below that of the energy's minimum, and no target sizes: nothing moves after the proposal.
+  // A clearance below that of the energy's minimum, and no target sizes: nothing moves after the
+  // proposal.
   vtkNew<vtkConfigurationProposal> proposal;
   proposal->SetInputConnection(this->Domain->GetOutputPort());
   proposal->AutomaticOn();

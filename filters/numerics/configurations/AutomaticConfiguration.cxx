@@ -16,7 +16,8 @@ namespace crossfield
 {
 namespace
 {
-/// Returns a sentence such as "6 singularities were chosen: 5 of quarter index 1, 1 of quarter index -1."
+/// Returns a sentence such as "6 singularities were chosen: 5 of quarter index 1, 1 of quarter
+/// index -1."
 std::string DescribeChoice(const Configuration& configuration)
 {
   std::map<int, int> counts;
@@ -119,8 +120,8 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
-/// Continues from the minimum of the energy with the clearance for quads, and to the target sizes if there are any, or to
-/// uniform ones if sizes are far from uniform.
+/// Continues from the minimum of the energy with the clearance for quads, and to the target sizes
+/// if there are any, or to uniform ones if sizes are far from uniform.
 void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
   const Progress& progress, AutomaticConfiguration& result)
 {
@@ -128,8 +129,9 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.corners = result.corners;
   fit.clearance = clearance;
   fit.keepAll = true;
-  // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of more than e. Below it,
-  // more uniform sizes may cost more in shape than they gain (docs/method.md §5.7).
+  // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of
+  // more than e. Below it, more uniform sizes may cost more in shape than they gain (docs/method.md
+  // §5.7).
   constexpr double FarFromUniform = 0.25;
   if (fit.sizes.sizing == Sizing::Conformal && result.optimum.sizeSpread > FarFromUniform)
   {
@@ -171,8 +173,8 @@ AutomaticConfiguration ChooseConfiguration(
   drillOptions.meshSize = options.optimizer.meshSize;
   RequireMemoryForMesh(domain, {}, ResolveMeshSize(drillOptions, domain), drillOptions.gradation);
 
-  // The energy alone decides which singularities there are, while they may move close to the boundary. The clearance for
-  // quads and the target sizes apply afterwards.
+  // The energy alone decides which singularities there are, while they may move close to the
+  // boundary. The clearance for quads and the target sizes apply afterwards.
   const double clearance = RequestedClearance(domain, options);
   const bool fits = clearance > CoreRadius(domain) ||
     options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;

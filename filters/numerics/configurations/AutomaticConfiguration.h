@@ -8,39 +8,43 @@ namespace crossfield
 struct AutomaticOptions
 {
   ProposalOptions proposal; ///< Given singularities and corners.
-  /// Options of the runs that follow; their corners are those of the proposal. Target sizes and pairs take effect after
-  /// the minimum of the energy has decided which singularities there are.
+  /// Options of the runs that follow; their corners are those of the proposal. Target sizes and
+  /// pairs take effect after the minimum of the energy has decided which singularities there are.
   OptimizerOptions optimizer;
-  /// Side length of the quads that singularities are chosen for, or else their number, which determines it; both 0 where
-  /// no quads are to be made. Sets the optimiser's clearance where that is 0 (ClearanceForQuads).
+  /// Side length of the quads that singularities are chosen for, or else their number, which
+  /// determines it; both 0 where no quads are to be made. Sets the optimiser's clearance where that
+  /// is 0 (ClearanceForQuads).
   double quadSize = 0.0;
   int quadCount = 0;
 };
 
-/// Returns the recommended clearance of singularities for quads of a size: 0.7 of it (docs/method.md §5.6).
+/// Returns the recommended clearance of singularities for quads of a size: 0.7 of it
+/// (docs/method.md §5.6).
 double ClearanceForQuads(double quadSize);
 
-/// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). Where there are any, sets keepAll: a singularity
-/// that moved into such a corner would undo the change.
+/// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). Where there are any, sets
+/// keepAll: a singularity that moved into such a corner would undo the change.
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options);
 
 /// Singularities chosen for a domain, and how they were found.
 struct AutomaticConfiguration
 {
-  Configuration singularities; ///< Given ones first; without radii unless they were given.
+  Configuration singularities;       ///< Given ones first; without radii unless they were given.
   std::vector<CornerChoice> corners; ///< Quarter indices that the field must have at the boundary.
   OptimizerResult optimum;           ///< The last run.
   /// Decisions and events, one sentence each.
   std::vector<std::string> events;
 };
 
-/// Chooses the singularities of a domain: proposes starts (ConfigurationProposal.h) and moves their interior
-/// singularities to a minimum of the renormalised energy (SingularityOptimizer.h), from one start after the other until a
-/// run converges without a holonomy defect. If none does, the run with the smallest defect is used; this is no error:
-/// optimum.converged is false, and the last event gives the reason.
+/// Chooses the singularities of a domain: proposes starts (ConfigurationProposal.h) and moves their
+/// interior singularities to a minimum of the renormalised energy (SingularityOptimizer.h), from
+/// one start after the other until a run converges without a holonomy defect. If none does, the run
+/// with the smallest defect is used; this is no error: optimum.converged is false, and the last
+/// event gives the reason.
 ///
-/// For quads a second run follows, with the clearance for quads. It also moves to the target sizes if their sizing is
-/// Uniform or Field, and to uniform sizes if the sizes at the minimum are far from uniform (docs/method.md §5.7).
+/// For quads a second run follows, with the clearance for quads. It also moves to the target sizes
+/// if their sizing is Uniform or Field, and to uniform sizes if the sizes at the minimum are far
+/// from uniform (docs/method.md §5.7).
 ///
 /// Throws Error as ProposeConfigurations and OptimizeSingularities do.
 AutomaticConfiguration ChooseConfiguration(

@@ -6,7 +6,8 @@
 
 namespace crossfield
 {
-/// Relative target size of quads as a function of position: positive, and only its proportions matter.
+/// Relative target size of quads as a function of position: positive, and only its proportions
+/// matter.
 using SizeFunction = std::function<double(const Point&)>;
 
 /// How the target size of quads varies over a domain.
@@ -23,8 +24,8 @@ struct TargetSizes
   Sizing sizing = Sizing::Conformal;
   SizeFunction field; ///< Size field; used with Sizing::Field only.
 
-  /// Returns the relative target size at a point: that of the size field, 1 with the other sizings. Throws
-  /// Error where the field is not a positive number.
+  /// Returns the relative target size at a point: that of the size field, 1 with the other sizings.
+  /// Throws Error where the field is not a positive number.
   double At(const Point& place) const;
 };
 }

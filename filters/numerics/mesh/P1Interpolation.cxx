@@ -21,8 +21,8 @@ P1Interpolation::P1Interpolation(const TriangleMesh& mesh, Eigen::VectorXd value
   }
   this->Corner = box.min();
   const auto count = static_cast<double>(std::max<std::size_t>(this->Triangles.size(), 1));
-  this->Width = std::max(
-    std::sqrt(box.sizes().prod() / count), 1e-3 * box.sizes().maxCoeff()); // thin domains
+  this->Width =
+    std::max(std::sqrt(box.sizes().prod() / count), 1e-3 * box.sizes().maxCoeff()); // thin domains
   this->Columns = 1 + static_cast<int>(box.sizes().x() / this->Width);
   this->Rows = 1 + static_cast<int>(box.sizes().y() / this->Width);
   this->Buckets.resize(
@@ -66,8 +66,7 @@ P1Interpolation::Nearest P1Interpolation::InTriangle(int triangle, const Point& 
   std::array<double, 3> weights{};
   for (std::size_t i = 0; i < 3; ++i)
   {
-    weights[i] =
-      Cross(point((i + 1) % 3) - place, point((i + 2) % 3) - place) / area;
+    weights[i] = Cross(point((i + 1) % 3) - place, point((i + 2) % 3) - place) / area;
   }
   Nearest nearest{ 0.0, 0.0 };
   if (*std::min_element(weights.begin(), weights.end()) >= 0.0)
@@ -83,8 +82,7 @@ P1Interpolation::Nearest P1Interpolation::InTriangle(int triangle, const Point& 
   {
     const std::size_t j = (i + 1) % 3;
     const Point side = point(j) - point(i);
-    const double part =
-      std::clamp(side.dot(place - point(i)) / side.squaredNorm(), 0.0, 1.0);
+    const double part = std::clamp(side.dot(place - point(i)) / side.squaredNorm(), 0.0, 1.0);
     const double squared = (point(i) + part * side - place).squaredNorm();
     if (squared < nearest.squaredDistance)
     {
@@ -100,7 +98,8 @@ double P1Interpolation::At(const Point& place) const
   const int column = this->Column(place.x());
   const int row = this->Row(place.y());
   Nearest best{ std::numeric_limits<double>::infinity(), 0.0 };
-  // Rings of buckets around that of the point, until no bucket further out can hold a nearer triangle.
+  // Rings of buckets around that of the point, until no bucket further out can hold a nearer
+  // triangle.
   const int most = std::max(this->Columns, this->Rows);
   for (int ring = 0; ring <= most; ++ring)
   {

@@ -37,6 +37,7 @@ private:
   double Width = 1.0;           ///< Side of a bucket.
   int Columns = 1;
   int Rows = 1;
-  std::vector<std::vector<int>> Buckets; ///< Triangles whose bounding box meets the bucket, row by row.
+  /// Triangles whose bounding box meets the bucket, row by row.
+  std::vector<std::vector<int>> Buckets;
 };
 }

@@ -18,19 +18,21 @@ struct OptimizerOptions
   /// The iteration stops when the derivatives of the Lagrangian, times the diagonal of the domain,
   /// and the holonomy defects are below this.
   double tolerance = 1e-6;
-  /// Least distance of the singularities inside to the boundary and to each other, a length.
-  /// 0: 1/400 of the diagonal, a tenth of the default mesh size; nearer to the boundary no mesh for a
+  /// Least distance of the singularities inside to the boundary and to each other, a length. 0:
+  /// 1/400 of the diagonal, a tenth of the default mesh size; nearer to the boundary no mesh for a
   /// field would resolve them.
   double clearance = 0.0;
-  /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken out.
+  /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken
+  /// out.
   bool keepAll = false;
-  /// Target sizes of quads (docs/method.md §5.7). Conformal: the run ends at the minimum of W. Uniform and Field: it
-  /// goes on, with the same singularities and as many iterations again, to the minimum of W + 10,000 J
-  /// (SizeUniformity.h), where the sizes of the field are nearest to the target sizes.
+  /// Target sizes of quads (docs/method.md §5.7). Conformal: the run ends at the minimum of W.
+  /// Uniform and Field: it goes on, with the same singularities and as many iterations again, to
+  /// the minimum of W + 10,000 J (SizeUniformity.h), where the sizes of the field are nearest to
+  /// the target sizes.
   TargetSizes sizes;
-  /// Maximum number of pairs of quarter indices 1 and −1 that are added after that where they reduce the spread of sizes
-  /// most (docs/method.md §5.8), as long as each reduces it by 15 % or halves a holonomy defect. With pairs, Conformal
-  /// is treated as Uniform.
+  /// Maximum number of pairs of quarter indices 1 and −1 that are added after that where they
+  /// reduce the spread of sizes most (docs/method.md §5.8), as long as each reduces it by 15 % or
+  /// halves a holonomy defect. With pairs, Conformal is treated as Uniform.
   int pairs = 0;
 };
 
@@ -53,12 +55,14 @@ struct SizeSpreads
 
 struct OptimizerResult
 {
-  /// In the order given, without those that were taken out; then those that left the boundary, and added pairs.
+  /// In the order given, without those that were taken out; then those that left the boundary, and
+  /// added pairs.
   Configuration configuration;
   double energyBefore = 0.0;              ///< W of the start,
   double energyAfter = 0.0;               ///< and of the result.
   std::optional<SizeSpreads> sizeSpreads; ///< None where the sizing is Conformal.
-  /// Where sizes are Uniform or Field: at the least W, with even sizes, and with each pair that was added.
+  /// Where sizes are Uniform or Field: at the least W, with even sizes, and with each pair that was
+  /// added.
   std::vector<FrontPoint> front;
   int iterations = 0;
   bool converged = false;
@@ -67,7 +71,8 @@ struct OptimizerResult
   std::string reason;
   /// What happened besides moving, a sentence each; singularities count from 1 in the order given.
   std::vector<std::string> events;
-  /// Rows of the start that met with opposite signs and were taken out, or merged to one of the sum.
+  /// Rows of the start that met with opposite signs and were taken out, or merged to one of the
+  /// sum.
   std::vector<std::array<int, 2>> annihilations;
   std::vector<double> holonomyDefect;
   /// Standard deviation of log size over the area, of the result.

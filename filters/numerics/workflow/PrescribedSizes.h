@@ -22,12 +22,12 @@ struct RelativeSizes
   double mean = 0.0;  ///< Side length of equal quads that would be as many (EquivalentSize).
 };
 
-/// Samples prescribed sizes at the vertices of a mesh, continues them inside if they are known on the boundary only,
-/// and divides them by their mean (docs/method.md §14.8).
+/// Samples prescribed sizes at the vertices of a mesh, continues them inside if they are known on
+/// the boundary only, and divides them by their mean (docs/method.md §14.8).
 RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopology& topology);
 
-/// As above, on a mesh of the domain without singularities. `meshSize`: edge length of its triangles, 0 for the
-/// default.
+/// As above, on a mesh of the domain without singularities. `meshSize`: edge length of its
+/// triangles, 0 for the default.
 RelativeSizes ComputeRelativeSizes(
   const PrescribedSizes& sizes, const PlanarDomain& domain, double meshSize);
 }

@@ -53,8 +53,8 @@ public:
 
   SharedTopology Mesh(const Progress& progress)
   {
-    const SharedTopology topology = ShareTopology(MeshOnPoints(
-      this->Domain, this->Result.singularities, this->Request.meshSize, progress));
+    const SharedTopology topology = ShareTopology(
+      MeshOnPoints(this->Domain, this->Result.singularities, this->Request.meshSize, progress));
     this->Result.seconds.mesh = this->Clock.Lap();
     return topology;
   }

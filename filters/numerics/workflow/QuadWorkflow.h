@@ -20,11 +20,13 @@ struct QuadRequest
 
   Sizing sizing = Sizing::Conformal;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
-  double quadSize = 0.0;           ///< Side length of quads, with Sizing::Field a factor; 0: by quadCount.
-  int quadCount = 1000;            ///< Target number of quads where quadSize is 0.
+  /// Side length of quads, with Sizing::Field a factor; 0: by quadCount.
+  double quadSize = 0.0;
+  int quadCount = 1000; ///< Target number of quads where quadSize is 0.
 
-  double meshSize = 0.0;  ///< Edge length of triangles, as in DrillOptions.
-  double clearance = 0.0; ///< Minimum distance of chosen singularities; 0: by quadSize or quadCount.
+  double meshSize = 0.0; ///< Edge length of triangles, as in DrillOptions.
+  /// Minimum distance of chosen singularities; 0: by quadSize or quadCount.
+  double clearance = 0.0;
   int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
   bool capCorners = true; ///< As in SeamlessMapOptions.
   bool repairHolonomy = false;
@@ -56,15 +58,17 @@ struct QuadWorkflowResult
   QuadSeconds seconds;
 };
 
-/// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are given, caps corners,
-/// repairs the holonomy, meshes, solves for the map, traces separatrices and makes quads.
+/// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
+/// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
+/// makes quads.
 ///
-/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap, TraceLines, MakeTMesh and MakeQuads do.
+/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap, TraceLines,
+/// MakeTMesh and MakeQuads do.
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
 
-/// Chooses the singularities, and the corners that go with them, for the quads of a request; the request's own
-/// singularities are ignored. Throws Error as ChooseConfiguration does.
+/// Chooses the singularities, and the corners that go with them, for the quads of a request; the
+/// request's own singularities are ignored. Throws Error as ChooseConfiguration does.
 AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
 
@@ -72,6 +76,7 @@ AutomaticConfiguration ChooseSingularities(
 HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double meshSize, const Progress& progress = {});
 
-/// Returns whether a mesh has the requested number of quads within CountTolerance, or none was requested.
+/// Returns whether a mesh has the requested number of quads within CountTolerance, or none was
+/// requested.
 bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);
 }

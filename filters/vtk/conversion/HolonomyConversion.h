@@ -10,8 +10,9 @@ class vtkFieldData;
 namespace HolonomyConversion
 {
 /**
- * Adds `RepairDistance`, the largest distance that a singularity was moved by, `RepairedPositions` (3), the positions
- * of all singularities in their order, and `DefectBefore`, the holonomy defects before the repair.
+ * Adds `RepairDistance`, the largest distance that a singularity was moved by, `RepairedPositions`
+ * (3), the positions of all singularities in their order, and `DefectBefore`, the holonomy defects
+ * before the repair.
  */
 void WriteRepair(const crossfield::HolonomyRepair& repair, const crossfield::DomainPlane& plane,
   vtkFieldData* field);

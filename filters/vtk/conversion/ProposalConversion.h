@@ -14,7 +14,10 @@ namespace ProposalConversion
 void WriteTable(const std::vector<crossfield::ProposedConfiguration>& proposals, double coreRadius,
   vtkTable* output);
 
-/** Writes the singularities of all proposals, and the corners chosen for each as singularities on the boundary. */
+/**
+ * Writes the singularities of all proposals, and the corners chosen for each as singularities on
+ * the boundary.
+ */
 void WritePoints(const std::vector<crossfield::ProposedConfiguration>& proposals,
   const crossfield::DomainPlane& plane, vtkPolyData* output);
 }

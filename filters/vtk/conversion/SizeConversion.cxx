@@ -92,8 +92,9 @@ bool IsSurface(int type)
 }
 
 /**
- * Returns the surface cells, or where there are none the segments of all lines, since VTK has no weights along a polyline.
- * The grid holds the used points only: a locator is built on the bounds of all points.
+ * Returns the surface cells, or where there are none the segments of all lines, since VTK has no
+ * weights along a polyline. The grid holds the used points only: a locator is built on the bounds
+ * of all points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> CellsToSample(
   vtkDataSet* domain, const UsedPoints& used, bool hasSurface)

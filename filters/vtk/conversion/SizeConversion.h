@@ -11,13 +11,17 @@ class vtkDataSet;
 /** Reads target sizes of quads from filter properties and from a point array of a domain. */
 namespace SizeConversion
 {
-/** Returns the sizing that a value of vtkQuadMesher::SizingType or vtkSingularityOptimizer::SizingType stands for. */
+/**
+ * Returns the sizing that a value of vtkQuadMesher::SizingType or
+ * vtkSingularityOptimizer::SizingType stands for.
+ */
 crossfield::Sizing ReadSizing(int sizing);
 
 /**
- * Reads the lengths in the point array `name` of a domain: linear on surface cells, else along curves, where
- * they are known on the boundary only. The result keeps a copy of the data. Throws crossfield::Error when the array is
- * missing, has several components, or a length is not a positive number.
+ * Reads the lengths in the point array `name` of a domain: linear on surface cells, else along
+ * curves, where they are known on the boundary only. The result keeps a copy of the data. Throws
+ * crossfield::Error when the array is missing, has several components, or a length is not a
+ * positive number.
  */
 crossfield::PrescribedSizes ReadSizes(
   vtkDataSet* domain, const std::string& name, const crossfield::DomainPlane& plane);

@@ -1,4 +1,5 @@
-// Linear functions are interpolated exactly, at every point of a mesh; outside, the nearest point counts.
+// Linear functions are interpolated exactly, at every point of a mesh; outside, the nearest point
+// counts.
 
 #include "P1Interpolation.h"
 

@@ -26,7 +26,8 @@ TriangleMesh MeshOf(const PlanarDomain& domain, double size)
   return DrillHoles(domain, {}, options);
 }
 
-SizeUniformity::Value UniformityOf(const PointPotential& potential, const Configuration& configuration)
+SizeUniformity::Value UniformityOf(
+  const PointPotential& potential, const Configuration& configuration)
 {
   return SizeUniformity(potential).Evaluate(potential, potential.Solve(configuration));
 }
@@ -172,9 +173,9 @@ TEST(SizeUniformity, ToAConstantSizeIsThatOfEvenSizes)
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
   const PointPotential::Solution solution = potential.Solve(AroundTheIslands());
   const SizeUniformity::Value even = SizeUniformity(potential).Evaluate(potential, solution);
-  const SizeUniformity::Value constant =
-    SizeUniformity(potential, { Sizing::Field, [](const Point&) { return 17.0; } })
-      .Evaluate(potential, solution);
+  const SizeUniformity::Value constant = SizeUniformity(potential,
+    { Sizing::Field,
+      [](const Point&) { return 17.0; } }).Evaluate(potential, solution);
   EXPECT_NEAR(constant.energy, even.energy, 1e-13 * even.energy);
   EXPECT_LT((constant.gradient - even.gradient).norm(), 1e-12 * even.gradient.norm());
 }

@@ -1,4 +1,5 @@
-// From a domain to its quad mesh: the same as its steps one by one, and what it reports is what it used.
+// From a domain to its quad mesh: the same as its steps one by one, and what it reports is what it
+// used.
 
 #include "QuadWorkflow.h"
 
@@ -132,8 +133,7 @@ TEST(QuadWorkflow, SingularitiesAreAtTheirPositionsAfterRepair)
 {
   const PlanarDomain ring = RingOfEdges(0.05);
   QuadRequest request;
-  request.singularities =
-    Join(OnCircle(4, 0.8, 0.25, 1, 0.0), OnCircle(4, 0.55, 0.1, -1, 0.0));
+  request.singularities = Join(OnCircle(4, 0.8, 0.25, 1, 0.0), OnCircle(4, 0.55, 0.1, -1, 0.0));
   request.quadSize = 0.1;
   request.repairHolonomy = true;
   const QuadWorkflowResult result = MakeQuadMesh(ring, request);
