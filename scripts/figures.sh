@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Computes every figure of the paper, draws them and writes the gallery page: fields and table end up
-# in build/figures/, pictures in docs/gallery/, the page is docs/gallery.md. Another folder than docs
-# may be given, for a test.
+# Computes and draws every figure of the paper and writes the gallery page docs/gallery.md, with pictures
+# in docs/gallery/. Fields and table are in build/figures/. FOLDER replaces docs.
 #
 #   scripts/build.sh && scripts/figures.sh [FOLDER]
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fuzzes every reader and the numerics, for so many minutes each; what is found stays in
-# build-checked/tests/fuzz/. An input that breaks something is printed; put it into tests/fuzz/corpus/.
+# Fuzzes every reader and the numerics for MINUTES each, by default 5. New inputs are stored in
+# build-checked/tests/fuzz/. Add inputs that fail, whose names are printed, to tests/fuzz/corpus/.
 #
 #   cmake --preset checked && cmake --build --preset checked && scripts/fuzz.sh [MINUTES]
 set -euo pipefail
@@ -18,7 +18,7 @@ fuzz() {
   nice -n 19 "$@" -max_total_time=$seconds -timeout=60 -max_len=4096 -rss_limit_mb=4096 \
     -detect_leaks=0 -print_final_stats=1 "-artifact_prefix=$found/$name-" \
     "$found/$name" "tests/fuzz/corpus/$name" >"$found/$name.log" 2>&1 || status=1
-  grep -E "^stat::number_of_executed|SUMMARY|broken promise|not one sentence|Test unit" \
+  grep -E "^stat::number_of_executed|SUMMARY|violated property|not one sentence|Test unit" \
     "$found/$name.log" || true
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the pictures of docs/filters/ and docs/choosing_singularities.md with ParaView, into
-# docs/pictures/ or the folder given. Screenshots of ParaView's windows
-# are made by hand but for those of the recorded run, which its test makes (in the tree with 128 colours).
+# docs/pictures/ or FOLDER. Screenshots of ParaView's windows are made manually, except those of the
+# recorded run, which its test makes (the committed ones have 128 colours).
 #
 #   scripts/build.sh && scripts/pictures.sh [FOLDER]
 set -euo pipefail

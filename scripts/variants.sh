@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Computes what docs/variants.md shows: every variant of the paper on its own example. The fields and
-# the tables end up in build/variants/, the pictures in docs/ or the folder given.
+# Computes the examples of docs/variants.md: every variant of the paper on its own example. Fields and
+# tables are written to build/variants/, pictures to docs/ or FOLDER.
 #
 #   scripts/build.sh && scripts/variants.sh [FOLDER]
 set -euo pipefail
@@ -74,7 +74,7 @@ END
 draw --picture "$docs/variants_ellipse.png" --columns 1 --width 900 --crosses 70 \
   ellipse/ginzburg-landau.vtu ellipse/constrained.vtu ellipse/unit-norm.vtu
 
-echo "== Wrongly placed sets with the penalty"
+echo "== Sets at unsuitable positions, with the penalty"
 on_circle 0.6 5 17 1 0.1 >five.csv
 "$crossfield" solve builtin:disk -s five.csv --epsilon 0.05 --size 0.05 -o five.vtu
 cat >seven.csv <<'END'

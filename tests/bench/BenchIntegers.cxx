@@ -1,11 +1,11 @@
-// Numbers of quads of random configurations on the unit disk: how long their search takes and how near to the optimum it ends.
+// Quantisation of random configurations on the unit disk: time of the search and gap to the optimum.
 
 #include "ArcCounts.h"
 
 #include "BuiltinDomains.h"
-#include "SeamlessMapSolve.h"
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
+#include "SeamlessMapSolve.h"
 #include "TMeshPatches.h"
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,8 @@ namespace
 {
 using namespace crossfield;
 
-/// Four singularities of index 1 more than of index −1, in all `count`, no nearer to each other than about their mean distance allows.
+/// Returns `count` singularities, four more of index 1 than of index −1, with distances of at least
+/// about their mean distance.
 Configuration RandomSigns(int count, unsigned int seed)
 {
   const double apart = std::min(0.15, 0.9 / std::sqrt(count));
@@ -41,7 +42,7 @@ Configuration RandomSigns(int count, unsigned int seed)
   return configuration;
 }
 
-/// Quads of edge length 0.1; arguments are the number of singularities and the seed.
+/// Measures quads of edge length 0.1; the arguments are the number of singularities and the seed.
 void Integers(benchmark::State& state)
 {
   const Configuration configuration =

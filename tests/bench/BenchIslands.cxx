@@ -25,8 +25,9 @@ struct Plate
   Configuration configuration;
 };
 
-/// Islands of 16 sides at the centres of a lattice of squares, and singularities in rows between them. The last
-/// one has what the others lack: the corners of the frame have its four quarters, every island asks for −4.
+/// Islands of 16 sides at the centres of a lattice of squares, and singularities in rows between them.
+/// The last singularity balances the sum: the corners of the frame have index 1 each, and every island
+/// requires −4.
 Plate MakePlate(int islands, int singularities)
 {
   const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(islands))));
@@ -45,7 +46,7 @@ Plate MakePlate(int islands, int singularities)
   }
   Plate plate;
   plate.domain = MakePlanarDomain(loops);
-  // A lattice of places along the lines between the squares and the frame.
+  // A lattice of positions along the lines between the squares and the frame.
   const int total = std::max(singularities, 1);
   const int perLine = static_cast<int>(std::ceil(static_cast<double>(total) / across));
   int quarters = -4 * islands;

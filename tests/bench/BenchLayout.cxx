@@ -19,7 +19,7 @@ namespace
 {
 using namespace crossfield;
 
-/// Eight k = 1 at radius 0.7 and four k = −1 at radius 0.35; the first goes around a little circle.
+/// Returns eight k = 1 at radius 0.7 and four k = −1 at radius 0.35; the first moves on a small circle.
 Configuration Twelve(std::int64_t step)
 {
   Configuration configuration;
@@ -35,7 +35,7 @@ Configuration Twelve(std::int64_t step)
   return configuration;
 }
 
-/// The disk with about so many triangles.
+/// Returns the disk with about `triangles` triangles.
 FactoredDomain Disk(std::int64_t triangles)
 {
   BuiltinDomain disk;
@@ -43,7 +43,7 @@ FactoredDomain Disk(std::int64_t triangles)
   return { MakePlanarDomain(MakeBuiltinDomain(disk)), {}, disk.edgeLength };
 }
 
-/// H and crosses on the mesh that is kept.
+/// Measures H and crosses on the cached mesh.
 void DragField(benchmark::State& state)
 {
   const FactoredDomain domain = Disk(state.range(0));
@@ -54,7 +54,8 @@ void DragField(benchmark::State& state)
   }
 }
 
-/// W, mesh, map, lines and faces; 1: with the numbers and blocks of quads, not smoothed; 2: smoothed.
+/// Measures W, mesh, map, separatrices and patches; with 1 also edge counts and blocks of quads, not
+/// smoothed; with 2 smoothed quads.
 void DragLayout(benchmark::State& state)
 {
   const FactoredDomain domain = Disk(state.range(0));

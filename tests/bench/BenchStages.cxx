@@ -40,7 +40,7 @@ namespace
 {
 using namespace crossfield;
 
-/// Six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (docs/method.md §9).
+/// Returns six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (docs/method.md §9).
 Configuration EightHoles()
 {
   Configuration configuration;
@@ -54,7 +54,7 @@ Configuration EightHoles()
   return configuration;
 }
 
-/// Edge length that gives about so many triangles: a disk of area π in equilateral ones.
+/// Returns the edge length for about `triangles` equilateral triangles in a disk of area π.
 double MeshSizeFor(std::int64_t triangles)
 {
   return std::sqrt(4.0 * Pi / (std::sqrt(3.0) * static_cast<double>(triangles)));
@@ -69,7 +69,8 @@ TriangleMesh MakeMesh(std::int64_t triangles, const Configuration& holes)
   return DrillHoles(MakePlanarDomain(MakeBuiltinDomain(disk)), holes, options);
 }
 
-/// The mesh of a size with eight holes, or for eight points without any; made once for all benchmarks.
+/// Returns the mesh of a size with eight holes, or without holes for eight points; shared by all
+/// benchmarks.
 const TriangleMesh& MeshOf(std::int64_t triangles, bool holes = true)
 {
   static std::map<std::pair<std::int64_t, bool>, TriangleMesh> meshes;
@@ -84,17 +85,18 @@ const TriangleMesh& MeshOf(std::int64_t triangles, bool holes = true)
   return found->second;
 }
 
-/// The seconds of a row by the size that it was asked for.
+/// Seconds of a row by its requested size.
 using Row = std::map<std::int64_t, double>;
 
-/// Those of the bare factorisation in this run, with holes or without.
+/// Seconds of the factorisation alone in this run, with holes or without.
 Row& BareSeconds(bool holes)
 {
   static Row seconds[2];
   return seconds[holes ? 1 : 0];
 }
 
-/// Counters that set the seconds of a row beside those of its next smaller size and of the bare factorisation.
+/// Adds counters that compare the seconds of a row with those of the next smaller size and of the
+/// factorisation alone.
 void Compare(benchmark::State& state, const std::string& row, double seconds, bool holes = true)
 {
   static std::map<std::string, Row> rows;
@@ -126,7 +128,7 @@ void Mesh(benchmark::State& state)
   }
 }
 
-/// The matrix of the free unknowns, as an implementation of the paper would factor it. Returns the seconds.
+/// Factors the matrix of the free unknowns as an implementation of the paper would. Returns the seconds.
 double FactorBare(benchmark::State& state, const TriangleMesh& mesh)
 {
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -198,7 +200,7 @@ void BareCholmod(benchmark::State& state)
   BareSeconds(true)[state.range(0)] = FactorBare(state, MeshOf(state.range(0)));
 }
 
-/// The disk with a vertex at each of the eight points.
+/// Returns the disk with a vertex at each of the eight points.
 SharedTopology TopologyOnPoints(std::int64_t triangles)
 {
   BuiltinDomain disk;
@@ -207,7 +209,8 @@ SharedTopology TopologyOnPoints(std::int64_t triangles)
     MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
 }
 
-/// From the mesh to a thousand quads: to compare with SolveH of as many triangles, which it contains.
+/// Measures the steps from the mesh to a thousand quads. Compare with SolveH for the same number of
+/// triangles, which is a part of it.
 void MapToQuads(benchmark::State& state)
 {
   const SharedTopology topology = TopologyOnPoints(state.range(0));
@@ -219,7 +222,7 @@ void MapToQuads(benchmark::State& state)
   }
 }
 
-/// So many quads of one map of 10,000 triangles, smoothed.
+/// Measures smoothed quads of one map of 10,000 triangles, by their number.
 void Quads(benchmark::State& state)
 {
   const SeamlessMap map = SolveSeamlessMap(TopologyOnPoints(10000), EightHoles());
@@ -235,13 +238,13 @@ void Quads(benchmark::State& state)
   }
 }
 
-/// The same on the mesh without holes, to compare HField and FurtherConfiguration with.
+/// Measures the same on the mesh without holes, for comparison with HField and FurtherConfiguration.
 void BareCholmodWithoutHoles(benchmark::State& state)
 {
   BareSeconds(false)[state.range(0)] = FactorBare(state, MeshOf(state.range(0), false));
 }
 
-/// H, its cross field and W of eight points. The time of the row is factor + solve.
+/// Measures H, its cross field and W of eight points. The time of the row is factor + solve.
 void SolveH(benchmark::State& state)
 {
   const TriangleMesh& mesh = MeshOf(state.range(0), false);
@@ -258,8 +261,8 @@ void SolveH(benchmark::State& state)
   }
 }
 
-/// The flat map of eight points, with H in it, and the lines and faces of its T-mesh. The time of the row is that
-/// of all; H beside it is assembled, factored and solved on the same mesh alone.
+/// Measures the seamless map of eight points, including H, and the separatrices and patches of its T-mesh.
+/// The time of the row is the total; the counter H is for assembling, factoring and solving H alone.
 void MapAndLines(benchmark::State& state)
 {
   BuiltinDomain disk;
@@ -285,13 +288,13 @@ void MapAndLines(benchmark::State& state)
   }
 }
 
-/// W and its gradient of one more configuration on a mesh that is factored already.
+/// Measures W and its gradient of a further configuration on a factored mesh.
 void FurtherConfiguration(benchmark::State& state)
 {
   const auto solver =
     std::make_shared<const PotentialSolver>(ShareTopology(MeshOf(state.range(0), false)));
   const PointPotential potential(solver, AlignWithBoundary(solver->GetTopology(), {}, 4));
-  solver->OfGivenBoundary(); // W's other factor, which the first configuration makes
+  solver->OfGivenBoundary(); // the second factor of W, which the first configuration computes
   for (auto _ : state)
   {
     const auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));
@@ -299,7 +302,7 @@ void FurtherConfiguration(benchmark::State& state)
   }
 }
 
-/// The time of the row is factor + solve; assembling is a counter beside it.
+/// The time of the row is factor + solve; assembling has its own counter.
 void Solve(benchmark::State& state, PerforatedMethod method)
 {
   const TriangleMesh& mesh = MeshOf(state.range(0));
@@ -320,8 +323,8 @@ void Solve(benchmark::State& state, PerforatedMethod method)
   }
 }
 
-/// So many holes of 32 edges on the unit disk, radius 0.01, signs in turn, in a spiral of equal areas; the last ones
-/// have what the sum of four lacks.
+/// Returns holes of 32 edges and radius 0.01 on the unit disk, with alternating signs, on a spiral of
+/// equal areas; the last ones complete the sum of four.
 Configuration Spiral(std::int64_t count)
 {
   Configuration configuration;
@@ -338,8 +341,8 @@ Configuration Spiral(std::int64_t count)
   return configuration;
 }
 
-/// The constrained method by the number of holes, on about 100,000 triangles: the global minimum (`newton`), and all
-/// that the default start takes. The time of the row is factor + solve.
+/// Measures the constrained method by the number of holes, on about 100,000 triangles: the global minimum
+/// (`newton`), and the total of the default start. The time of the row is factor + solve.
 void ManyHoles(benchmark::State& state, PerforatedStart start)
 {
   const TriangleMesh mesh = MakeMesh(100000, Spiral(state.range(0)));
@@ -359,7 +362,7 @@ void ManyHoles(benchmark::State& state, PerforatedStart start)
   }
 }
 
-/// Seconds of the processor that the programs which have ended took.
+/// Returns the processor seconds of the child processes that have ended.
 double ChildrenSeconds()
 {
   rusage usage = {};
@@ -369,7 +372,7 @@ double ChildrenSeconds()
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The program as a user runs it: from nothing to the .vtu on disk, with a choice of arrays.
+/// Measures whole runs of the program up to the .vtu on disk, with a choice of arrays.
 void WholeRun(benchmark::State& state, const char* arrays)
 {
   const std::string folder = "/tmp/crossfield-bench-" + std::to_string(getpid());
@@ -416,7 +419,7 @@ void Sizes(benchmark::internal::Benchmark* benchmark)
   benchmark->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Iterations(1);
 }
 
-/// The last one takes 3 GiB.
+/// The last size takes 3 GiB.
 void SizesToFourMillion(benchmark::internal::Benchmark* benchmark)
 {
   benchmark->Apply(Sizes)->Arg(4000000);
@@ -441,7 +444,7 @@ BENCHMARK_CAPTURE(Solve, UnitNorm, PerforatedMethod::UnitNorm)
   ->UseManualTime();
 BENCHMARK(BareCholmodWithoutHoles)->Apply(Sizes)->UseRealTime();
 BENCHMARK(SolveH)->Apply(SizesToFourMillion)->MeasureProcessCPUTime()->UseManualTime();
-// CPU is that of both threads there: it tells more than the time on a machine with other work.
+// CPU time is that of both threads; on a busy machine it is more reliable than elapsed time.
 BENCHMARK(MapAndLines)->Apply(Sizes)->MeasureProcessCPUTime()->UseManualTime();
 BENCHMARK(MapToQuads)
   ->Unit(benchmark::kMillisecond)

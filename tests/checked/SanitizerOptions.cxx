@@ -1,6 +1,7 @@
 /**
- * Options of the sanitizers for every program of a build with CROSSFIELD_SANITIZE, however it is
- * started. The sanitizers call these functions; environment variables of their names add to them.
+ * Default options of the sanitizers for every program of a build with CROSSFIELD_SANITIZE. The
+ * sanitizers call these functions; the environment variables ASAN_OPTIONS and UBSAN_OPTIONS add to
+ * these options.
  */
 extern "C"
 {
@@ -10,7 +11,7 @@ extern "C"
 
   const char* __asan_default_options()
   {
-    // A report ends in a signal: no exit status of the program can be mistaken for it.
+    // A report ends the program by a signal, which differs from every exit status of the program.
     return "abort_on_error=1:strict_string_checks=1:allocator_may_return_null=0";
   }
 

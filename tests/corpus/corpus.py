@@ -1,4 +1,4 @@
-"""Runs inputs through every subcommand, and allows two endings only: solved and right, or refused."""
+"""Runs inputs through every subcommand. Each run must end with a correct result or with an error."""
 
 import json
 import os
@@ -10,8 +10,8 @@ import verify
 from program import PROGRAM, ProgramTest, SENTENCE, write_configuration
 from verified import verified
 
-SECONDS = 120  # of a run; more is a hang. Most take a tenth of a second.
-MEMORY = 2 << 30  # bytes of a run
+SECONDS = 120  # limit of a run; most take a tenth of a second
+MEMORY = 2 << 30  # limit of a run in bytes
 OLD = "from an earlier run\n"
 OUTPUTS = ("mesh.vtu", "field.vtu", "unit.vtu", "h.vtu", "better.csv", "corners.vtp", "all.vtm")
 
@@ -32,11 +32,11 @@ COMMANDS = {
 }
 SOLVES = ("constrained", "unit-norm")
 WRITES_FIELD = {"constrained": "field.vtu", "unit-norm": "unit.vtu", "hfield": "h.vtu"}
-DRILLS = ("drill", *SOLVES, "compare")  # those that drill holes
+DRILLS = ("drill", *SOLVES, "compare")  # the commands that drill holes
 
 
 def loops(path, *curves):
-    """Several closed curves as .vtp."""
+    """Writes several closed curves as .vtp."""
     points, lines = [], []
     for curve in curves:
         first = len(points)
@@ -50,9 +50,9 @@ def box(left, bottom, right, top):
 
 
 class CorpusTest(ProgramTest):
-    """Counts inputs and endings; prints them at the end of a test."""
+    """Counts inputs and results, and prints the counts at the end of a test."""
 
-    #: Everything that tests/verify checks. Its tolerances are for triangles of usual shape, places of
+    #: Whether tests/verify checks the files. Its tolerances are for triangles of usual shape, coordinates of
     #: the domain's size and crosses that the triangles resolve: tests at those limits say False.
     verify_all = True
 
@@ -81,7 +81,7 @@ class CorpusTest(ProgramTest):
 
     def command(self, name, domain, rows, more):
         arguments = [word.format(domain=domain, rows=rows) for word in COMMANDS[name]]
-        # `check` and `corners` make no mesh that has a size.
+        # `check` and `corners` make no mesh and have no mesh size.
         return arguments + (list(more) if name not in ("check", "corners") else [])
 
     def configuration(self, rows):
@@ -91,7 +91,7 @@ class CorpusTest(ProgramTest):
         return "rows.csv"
 
     def refuses(self, domain, rows=(), says=(), commands=tuple(COMMANDS), status=2, more=()):
-        """Every command ends with the status, one sentence, and every file as it was."""
+        """Checks that every command ends with the status and one sentence, and changes no file."""
         rows = self.configuration(rows)
         for name in commands:
             with self.subTest(f"{name} {domain}"):
@@ -106,7 +106,7 @@ class CorpusTest(ProgramTest):
                 self.refused += 1
 
     def solves(self, domain, rows=(), commands=tuple(COMMANDS), more=(), unwanted=False):
-        """Every command succeeds, and what it wrote is right. The reports by command."""
+        """Checks that every command succeeds and writes correct files. Returns the reports by command."""
         rows = self.configuration(rows)
         reports = {}
         for name in commands:
@@ -114,7 +114,7 @@ class CorpusTest(ProgramTest):
                 self.lay_out_old_files()
                 result = self.run_program(*self.command(name, domain, rows, more))
                 self.assertEqual(result.returncode, 0, (result.args, result.stderr))
-                for line in result.stderr.splitlines():  # of the method whose field may vanish
+                for line in result.stderr.splitlines():  # warning of the method whose field may vanish
                     self.assertRegex(line, "^Warning: The field has [0-9]+ unwanted")
                 self.assertNotIn("nan", result.stdout.lower())
                 reports[name] = json.loads(result.stdout) if name not in ("corners", "drill") else {}
@@ -128,7 +128,7 @@ class CorpusTest(ProgramTest):
         return reports
 
     def check_optimum(self, domain, report):
-        """It has arrived, no higher than before, with the quarters that it had and no defect."""
+        """Checks that it has converged to an energy not above the first, with the same quarter indices and no defect."""
         self.assertTrue(report["converged"], report)
         self.assertLessEqual(report["renormalized_energy_after"], report["renormalized_energy_before"])
         for defect in report["holonomy_defect"]:
@@ -137,7 +137,7 @@ class CorpusTest(ProgramTest):
         self.assertEqual(result.returncode, 0, (result.args, result.stderr))
 
     def check_agrees(self, field, report):
-        """`check` finds in the file what the run that wrote it has said of it."""
+        """Checks that `check` reports for the file what the run that wrote it reported."""
         result = self.run_program("check", field, "--json", "-")
         found = json.loads(result.stdout)
         for key in ("unwanted_singularities", "hole_degree", "hole_degree_reliable"):

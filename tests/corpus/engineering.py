@@ -1,4 +1,4 @@
-"""Domains as engineers have them, as lists of closed curves; each function says what it stands for."""
+"""Typical engineering domains as lists of closed curves."""
 
 import math
 import random
@@ -10,7 +10,7 @@ def circle(x, y, radius, count=48):
 
 
 def arc(x, y, radius, begin, end, count=8):
-    """Angles in degrees, both ends included."""
+    """Returns points of an arc; angles in degrees, both ends included."""
     return [(x + radius * math.cos(math.radians(begin + (end - begin) * i / count)),
              y + radius * math.sin(math.radians(begin + (end - begin) * i / count)))
             for i in range(count + 1)]

@@ -1,4 +1,4 @@
-"""Singularities at the limits: holes a hair from something, large quarter indices, many holes."""
+"""Singularities at the limits: holes very close to other features, large quarter indices, many holes."""
 
 import math
 import unittest
@@ -14,18 +14,18 @@ class Configurations(CorpusTest):
         super().setUp()
         domain_files.write_loop(self.folder / "square.vtp", box(-1, -1, 1, 1))
 
-    def test_holes_a_hair_from_the_boundary(self):
+    def test_holes_very_close_to_the_boundary(self):
         for hair in HAIRS:
             rows = [(0.0, -0.875 + hair, 1, 0.125), (0.5, 0.5, -1, 0.125)]
             self.solves("square.vtp", rows, ("drill", *SOLVES))
         self.verify_all = False
-        # At the rounding of the coordinates the constrained method says that it did not converge.
+        # At the rounding of the coordinates the constrained method reports that it did not converge.
         self.solves("square.vtp", [(0.0, -0.875 + 1e-15, 1, 0.125), (0.5, 0.5, -1, 0.125)],
                     ("drill", "unit-norm"))
         rows = [(0.0, -0.875, 1, 0.125), (0.5, 0.5, -1, 0.125)]
         self.refuses("square.vtp", rows, "cuts the boundary", DRILLS)
 
-    def test_holes_a_hair_from_each_other(self):
+    def test_holes_very_close_to_each_other(self):
         for hair in HAIRS:
             rows = [(-0.125 - hair, 0.0, 1, 0.125), (0.125, 0.0, -1, 0.125)]
             self.solves("square.vtp", rows, ("drill", *SOLVES))
@@ -36,8 +36,8 @@ class Configurations(CorpusTest):
         for quarter in (1, 2, 4, 8):
             rows = [(-0.4, 0.0, quarter, 0.1), (0.4, 0.0, -quarter, 0.1)]
             self.solves("square.vtp", rows, ("check", "drill", "hfield", *SOLVES))
-        # Beyond that the crosses turn too fast for triangles this large beside the holes: single ones
-        # show indices of both signs, which add up to no singularity. The degrees are still right.
+        # Beyond that the crosses turn too fast for the triangles beside the holes: single triangles
+        # have indices of both signs, which add up to zero. The degrees are still correct.
         rows = [(-0.4, 0.0, 30, 0.1), (0.4, 0.0, -30, 0.1)]
         self.verify_all = False
         self.solves("square.vtp", rows, ("unit-norm",))
@@ -56,7 +56,7 @@ class Configurations(CorpusTest):
                          more=("--corners", "corners.csv"))
 
     def grid(self, count):
-        """Alternating holes that leave half of the way between them."""
+        """Returns alternating holes whose gaps are half of their distances."""
         side = math.isqrt(count - 1) + 1
         step = 1.8 / side
         return [(-0.9 + step * (0.5 + i % side), -0.9 + step * (0.5 + i // side),

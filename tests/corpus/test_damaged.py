@@ -1,4 +1,4 @@
-"""Good files cut off at many places and with single bytes changed, always the same ones."""
+"""Correct files that are truncated or have single bytes changed, always at the same positions."""
 
 import json
 import random
@@ -14,7 +14,7 @@ TRIANGLES = [(0, 1, 2), (0, 2, 3)]
 LOOPS = {"vtp": domain_files.write_loop, "csv": domain_files.write_csv}
 CUTS = 12
 CHANGES = 16
-#: Formats without counts of points and cells: what is left of them may be another, good domain.
+#: Formats without counts of points and cells: a truncated file may be another valid domain.
 COUNTLESS = ("csv", "obj", "stl")
 
 
@@ -28,7 +28,7 @@ class Damaged(CorpusTest):
         return path.read_bytes()
 
     def go_through(self, ending, data):
-        """`check`, and if it takes the file as a domain, a solve with what that asks for."""
+        """Runs `check` and, if the file is a valid domain, a solve with the required sum of indices."""
         name = f"bad.{ending}"
         (self.folder / name).write_bytes(data)
         self.lay_out_old_files()
@@ -37,7 +37,7 @@ class Damaged(CorpusTest):
         self.assertIn(result.returncode, (0, 1, 2), result)
         self.assertEqual(self.snapshot(), before)
         if result.returncode == 2:
-            # A reader of VTK may warn before.
+            # A reader of VTK may print warnings first.
             self.assertRegex(result.stderr.splitlines(True)[-1], SENTENCE)
             self.refused += 1
             return False
@@ -61,7 +61,7 @@ class Damaged(CorpusTest):
                  if self.go_through(ending, good[:size])]
         self.assertTrue(self.go_through(ending, good))
         if ending not in COUNTLESS:
-            # The last digit of the last number may be missing, but no number may.
+            # The last digit of the last number may be missing, but no number.
             self.assertLessEqual(len(taken), 1, taken)
 
     def change(self, ending):

@@ -1,4 +1,4 @@
-"""The files of tests/data: what README.md there says of each is what happens."""
+"""Checks that the program treats each file of tests/data as the README.md there states."""
 
 import pathlib
 import re
@@ -8,14 +8,14 @@ import unittest
 from corpus import COMMANDS, DRILLS, CorpusTest
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "data"
-#: The formats of meshes give the same domains: of most, this is enough.
+#: All formats of meshes give the same domains; for most files these commands suffice.
 BRIEF = ("check", "drill", "unit-norm")
 PAIR = [(0.25, 0.25, 1, 0.05), (0.75, 0.75, -1, 0.05)]
 ROW = re.compile(r"^\| `([^`]+)` \| [^|]+ \| (solved|refused|inconsistent)(?:: ([^|]+))? \|$", re.M)
 
 
 def table():
-    """Ending and words of every file."""
+    """Returns the expected status and words for every file."""
     rows = ROW.findall((DATA / "README.md").read_text())
     return {name: (ending, [word.strip() for word in words.split("…") if word.strip()])
             for name, ending, words in rows}
@@ -36,7 +36,7 @@ class Files(CorpusTest):
             if ending == "solved":
                 self.solves(name, PAIR, brief)
             elif ending == "inconsistent":
-                # Neither `corners` nor `drill` needs a sum; `energy` says it in its table.
+                # Neither `corners` nor `drill` needs a sum; `energy` reports it in its table.
                 commands = [command for command in COMMANDS
                             if command not in ("corners", "drill", "energy")]
                 self.refuses(name, PAIR, words, commands, status=1)

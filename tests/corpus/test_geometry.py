@@ -11,13 +11,13 @@ GAP = ("comes within", "of itself near", "widen the gap")
 
 
 def wedge(degrees):
-    """A triangle with one corner of this angle, at the origin."""
+    """Returns a triangle with a corner of this angle at the origin."""
     height = 2.0 * math.tan(math.radians(degrees) / 2.0)
     return [(0.0, 0.0), (2.0, -height), (2.0, height)]
 
 
 def notch(degrees):
-    """A square with a notch of this angle: the corner at its tip has 360° less that."""
+    """Returns a square with a notch of this angle; the corner at its tip has 360° minus the angle."""
     height = math.tan(math.radians(degrees) / 2.0)
     return [(-1.0, -1.0), (1.0, -1.0), (1.0, -height), (0.0, 0.0), (1.0, height), (1.0, 1.0),
             (-1.0, 1.0)]
@@ -25,7 +25,7 @@ def notch(degrees):
 
 class Geometry(CorpusTest):
     def corner(self, angle):
-        """Quarter index that `check` counts at the corner of this angle, in degrees."""
+        """Returns the quarter index that `check` reports at the corner of this angle in degrees."""
         report = self.solves("loop.vtp", commands=("check",))["check"]
         angles = [(abs(math.degrees(corner["angle"]) - angle), corner["quarter_index"])
                   for corner in report["corners"]]
@@ -38,7 +38,7 @@ class Geometry(CorpusTest):
             domain_files.write_loop(self.folder / "loop.vtp", wedge(degrees))
             self.solves("loop.vtp", commands=("check", "corners", "drill", "hfield", *SOLVES))
             self.assertEqual(self.corner(degrees), 2)
-        # The field asks for 1/angle triangles; these are ten million.
+        # The field needs 1/angle triangles, here ten million.
         domain_files.write_loop(self.folder / "loop.vtp", wedge(1e-5))
         self.refuses("loop.vtp", says=GAP, commands=("constrained",))
         self.assertEqual(self.corner(1e-5), 2)
@@ -69,23 +69,23 @@ class Geometry(CorpusTest):
         for gap in (1e-7, 1e-12):
             loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), box(-0.5, -1 + gap, 0.5, 0.0))
             self.refuses("gap.vtp", says=GAP, commands=("unit-norm",))
-        self.refuses("gap.vtp", says=GAP, commands=("check",))  # it meshes for the holonomy
+        self.refuses("gap.vtp", says=GAP, commands=("check",))  # meshes to compute the holonomy
 
     def test_gaps_at_a_point(self):
         self.verify_all = False
-        # Where a vertex comes near a side, the mesh is graded. (Of 1e-12 the phase that the island forces
-        # through the gap loses its digits, and the report says that the field did not converge.)
+        # Where a vertex comes near a side, the mesh is graded. (At 1e-12 the phase that the island forces
+        # through the gap loses its digits, and the report states that the field did not converge.)
         for gap in (1e-2, 1e-4, 1e-6, 1e-9):
             loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), [(0, -1 + gap), (0.5, 0), (-0.5, 0)])
-            # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 asks for -1.
-            # In the gap the crosses turn from one side to the other within a triangle, which may count.
+            # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 requires -1.
+            # In the gap the crosses turn from one side to the other within a triangle, which may have an index.
             self.solves("gap.vtp", [(0.0, 0.5, -1, 0.05)], ("check", "drill", *SOLVES), unwanted=True)
 
     def test_loops_that_are_nearly_one(self):
         loops(self.folder / "two.vtp", box(-1, -1, 1, 1), [
             (x * (1 - 1e-7), y * (1 - 1e-7)) for x, y in box(-1, -1, 1, 1)])
         self.refuses("two.vtp", says=GAP, commands=("unit-norm",))
-        # Within 1e-9 of the diagonal they are one, as when a loop is drawn twice.
+        # Within 1e-9 of the diagonal they coincide, as when a loop is drawn twice.
         loops(self.folder / "two.vtp", box(-1, -1, 1, 1), [
             (x * (1 - 1e-10), y * (1 - 1e-10)) for x, y in box(-1, -1, 1, 1)])
         report = self.solves("two.vtp", commands=("check", "unit-norm"))["check"]
@@ -118,7 +118,7 @@ class Geometry(CorpusTest):
         self.refuses("long.vtp", says="count as one")
 
     def circle(self, count):
-        """The same as .vtp and .csv, and four at radius 0.6, whose W is 2.0498 (docs/method.md §9)."""
+        """Writes a circle as .vtp and .csv, and four singularities at radius 0.6, whose W is 2.0498 (docs/method.md §9)."""
         points = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count)) for i in range(count)]
         domain_files.write_loop(self.folder / "circle.vtp", points)
         domain_files.write_csv(self.folder / "circle.csv", points)
@@ -151,9 +151,9 @@ class Geometry(CorpusTest):
         self.solves("circle.csv", [], ("drill",), more=every)
 
     def test_points_as_near_as_forty_thousand_of_a_circle(self):
-        """Flat triangles of neighbours on a circle are no gaps. Exact values: docs/method.md §9."""
+        """Checks that flat triangles of neighbours on a circle are no gaps. Exact values: docs/method.md §9."""
         self.verify_all = False
-        # So near on a short arc, then ever farther apart: all meshes stay small.
+        # Dense on a short arc, then increasingly sparse: all meshes stay small.
         steps = [2 * math.pi / 40000]
         while steps[-1] < 2 * math.pi / 120:
             steps.append(1.1 * steps[-1])
@@ -164,7 +164,7 @@ class Geometry(CorpusTest):
         domain_files.write_loop(self.folder / "circle.vtp", [(math.cos(t), math.sin(t)) for t in angles])
         side = 0.6 * math.sqrt(0.5)
         rows = [(x, y, 1, 0.1) for x in (side, -side) for y in (side, -side)]
-        every = ("--thin-boundary", "0")  # the points are the matter
+        every = ("--thin-boundary", "0")  # keeps all points, which are tested here
         reports = self.solves("circle.vtp", rows, ("drill", "hfield", "energy", "optimize", *SOLVES), more=every)
         self.assertAlmostEqual(reports["hfield"]["renormalized_energy"], 2.0498, delta=0.01)
         row, = reports["energy"]["configurations"]
@@ -173,7 +173,7 @@ class Geometry(CorpusTest):
         for point in reports["optimize"]["singularities"]:
             self.assertAlmostEqual(
                 math.hypot(point["x"], point["y"]), (3 / 11) ** 0.125, delta=2e-3)
-        # Nobody has to say where: a core of Ginzburg-Landau is as large as most triangles, not as the
+        # No option is needed: a core of Ginzburg-Landau is as large as most triangles, not as the
         # smallest, and so are those of proposals.
         result = self.run_program("solve", "circle.vtp", "--method", "ginzburg-landau", "--json", "-", *every)
         self.assertEqual(result.returncode, 0, result.stderr)

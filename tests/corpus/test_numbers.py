@@ -1,4 +1,4 @@
-"""Coordinates of every size and place: lengths have no unit, and digits are limited."""
+"""Coordinates of all magnitudes and offsets: lengths have no unit, and digits are limited."""
 
 import math
 import unittest
@@ -21,7 +21,7 @@ class Numbers(CorpusTest):
                 for x, y, quarter, radius in rows]
 
     def test_scales(self):
-        # Energies of fields have no unit. W grows by π Σ k² log(scale), and so does what the optimiser finds.
+        # Energies of fields have no unit. W grows by π Σ k² log(scale), also at the optimum.
         rows = [(0.25, 0.25, 2, 0.05), (0.75, 0.7, 1, 0.05), (0.3, 0.75, -2, 0.05), (0.7, 0.2, -1, 0.05)]
         commands = ("check", "drill", "hfield", "energy", *SOLVES)
         expected = self.solves("square.vtp", self.square(rows=rows), commands)
@@ -43,7 +43,7 @@ class Numbers(CorpusTest):
             self.assertAlmostEqual(row["logarithm_coefficient"], 10 * math.pi, delta=1e-9)
 
     def test_optima_at_all_scales(self):
-        # Four of a disk: the exact radius (3/11)^(1/8), W = -7.2962.
+        # Four singularities in a disk: the exact radius (3/11)^(1/8), W = -7.2962.
         for scale in (1e-50, 1e-12, 1e12, 1e50):
             domain_files.write_loop(self.folder / "disk.vtp", [
                 (scale * math.cos(math.pi * i / 40), scale * math.sin(math.pi * i / 40))
@@ -88,7 +88,7 @@ class Numbers(CorpusTest):
         for place in (1e12, -1e14):
             self.refuses("square.vtp", self.square(place=place), "move the domain to the origin",
                          ("drill", *SOLVES, "hfield", "energy", "optimize", "compare"))
-        # Here the corners fall together.
+        # Here the corners coincide.
         self.refuses("square.vtp", self.square(place=1e17), "shrink to a point")
 
 

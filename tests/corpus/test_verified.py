@@ -1,4 +1,4 @@
-"""That verified.py sees what is wrong with a field."""
+"""Tests of verified.py: it finds errors in fields."""
 
 import unittest
 from unittest import mock
@@ -10,7 +10,7 @@ from corpus import CorpusTest
 
 
 class Verified(CorpusTest):
-    def test_sees_what_was_spoilt(self):
+    def test_finds_corrupted_values(self):
         self.solves("builtin:disk", "four.csv", ("unit-norm",))
         path = self.folder / "unit.vtu"
         line = np.flatnonzero(verified.read(path)["CellData", "BoundaryKind"] == 1)[0]
@@ -25,7 +25,7 @@ class Verified(CorpusTest):
             arrays["CellData", name][where] = value
             with mock.patch.object(verified, "read", return_value=arrays):
                 self.assertIn(word, verified.verified(path))
-        # Holes that agree with themselves, but not with the domain.
+        # Holes that are consistent, but do not fit the domain.
         arrays = {key: values.copy() for key, values in verified.read(path).items()}
         arrays["CellData", "CrossFieldCR"][hole] = 1.0, 0.0, 1.0, 0.0, 1.0, 0.0
         arrays["CellData", "QuarterIndex"][hole] = 0

@@ -1,4 +1,4 @@
-"""Whether a written field is right, from the .vtu alone: read without VTK, with numpy."""
+"""Checks a written field from its .vtu alone, read with numpy and without VTK."""
 
 import base64
 import re
@@ -11,7 +11,7 @@ TYPES = {"Float64": "f8", "Float32": "f4", "Int64": "i8", "Int32": "i4", "UInt8"
 
 
 def _values(array):
-    """The numbers of a DataArray of inline binary data, compressed in blocks by zlib."""
+    """Returns the numbers of a DataArray of inline binary data, compressed in blocks by zlib."""
     text = re.sub(r"\s", "", array.text or "")
     if not text:
         return np.zeros(0, TYPES[array.get("type")])
@@ -26,7 +26,7 @@ def _values(array):
 
 
 def read(path):
-    """All arrays of numbers by section and name, for example ("CellData", "CrossFieldCR")."""
+    """Returns all arrays of numbers by section and name, for example ("CellData", "CrossFieldCR")."""
     root = ElementTree.parse(path).getroot()
     assert root.get("compressor") == "vtkZLibDataCompressor" and root.get("header_type") == "UInt32"
     arrays = {}
@@ -42,7 +42,7 @@ def read(path):
 
 
 def _degree(edges, values):
-    """Turns of a phase around a closed chain of edges (from, to), in its direction."""
+    """Returns the turns of a phase around a closed chain of edges (from, to), in its direction."""
     follow = {int(a): (int(b), value) for (a, b), value in zip(edges, values)}
     here = start = int(edges[0][0])
     phases = []
@@ -58,9 +58,9 @@ def _degree(edges, values):
 
 
 def verified(path):
-    """Nothing if the field is finite, aligned, has the degrees asked for and indices that add up.
+    """Returns None if the field is finite and aligned, has the requested degrees and indices with the required sum.
 
-    Otherwise a sentence. The sum: 4χ = Σ of the holes + Σ of the corners by the smallest rotation.
+    Otherwise returns a sentence. The sum: 4χ = Σ of the holes + Σ of the corners by the smallest rotation.
     """
     arrays = read(path)
     for name, values in arrays.items():
@@ -81,17 +81,17 @@ def verified(path):
 
     aligned = (kind == 1) | (kind == 2)
     off = np.abs(u - (tangent / length) ** 4)[aligned]
-    # Rounding of coordinates turns a short edge, and u four times as much.
+    # Rounding of coordinates turns a short edge, and u by four times that angle.
     rounding = 16.0 * np.finfo(float).eps * (1.0 + np.abs(points).max() / length[aligned])
     if np.any(off > rounding):
         return f"an edge is off alignment by {off.max()}"
 
-    # Singularities on the boundary take the place of corners; in the plane z = 0, sizes about 1.
+    # Singularities on the boundary replace corners; in the plane z = 0, sizes about 1.
     boundary = arrays.get(("FieldData", "BoundarySingularities"), np.zeros((0, 4))).reshape(-1, 4)
     given = 0
     for row in np.unique(loop[kind == 3]):
         hole = (kind == 3) & (loop == row)
-        degree = -_degree(edges[hole], u[hole])  # the domain on the left: clockwise
+        degree = -_degree(edges[hole], u[hole])  # the domain is on the left: clockwise
         if degree != quarter[hole][0]:
             return f"hole {row} has degree {degree} instead of {quarter[hole][0]}"
         given += degree

@@ -1,7 +1,7 @@
 /**
- * A domain with holes and singularities, made from the bytes of the fuzzer, goes through everything
- * that the numerics do with one: check, drill, solve by both methods, H and energies. Each step ends
- * in crossfield::Error with a sentence, or its result is what its header promises.
+ * Makes a domain with holes and singularities from the bytes of the fuzzer and runs every part of the
+ * numerics on it: check, drill, solve by both methods, size field H and energies. Each step throws
+ * crossfield::Error with a sentence, or its result has the properties that its header states.
  */
 #include "ConfigurationEnergy.h"
 #include "CornerClassification.h"
@@ -27,12 +27,12 @@ void Require(bool condition, const char* what)
 {
   if (!condition)
   {
-    std::fprintf(stderr, "broken promise: %s\n", what);
+    std::fprintf(stderr, "violated property: %s\n", what);
     std::abort();
   }
 }
 
-/** Whether the step came to its end; if not, it says why in one sentence. */
+/** Returns whether the step completes; otherwise its error must be one sentence. */
 bool Succeeds(const std::function<void()>& step)
 {
   try
@@ -49,7 +49,7 @@ bool Succeeds(const std::function<void()>& step)
   }
 }
 
-/** On a grid of 1/64, so that points coincide and lie on lines more often than by chance. */
+/** Returns a multiple of 1/64, so that points often coincide or are collinear. */
 double Coordinate(FuzzedDataProvider& bytes)
 {
   return bytes.ConsumeIntegralInRange<int>(-64, 64) / 64.0;
@@ -61,7 +61,7 @@ Point Place(FuzzedDataProvider& bytes)
   return { x, Coordinate(bytes) };
 }
 
-/** Any polygon, or one that is star-shaped around a centre and so does not cross itself. */
+/** Returns any polygon, or a star-shaped one around a centre, which does not cross itself. */
 Loop Polygon(FuzzedDataProvider& bytes, const Point& centre, double radius)
 {
   const bool star = bytes.ConsumeIntegralInRange<int>(0, 7) > 0;
@@ -106,7 +106,8 @@ Problem MakeProblem(FuzzedDataProvider& bytes)
     singularity.radius = bytes.ConsumeIntegralInRange<int>(1, 64) / 256.0;
     problem.configuration.push_back(singularity);
   }
-  // Far from the origin and of another unit, which must not matter, or be refused.
+  // Changes the unit and moves the domain far from the origin. Results must stay the same, or an error
+  // must be thrown.
   const double scale = std::pow(10.0, bytes.ConsumeIntegralInRange<int>(-8, 8));
   const Point shift =
     scale * bytes.PickValueInArray({ 0.0, 0.0, 1.0, 1e3, 1e6, 1e9 }) * Point(1.0, 2.0);
@@ -125,7 +126,7 @@ Problem MakeProblem(FuzzedDataProvider& bytes)
   return problem;
 }
 
-/** What the two methods promise for the degrees of holes and the sum of all indices. */
+/** Checks the degrees of holes and the sum of all indices, which both methods guarantee. */
 void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
 {
   SolvedField field;
@@ -137,13 +138,13 @@ void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
   }
   Require(field.u.allFinite() && std::isfinite(field.energy), "a field is finite");
   Require(field.energy >= 0.0, "the energy is not negative");
-  // Where the inside of a singularity is kept, others appear and make up for any sum.
+  // Inside imprinted circles other singularities may appear, which balance any sum.
   Require(field.count.Consistent() || !mesh.imprinted.empty(),
     "with holes, only consistent configurations have a field");
   if (method == PerforatedMethod::UnitNorm)
   {
     Require((field.u.cwiseAbs().array() - 1.0).abs().maxCoeff() < 1e-9, "|u| = 1");
-    Require(!field.converged || field.wrongDegrees == 0, "unit norm: all degrees are reached");
+    Require(!field.converged || field.wrongDegrees == 0, "unit norm: all degrees are correct");
   }
   for (const HoleReading& hole : field.holes)
   {
@@ -157,7 +158,7 @@ void RequireSolved(const TriangleMesh& mesh, PerforatedMethod method)
                 check = CheckField({ ShareTopology(mesh), field.u });
               }),
       "a field can be checked");
-    Require(check.count.Consistent(), "the indices of a field add up to those that it needs");
+    Require(check.count.Consistent(), "the indices of a field add up to the required sum");
   }
 }
 }
@@ -174,7 +175,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Succeeds([&] { ClassifyCorners(domain); });
   if (!problem.configuration.empty() && bytes.ConsumeBool())
   {
-    // The last one makes up for what the others lack.
+    // Adjusts the last index so that the sum is the required one.
     const PoincareHopfCount count =
       CountQuarters(domain.loops, TotalQuarters(problem.configuration));
     problem.configuration.back().quarterIndex +=

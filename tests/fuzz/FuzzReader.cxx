@@ -1,6 +1,6 @@
 /**
- * The bytes of the fuzzer are a file; the product reads it as DOMAIN or as singularities and hands it
- * to a filter that converts and checks it. That ends in an answer, or in one sentence.
+ * Writes the bytes of the fuzzer to a file, reads it as a domain or as singularities, and runs a filter
+ * that converts and checks it. The result is an output or an error of one sentence.
  *
  *   fuzzReader --format=vtp     (domains: vtp vtu vtk stl obj ply csv; singularities: points.vtp points.csv)
  */
@@ -28,7 +28,7 @@ namespace
 std::string Format = "vtp";
 std::string Folder;
 
-/** Goes as far as the check of the Poincaré-Hopf theorem, which takes fields as well. */
+/** Reads a domain and runs the check of the Poincaré-Hopf theorem, which accepts fields as well. */
 void ReadDomain(const std::string& file)
 {
   const auto domain = DomainReader::Open(file, 0.0);
@@ -37,7 +37,7 @@ void ReadDomain(const std::string& file)
   PipelineRun::Update(check, "checking");
 }
 
-/** Goes as far as a mesh with holes at them. */
+/** Reads singularities and makes a mesh with holes at them. */
 void ReadPoints(const std::string& file)
 {
   vtkNew<vtkPlanarDomainSource> domain;
@@ -62,7 +62,7 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
       Format = argument.substr(option.size());
     }
   }
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // as the program does
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // as in the program
   Folder = std::filesystem::temp_directory_path() / ("crossfield-fuzz-" + std::to_string(getpid()));
   std::filesystem::create_directories(Folder);
   std::atexit([] { std::filesystem::remove_all(Folder); });

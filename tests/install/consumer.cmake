@@ -1,4 +1,4 @@
-# Installs the build, moves the tree, builds a program against it and runs what was installed:
+# Installs the build, moves the installed tree, builds a program against it and runs both programs:
 #   cmake -D BUILD=… -D FOLDER=… -D PYTHON=… -P consumer.cmake
 function (run)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
@@ -16,7 +16,7 @@ run("${FOLDER}/moved/bin/crossfield" check builtin:square)
 execute_process(COMMAND "${FOLDER}/moved/bin/crossfield" --paths
   OUTPUT_VARIABLE paths COMMAND_ERROR_IS_FATAL ANY)
 if (NOT paths MATCHES "python: (${FOLDER}/moved/[^\n]*)")
-  message(FATAL_ERROR "The installed program names other folders:\n${paths}")
+  message(FATAL_ERROR "`crossfield --paths` of the installed program names folders outside the installed tree:\n${paths}")
 endif ()
 set(ENV{PYTHONPATH} "${CMAKE_MATCH_1}")
 run("${PYTHON}" -c "import crossfield; print(crossfield.solve('builtin:disk', [(0, 0, 4, 0.2)]).report['converged'])")

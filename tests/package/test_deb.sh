@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Debian package of a build, installs it below a folder with a dpkg database of its own, so
-# that the system stays as it is, uses all that it has, and removes it again.
+# Builds the Debian package of a build, installs it below a folder with a separate dpkg database, which
+# leaves the system unchanged, uses every part of it, and removes it.
 #
 #   test_deb.sh BUILD FOLDER CONSUMER
 set -euo pipefail
@@ -15,7 +15,7 @@ fail() {
   exit 1
 }
 
-echo "== Build it"
+echo "== Build the package"
 rm -rf "$folder"
 mkdir -p "$root"/var/lib/dpkg/{info,updates,triggers} "$root/usr/bin"
 touch "$root/var/lib/dpkg/status"
@@ -23,31 +23,31 @@ touch "$root/var/lib/dpkg/status"
 deb=$(echo "$folder"/built/crossfield_*.deb)
 dpkg-deb --info "$deb"
 
-echo "== Its files belong to root, nobody else may write, and no path leads into the build"
+echo "== Files belong to root, only root may write them, and no path points into the build"
 dpkg-deb --contents "$deb" >"$folder/contents"
 ! grep -v ' root/root ' "$folder/contents" || fail "files of other owners"
 ! grep -v ' \./usr/' "$folder/contents" || fail "files outside of /usr"
-! grep -E '^[-d]....w|^[-d].......w' "$folder/contents" || fail "files that others may write"
+! grep -E '^[-d]....w|^[-d].......w' "$folder/contents" || fail "files that other users may write"
 dpkg-deb --extract "$deb" "$folder/extracted"
 while read -r file; do
   paths=$(readelf --dynamic "$file" 2>/dev/null | sed -nE 's/.*R(UN)?PATH.*\[(.*)\]/\2/p' || true)
   [[ -z $paths || $paths =~ ^\$ORIGIN[^:]*(:\$ORIGIN[^:]*)*$ ]] || fail "$file has the path $paths"
 done < <(find "$folder/extracted" -type f)
 ! grep --recursive --files-with-matches --fixed-strings "$(dirname "$build")/" "$folder/extracted" \
-  --include='*.cmake' --include='*.py' --include='*.xml' --include='*.conf' || fail "paths of the build"
+  --include='*.cmake' --include='*.py' --include='*.xml' --include='*.conf' || fail "paths into the build folder"
 
-echo "== What it depends on can be installed here"
-apt-get --quiet --simulate install "$deb" | grep '^Inst crossfield' || fail "apt-get refuses it"
+echo "== Its dependencies can be installed here"
+apt-get --quiet --simulate install "$deb" | grep '^Inst crossfield' || fail "apt-get cannot install its dependencies"
 
-echo "== Install it"
-# A script of the package calls ldconfig, which would work on the system.
+echo "== Install the package"
+# A script of the package calls ldconfig, which would change the system. This stands in for it.
 mkdir "$folder/bin"
 printf '#!/bin/sh\necho ldconfig\n' >"$folder/bin/ldconfig"
 chmod +x "$folder/bin/ldconfig"
 dpkg=(env PATH="$folder/bin:/usr/sbin:/sbin:$PATH" dpkg --root="$root" --force-not-root --force-depends
   --force-script-chrootless --no-triggers)
 "${dpkg[@]}" --install "$deb" >"$folder/install.log" 2>&1 || fail "$(cat "$folder/install.log")"
-grep --quiet '^ldconfig$' "$folder/install.log" || fail "the cache of the libraries is not renewed"
+grep --quiet '^ldconfig$' "$folder/install.log" || fail "the package does not call ldconfig"
 [[ -z $("${dpkg[@]}" --verify crossfield) ]] || fail "files differ from their checksums"
 
 echo "== The program"
@@ -62,7 +62,7 @@ import crossfield
 field = crossfield.solve("builtin:disk", [(0, 0, 4, 0.2)])
 assert field.report["converged"] and crossfield.__file__.startswith("'"$root"'"), crossfield.__file__'
 
-echo "== The plugin, by its name; pvpython looks for the list of plugins beside itself"
+echo "== The plugin, loaded by name; pvpython reads the list of plugins in its own folder"
 cp "$(readlink --canonicalize /usr/bin/pvpython)" "$root/usr/bin/pvpython"
 "$root/usr/bin/pvpython" "$here/use_plugin.py" "$root"
 rm "$root/usr/bin/pvpython"
@@ -73,6 +73,6 @@ cmake -S "$consumer" -B "$folder/consumer" "-DCMAKE_PREFIX_PATH=$root/usr" >"$fo
 grep --fixed-strings "CrossField_DIR:PATH=$root/usr/" "$folder/consumer/CMakeCache.txt"
 "$folder/consumer/consumer"
 
-echo "== Remove it"
+echo "== Remove the package"
 "${dpkg[@]}" --remove crossfield >"$folder/remove.log" 2>&1 || fail "$(cat "$folder/remove.log")"
-[[ ! -e $root/usr/lib && ! -e $root/usr/share ]] || fail "it leaves $(find "$root/usr" -type f)"
+[[ ! -e $root/usr/lib && ! -e $root/usr/share ]] || fail "files remain after removal: $(find "$root/usr" -type f)"

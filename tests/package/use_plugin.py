@@ -1,4 +1,4 @@
-"""ParaView lists the installed plugin and loads it by its name: pvpython use_plugin.py ROOT"""
+"""Checks that ParaView lists the installed plugin and loads it by name: pvpython use_plugin.py ROOT"""
 import sys
 
 from paraview import servermanager

@@ -1,3 +1,3 @@
-# An empty folder for what the tests of this run write: nothing of an earlier run is left in it.
+# Creates an empty folder for the files that the tests of this run write.
 file(REMOVE_RECURSE "${FOLDER}")
 file(MAKE_DIRECTORY "${FOLDER}")

@@ -1,4 +1,4 @@
-"""Fields and reports corrupted in one place."""
+"""Cases of fields and reports that are corrupted in one place."""
 import numpy as np
 
 from corrupting import of
@@ -29,7 +29,7 @@ def hole_stretched(file):
 
 @of("constrained", KKT, HARMONIC, "norms on holes and circles")
 def hole_off_stationarity(file):
-    """Along the constraint: the values on a hole turned against each other."""
+    """Moves the values on a hole along the constraint: turns them against each other."""
     edges = file.edges_of(3)
     u = file.u[edges]
     push = 1j * u * np.cos(2.0 * np.pi * np.arange(len(u)) / len(u)) * 1e-5
@@ -81,7 +81,7 @@ def hole_norm_changed(file):
 
 @of("constrained", "rows of HoleNormRange", "degrees of holes and circles")
 def hole_dropped_from_the_report(file):
-    file.report("HoleDegree")  # there is one
+    file.report("HoleDegree")  # it exists
     for name in ("HoleDegree", "HoleNormRange"):
         array = file.grid.GetFieldData().GetArray(name)
         array.SetNumberOfTuples(array.GetNumberOfTuples() - 1)
@@ -164,7 +164,7 @@ def convergence_denied(file):
 
 @of("reference", "Residual", "Ginzburg-Landau equation")
 def reference_off_stationarity(file):
-    """The energies are left as they are: to first order they do not change."""
+    """Leaves the energies unchanged, since they change to second order only."""
     file.u[file.inner_edge()] += 2e-11
     file.show()
 

@@ -1,4 +1,4 @@
-"""H and its crosses, corrupted in one place."""
+"""Cases of H and its crosses that are corrupted in one place."""
 import numpy as np
 
 from corrupting import of
@@ -28,7 +28,7 @@ def h_shifted(file):
 
 @of("h", CONJUGATE, H_HARMONIC, WHOLE)
 def cross_of_h_rotated(file):
-    """One is enough to move the singularities that are fitted to all."""
+    """Rotates one cross, which moves the fitted singularities."""
     file.u[file.inner_edge()] *= np.exp(1e-6j)
     file.show()
 
@@ -43,7 +43,7 @@ def cross_of_h_stretched(file):
     "quarter indices of the logarithms: 4 times the Euler characteristic",
     "sum of all indices, corners included: 4 times the Euler characteristic")
 def singularity_added_to_h(file):
-    """With H and crosses that belong to it: their equations hold, the boundary does not."""
+    """Adds a singularity with its H and crosses: their equations hold, the boundary conditions do not."""
     place = file.mesh.points[file.inner_vertex()] + 0.003
     file.point("H")[:] += 0.25 * np.log(np.linalg.norm(file.mesh.points - place, axis=1))
     file.point("SizeMap")[:] = np.exp(file.point("H"))

@@ -1,4 +1,4 @@
-"""Flat maps, lines and faces, corrupted in one place."""
+"""Cases of seamless maps, separatrices and patches that are corrupted in one place."""
 import numpy as np
 
 from corrupting import of
@@ -22,7 +22,7 @@ BOUNDARY = "edges of one face only make up the boundary"
 
 
 def _apart(file):
-    """A point off all seams, sides, singularities and lines."""
+    """Returns a point that is on no seam, side, singularity or separatrix."""
     vertex = file.point("VertexId")
     copies = np.bincount(vertex)[vertex]
     near = np.zeros(len(vertex), bool)

@@ -1,4 +1,4 @@
-"""Meshes and the arrays that show a field, corrupted in one place."""
+"""Cases of meshes and of arrays derived from the field that are corrupted in one place."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

@@ -1,4 +1,4 @@
-"""Quads, corrupted in one place."""
+"""Cases of quad meshes that are corrupted in one place."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -12,12 +12,12 @@ VALENCE = "quads at a point: 4 - k inside, 2 - k on the boundary"
 
 
 def _inner(file):
-    """A regular point inside."""
+    """Returns a regular inner point."""
     return np.flatnonzero((file.point("BoundarySide") < 0) & (file.point("Irregular") == 0))[5]
 
 
 def _inner_quad(file):
-    """A quad whose points are all regular and inside."""
+    """Returns a quad whose points are all regular inner points."""
     good = (file.point("BoundarySide") < 0) & (file.point("Irregular") == 0)
     return np.flatnonzero(good[file.data.quads].all(axis=1))[7]
 
@@ -91,7 +91,7 @@ def quad_of_another_column(file):
 
 
 @of("quads", "ScaledJacobianRange")
-def least_jacobian_changed(file):
+def minimum_jacobian_changed(file):
     file.report("ScaledJacobianRange")[0] += 1e-9
 
 

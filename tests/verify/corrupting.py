@@ -1,4 +1,4 @@
-"""A good file to be corrupted in one place: its arrays, to be changed in place, and the field by edges."""
+"""Access to a correct file for corrupting it in one place: its arrays and its field on edges, which are changed in place."""
 import functools
 import pathlib
 
@@ -13,12 +13,12 @@ from field import Field
 from reading import Data
 
 
-#: By name: the good file, the function that spoils it, and the checks that have to fail.
+#: Name -> the correct file, the function that corrupts it, and the checks that must fail.
 CASES = {}
 
 
 def of(base, *names):
-    """A case: the good file that it spoils, and the checks that have to fail, and no others."""
+    """Decorates a case: names the correct file that it corrupts and the checks that must fail. No other check may fail."""
     def register(function):
         if function.__name__ in CASES:
             raise ValueError("There are two cases '%s'." % function.__name__)
@@ -44,15 +44,15 @@ class Arrays:
         return vtk_to_numpy(self.grid.GetFieldData().GetArray(name))
 
     def scale(self, factor, names):
-        """Another unit of length, which the arrays of these names are in."""
+        """Changes the unit of length of the arrays with these names."""
         self.points *= factor
         for data in (self.grid.GetPointData(), self.grid.GetCellData(), self.grid.GetFieldData()):
             for name in filter(data.HasArray, names):
                 vtk_to_numpy(data.GetArray(name))[:] *= factor
 
 
-class Spoiled(Arrays):
-    """Views of the arrays of a file; what is changed in them is what is written."""
+class CorruptedFile(Arrays):
+    """Views of the arrays of a file; changes in them are written."""
 
     def __init__(self, name):
         reader = vtkXMLUnstructuredGridReader()
@@ -60,7 +60,7 @@ class Spoiled(Arrays):
         reader.Update()
         super().__init__(reader.GetOutput())
         self.data = Data(name)
-        # Lines and faces of a map.
+        # Separatrices and patches of a map.
         self.beside = {}
         for part in ("lines", "faces"):
             path = pathlib.Path(name).with_suffix(".%s.vtp" % part)
@@ -73,28 +73,28 @@ class Spoiled(Arrays):
 
     @functools.cached_property
     def mesh(self):
-        """The triangles, as they were."""
+        """The triangles before the change."""
         return topology.Mesh(self.data)
 
     @functools.cached_property
     def lines(self):
-        """The cells that are lines."""
+        """Indices of the cells that are lines."""
         return len(self.mesh.triangles) + np.arange(len(self.mesh.lines))
 
     @functools.cached_property
     def u(self):
-        """The field on edges, to be changed and then shown."""
+        """The field on edges; call `show` after changing it."""
         return Field(self.data, self.mesh).u.copy()
 
     def remove(self, attributes, name):
         attributes.RemoveArray(name)
 
     def edges_of(self, kind, first=0):
-        """Edges of the first loop of a kind, in their order."""
+        """Returns the edges of the first loop of a kind, in order."""
         return self.mesh.counter_clockwise(self.mesh.of_kind(kind)[first])
 
     def inner_edge(self):
-        """An edge that is far from all loops."""
+        """Returns an edge that is far from all loops."""
         on_loop = np.zeros(len(self.mesh.points), bool)
         on_loop[self.mesh.lines.ravel()] = True
         near = on_loop[self.mesh.triangles].any(axis=1)
@@ -105,7 +105,7 @@ class Spoiled(Arrays):
         return self.mesh.ends[self.inner_edge(), 0]
 
     def show(self, energy=False):
-        """Writes u into all arrays that show it, and the energy into the report."""
+        """Writes u into all arrays derived from it, and the energy into the report."""
         mesh, u = self.mesh, self.u
         inside = u[mesh.edge]
         exact = self.cell("CrossFieldCR")

@@ -1,13 +1,13 @@
-"""The generalised Poincaré-Hopf theorem (docs/method.md §7): what the domain asks for and what was given."""
+"""Checks the generalised Poincaré-Hopf theorem (docs/method.md §7): the required sum and the given one."""
 import numpy as np
 
 from topology import HOLE, IMPRINTED
 
 
 def check_counts(data, mesh, boundary, indices, given, report):
-    """`given`: the sum of quarter indices inside, None where the file does not have it.
+    """Checks the counts. `given` is the sum of quarter indices inside, or None if the file does not have it.
 
-    Gives the required sum and the vertices of the boundary whose index must have been chosen.
+    Returns the required sum and the boundary vertices whose index must have been prescribed.
     """
     report.equal("EulerCharacteristic", data.value("EulerCharacteristic"), mesh.euler_characteristic())
     required = data.value("RequiredInteriorQuarters")
@@ -21,7 +21,7 @@ def check_counts(data, mesh, boundary, indices, given, report):
     chosen, quarters = recorded(data, mesh, boundary)
     found = count(boundary.corner | chosen, quarters)
     if abs(found[0] - stated[0]) > rounding or abs(found[1] - stated[1]) > rounding:
-        # Somebody chose indices: the field shows which, wherever it was held to them.
+        # Indices were prescribed: the field shows which, wherever it is constrained to them.
         taken = taken_indices(mesh, boundary, indices)
         chosen = taken != np.where(boundary.corner, boundary.smallest, 0)
         found = count(boundary.corner | chosen, taken)
@@ -44,8 +44,8 @@ def check_counts(data, mesh, boundary, indices, given, report):
 
 
 def recorded(data, mesh, boundary):
-    """The vertices of the boundary that are singularities of the configuration, and the quarter indices of all of its
-    vertices with these: the file says where they are. The field need not take them where its norm is free."""
+    """Returns the boundary vertices that are singularities of the configuration, and the quarter indices of all boundary
+    vertices with these; the file states their positions. The field may differ from them where its norm is free."""
     chosen = np.zeros(len(boundary.angle), bool)
     quarters = np.where(boundary.corner, boundary.smallest, 0)
     for x, y, z, quarter in data.field.get("BoundarySingularities", np.zeros((0, 4))):
@@ -57,7 +57,7 @@ def recorded(data, mesh, boundary):
 
 
 def taken_indices(mesh, boundary, indices):
-    """Quarter index of the field at every aligned vertex, the triangles there included."""
+    """Returns the quarter index of the field at every aligned vertex, including the triangles there."""
     _, of_vertex = indices.merged_at(mesh, boundary.vertex)
     return of_vertex[boundary.vertex]
 

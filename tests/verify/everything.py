@@ -1,9 +1,9 @@
-"""Verifies everything that the tests of a run have written.
+"""Verifies all files that the tests of a run have written.
 
     python3 everything.py FOLDER --program-tests N --sources Program Vtk ...
 
-After a full run, which is one with Rules.TestsKeepWhatTheyWrite and half of the N tests of the program, every
-source must have written something. After a part of the tests there may be nothing.
+After a full run, in which Rules.TestsKeepWhatTheyWrite and at least half of the N tests of the program ran, every
+source must have written files. After a run of some tests there may be none.
 """
 import argparse
 import pathlib

@@ -1,4 +1,4 @@
-"""The field in a file, and that all its arrays show the same one."""
+"""The field in a file, and the check that all arrays agree with it."""
 import numpy as np
 
 from report import ROUNDING, Unverifiable, rounding_of
@@ -15,14 +15,14 @@ class Field:
         self.u = np.zeros(len(mesh.ends), complex)
         self.u[mesh.edge] = self.in_triangle
         after = np.roll(self.in_triangle, -1, axis=1)
-        #: Of arg u from side i to side i + 1 of every triangle, the short way.
+        #: Change of arg u from side i to side i + 1 of every triangle, in (−π, π].
         self.step = np.angle(after * self.in_triangle.conj())
-        # Values are products of a few numbers of norm one; fields of another kind are off by far more.
+        # Values of unit-norm fields are products of a few numbers of norm one. Other fields deviate by far more.
         self.of_unit_norm = bool(np.abs(np.abs(self.u) - 1.0).max() <= 16 * ROUNDING)
 
 
 def check_arrays(data, mesh, field, report):
-    """One value an edge, and what is shown of it at cells and points."""
+    """Checks that each edge has one value, and the values derived from it at cells and points."""
     report.true("both triangles of an edge have its value",
                 np.array_equal(field.u[mesh.edge], field.in_triangle))
     lines = data.cells["CrossFieldCR"][1]
@@ -43,7 +43,7 @@ def check_arrays(data, mesh, field, report):
     at_points[used] /= total[used]
     largest = np.abs(field.u).max()
     shortest = np.linalg.norm(mesh.side, axis=2).min()
-    # A vertex has some ten triangles, and the mean sums over them.
+    # The mean at a vertex is a sum over some ten triangles.
     for where, u, shown, sums in (
             ("triangles", sum_of_sides / 3.0, {n: data.cells[n][0] for n in NAMES if n in data.cells}, 8),
             ("lines", of_line, {n: data.cells[n][1] for n in NAMES if n in data.cells}, 0),
@@ -54,7 +54,7 @@ def check_arrays(data, mesh, field, report):
 
 NAMES = ("Representation", "Cross", "Cross2", "CrossNorm")
 
-#: What a file may have of them, by the choice of whoever wrote it.
+#: Arrays that a file may have, depending on the options of the run.
 SETS = ({*NAMES}, {"Cross", "CrossNorm"}, set())
 
 
@@ -78,11 +78,11 @@ def _check_shown(where, u, shown, frame, exactness, report):
     worst = np.abs(shown["CrossNorm"] - np.abs(stated_u)).max(initial=0.0)
     report.bound("CrossNorm of %s" % where, worst,
                  4 * rounding * largest + (stated_u is u) * exactness, "rounding of a root")
-    # Where u is that of the midpoints, its phase is known only as well as u is.
+    # Where u is that of the midpoints, its phase is as accurate as u.
     seen = np.abs(stated_u) > (stated_u is u) * exactness / 2.0 ** -20
     size = np.where(seen, np.abs(stated_u), 1.0)
     first = (shown["Cross"] @ axes.T)[:, 0] + 1j * (shown["Cross"] @ axes.T)[:, 1]
-    # The axes of a tilted plane are those of its points up to the rounding of these.
+    # The axes of a tilted plane are accurate up to the rounding of its points.
     angles = max(2.0 ** -43, 8 * rounding)
     off = np.abs(first ** 4 - stated_u / size)[seen].max(initial=0.0)
     report.bound("Cross of %s: its fourth power is u" % where, off, angles, "rounding of angles and axes")

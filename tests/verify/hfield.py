@@ -1,12 +1,12 @@
-"""H: its own equation, and that the crosses are those of H + iθ analytic (docs/method.md §2 and §11).
+"""Checks the size field H: its equation, and that H + iθ with the crosses is analytic (docs/method.md §2 and §11).
 
 Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On a
-mesh with holes that holds in every triangle. On one without, it holds for the regular parts
+mesh with holes this holds in every triangle. On a mesh without holes it holds for the regular parts
 
     R = Φ − Σ_j k_j log|x − b_j| − Σ_c s_c log|x − p_c|,   φ − Σ_j k_j arg(x − b_j) − Σ_c s_c arg(x − p_c),
 
 b_j the singularities, p_c the corners, and R is P1-harmonic at inner vertices. The file has neither the
-b_j nor the s_c: they are fitted, and no fit could make thousands of triangles conjugate to rounding.
+b_j nor the s_c: they are fitted. A wrong field cannot be fitted to rounding in thousands of triangles.
 """
 import numpy as np
 
@@ -15,7 +15,7 @@ from topology import HOLE, INNER, OUTER, cross
 
 
 def flux(mesh, phases):
-    """s_i · Σ φ_j s_j / A of every side."""
+    """Returns s_i · Σ φ_j s_j / A of every side."""
     vector = np.einsum("ti,tic->tc", phases, mesh.side) / mesh.area[:, None]
     return np.einsum("tic,tc->ti", mesh.side, vector)
 
@@ -28,7 +28,7 @@ def sizes(mesh):
 def check_arrays(data, mesh, on_holes, report):
     h = data.at_points["H"]
     report.true("H is finite", np.all(np.isfinite(h)))
-    if "SizeMap" in data.at_points:  # else left out by choice
+    if "SizeMap" in data.at_points:  # otherwise the run did not request it
         size = data.at_points["SizeMap"]
         report.bound("SizeMap is e^H", np.abs(size.astype(float) / np.exp(h) - 1.0).max(),
                      rounding_of(size) + 4 * ROUNDING * max(1.0, np.abs(h).max()),
@@ -38,7 +38,7 @@ def check_arrays(data, mesh, on_holes, report):
         report.bound("area mean of H", abs(mean), len(mesh.area) * ROUNDING * np.abs(h).max(),
                      "one rounding a triangle")
     else:
-        # The product integrates the logarithms exactly, these are nodal values.
+        # The program integrates the logarithms exactly; these are nodal values.
         length = np.linalg.norm(mesh.side, axis=2).max()
         scale = length ** 2 / mesh.area.sum() * len(mesh.points) ** 0.5
         report.bound("area mean of H", abs(mean), scale * np.abs(h).max(),
@@ -46,7 +46,7 @@ def check_arrays(data, mesh, on_holes, report):
 
 
 def check_on_holes(data, mesh, phase, report):
-    """H is constant on holes and conjugate to the phase in every triangle."""
+    """Checks that H is constant on holes and conjugate to the phase in every triangle."""
     potential = 4.0 * data.at_points["H"]
     rounding = mesh.rounding()
     spread = max((np.ptp(potential[mesh.lines[loop.lines, 0]]) for loop in mesh.of_kind(HOLE)), default=0.0)
@@ -71,8 +71,8 @@ def _check_conjugate(data, mesh, off, tolerance, report):
 
 
 class Fit:
-    """Regular parts for given positions of singularities; strengths of corners are found on the way, and
-    where on a curve the logarithms of its vertices are."""
+    """Regular parts for given positions of singularities. Also fits the strengths of corners and
+    the position on a curve of the logarithms of its vertices."""
 
     def __init__(self, data, mesh, field, boundary, singularities, extra):
         self.mesh, self.field = mesh, field
@@ -85,7 +85,7 @@ class Fit:
         self.middle = mesh.midpoint[mesh.edge]
         on_corner = np.zeros(len(mesh.points), bool)
         on_corner[self.corners] = True
-        # At the source of a logarithm the value of H is a mean, and curves are aligned at the end.
+        # At the source of a logarithm the value of H is a mean; curves are aligned at the end.
         curved = np.zeros(len(mesh.points), bool)
         turning = (np.abs(boundary.angle) > 1e-12) & ~(boundary.corner | extra)
         for loop in mesh.of_kind(OUTER, INNER):
@@ -101,7 +101,7 @@ class Fit:
         self.used = ~on_corner[mesh.triangles].any(axis=1) & ~at_curve[mesh.edge].any(axis=1)
 
     def regular(self):
-        """R at vertices, NaN on a source."""
+        """Returns R at vertices, NaN at a source."""
         r = self.potential.copy()
         with np.errstate(divide="ignore", invalid="ignore"):
             for k, b in zip(self.quarters, self.places):
@@ -114,13 +114,13 @@ class Fit:
         return r
 
     def _turn(self, place):
-        """From the midpoint of side i to that of side i + 1, as a place sees it."""
+        """Returns the angle from the midpoint of side i to that of side i + 1, seen from a point."""
         arm = self.middle - place
         after = np.roll(arm, -1, axis=1)
         return np.arctan2(cross(arm, after), (arm * after).sum(axis=2))
 
     def residual(self):
-        """ΔR + flux of the regular phase on every side."""
+        """Returns ΔR + flux of the regular phase on every side."""
         step = self.field.step.copy()
         for k, b in zip(self.quarters, self.places):
             step -= k * self._turn(b)
@@ -132,7 +132,7 @@ class Fit:
         return np.roll(corner, -1, axis=1) - corner + flux(self.mesh, phases)
 
     def _columns(self, rows):
-        """Derivatives of the residual in the places, in units of the domain's size, and the strengths, on
+        """Returns the derivatives of the residual by the positions, in units of the domain's size, and by the strengths, on
         chosen triangles."""
         mesh = self.mesh
         points = mesh.points[mesh.triangles[rows]]
@@ -181,11 +181,11 @@ class Fit:
 
 
 def check_at_points(data, mesh, field, boundary, singularities, chosen, report):
-    """H of singularities that are points."""
+    """Checks H with singularities that are points."""
     inside = [s for s in singularities if s.inside]
     fit = Fit(data, mesh, field, boundary, inside, chosen)
     defects = np.abs(data.field.get("HolonomyDefect", np.zeros(0))).max(initial=0.0)
-    # A logarithm is exact to some roundings, and is subtracted where it is large.
+    # A logarithm is exact to a few roundings and is subtracted where it is large.
     rounding = mesh.rounding() * max(1.0, np.abs(fit.potential).max())
     fit.run(defects > rounding)
     with np.errstate(invalid="ignore"):

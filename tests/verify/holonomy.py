@@ -1,20 +1,20 @@
-"""The holonomy defects of a unit-norm field (docs/method.md §7), from the field itself.
+"""Checks the holonomy defects of a unit-norm field (docs/method.md §7) against the field itself.
 
 Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is that
-of a single-valued potential plus Σ c_k w_k, where c_k makes up for the defect of loop k. The flux of a
-single-valued potential's phase through every loop is 0, so that c follows from the fluxes of the phase
-and those of the w_k. Whole turns of c_k may have been chosen.
+of a single-valued potential plus Σ c_k w_k, where c_k balances the defect of loop k. The flux of a
+single-valued potential's phase through every loop is 0. Therefore c follows from the fluxes of the phase
+and of the w_k. Each c_k is determined up to full turns.
 """
 import numpy as np
 
 from crouzeix_raviart import stiffness
 from topology import INNER
 
-TOLERANCE = 1e-12  # of the iteration, relative
+TOLERANCE = 1e-12  # relative tolerance of the iteration
 
 
 def loop_functions(mesh):
-    """w_k at all edges, by conjugate gradients with the diagonal."""
+    """Returns w_k at all edges, by conjugate gradients with diagonal preconditioning."""
     side = (mesh.side ** 2).sum(axis=2) / mesh.area[:, None]
     diagonal = np.bincount(mesh.edge.ravel(), side.ravel(), len(mesh.ends))
     found = []
@@ -37,7 +37,7 @@ def loop_functions(mesh):
 
 
 def check_holonomy(data, mesh, forces, report):
-    """`forces`: K φ at all edges, the flux of ∇φ through those of the boundary."""
+    """Checks the defects. `forces` is K φ at all edges: on the boundary, the flux of ∇φ through the edge."""
     loops = mesh.of_kind(INNER)
     stated = data.field.get("HolonomyDefect", np.zeros(0)).ravel()
     report.equal("holonomy defects, one for an inner loop", len(stated), len(loops))

@@ -8,7 +8,7 @@ import numpy as np
 from topology import HOLE, IMPRINTED, INNER, OUTER, cross
 
 CORNER_ANGLE = np.pi / 6.0  # docs/method.md §6: a boundary vertex that turns by more is a corner
-ANGLE_ROUNDING = 1e-9  # of an angle that is meant to be that limit exactly
+ANGLE_ROUNDING = 1e-9  # rounding of an angle that equals the limit
 
 
 def turns(angle):
@@ -16,12 +16,12 @@ def turns(angle):
 
 
 def winding(u):
-    """Turns of u along a closed sequence of values."""
+    """Returns the turns of u along a closed sequence of values."""
     return int(turns(np.angle(np.roll(u, -1) * u.conj()).sum()))
 
 
 class BoundaryTurns:
-    """Vertices of outer and inner loops, and the angle by which the boundary turns there."""
+    """Vertices of outer and inner loops with the turning angle of the boundary."""
 
     def __init__(self, mesh):
         vertices, angles, before, after = [], [], [], []
@@ -37,17 +37,17 @@ class BoundaryTurns:
         self.corner = np.abs(self.angle) > CORNER_ANGLE + ANGLE_ROUNDING
         rotation = self.angle - 0.5 * np.pi * np.rint(self.angle / (0.5 * np.pi))
         rotation[rotation < -0.25 * np.pi + ANGLE_ROUNDING] += 0.5 * np.pi
-        #: The quarter index that the smallest rotation of the cross leaves.
+        #: Quarter index for the smallest rotation of the cross.
         self.smallest = np.rint((self.angle - rotation) / (0.5 * np.pi)).astype(int)
 
 
 class Indices:
-    """Of every triangle and vertex; of aligned vertices the quarter index that the field takes."""
+    """Indices of every triangle and vertex; for aligned vertices the quarter index of the field."""
 
     def __init__(self, mesh, field, boundary):
         self.of_triangle = turns(field.step.sum(axis=1))
         around = np.zeros(len(mesh.points))
-        # Sides i and i + 1 meet in point i + 1, around which the same step runs backwards.
+        # Sides i and i + 1 meet in point i + 1; around it the same step has the opposite direction.
         np.add.at(around, np.roll(mesh.triangles, -1, axis=1), -field.step)
         around[boundary.vertex] += 4.0 * boundary.angle
         for loop in mesh.of_kind(HOLE):
@@ -56,7 +56,7 @@ class Indices:
         self.of_vertex = turns(around)
 
     def merged_at(self, mesh, vertices):
-        """With the indices of triangles at these vertices moved to them: the last vertex gets it."""
+        """Returns the indices with those of triangles at these vertices moved to the vertices; the last vertex of a triangle receives it."""
         marked = np.zeros(len(mesh.points), bool)
         marked[vertices] = True
         of_triangle, of_vertex = self.of_triangle.copy(), self.of_vertex.copy()
@@ -69,7 +69,7 @@ class Indices:
 
 
 def check_degrees(data, mesh, field, report):
-    """HoleDegree and HoleNormRange of holes and imprinted circles; gives the degrees."""
+    """Checks HoleDegree and HoleNormRange of holes and imprinted circles, and returns the degrees."""
     loops = sorted(mesh.of_kind(HOLE, IMPRINTED), key=lambda loop: (loop.kind, loop.number))
     values = [field.u[mesh.counter_clockwise(loop)] for loop in loops]
     degrees = [winding(u) for u in values]

@@ -1,9 +1,9 @@
-"""Keeps what a test writes, for Verify.Everything: copies in the folder of CROSSFIELD_WRITTEN.
+"""Stores copies of the files that a test writes in the folder CROSSFIELD_WRITTEN, for Verify.Everything.
 
-Without that variable nothing is kept. A copy has the name of the test and a fingerprint of its
-contents in its name; what several tests write alike is kept once.
+Without this variable nothing is stored. The name of a copy contains the name of the test and a fingerprint
+of the contents; equal files of several tests are stored once.
 
-    python3 kept.py FOLDER -- COMMAND...    runs a command and keeps what it wrote in the folder
+    python3 kept.py FOLDER -- COMMAND...    runs a command and stores the files that it wrote into the folder
 """
 import hashlib
 import os
@@ -19,7 +19,7 @@ TEST = os.environ.get("CROSSFIELD_TEST", pathlib.Path(sys.argv[0]).stem)
 
 
 def keep(contents, stem, beside=()):
-    """The bytes of a .vtu, and the files that belong to it."""
+    """Stores the bytes of a .vtu and the files that belong to it."""
     fingerprint = hashlib.sha256(contents).hexdigest()[:16]
     folder = pathlib.Path(WRITTEN)
     if any(folder.glob("*.%s.vtu" % fingerprint)):
@@ -34,8 +34,8 @@ def keep(contents, stem, beside=()):
 
 
 def keep_folder(folder, since=0.0):
-    """Every .vtu in a folder and below; with `since`, those written after that time. NAME.lines.vtp and
-    NAME.faces.vtp go with the map NAME.vtu."""
+    """Stores every .vtu in a folder and its subfolders; with `since`, those written after that time. NAME.lines.vtp and
+    NAME.faces.vtp belong to the map NAME.vtu."""
     if WRITTEN:
         for path in sorted(pathlib.Path(folder).rglob("*.vtu")):
             if path.is_file() and path.stat().st_mtime >= since:
@@ -45,7 +45,7 @@ def keep_folder(folder, since=0.0):
 
 
 def keep_data(data):
-    """A data object of VTK, if it is a drilled mesh or has a field."""
+    """Stores a data object of VTK if it is a drilled mesh or has a field."""
     if (not WRITTEN or not data.IsA("vtkUnstructuredGrid") or
             not data.GetCellData().HasArray("BoundaryKind")):
         return
@@ -61,20 +61,20 @@ def keep_data(data):
 
 
 def keep_sources():
-    """In pvpython: the output of every source and filter of this project that has one."""
+    """Stores, in pvpython, the output of every source and filter of this project."""
     if not WRITTEN:
         return
     from paraview import servermanager, simple
 
     for source in simple.GetSources().values():
-        # Not what ParaView's own filters leave of them.
+        # Outputs of ParaView's own filters are not stored.
         if source.GetXMLName() in ("DrillHoles", "PerforatedCrossField", "GinzburgLandauCrossField",
                                    "HField", "QuadMesher"):
             keep_data(servermanager.Fetch(source))
 
 
 def ran():
-    """Notes that the test ran, whether or not it writes anything."""
+    """Records that the test ran, even if it writes nothing."""
     if WRITTEN:
         (pathlib.Path(WRITTEN) / (TEST + ".ran")).touch()
 

@@ -1,7 +1,7 @@
-"""Lines and faces beside the map that they were traced in: NAME.lines.vtp and NAME.faces.vtp beside NAME.vtu.
+"""Checks separatrices and patches with the map that they were traced in: NAME.lines.vtp, NAME.faces.vtp and NAME.vtu.
 
-A line is straight where its segments, found in the triangles of the map again, are along one axis and
-go on across the sides of triangles as the seams turn them. Faces are rectangles where their sides are.
+The segments of a separatrix are located in the triangles of the map. They must be parallel to one axis and
+continue across sides of triangles as the seams rotate them. The sides of a patch must form a rectangle.
 """
 import pathlib
 
@@ -13,7 +13,7 @@ from reading import arrays_of
 
 
 class Poly:
-    """Points, cells as lists of points, and arrays of a .vtp."""
+    """Points, cells as lists of points, and arrays of a .vtp file."""
 
     def __init__(self, name):
         reader = vtkXMLPolyDataReader()
@@ -33,7 +33,7 @@ class Poly:
 
 
 class Charts:
-    """Points of the plane in the triangles of a map."""
+    """Location of points of the plane in the triangles of a map."""
 
     def __init__(self, data):
         self.triangles = data.triangles
@@ -45,7 +45,7 @@ class Charts:
         low, high = self.places.min(axis=1), self.places.max(axis=1)
         self.origin = low.min(axis=0)
         self.extent = (high.max(axis=0) - self.origin).max()
-        # A grid of about as many cells as triangles, with those that each may touch.
+        # Grid with about as many cells as triangles; each cell lists the triangles that may touch it.
         self.count = max(1, int(np.sqrt(len(self.triangles))))
         self.grid = {}
         first, last = self._cell(low), self._cell(high)
@@ -67,7 +67,7 @@ class Charts:
                        self.count - 1)
 
     def find(self, place):
-        """The triangle that a place is deepest in, and how far outside of it, in its heights."""
+        """Returns the triangle that contains a point best, and the distance outside of it in heights of the triangle."""
         among = self.grid.get(tuple(self._cell(place)), [])
         if not among:
             return -1, np.inf
@@ -81,7 +81,7 @@ class Charts:
         return self.w[t, 0] + b * (self.w[t, 1] - self.w[t, 0]) + c * (self.w[t, 2] - self.w[t, 0])
 
     def turn(self, t, other):
-        """What a direction is multiplied by from one triangle to another one that shares a side; None where none."""
+        """Returns the factor of a direction from one triangle to a neighbour, or None if they share no side."""
         if t == other:
             return 1.0
         for i in range(3):
@@ -95,7 +95,7 @@ class Charts:
 
 
 def check_beside(name, data, report):
-    """The lines and faces beside a map, where there are any."""
+    """Checks the separatrices and patches of a map, if the files exist."""
     stem = str(pathlib.Path(name).with_suffix(""))
     if not pathlib.Path(stem + ".lines.vtp").exists() or np.ptp(data.points[:, 2]) != 0.0:
         return
@@ -109,7 +109,7 @@ def check_beside(name, data, report):
 
 
 def _segments(charts, places):
-    """Per segment its triangle and step in the map; segments too short to be found are left out."""
+    """Returns the triangle and the step in the map of each segment; segments too short to be located are left out."""
     for a, b in zip(places[:-1], places[1:]):
         if np.abs(b - a).max() > 1e-9 * charts.extent:
             t, outside = charts.find(0.5 * (a + b))
@@ -130,7 +130,7 @@ def check_lines(charts, lines, report):
             last, direction = t, here
             total += abs(step)
         length = max(length, abs(total - claimed))
-    tolerance = 1e-8 * charts.extent  # of points at places of the plane that are rounded
+    tolerance = 1e-8 * charts.extent  # for points with rounded coordinates
     report.bound("lines are inside the domain", outside, 1e-6, "of the heights of triangles")
     report.bound("lines are along an axis in every triangle", bent, tolerance, "rounded points")
     report.true("lines go straight on across the sides of triangles", ahead)
@@ -138,7 +138,7 @@ def check_lines(charts, lines, report):
 
 
 def check_cones(data, charts, lines, report):
-    """How many lines leave every singularity, at right angles."""
+    """Checks the number of separatrices that leave every singularity, and that they do so at right angles."""
     quarters = {}
     on_line = set(data.at_points["VertexId"][data.lines].ravel())
     for vertex, k, place in zip(data.at_points["VertexId"], data.at_points["QuarterIndex"],
@@ -155,7 +155,7 @@ def check_cones(data, charts, lines, report):
         right = right and len(leaving) == 4 - k
         if len(leaving) != 4 - k:
             continue
-        # Around the vertex, from triangle to triangle: the angle in the map of each line.
+        # Around the vertex, triangle by triangle: the angle of each separatrix in the map.
         fan = {}
         t, base = int(np.flatnonzero((charts.vertex == vertex).any(axis=1))[0]), 0.0
         while t not in fan:
@@ -196,7 +196,7 @@ def check_faces(charts, faces, boundary, report):
         points, w = faces.points[face == f], uv[face == f]
         x, y = points.T
         outline[f] = 0.5 * (x * np.roll(y, -1) - y * np.roll(x, -1)).sum()
-        # On the outline of the rectangle, once around it.
+        # Once around the outline of the rectangle.
         far = np.minimum(np.abs(w), np.abs(w - size[f])).min(axis=1).max()
         around = (w[:, 0] * np.roll(w[:, 1], -1) - w[:, 1] * np.roll(w[:, 0], -1)).sum() / 2
         rectangle = rectangle and far <= 1e-12 * charts.extent and \
@@ -221,7 +221,7 @@ def check_faces(charts, faces, boundary, report):
     report.bound("faces fill the domain", abs(filled.sum() - whole) / whole, 1e-9, "rounded points")
     report.bound("rectangles have the area of the domain", abs(size.prod(axis=1).sum() - whole) / whole,
                  1e-9, "rounded lengths")
-    # Inside every edge is in two faces, or twice in one, against each other.
+    # Every inner edge is in two patches, or twice in one, with opposite directions.
     ways = {(p, q) for _, p, q in edges}
     alone = sum(np.hypot(*np.subtract(q, p)) for p, q in ways if (q, p) not in ways)
     report.bound("edges of one face only make up the boundary", abs(alone - boundary) / boundary, 1e-8,

@@ -1,7 +1,7 @@
-"""The coordinates of the plane that a domain lies in (docs/conventions.md).
+"""The coordinates in the plane of a domain (docs/conventions.md).
 
-(x, y) if z is constant, (y, z) if x is, (x, z) if y is; of a tilted plane the nearest of these,
-turned into it the shortest way.
+(x, y) if z is constant, (y, z) if x is, (x, z) if y is; for a tilted plane the nearest of these,
+turned into it by the shortest rotation.
 """
 import numpy as np
 
@@ -9,7 +9,7 @@ from report import ROUNDING
 
 
 class Frame:
-    """Two axes as rows, the normal, the points in their coordinates, and how exact these are."""
+    """Two axes as rows, the normal, the points in their coordinates, and the accuracy of these."""
 
     def __init__(self, points):
         low, high = points.min(axis=0), points.max(axis=0)
@@ -29,7 +29,7 @@ class Frame:
         else:
             tilted = True
             normal = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
-            # The nearest coordinate plane, z before y before x where two are as near.
+            # The nearest coordinate plane; z before y before x if two are equally near.
             sizes = np.abs(normal)
             near = max((2, 1, 0), key=lambda i: (sizes[i] >= sizes.max() - 1e-6, i))
             base = {2: (axes[0], axes[1]), 1: (axes[0], axes[2]), 0: (axes[1], axes[2])}[near]
@@ -40,12 +40,12 @@ class Frame:
         self.coordinates = points @ self.axes.T
         height = points @ self.normal
         self.deviation = 0.5 * (height.max() - height.min())
-        # Coordinates of a tilted plane are rounded to 2^-44 of their size by the product, and by
+        # The program rounds coordinates of a tilted plane to 2^-44 of their size, and so does
         # reading the plane again from its points.
         self.exactness = reach * (2.0 ** -43 if tilted else ROUNDING)
 
 
 def _turn(pole, normal, vector):
-    """The shortest rotation that takes the pole to the normal, of a vector (Rodrigues)."""
+    """Applies the shortest rotation from the pole to the normal to a vector (Rodrigues)."""
     axis, cosine = np.cross(pole, normal), pole @ normal
     return vector * cosine + np.cross(axis, vector) + axis * (axis @ vector) / (1.0 + cosine)

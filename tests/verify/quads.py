@@ -1,4 +1,4 @@
-"""A mesh of quads in a file: what its arrays and its report say, recomputed from points and cells alone."""
+"""Checks the arrays and the report of a quad mesh, recomputed from points and cells alone."""
 import numpy as np
 
 from plane import Frame
@@ -10,7 +10,7 @@ def _cross(a, b):
 
 
 def check_quads(data, report):
-    """Conformity, valences, blocks, shapes and numbers."""
+    """Checks conformity, valences, blocks, shapes and counts."""
     frame = Frame(data.points)
     report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
     report.true("cells are quads and lines", len(data.triangles) == 0 and data.only_known_cells)
@@ -35,7 +35,7 @@ def check_quads(data, report):
 
 
 def _check_edges(data, report):
-    """The undirected edges."""
+    """Checks the edges and returns them without direction."""
     sides = np.concatenate([data.quads[:, [i, (i + 1) % 4]] for i in range(4)])
     directed, times = np.unique(sides, axis=0, return_counts=True)
     report.true("quads agree in their orientation", bool((times == 1).all()))
@@ -49,7 +49,7 @@ def _check_edges(data, report):
 
 
 def _loops(data):
-    """Points of each loop, by its number."""
+    """Returns the points of each loop by its number."""
     number = data.cells["BoundaryId"][1]
     following = dict(data.lines.tolist())
     loops = {}
@@ -84,7 +84,7 @@ def _check_valences(data, on_loop, characteristic, report):
 
 
 def _check_blocks(data, report):
-    """Quads of a block are a full lattice of columns I and rows J; quads are counted from its corner."""
+    """Checks that the quads of a block form a full lattice of columns I and rows J, counted from its corner."""
     block, column, row = (data.quad_cells[name] for name in ("BlockId", "I", "J"))
     report.equal("Blocks", data.value("Blocks"), len(np.unique(block)))
     report.equal("Quads", data.value("Quads"), len(data.quads))
@@ -110,7 +110,7 @@ def _check_shapes(data, frame, report):
     lengths = np.linalg.norm(following, axis=2) * np.linalg.norm(previous, axis=2)
     sines = _cross(following, previous) / np.where(lengths > 0, lengths, 1.0)
     jacobian = sines.min(axis=1)
-    # A sine is rounded by its coordinates over the sides.
+    # The rounding of a sine is that of the coordinates, relative to the length of the sides.
     exactness = 64 * (ROUNDING * np.abs(frame.coordinates).max() + frame.exactness) / np.sqrt(
         lengths[lengths > 0].min())
     stated = data.quad_cells["ScaledJacobian"]

@@ -8,7 +8,7 @@ from report import Unverifiable
 
 
 def arrays_of(attributes):
-    """By name; strings and arrays without a name are left out."""
+    """Returns name -> array; strings and arrays without a name are left out."""
     found = {}
     for i in range(attributes.GetNumberOfArrays()):
         array = attributes.GetArray(i)
@@ -20,8 +20,8 @@ def arrays_of(attributes):
 class Data:
     """Points in space, triangles, lines and quads, and the arrays on all of them.
 
-    `cells` has an array per name for the rows of `triangles` and of `lines`: a pair; `quad_cells` has one for
-    those of `quads`.
+    `cells` has for each name a pair of arrays, for the rows of `triangles` and of `lines`; `quad_cells` has one
+    array for the rows of `quads`.
     """
 
     def __init__(self, name):
@@ -57,6 +57,6 @@ class Data:
         self.field = arrays_of(grid.GetFieldData())
 
     def value(self, name):
-        """The one value of a field data array, None where there is none."""
+        """Returns the single value of a field data array, or None if there is none."""
         array = self.field.get(name)
         return None if array is None or array.size != 1 else array.ravel()[0].item()

@@ -1,20 +1,20 @@
-"""What was checked in one file: found deviations beside the tolerance and where that comes from."""
+"""The checks of one file: deviations with their tolerances and the reason for each tolerance."""
 import numpy as np
 
 ROUNDING = 2.0 ** -52
 
 
 def rounding_of(array):
-    """Of arrays that follow from others, which files have in single precision and old ones in double."""
+    """Returns the rounding of arrays that follow from others: single precision, in old files double precision."""
     return 2.0 ** -23 if array.dtype == np.float32 else ROUNDING
 
 
 class Unverifiable(Exception):
-    """The file contradicts itself so early that nothing else can be recomputed."""
+    """Raised if the file is inconsistent and nothing else can be recomputed."""
 
 
 class Report:
-    """Checks of one file, in the order in which they were made."""
+    """Checks of one file in order."""
 
     def __init__(self, name):
         self.name = name
@@ -23,28 +23,28 @@ class Report:
         self.notes = []
 
     def bound(self, name, found, tolerance, because):
-        """A deviation that must not exceed a tolerance; NaN does."""
+        """Checks that a deviation does not exceed a tolerance; NaN fails."""
         self.checks.append((name, bool(found <= tolerance), float(found), float(tolerance), because))
 
     def equal(self, name, stated, found):
-        """Integers, flags and lists of them: what the file states and what it holds."""
+        """Checks that integers, flags or lists of them in the file equal the recomputed ones."""
         good = stated == found
         self.checks.append((name, bool(good), None, None,
                             "" if good else "the file states %s, it has %s" % (stated, found)))
 
     def true(self, name, holds, otherwise=""):
-        """A property without a number."""
+        """Checks a property."""
         self.checks.append((name, bool(holds), None, None, "" if holds else otherwise))
 
     def note(self, sentence):
-        """Something that is stated in the file and cannot be recomputed from it."""
+        """Adds a statement of the file that cannot be recomputed."""
         self.notes.append(sentence)
 
     def failures(self):
         return [check for check in self.checks if not check[1]]
 
     def text(self, everything=True):
-        """One line a check; without `everything` those that failed only."""
+        """Returns one line per check; without `everything` only for those that failed."""
         lines = ["%s: %s, %d checks, %d failed" % (
             self.name, self.kind, len(self.checks), len(self.failures()))]
         for name, good, found, tolerance, because in self.checks:

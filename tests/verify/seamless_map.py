@@ -1,4 +1,4 @@
-"""The flat map in a file: what its arrays say about it, recomputed from the points alone."""
+"""Checks the arrays of the seamless map in a file, recomputed from the points alone."""
 import numpy as np
 
 from report import ROUNDING
@@ -9,7 +9,7 @@ def _cross(a, b):
 
 
 def check_map(data, report):
-    """Areas, orientation, seams, sides and angles."""
+    """Checks areas, orientation, seams, sides and angles."""
     uv, vertex = data.at_points["UV"], data.at_points["VertexId"]
     corners = uv[data.triangles]
     step = np.roll(corners, -1, axis=1) - corners
@@ -23,7 +23,7 @@ def check_map(data, report):
                  "sums of as many rounded areas as there are triangles")
     extent = np.ptp(uv, axis=0).max()
 
-    # Copies of one vertex are at one place; across a seam w' = i^r w + t.
+    # Copies of a vertex coincide; across a seam w' = i^r w + t.
     first = {}
     for point, number in enumerate(vertex):
         first.setdefault(number, point)
@@ -71,7 +71,7 @@ def check_map(data, report):
     index = np.zeros(len(angle), int)
     index[vertex] = data.at_points["QuarterIndex"]
     worst = np.abs(angle - (quarters - index) * np.pi / 2).max()
-    # An angle is rounded by the coordinates over the shortest side.
+    # The rounding of an angle is that of the coordinates, relative to the shortest side.
     shortest = np.sqrt((step ** 2).sum(axis=2)).min()
     report.bound("angles add up to (4 - k) or (2 - k) quarter turns", worst,
                  1e3 * ROUNDING * extent / shortest, "rounding of coordinates")

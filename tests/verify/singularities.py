@@ -1,4 +1,4 @@
-"""Singularities of a field: singular triangles and vertices that touch are read as one."""
+"""Singularities of a field. Singular triangles and vertices that touch count as one."""
 import numpy as np
 
 from topology import IMPRINTED
@@ -16,7 +16,7 @@ def _root(parent, v):
 
 
 def _zero(mesh, field, t, sign):
-    """Where the linear function on a triangle vanishes, if it does and winds as `sign` says."""
+    """Returns the zero of the linear function on a triangle, if it has one with the winding `sign`."""
     w = field.in_triangle[t]
     corner = w.sum() - 2.0 * np.roll(w, -1)
     matrix = np.array([(corner[1:] - corner[0]).real, (corner[1:] - corner[0]).imag])
@@ -29,7 +29,7 @@ def _zero(mesh, field, t, sign):
 
 
 def find(mesh, field, indices, boundary):
-    """Everything singular off the corners of outer and inner loops and off the holes."""
+    """Returns all singularities except those at corners of outer and inner loops and in holes."""
     corners = boundary.vertex[boundary.corner]
     of_triangle, of_vertex = indices.merged_at(mesh, corners)
     of_vertex[corners] = 0
@@ -73,7 +73,7 @@ def find(mesh, field, indices, boundary):
 
 
 def give_to_boundary(data, mesh, boundary, found):
-    """A singularity of the boundary that shows in triangles beside its vertex is one of the boundary; the file says where they are."""
+    """Assigns singularities in triangles beside a vertex of a boundary singularity to the boundary. The file states their positions."""
     for x, y, z, quarter in data.field.get("PointSingularities", np.zeros((0, 4))):
         distance = np.linalg.norm(data.points[boundary.vertex] - [x, y, z], axis=1)
         vertex = boundary.vertex[distance.argmin()]
@@ -88,7 +88,7 @@ def give_to_boundary(data, mesh, boundary, found):
 
 
 def beyond_circles(mesh, found):
-    """Σ |k| of what the imprinted circles, with an edge around them, did not ask for."""
+    """Returns Σ |k| of singularities that the imprinted circles, with an edge around them, did not prescribe."""
     appeared = 0
     circles = []
     for loop in mesh.of_kind(IMPRINTED):
@@ -109,13 +109,13 @@ def beyond_circles(mesh, found):
 
 
 def check_unwanted(data, mesh, indices, boundary, chosen, found, report):
-    """UnwantedSingularities of a perforated field."""
+    """Checks UnwantedSingularities of a perforated field."""
     stated = data.value("UnwantedSingularities")
     if mesh.of_kind(IMPRINTED) or data.value("Epsilon") is not None:
         report.equal("UnwantedSingularities", stated, beyond_circles(mesh, found))
         return
-    # Corners and chosen vertices may take what they like, and what the field does within two edges of a
-    # chosen one is its; the file does not say which corners were chosen.
+    # Corners and prescribed vertices may have any index. Singularities within two edges of a prescribed
+    # vertex belong to it; the file does not state which corners were prescribed.
     most = sum(abs(singularity.quarter) for singularity in found)
     free = mesh.points[boundary.vertex[boundary.corner | chosen]]
     reach = 2.0 * np.linalg.norm(mesh.tangent, axis=1).max()

@@ -1,10 +1,10 @@
-"""Stationarity of the fields that are minimisers: harmonic off the constraints, and the
+"""Checks that fields that are minimisers are stationary: harmonic away from the constraints, with the
 Karush-Kuhn-Tucker conditions on holes and imprinted circles with multipliers by least squares.
 
-The functional is ½ ∫ w |∇u|² + 1/(4ε²) ∫ (|u|² − f²)², the penalty by midpoints of sides, without it
-where no ε is given. A loop of m edges, counter-clockwise, has one of the constraints
+The functional is ½ ∫ w |∇u|² + 1/(4ε²) ∫ (|u|² − f²)², the penalty by the midpoint rule on sides and
+only if ε is given. A loop of m edges, counter-clockwise, has one of the constraints
   degree  Σ_j Im(conj(u_j) u_{j+1}) = Σ_j sin(k Δα_j), Δα_j the angle seen from the centre,
-  unit    u_j = e^{iφ} e^{i k α_j}: the values turn evenly, and φ is the one unknown,
+  unit    u_j = e^{iφ} e^{i k α_j}: the values turn uniformly, and φ is the only unknown,
   sum     all loops that are not unit share one constraint, the sum of theirs.
 """
 import numpy as np
@@ -14,7 +14,7 @@ from topology import HOLE, IMPRINTED, cross
 
 
 class ConstrainedLoop:
-    """A hole or circle: its edges, the constraint's value, target and gradient."""
+    """A hole or circle with its edges and the value, target and gradient of its constraint."""
 
     def __init__(self, mesh, field, loop):
         self.loop = loop
@@ -34,7 +34,7 @@ class ConstrainedLoop:
 
 
 def forces(data, mesh, field, epsilon=None, norm=1.0, weight=1.0):
-    """The gradient of the functional at every edge, and the sizes of the terms that cancel in it."""
+    """Returns the gradient of the functional at every edge, and the sizes of the terms that cancel in it."""
     elastic = stiffness(mesh, field.in_triangle, weight)
     aligned = np.where(mesh.free, 0.0, field.u)
     load = stiffness(mesh, aligned[mesh.edge], weight)
@@ -47,13 +47,13 @@ def forces(data, mesh, field, epsilon=None, norm=1.0, weight=1.0):
 
 
 def masses_with(mesh, values):
-    """∫ of the basis functions times a value for each triangle."""
+    """Returns ∫ of the basis functions times a value for each triangle."""
     third = (mesh.area * values / 3.0)[:, None]
     return np.bincount(mesh.edge.ravel(), np.repeat(third, 3, axis=1).ravel(), len(mesh.ends))
 
 
 def check_constrained(data, mesh, field, report):
-    """The Constrained method with all its variants."""
+    """Checks a field of the Constrained method with any of its variants."""
     epsilon = data.value("Epsilon")
     force, size = forces(data, mesh, field, epsilon)
     loops = [ConstrainedLoop(mesh, field, loop) for loop in mesh.of_kind(HOLE, IMPRINTED)]
@@ -89,7 +89,7 @@ def check_constrained(data, mesh, field, report):
     for loop, multiplier in zip(held, multipliers):
         left[loop.edges] += multiplier * loop.gradient
     for loop in unit:
-        # Only a common turn of all values is free.
+        # Only a common rotation of all values is free.
         torque = (loop.u.conj() * force[loop.edges]).imag.sum() / len(loop.edges)
         left[loop.edges] = torque * 1j * loop.u
     on_loops = np.zeros(len(mesh.ends), bool)
@@ -101,15 +101,15 @@ def check_constrained(data, mesh, field, report):
 
 
 def _check_left(report, mesh, left, on_loops, size, stated, rounding, field, epsilon):
-    """The residual of the stationarity, relative to the terms that cancel in it."""
+    """Checks the residual of the stationarity, relative to the terms that cancel in it."""
     sizes = stiffness_sizes(mesh) * max(1.0, np.abs(field.u).max())
     if epsilon is None:
-        # Eliminated exactly, whatever became of the iteration on the loops.
+        # These unknowns are eliminated exactly, whether or not the iteration on the loops converged.
         inside = np.abs(left / sizes)[mesh.free & ~on_loops]
         report.bound("harmonic at every edge off the loops", inside.max(initial=0.0), rounding,
                      "one rounding an edge, relative to the terms")
     residual = np.linalg.norm(left[mesh.free]) / size if size > 0 else 0.0
-    # The file's residual is relative to the terms on the loops alone, which may be the larger ones.
+    # The residual in the file is relative to the terms on the loops, which may be larger.
     local = np.linalg.norm(sizes[on_loops]) / size if size > 0 and epsilon is None else 1.0
     report.bound("Karush-Kuhn-Tucker residual", residual, stated * max(1.0, 2.0 * local) + rounding,
                  "Residual of the file, or rounding")
@@ -117,9 +117,9 @@ def _check_left(report, mesh, left, on_loops, size, stated, rounding, field, eps
 
 
 def check_not_converged(report, converged, stated, residual, rounding):
-    """What the file calls not converged because of its residual is as far from it as it states.
+    """Checks that the residual of a field that has not converged is about the one in the file.
 
-    By and large: the file's residual may be relative to the terms on the loops alone.
+    Only roughly, since the residual in the file may be relative to the terms on the loops alone.
     """
     if not converged and stated > 1e-10:
         report.true("not converged, as the file states", residual > max(1e-3 * stated, rounding),

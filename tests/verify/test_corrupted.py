@@ -1,4 +1,4 @@
-"""The verifier finds what is wrong: good files pass, and of each that is corrupted it names just that.
+"""Tests of the verifier: correct files pass, and for a corrupted file exactly the expected checks fail.
 
     python3 test_corrupted.py PROGRAM CASE
 
@@ -10,12 +10,12 @@ import subprocess
 import sys
 import tempfile
 
-import corrupted_fields  # noqa: F401, for its cases
+import corrupted_fields  # noqa: F401, registers its cases
 import corrupted_h  # noqa: F401
 import corrupted_maps  # noqa: F401
 import corrupted_meshes  # noqa: F401
 import corrupted_quads  # noqa: F401
-from corrupting import CASES, Spoiled
+from corrupting import CASES, CorruptedFile
 from verify import verify
 
 HEADER = "x,y,quarter_index,radius"
@@ -27,7 +27,7 @@ RING = [HEADER, "0.8,0.08,1,0.02", "-0.8,-0.08,1,0.02", "-0.08,0.8,1,0.02", "0.0
 PAIR = [HEADER, "0.7,0,1,0.05", "-0.7,0,-1,0.05"]
 ELBOW = [HEADER, "0.3,0.3,1,0.02", "0.7,0.2,-1,0.02"]
 
-# By name: subcommand, domain, singularities, options.
+# Name -> subcommand, domain, singularities, options.
 GOOD = {
     "drilled": ("drill", "builtin:disk", FOUR, "--size 0.1"),
     "imprinted": ("solve", "builtin:disk", FOUR, "--mode imprint --size 0.1"),
@@ -47,13 +47,13 @@ GOOD = {
     "map": ("separatrices", "builtin:ring", RING, "--size 0.08"),
     "h_of_ring": ("hfield", "builtin:ring", PAIR, "--size 0.1"),
 }
-# Arrays in units of length.
+# Arrays that have the unit of length.
 LENGTHS = ("Epsilon", "Moved", "Size", "SizeRange", "SeamTranslation", "UV", "Length", "USize", "VSize",
            "Longest", "Mismatch")
 
 
 def make(name, folder):
-    """A good file, computed by the program."""
+    """Returns a correct file, computed by the program."""
     subcommand, domain, rows, options = GOOD[name]
     if domain == "drilled.vtu":
         make("drilled", folder)
@@ -76,11 +76,11 @@ def good_files(folder):
 
 
 def good_files_of_every_size(folder):
-    """In another unit of length all numbers but lengths are the same, within the limits of the program."""
+    """Checks that in another unit of length all numbers except lengths are the same, within the limits of the program."""
     for name in GOOD:
         made = make(name, folder)
         for scale in (1e-59, 1e-35, 1e35, 1e59):
-            file = Spoiled(made)
+            file = CorruptedFile(made)
             for part in (file, *file.beside.values()):
                 part.scale(scale, LENGTHS)
             file.write(folder / "scaled.vtu")
@@ -98,7 +98,7 @@ def every_check_can_fail(folder):
 
 def run(case, folder):
     base, spoil, expected = CASES[case]
-    file = Spoiled(make(base, folder))
+    file = CorruptedFile(make(base, folder))
     spoil(file)
     file.write(folder / "corrupted.vtu")
     report = verify(folder / "corrupted.vtu")

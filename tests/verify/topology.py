@@ -12,7 +12,7 @@ def cross(a, b):
 
 
 class Loop:
-    """Lines of one kind and number in their order, walked along their directions."""
+    """Lines of one kind and number, ordered along their directions."""
 
     def __init__(self, kind, number, lines, quarter):
         self.kind, self.number, self.lines, self.quarter = kind, number, lines, quarter
@@ -41,7 +41,7 @@ class Mesh:
         self.edge = self.edge.reshape(key.shape)
         self.ends = np.stack([keys // count, keys % count], axis=1)
         self.sides_of_edge = np.bincount(self.edge.ravel(), minlength=len(keys))
-        # Whether a side runs from the first to the second end of its edge, by edge: +1 and -1.
+        # +1 if a side runs from the first to the second end of its edge, otherwise -1.
         sign = np.where(start < end, 1, -1)
         self.direction = np.bincount(self.edge.ravel(), sign.ravel(), len(keys)).astype(int)
 
@@ -61,8 +61,9 @@ class Mesh:
         self.free[position[aligned]] = False
 
     def rounding(self):
-        """Relative, of equations on edges: one rounding an edge, the backward error of a factorisation and
-        of a sum along a way; and the rounding of coordinates, which a tilted plane makes larger."""
+        """Returns the relative rounding of equations on edges: one rounding per edge, which bounds the backward
+        error of a factorisation and of a sum along a path, and the rounding of coordinates, which is larger
+        in a tilted plane."""
         shortest = np.linalg.norm(self.side, axis=2).min()
         return len(self.ends) * ROUNDING + 8.0 * self.frame.exactness / shortest
 
@@ -91,28 +92,28 @@ class Mesh:
         return self.points[self.lines[loop.lines, 0]]
 
     def centre(self, loop):
-        """Of mass of the polygon's sides: the same however they are divided."""
+        """Returns the centre of mass of the polygon's sides, which does not depend on their subdivision."""
         length = np.linalg.norm(self.tangent[loop.lines], axis=1)
         return length @ self.midpoint[self.edge_of_line[loop.lines]] / length.sum()
 
     def sides(self, loop):
-        """The polygon's corners, without points in the middle of its straight sides."""
+        """Returns the corners of the polygon, without points inside straight sides."""
         polygon, tangent = self.polygon(loop), self.tangent[loop.lines]
         turn = np.abs(cross(np.roll(tangent, 1, axis=0), tangent)) / np.linalg.norm(tangent, axis=1)
         return polygon[turn > 64 * self.frame.exactness]
 
     def counter_clockwise(self, loop):
-        """Edges of a hole or imprinted circle, counter-clockwise: its lines run the other way."""
+        """Returns the edges of a hole or imprinted circle, counter-clockwise; its lines have the opposite direction."""
         return self.edge_of_line[loop.lines[::-1]]
 
     def euler_characteristic(self):
-        """Of the domain before the holes were drilled."""
+        """Returns the Euler characteristic of the domain before the holes were drilled."""
         used = len(np.unique(self.triangles))
         return used - len(self.ends) + len(self.triangles) + len(self.of_kind(HOLE))
 
 
 def check_mesh(data, mesh, report):
-    """That the mesh is one, and what its three arrays say."""
+    """Checks that the mesh is valid, and its three arrays."""
     report.true("cells are triangles and lines", data.only_triangles_and_lines)
     report.bound("points lie in a plane", mesh.frame.deviation, 1e-6 * mesh.frame.size,
                  "single precision of the points, relative to the size")
@@ -155,7 +156,7 @@ def check_mesh(data, mesh, report):
                 all(len(loop.lines) > 2 * abs(loop.quarter) for loop in mesh.of_kind(HOLE, IMPRINTED)))
     worst = 0.0
     for loop in mesh.of_kind(HOLE, IMPRINTED):
-        if len(loop.lines) > 3:  # a marked triangle is any
+        if len(loop.lines) > 3:  # a marked triangle may have any shape
             polygon = mesh.sides(loop)
             distance = np.linalg.norm(polygon - polygon.mean(axis=0), axis=1)
             length = np.linalg.norm(np.roll(polygon, -1, axis=0) - polygon, axis=1)

@@ -1,4 +1,4 @@
-"""Fields of norm one: the phase is discretely harmonic, and so is its conjugate potential.
+"""Checks fields of norm one: the phase is discretely harmonic, and so is its conjugate potential.
 
 ∇φ = rot ∇Φ with a continuous P1 function Φ that is constant on every hole exactly if the flux of ∇φ is
 continuous across every inner edge and zero through every edge of a hole: if (K φ)_e = 0 there.
@@ -15,7 +15,8 @@ class Phase:
     def __init__(self, mesh, field):
         step = field.step.copy()
         turns = np.rint(step.sum(axis=1) / (2.0 * np.pi))
-        # Where the short ways around a triangle do not close, the longest of them was the long way.
+        # Where the three short changes around a triangle do not add up to 0, the largest is replaced by its
+        # complement.
         rows = np.flatnonzero(turns)
         longest = np.argmax(step[rows] * turns[rows, None], axis=1)
         step[rows, longest] -= 2.0 * np.pi * turns[rows]
@@ -26,9 +27,9 @@ class Phase:
 
 
 def relift(mesh, phase, rounding):
-    """Whole turns are added to single triangles as long as that makes fluxes fit better.
+    """Adds full turns to single triangles as long as this reduces the residual of the fluxes.
 
-    The long way around a corner may be that of several triangles; of all lifts only one is harmonic.
+    Several triangles at a corner may have changes above π; only one of all lifts is harmonic.
     """
     inside = mesh.free[mesh.edge]
     changed = set(np.flatnonzero(phase.unclear).tolist())
@@ -36,7 +37,7 @@ def relift(mesh, phase, rounding):
         off = np.abs(phase.residual) > rounding * phase.sizes
         suspects = np.flatnonzero((off[mesh.edge] & inside).any(axis=1))
         if len(suspects) > 0.1 * len(mesh.triangles) + 20:
-            break  # that is no matter of a few corners
+            break  # more than a few corners are wrong
         best = None
         for t in suspects:
             for lift in LIFTS:
@@ -61,22 +62,22 @@ LIFTS = [2.0 * np.pi * np.array([0, a, b]) for a in (-1, 0, 1) for b in (-1, 0, 
 
 
 def potential_range(energy, mesh):
-    """How far the conjugate potential ranges, about: in a strip as long as the domain and of its area, g L with the energy
-    ½ g² L W; at least one. Phases are rounded as it is, which tells in long domains.
+    """Returns an estimate of the range of the conjugate potential, at least one: g L for a strip with the length and
+    the area of the domain, with the energy ½ g² L W. Phases have its rounding, which matters in long domains.
     """
     extent = np.ptp(mesh.points, axis=0).max()
     return np.sqrt(max(1.0, 2.0 * energy * extent ** 2 / mesh.area.sum()))
 
 
 def check_unit_norm(data, mesh, field, report):
-    """Harmonic phase, closed potential; gives ½ ∫ |∇φ|²."""
+    """Checks that the phase is harmonic and the potential closed, and returns ½ ∫ |∇φ|²."""
     rounding = mesh.rounding()
     phase = Phase(mesh, field)
     mended = relift(mesh, phase, rounding)
     if mended:
         report.note("in %d triangles the phase turns by more than half a turn; their neighbours "
                     "tell by how much" % mended)
-    # A phase is a number of size one.
+    # A phase has the magnitude one.
     off = np.abs(phase.residual / phase.sizes)[mesh.free]
     report.bound("phase is harmonic, its potential continuous and constant on holes",
                  off.max(initial=0.0), rounding, "one rounding an edge, relative to the terms")

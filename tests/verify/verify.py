@@ -1,9 +1,9 @@
-"""Recomputes what a .vtu of this project claims, from its points, cells and arrays alone.
+"""Recomputes the contents of a .vtu of this project from its points, cells and arrays alone.
 
     python3 verify.py [--quiet] [--jobs N] FILE.vtu|FOLDER...
 
-Knows neither the program nor the library: written from the mathematics. Needs numpy and VTK's Python,
-of ParaView or plain, to read. Ends with status 1 if a check fails, 2 if there is nothing to verify.
+Uses neither the program nor the library, only the mathematics. Needs numpy and the Python modules of VTK, with or
+without ParaView, for reading. Exits with 1 if a check fails and with 2 if there is nothing to verify.
 """
 import argparse
 import collections
@@ -34,7 +34,7 @@ MESH_ARRAYS = ("BoundaryKind", "BoundaryId", "QuarterIndex")
 
 
 def verify(name):
-    """The Report of one file."""
+    """Returns the Report of one file."""
     report = Report(str(name))
     try:
         data = Data(name)
@@ -56,7 +56,7 @@ def verify(name):
             _verify_field(data, mesh, report)
     except Unverifiable as reason:
         report.true("the file makes sense", False, str(reason))
-    except Exception:  # a defect of the verifier, or a file that it was not written for
+    except Exception:  # a defect of the verifier, or an unknown kind of file
         report.true("the verifier understands the file", False, traceback.format_exc())
     return report
 
@@ -91,7 +91,7 @@ def _verify_field(data, mesh, report):
         stationarity.check_ginzburg_landau(data, mesh, field, report, norm, weight)
     else:
         _verify_perforated(data, mesh, field, boundary, indices, loops, degrees, found, report)
-    # The tolerance is not in the file: 1e-10 if not chosen, and 1e-6 for the alignment of unit norms.
+    # The tolerance is not in the file: 1e-10 by default, and 1e-6 for the alignment of unit norms.
     report.true("Converged only with a small residual", data.value("Converged") != 1 or
                 data.value("Residual") <= 1e-6, "Residual is %s" % data.value("Residual"))
 
@@ -143,7 +143,7 @@ def _verify_h(data, mesh, field, boundary, indices, loops, degrees, found, repor
 
 
 def files_of(names):
-    """Files as they are, folders with every .vtu in them; a .vtm by its folder of blocks."""
+    """Returns given files and every .vtu in given folders; for a .vtm those in its folder of blocks."""
     for name in map(pathlib.Path, names):
         if name.is_dir():
             yield from sorted(name.rglob("*.vtu"))
@@ -154,7 +154,7 @@ def files_of(names):
 
 
 def _worst(reports):
-    """Per check: how often it was made, and the largest share of its tolerance."""
+    """Returns for each check its number of uses and the largest fraction of its tolerance."""
     worst = collections.OrderedDict()
     for report in reports:
         for name, _, found, tolerance, _ in report.checks:
