@@ -21,6 +21,10 @@ function (crossfield_batch_sources target)
   endif ()
   if (CROSSFIELD_FAST_COMPILE AND TARGET ${target})
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE "${size}")
+    if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # g++ takes the sources of a batch for headers, where unnamed namespaces would be suspicious.
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif ()
   endif ()
 endfunction ()
 

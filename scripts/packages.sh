@@ -82,7 +82,9 @@ if [[ $(id --user) -ne 0 ]]; then
   as_root=(sudo)
 fi
 # Waits while another program installs packages.
-apt=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --option DPkg::Lock::Timeout=600)
+# Packages can be installed again, so dpkg need not flush each file to the disk.
+apt=(env DEBIAN_FRONTEND=noninteractive apt-get --quiet --option DPkg::Lock::Timeout=600
+  --option Dpkg::Options::=--force-unsafe-io)
 "${as_root[@]}" "${apt[@]}" update
 if [[ ${#missing[@]} -gt 0 ]]; then
   echo "Installing: ${missing[*]}"
