@@ -1,6 +1,6 @@
-"""Chooses singularities for bare domains and writes the page of it: pvpython automatic.py PROGRAM FOLDER [NAME...]
+"""Chooses singularities for domains and writes the page: pvpython automatic.py PROGRAM FOLDER [NAME...]
 
-FOLDER gets NAME.csv, the singularities, NAME.vtu, the sizes of their field, names.txt and automatic.md.
+Writes into FOLDER: NAME.csv, the singularities; NAME.vtu, their size field; names.txt; automatic.md.
 """
 import json
 import math
@@ -16,10 +16,10 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import quads_gallery
 
 STARTS = 3
-MOST_SINGULARITIES = 20  # with more there are too many minima for random places to find the same
+MAXIMUM_SINGULARITIES = 20  # with more, random starts find too many different minima
 FINER = 4
-DEFAULT_SIZE = 1 / 40  # of the diagonal
-THINNING = 0.02 * DEFAULT_SIZE  # by default; finer meshes are of the same boundary
+DEFAULT_SIZE = 1 / 40  # relative to the diagonal
+THINNING = 0.02 * DEFAULT_SIZE  # the default; finer meshes use the same boundary
 
 PAGE = """# Singularities chosen from the boundary alone
 
@@ -46,7 +46,7 @@ cannot be compared.
 
 
 def loops_of(file):
-    """The closed curves of a .vtp file."""
+    """Returns the closed curves of a .vtp file."""
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(file)
     reader.Update()
@@ -97,7 +97,7 @@ class Domain:
         return json.loads(self.run("optimize", self.file, "--json", "-", *options))
 
     def random_start(self, indices, chance):
-        """Singularities of these indices at random places, a hundredth of the diagonal off the boundary."""
+        """Writes singularities with these indices at random positions, at least a hundredth of the diagonal from the boundary."""
         rows = []
         while len(rows) < len(indices):
             place = (chance.uniform(min(self.x), max(self.x)), chance.uniform(min(self.y), max(self.y)))
@@ -108,7 +108,7 @@ class Domain:
         return path.name
 
     def indices(self, report):
-        """Quarter indices inside, and on the boundary."""
+        """Returns the quarter indices inside and on the boundary."""
         reach = 1e-6 * self.diagonal
         inside, boundary = [], []
         for row in report["singularities"]:
@@ -126,8 +126,8 @@ def describe(inside, boundary):
 
 
 def compare_starts(domain, proposed, best):
-    """From random places: how many end where the best ends."""
-    if not proposed[0] or len(proposed[0]) > MOST_SINGULARITIES:
+    """Returns how many runs from random positions converge to the best result."""
+    if not proposed[0] or len(proposed[0]) > MAXIMUM_SINGULARITIES:
         return "–"
     chance = random.Random(1)
     others, same = [], 0

@@ -1,4 +1,4 @@
-"""Writes docs/exact.md, what the program gives where the exact value is known:
+"""Writes docs/exact.md, a comparison of computed with exact values:
 
     python3 scripts/exact.py build/bin/crossfield > docs/exact.md
 """
@@ -31,7 +31,7 @@ def on(radius, angle, quarter, hole=0.05):
 
 
 def exact_energy(rows):
-    """W on the disk (docs/method.md §5.3), points of the circle included."""
+    """Returns W on the disk (docs/method.md §5.3); points may be on the circle."""
     total = 0.0
     for i, (x, y, k, _) in enumerate(rows):
         for j, (v, w, m, _) in enumerate(rows):
@@ -44,12 +44,12 @@ def exact_energy(rows):
 
 
 def image(place, factor=complex(0.2, 0.1)):
-    """z + a z², which is injective on the disk for 2 |a| < 1."""
+    """Returns z + a z², which is injective on the disk for 2 |a| < 1."""
     return place + factor * place ** 2
 
 
 def exact_image_energy(rows, factor=complex(0.2, 0.1)):
-    """W on the image of the disk under z + a z², of the images of these (tests/numerics/ExactFields.h)."""
+    """Returns W of the images of `rows` on the image of the disk under z + a z² (tests/numerics/ExactFields.h)."""
     total = exact_energy(rows) - 8 * math.pi * math.log(1 - abs(2 * factor) ** 2)
     for x, y, k, _ in rows:
         own = 2 if math.hypot(x, y) > 1 - 1e-9 else 1
@@ -58,7 +58,7 @@ def exact_image_energy(rows, factor=complex(0.2, 0.1)):
 
 
 def exact_ring_energy(rows, inner=0.4):
-    """W on the ring of outer radius 1, with the field of the holonomy defect (docs/method.md §5.3)."""
+    """Returns W on the ring of outer radius 1, with the field of the holonomy defect (docs/method.md §5.3)."""
     powers = [inner ** (2 * n) for n in range(1, 40)]
 
     def theta(x):
@@ -77,7 +77,7 @@ def exact_ring_energy(rows, inner=0.4):
 
 
 class Run:
-    """The program in a folder of its own."""
+    """Runs of the program in a temporary folder."""
 
     def __init__(self, program, folder):
         self.program = pathlib.Path(program).resolve()
@@ -92,7 +92,7 @@ class Run:
         return json.loads(result.stdout)
 
     def polygon(self, size, scale=1.0):
-        """A polygon of the unit circle with sides of about this length; their number."""
+        """Writes a polygon of the unit circle with sides of about this length; returns their number."""
         count = round(2 * math.pi / size)
         (self.folder / "disk.csv").write_text("x,y\n" + "".join("%.17g,%.17g\n" % (
             scale * math.cos(2 * math.pi * i / count), scale * math.sin(2 * math.pi * i / count))
@@ -100,13 +100,13 @@ class Run:
         return count
 
     def loops(self, name, *loops):
-        """Closed curves of complex numbers as a domain."""
+        """Writes closed curves of complex numbers as a domain."""
         (self.folder / name).write_text("x,y,loop\n" + "".join(
             "%.17g,%.17g,%d\n" % (place.real, place.imag, i)
             for i, loop in enumerate(loops) for place in loop), encoding="utf-8")
 
     def error_of_h(self, given, size):
-        """The largest one over the vertices of the mesh; H has the area mean 0 (docs/method.md §11.2)."""
+        """Returns the maximum error of H at the vertices of the mesh; H has the area mean 0 (docs/method.md §11.2)."""
         self("hfield", "builtin:disk", given, "--size", size, "-o", "h.vtu")
         arrays = verified.read(self.folder / "h.vtu")
         largest = 0.0
@@ -122,7 +122,7 @@ class Run:
         return self("energy", domain, rows, *more)["configurations"][0]
 
     def on_circle(self, size, part, inside, quarters):
-        """W and its exact value for points on the polygon: at vertices (0), in the middle of sides (1/2)."""
+        """Returns W and its exact value for points on the polygon: at vertices (0), in the middle of sides (1/2)."""
         count = self.polygon(size)
         given, exact = list(inside), list(inside)
         for angle, quarter in quarters:
@@ -137,7 +137,7 @@ class Run:
 
 
 def rows(run):
-    """What, the exact value, values found, as text, and the errors of these."""
+    """Yields name, exact value and computed values as text, and the errors of the computed values."""
     square = [on(0.6, 0.3 + i * math.pi / 2, 1) for i in range(4)]
     inside = [(0.1, 0.5, 1, 0.05), (-0.5, -0.1, 1, 0.05), (0.3, -0.5, 1, 0.05)]
 
@@ -153,7 +153,7 @@ def rows(run):
         values.append(run.energy("disk.csv", square, "--size", size)["renormalized_energy"])
     yield row("W, disk, four k = 1 at radius 0.6", exact_energy(square), values)
     for part, place in ((0.0, "at a vertex"), (0.5, "on a side")):
-        # The place differs with the polygon: the exact value of the finest, and errors of each.
+        # The position depends on the polygon: the exact value is that of the finest; each error uses its own.
         found = [run.on_circle(size, part, inside, [(0.3, 1)]) for size in SIZES]
         exact = found[-1][1]
         yield row("W, disk, one k = 1 on the circle, " + place, exact,
@@ -185,7 +185,7 @@ def rows(run):
     def moved(rows):
         return [(image(complex(x, y)).real, image(complex(x, y)).imag, k, r) for x, y, k, r in rows]
 
-    # Both on the circle are vertices of all three polygons.
+    # Both points on the circle are vertices of all three polygons.
     on_image = [(0.31, 0.42, 3, 0.05), (-0.52, 0.18, -2, 0.05), (-0.11, -0.61, 4, 0.05),
                 on(1, math.pi, 1), on(1, 1.5 * math.pi, -2)]
     values = []

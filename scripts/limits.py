@@ -1,4 +1,4 @@
-"""Prints the table of whole runs of docs/limits.md: seconds and memory, from the domain to the .vtu.
+"""Prints the table of docs/limits.md: seconds and memory of whole runs, from the domain to the .vtu.
 
     python3 scripts/limits.py build/bin/crossfield [TRIANGLES...]      100000 1000000 4000000
 """
@@ -16,14 +16,14 @@ SIZES = (100000, 1000000, 4000000)
 
 
 def eight_holes():
-    """Six k = 1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02."""
+    """Returns six k = 1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02."""
     rows = [(0.7 * math.cos(math.pi * i / 3), 0.7 * math.sin(math.pi * i / 3), 1) for i in range(6)]
     rows += [(0.2, 0.0, -1), (-0.2, 0.0, -1)]
     return "x,y,quarter_index,radius\n" + "".join("%.17g,%.17g,%d,0.02\n" % row for row in rows)
 
 
 def whole_run(program, command, triangles, folder):
-    """Seconds of the clock, and the largest memory of the process in GiB."""
+    """Returns the elapsed seconds and the maximum memory of the process in GiB."""
     size = math.sqrt(4 * math.pi / (math.sqrt(3) * triangles))  # a disk in equilateral triangles
     words = [program, command[0], "builtin:disk", "-s", "eight.csv", "--size", repr(size), "-o", "field.vtu",
              *command[1:]]
@@ -32,7 +32,7 @@ def whole_run(program, command, triangles, folder):
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
-        sys.exit("%s ended with status %d" % (" ".join(map(str, words)), process.returncode))
+        sys.exit("%s exited with status %d" % (" ".join(map(str, words)), process.returncode))
     return time.monotonic() - begin, usage.ru_maxrss / 1024 ** 2
 
 

@@ -1,7 +1,7 @@
-"""Meshes the domains of the gallery of quads and writes its page: python3 quads_gallery.py PROGRAM FOLDER [NAME...]
+"""Meshes the domains of the gallery of quads and writes the page: python3 quads_gallery.py PROGRAM FOLDER [NAME...]
 
-Every domain goes in alone, with no option but the number of quads. FOLDER gets NAME.vtu, NAME.vtp (the layout)
-and quads.md.
+The domain is the only input and the number of quads the only option. Writes into FOLDER: NAME.vtu, NAME.vtp (the
+layout) and quads.md.
 """
 import json
 import pathlib
@@ -36,7 +36,7 @@ runs on 2 cores, including files.
 
 
 def loops_of(folder, name):
-    """A file with the closed curves of a domain of tests/corpus/engineering.py."""
+    """Writes the closed curves of a domain of tests/corpus/engineering.py; returns the name of the file."""
     points, lines = [], []
     for loop in engineering.DOMAINS[name]():
         first = len(points)
@@ -71,7 +71,7 @@ def main(program, folder, wanted, count=1000):
              "--json", "-"], cwd=folder, check=True, stdout=subprocess.PIPE, text=True).stdout
         report = json.loads(printed)
         if report["irregular"] != report["asked"]:
-            sys.exit("The mesh of %s has %s, asked were %s." % (name, report["irregular"], report["asked"]))
+            sys.exit("The mesh of %s has the irregular nodes %s, requested were %s." % (name, report["irregular"], report["asked"]))
         rows.append(row(name, report, time.monotonic() - started))
         pictures.append("## %s\n\n![%s](quads/%s.png)" % (
             name.replace("_", " ").capitalize(), name.replace("_", " "), name))

@@ -1,4 +1,4 @@
-"""What docs_pictures.py needs besides drawing.py: panels side by side, numbers at points, scalars."""
+"""Functions of docs_pictures.py: panels side by side, numbers at points, scalars."""
 import pathlib
 import sys
 import math
@@ -19,7 +19,7 @@ def on_circle(count, distance, quarters=1, first=45):
 
 
 def polygon(sides):
-    """A regular polygon with its lowest side level."""
+    """Returns a regular polygon whose lowest side is horizontal."""
     first = -90 - 180 / sides
     points = [(x, y, 0) for x, y, _ in on_circle(sides, 1, first=first)]
     return PolyLineSource(Points=[value for point in points for value in point], Closed=1)
@@ -31,7 +31,7 @@ def bounds_of(source):
 
 
 def panel(source, title="", room_below=0.08):
-    """A view that shows what this source covers, with a title below."""
+    """Creates a view of the extent of this source, with a title below."""
     view = white_view(PANEL, PANEL)
     bounds = bounds_of(source)
     look_from_above(view, bounds, room_below)
@@ -43,7 +43,7 @@ def panel(source, title="", room_below=0.08):
 
 
 def figure(path, *views):
-    """Puts views side by side into one picture."""
+    """Combines views side by side into one picture."""
     if len(views) == 1:
         SaveScreenshot(path, views[0], ImageResolution=[PANEL, PANEL], CompressionLevel="9")
         return
@@ -70,7 +70,7 @@ def draw_scalar(field, view, name, preset):
     colours.ApplyPreset(preset, True)
     array = servermanager.Fetch(field).GetPointData().GetArray(name)
     values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
-    # Infinite at singularities: without the outer values the rest keeps its colours.
+    # Values are infinite at singularities; leaving out the extremes keeps the colours of the others.
     colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
     draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
 
@@ -81,12 +81,12 @@ def draw_labels(points, array, view):
     values = data.GetPointData().GetArray(array)
     bounds = data.GetBounds()
     size = 0.075 * max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-    # A little beside the middle, where a corner may be.
+    # Slightly beside the centre, where a corner may be.
     middle = [(bounds[0] + bounds[1] - 0.1 * size) / 2, (bounds[2] + bounds[3] - 0.1 * size) / 2]
     for i in range(data.GetNumberOfPoints()):
         x, y, _ = data.GetPoint(i)
         text = a3DText(Text="%d" % values.GetValue(i))
-        side = 1 if values.GetValue(i) >= 0 else -1  # outside of a tip, inside of a re-entrant corner
+        side = 1 if values.GetValue(i) >= 0 else -1  # outside at a convex corner, inside at a re-entrant one
         away = 1 + side * (0.9 if side > 0 else 0.6) * size / math.hypot(x - middle[0], y - middle[1])
         placed = Transform(Input=text)
         placed.Transform.Translate = [middle[0] + away * (x - middle[0]) - size / 4,

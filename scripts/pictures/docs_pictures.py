@@ -33,7 +33,7 @@ PALE = [(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0
 
 
 def rows(*singularities):
-    """A singularity source of rows (x, y, quarter index[, radius])."""
+    """Creates a singularity source with rows (x, y, quarter index[, radius])."""
     return SingularitySource(
         Singularities=[value for row in singularities for value in (tuple(row) + (0.05,))[:4]])
 
@@ -59,7 +59,7 @@ def draw_mesh(mesh, view):
 
 
 def field_panel(field, title, spacing=0.1, found=False):
-    """The norm of a field, its crosses, its boundaries."""
+    """Shows the norm of a field, its crosses and its boundaries."""
     view = panel(field, title)
     draw_norm(field, view, 0, 1.4, show_bar=False)
     draw_crosses(field, view, spacing)
@@ -113,7 +113,7 @@ def singularity_source():
 
 
 def coast():
-    """A reader of a ragged coast: a circle with waves of all lengths; their phases are always the same."""
+    """Creates a reader of a ragged coast: a circle with waves of all lengths and fixed phases."""
     angles = np.linspace(0, 2 * np.pi, 160, endpoint=False)
     waves = range(2, 40)
     phases = np.random.default_rng(7).uniform(0, 2 * np.pi, len(waves))
@@ -223,7 +223,7 @@ def singularity_energy():
 
 def singularity_optimizer():
     views = []
-    # It warns that few iterations do not reach the end: they are the way.
+    # The few iterations show intermediate states, so the warning about convergence is expected.
     for name, start in (("disk", [(0.5, 0.1, 1), (0.1, 0.4, 1), (-0.5, 0.3, 1), (0, -0.3, 1)]),
                         ("ellipse", [(0.5, 0.1, 1), (0.1, 0.3, 1), (-0.5, 0.2, 1), (0, -0.2, 1)])):
         domain, points = PlanarDomainSource(DomainName=name, EdgeLength=0.05), rows(*start)
@@ -299,7 +299,7 @@ def quad_mesher():
         quads = QuadMesher(Input=disk(), Singularities=points, QuadCount=500, **options)
         view = panel(disk(), title)
         draw_blocks(quads, view)
-        if not options:  # the lines of the field, which uniform quads leave
+        if not options:  # the separatrices, from which uniform quads deviate
             draw_lines(OutputPort(quads, 2), view, BLACK, 2)
         draw_nodes(quads, view, 0.03)
         views.append(view)

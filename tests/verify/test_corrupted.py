@@ -93,18 +93,18 @@ def every_check_can_fail(folder):
     made = {check[0] for name in GOOD for check in verify(make(name, folder)).checks}
     corrupted = set().union(*(names for _, _, names in CASES.values()))
     if made - corrupted:
-        sys.exit("No case spoils what these checks look at: %s" % sorted(made - corrupted))
+        sys.exit("No case makes these checks fail: %s" % sorted(made - corrupted))
 
 
 def run(case, folder):
-    base, spoil, expected = CASES[case]
+    base, corrupt, expected = CASES[case]
     file = CorruptedFile(make(base, folder))
-    spoil(file)
+    corrupt(file)
     file.write(folder / "corrupted.vtu")
     report = verify(folder / "corrupted.vtu")
     named = {check[0] for check in report.failures()}
     if named != expected:
-        sys.exit("Named without need: %s\nNot named: %s\n%s" % (
+        sys.exit("Failed unexpectedly: %s\nDid not fail: %s\n%s" % (
             sorted(named - expected), sorted(expected - named), report.text()))
 
 
