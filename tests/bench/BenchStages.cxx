@@ -294,7 +294,7 @@ void FurtherConfiguration(benchmark::State& state)
   const auto solver =
     std::make_shared<const PotentialSolver>(ShareTopology(MeshOf(state.range(0), false)));
   const PointPotential potential(solver, AlignWithBoundary(solver->GetTopology(), {}, 4));
-  solver->OfGivenBoundary(); // the second factor of W, which the first configuration computes
+  solver->GetDirichlet(); // the second factor of W, which the first configuration computes
   for (auto _ : state)
   {
     const auto value = EvaluateRenormalizedEnergy(potential, potential.Solve(EightHoles()));

@@ -8,10 +8,9 @@ namespace crossfield
 /// computes, and disturbs the two threads that factor the halves of a mesh (DissectedCholesky). It
 /// also makes every result the same to the last bit, however many threads there are.
 ///
-/// The count of these is the one thing that functions of this library share between threads, and is
-/// behind a lock. So they may run in several threads at once, as long as none changes an object that
-/// another one reads; const functions of one object, too, but those of SparseCholesky and of what is
-/// made of it (CHOLMOD writes into its workspace when it solves).
+/// The count of these is the only thing that functions of this library share between threads; it is
+/// protected by a lock. Functions may run in several threads at once, const functions of one object
+/// too, as long as no thread changes an object that another one reads.
 class SerialBlas
 {
 public:

@@ -49,6 +49,22 @@ struct SparseCholesky::Factor
 namespace
 {
 std::atomic<long> countOfAll = 0;
+
+/// Workspace of CHOLMOD for one solve: CHOLMOD writes its status and its memory statistics there, so
+/// solves with one factor in several threads need one each.
+struct SolveWorkspace
+{
+  cholmod_common common{};
+
+  SolveWorkspace()
+  {
+    cholmod_start(&this->common);
+    this->common.print = 0;
+  }
+  ~SolveWorkspace() { cholmod_finish(&this->common); }
+  SolveWorkspace(const SolveWorkspace&) = delete;
+  SolveWorkspace& operator=(const SolveWorkspace&) = delete;
+};
 }
 
 long SparseCholesky::CountOfAll()
@@ -129,14 +145,15 @@ Eigen::MatrixXd SparseCholesky::Solve(int system, const Eigen::MatrixXd& rightHa
   view.x = const_cast<double*>(rightHandSides.data());
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution = cholmod_solve(system, this->Data->factor, &view, &this->Data->common);
+  SolveWorkspace workspace;
+  cholmod_dense* solution = cholmod_solve(system, this->Data->factor, &view, &workspace.common);
   if (solution == nullptr)
   {
     throw Error("There is not enough memory to solve the linear system; use a larger mesh size.");
   }
   Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
     static_cast<double*>(solution->x), rightHandSides.rows(), rightHandSides.cols());
-  cholmod_free_dense(&solution, &this->Data->common);
+  cholmod_free_dense(&solution, &workspace.common);
   return result;
 }
 

@@ -51,7 +51,7 @@ FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configu
   , Potential(std::make_shared<const PotentialSolver>(
       ShareTopology(DrillHoles(InsertBoundarySingularities(this->Domain, configuration), {},
         OfSize(meshSize), progress.Part(0.0, 0.5))),
-      PotentialSolver::Boundary::Natural, progress.Part(0.5, 1.0)))
+      progress.Part(0.5, 1.0)))
 {
 }
 

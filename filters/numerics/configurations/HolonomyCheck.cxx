@@ -22,8 +22,8 @@ std::vector<double> HolonomyDefects(const PlanarDomain& domain, const Configurat
   const PlacedConfiguration placed = PlaceConfiguration(*topology, configuration, corners);
   Alignment alignment =
     AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
-  const PointPotential potential(std::make_shared<const PotentialSolver>(topology,
-                                   PotentialSolver::Boundary::Natural, progress.Part(0.5, 0.9)),
+  const PointPotential potential(
+    std::make_shared<const PotentialSolver>(topology, progress.Part(0.5, 0.9)),
     std::move(alignment));
   return potential.Solve(placed.interior).holonomyDefect;
 }

@@ -21,19 +21,21 @@ PerforatedEnergy ComputePerforatedEnergy(
   result.alignedLower = linear.energy;
   result.holonomyDefect = linear.holonomyDefect;
 
-  const PotentialSolver& given = problem.potential->OfGivenBoundary();
+  const PotentialOperator& laplacian = problem.potential->GetOperator();
+  const DirichletSolver& dirichlet = problem.potential->GetDirichlet();
   const EdgePhases linearPhases = LinearEdgePhases(problem);
-  ConformingPhase phase(*problem.potential, linearPhases.end - linearPhases.start);
+  ConformingPhase phase(laplacian, linearPhases.end - linearPhases.start);
   if (topology->LoopCount(BoundaryKind::Inner) > 0)
   {
     phase.ShiftInnerLoops(linear.carriedPhase);
   }
-  const Eigen::VectorXd inside = given.Solve(-given.Apply(phase.Get()), Everywhere);
-  result.alignedUpper = GradientEnergy(topology->mesh, given.Gradient(phase.Get() + inside));
+  result.alignedUpper =
+    GradientEnergy(topology->mesh, laplacian.Gradient(dirichlet.Harmonic(phase.Get())));
 
   // Free along the boundary. Of Φ only the constants on the holes matter, of φ only the periods around them.
-  const Eigen::VectorXd spread = TurnsOfHoles(given, 1.0);
-  result.degreeOnlyLower = 0.5 * spread.dot(SolveConstantOnHoles(given, spread, Everywhere));
+  const Eigen::VectorXd spread = TurnsOfHoles(laplacian, 1.0);
+  result.degreeOnlyLower =
+    0.5 * spread.dot(SolveConstantOnHoles(dirichlet.GetFactor(), spread, Everywhere));
   const Eigen::Index holes = topology->LoopCount(BoundaryKind::Hole);
   Eigen::VectorXd turns(holes);
   Eigen::Index hole = 0;
@@ -45,7 +47,7 @@ PerforatedEnergy ComputePerforatedEnergy(
     }
   }
   const Eigen::MatrixXd periods =
-    problem.potential->PeriodFactor(Everywhere).bottomRightCorner(holes, holes);
+    problem.potential->GetFactor().PeriodFactor(Everywhere).bottomRightCorner(holes, holes);
   result.degreeOnlyUpper =
     0.5 * (periods.triangularView<Eigen::Lower>().transpose() * turns).squaredNorm();
   return result;

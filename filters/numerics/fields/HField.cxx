@@ -294,8 +294,7 @@ HField SolveHField(const SharedTopology& topology, const Configuration& configur
   const PlacedConfiguration placed = Place(*topology, configuration, corners);
   progress.Report(0.1);
   const double assemble = stopwatch.Lap();
-  const auto potential = std::make_shared<const PotentialSolver>(
-    topology, PotentialSolver::Boundary::Natural, progress.Part(0.1, 0.7));
+  const auto potential = std::make_shared<const PotentialSolver>(topology, progress.Part(0.1, 0.7));
   const double factor = stopwatch.Lap();
   HField result = SolvePlaced(potential, placed, progress.Part(0.7, 1.0));
   result.field.seconds.assemble = assemble;

@@ -161,8 +161,7 @@ SolvedField SolvePerforated(
   Stopwatch stopwatch;
   RequireConsistent(AlignWithBoundary(*topology, options.corners).count);
   const double assemble = stopwatch.Lap();
-  const auto potential = std::make_shared<const PotentialSolver>(
-    topology, PotentialSolver::Boundary::Natural, progress.Part(0.0, 0.6));
+  const auto potential = std::make_shared<const PotentialSolver>(topology, progress.Part(0.0, 0.6));
   const double factor = stopwatch.Lap();
   SolvedField field = SolvePerforated(potential, options, progress.Part(0.6, 1.0));
   field.seconds.assemble = assemble;

@@ -38,7 +38,7 @@ PotentialReduction::PotentialReduction(
   const PotentialProblem& problem, PotentialSolver::Periods periods)
   : Problem(problem)
   , Periods(periods)
-  , Aligned(problem.potential->Eliminate(AlignedLoad(problem), periods))
+  , Aligned(problem.potential->GetFactor().Eliminate(AlignedLoad(problem), periods))
 {
   const PotentialSolver& potential = *problem.potential;
   const MeshTopology& topology = problem.Topology();
@@ -55,7 +55,7 @@ PotentialReduction::PotentialReduction(
     }
   }
   this->Reduced.matrix = potential.GetHoleResponse(periods).elastic;
-  const Eigen::MatrixXd load = -potential.OnHoles(this->Aligned);
+  const Eigen::MatrixXd load = -potential.GetHoles().Differences(this->Aligned);
   this->Reduced.load.resize(load.rows());
   this->Reduced.load.real() = load.col(0);
   this->Reduced.load.imag() = load.col(1);
@@ -87,9 +87,9 @@ RecoveredField PotentialReduction::Recover(const ComplexVector& x) const
   const PotentialSolver& potential = *this->Problem.potential;
   Eigen::MatrixXd values(x.size(), 2);
   values << x.real(), x.imag();
-  PotentialSolver::Eliminated sources = this->Aligned;
-  potential.AddOnHoles(sources, values, this->Periods);
-  const Eigen::MatrixXd gradient = potential.Gradient(potential.Substitute(sources));
+  PotentialFactor::Eliminated sources = this->Aligned;
+  potential.GetHoles().AddSources(sources, values, this->Periods);
+  const Eigen::MatrixXd gradient = potential.Gradient(potential.GetFactor().Substitute(sources));
 
   RecoveredField field;
   field.energy = GradientEnergy(topology.mesh, gradient);

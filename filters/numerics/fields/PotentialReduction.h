@@ -32,6 +32,6 @@ private:
   const PotentialProblem& Problem;
   PotentialSolver::Periods Periods;    ///< With those of holes, constants on holes count.
   std::vector<int> HoleEdges;          ///< Edge numbers, hole by hole, counter-clockwise.
-  PotentialSolver::Eliminated Aligned; ///< Of the sources of aligned loops, columns Re and Im.
+  PotentialFactor::Eliminated Aligned; ///< Of the sources of aligned loops, columns Re and Im.
 };
 }

@@ -1,12 +1,12 @@
 #include "SeamlessMapSolve.h"
 
+#include "CoordinateSolve.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "Index.h"
 #include "InjectivityCheck.h"
 #include "PoincareHopf.h"
 #include "SeamEquations.h"
-#include "SeamlessSolve.h"
 #include "TriangleFrames.h"
 
 #include <algorithm>
@@ -16,6 +16,7 @@ namespace crossfield
 {
 namespace
 {
+/// Returns the vertex nearest to a position, within `reach`; −1 if there is none.
 int VertexAt(const MeshTopology& topology, const Point& position, double reach)
 {
   int nearest = -1;
@@ -32,6 +33,8 @@ int VertexAt(const MeshTopology& topology, const Point& position, double reach)
   return nearest;
 }
 
+/// Finds the cones of singularities, then of corners. Throws Error where one has no cone angle or
+/// no vertex.
 std::vector<Cone> FindCones(
   const MeshTopology& topology, const PlacedConfiguration& placed, const PoincareHopfCount& count)
 {
@@ -70,8 +73,8 @@ std::vector<Cone> FindCones(
     {
       throw Error("The corner at " + Describe(corner.position) + " has quarter index " +
         std::to_string(corner.quarterIndex) +
-        " and no angle in a flat map; cap corners, or choose index 1 for it, and add the rest to "
-        "the singularities inside.");
+        " and so no angle in a seamless map; cap corners, or choose index 1 for it, and add the "
+        "difference to the singularities inside.");
     }
     if (corner.quarterIndex != 0)
     {
@@ -81,12 +84,13 @@ std::vector<Cone> FindCones(
   return cones;
 }
 
-/// H and the crosses. Their factor is gone when that of the map is made, which takes twice as much memory.
+/// Solves for H and the crosses. Frees their factor before that of the map is made, which takes
+/// twice as much memory.
 TriangleFrames SolveFrames(
   Alignment alignment, const Configuration& interior, SeamlessMap& map, const Progress& progress)
 {
-  const PointPotential potential(std::make_shared<const PotentialSolver>(map.topology,
-                                   PotentialSolver::Boundary::Natural, progress.Part(0.0, 0.7)),
+  const PointPotential potential(
+    std::make_shared<const PotentialSolver>(map.topology, progress.Part(0.0, 0.7)),
     std::move(alignment));
   const PointPotential::Solution solution = potential.Solve(interior);
   map.holonomyDefect = solution.holonomyDefect;
@@ -96,7 +100,7 @@ TriangleFrames SolveFrames(
   return frames;
 }
 
-/// Branches that are continuous but across the cut: shifts the frames.
+/// Shifts the branches of the frames so that they are continuous except across the cut.
 void ContinueBranches(const MeshTopology& topology, const CutGraph& cut, TriangleFrames& frames)
 {
   std::vector<int> shift(frames.jump.size(), 0);
@@ -141,6 +145,7 @@ void ContinueBranches(const MeshTopology& topology, const CutGraph& cut, Triangl
   }
 }
 
+/// Returns the position of an edge in a triangle.
 int SideOf(const MeshTopology& topology, int triangle, int edge)
 {
   const auto& sides = topology.edges.ofTriangle[Index(triangle)];
@@ -152,7 +157,7 @@ int Modulo4(int quarters)
   return ((quarters % 4) + 4) % 4;
 }
 
-/// The seams, with their rotations, and the directions of the boundary's edges.
+/// Sets the seams with their rotations, and the directions of boundary edges.
 void CollectTransitions(const CutGraph& cut, const TriangleFrames& frames, SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;
@@ -170,7 +175,7 @@ void CollectTransitions(const CutGraph& cut, const TriangleFrames& frames, Seaml
       map.seams[Index(right)][static_cast<std::size_t>(SideOf(topology, right, edges[j]))] = -code;
       if (j == 0)
       {
-        // θ carried over is the neighbour's plus r π/2: its w turns by i^r.
+        // θ continued across is the neighbour's plus r π/2, so its w turns by i^r.
         map.transitions.push_back({ Modulo4(frames.jump[Index(left)][side]), Point::Zero() });
       }
     }
@@ -194,8 +199,8 @@ double MapArea(const SeamlessMap& map)
   return area;
 }
 
-/// Takes over the solution, scaled to the area of the domain.
-void SetPoints(const Eigen::VectorXd& solution, double residual, SeamlessMap& map)
+/// Stores the solution, scaled to the area of the domain. `objective` is the minimum of the sum.
+void SetPoints(const Eigen::VectorXd& solution, double objective, SeamlessMap& map)
 {
   const auto point = [&solution](std::size_t i)
   {
@@ -215,7 +220,7 @@ void SetPoints(const Eigen::VectorXd& solution, double residual, SeamlessMap& ma
   const double mapped = MapArea(map);
   if (!(mapped > 0.0))
   {
-    throw Error("The flat map has no positive area; use a finer mesh.");
+    throw Error("The seamless map has no positive area; use a finer mesh.");
   }
   const double scale = std::sqrt(area / mapped);
   for (Point& w : map.points)
@@ -226,12 +231,12 @@ void SetPoints(const Eigen::VectorXd& solution, double residual, SeamlessMap& ma
   {
     map.transitions[chain].translation = scale * point(map.original.size() + chain);
   }
-  map.residual = std::sqrt(std::max(0.0, residual) / area);
+  map.residual = std::sqrt(std::max(0.0, objective) / area);
 }
 }
 
-PlacedConfiguration PlaceForMap(
-  const MeshTopology& topology, const Configuration& configuration, const SeamlessMapOptions& options)
+PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
+  const SeamlessMapOptions& options)
 {
   return PlaceConfiguration(topology, configuration,
     options.capCorners ? CapCorners(CountMeshQuarters(topology, options.corners), options.corners)
@@ -275,7 +280,7 @@ SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration
     EliminateSeams(*topology, cut, map.transitions, map.directions, map.cones);
   const SeamlessPoisson poisson = TargetGradients(map, frames);
   progress.Report(0.5);
-  const Eigen::VectorXd w = SolveSeamless(map, poisson, prolongation, progress.Part(0.5, 0.95));
+  const Eigen::VectorXd w = SolveCoordinates(map, poisson, prolongation, progress.Part(0.5, 0.95));
 
   SetPoints(w, poisson.ObjectiveAt(map, w), map);
   RequireInjective(map);

@@ -8,16 +8,16 @@
 
 namespace crossfield
 {
-Eigen::VectorXd TurnsOfHoles(const PotentialSolver& potential, double factor)
+Eigen::VectorXd TurnsOfHoles(const PotentialOperator& laplacian, double factor)
 {
-  Eigen::VectorXd sources = Eigen::VectorXd::Zero(potential.Rows());
-  for (const BoundaryLoop& loop : potential.GetTopology().loops)
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(laplacian.Rows());
+  for (const BoundaryLoop& loop : laplacian.GetTopology().loops)
   {
     for (const int edge : loop.edges)
     {
       if (loop.kind == BoundaryKind::Hole)
       {
-        sources[potential.GetTopology().BoundaryAt(edge).vertices[0]] =
+        sources[laplacian.GetTopology().BoundaryAt(edge).vertices[0]] =
           factor * 2.0 * Pi * loop.quarterIndex / static_cast<double>(loop.edges.size());
       }
     }
@@ -25,13 +25,15 @@ Eigen::VectorXd TurnsOfHoles(const PotentialSolver& potential, double factor)
   return sources;
 }
 
-Eigen::VectorXd SolveConstantOnHoles(const PotentialSolver& potential,
-  const Eigen::VectorXd& sources, PotentialSolver::Periods periods)
+Eigen::VectorXd SolveConstantOnHoles(
+  const PotentialFactor& factor, const Eigen::VectorXd& sources, PotentialOperator::Periods periods)
 {
-  PotentialSolver::Eliminated eliminated = potential.Eliminate(sources, periods);
-  potential.AddOnHoles(eliminated,
-    SolveGram(potential.GetHoleResponse(periods).elastic, -potential.OnHoles(eliminated)), periods);
-  return potential.Substitute(eliminated);
+  const HoleElimination holes(factor);
+  const HoleResponse response(holes, periods);
+  PotentialFactor::Eliminated eliminated = factor.Eliminate(sources, periods);
+  holes.AddSources(
+    eliminated, SolveGram(response.elastic, -holes.Differences(eliminated)), periods);
+  return factor.Substitute(eliminated);
 }
 
 double AlignedDifference(
@@ -57,7 +59,7 @@ Eigen::VectorXd NearestOffsets(const Eigen::VectorXd& defects, const Eigen::Matr
         Eigen::VectorXd trial = offsets;
         trial[k] += step;
         const double energy = trial.dot(inverse * trial);
-        // A tie must not be walked around in circles by rounding.
+        // The margin keeps ties from cycling by rounding.
         if (energy < best * (1.0 - 1e-12))
         {
           offsets = trial;
@@ -77,25 +79,28 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
   constexpr auto Islands = PotentialSolver::Periods::Islands;
   const Eigen::Index periods = potential.PeriodCount(Islands);
 
-  const PotentialSolver::HoleResponse& response = potential.GetHoleResponse(Islands);
+  const PotentialFactor& factor = potential.GetFactor();
+  const HoleElimination& holes = potential.GetHoles();
+  const HoleResponse& response = potential.GetHoleResponse(Islands);
 
-  // 1. The potential with the sources of each hole spread over its vertices, and what has to be added to them so that
-  //    it is constant there: differences of values x on its edges, which have no sum.
-  PotentialSolver::Eliminated load =
-    potential.Eliminate(sources.atRows + TurnsOfHoles(potential, -1.0), Islands);
-  Eigen::VectorXd values = SolveGram(response.elastic, -potential.OnHoles(load));
+  // 1. The potential with the sources of each hole spread over its vertices, and the sources ∇ᵀx,
+  //    without a sum, that make it constant there.
+  PotentialFactor::Eliminated load =
+    factor.Eliminate(sources.atRows + TurnsOfHoles(potential.GetOperator(), -1.0), Islands);
+  Eigen::VectorXd values = SolveGram(response.elastic, -holes.Differences(load));
 
-  // 2. Single-valued first: what phase difference would the periods' equations carry?
+  // 2. The phase differences that the single-valued potential carries, and the periods that correct
+  //    them.
   AlignedPotential result;
   if (periods > 0)
   {
-    // What sources at the periods do to holes and, with these, to the periods.
+    // The response of holes to sources at the periods, and with it that of the periods.
     const Eigen::MatrixXd onHoles = SolveGram(response.elastic, response.periods);
-    const Eigen::MatrixXd lower = potential.PeriodFactor(Islands);
+    const Eigen::MatrixXd lower = factor.PeriodFactor(Islands);
     const Eigen::MatrixXd inverse = DenseCholesky<double>(lower * lower.transpose()).Inverse() -
       response.periods.transpose() * onHoles;
     const Eigen::VectorXd grown =
-      potential.AtPeriods(load, Islands) + response.periods.transpose() * values;
+      factor.PeriodValues(load, Islands) + response.periods.transpose() * values;
     const Eigen::VectorXd carried = -inverse.llt().solve(grown);
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
@@ -104,13 +109,13 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
       result.holonomyDefect.push_back(defects[k]);
     }
     result.carriedPhase = carried + NearestOffsets(defects, inverse);
-    potential.AddAtPeriods(load, result.carriedPhase, Islands);
+    factor.AddPeriodSources(load, result.carriedPhase, Islands);
     values -= onHoles * result.carriedPhase;
   }
 
   // 3. The potential.
-  potential.AddOnHoles(load, values, Islands);
-  result.solution = potential.Substitute(load);
+  holes.AddSources(load, values, Islands);
+  result.solution = factor.Substitute(load);
   result.gradient = potential.Gradient(result.solution);
   result.energy = GradientEnergy(problem.Topology().mesh, result.gradient);
   return result;

@@ -38,12 +38,12 @@ struct SpreadPhases
   Eigen::VectorXd end;
 };
 
-/// A turn below this is one of coordinates that went through single precision, in the middle of a
-/// side of the polygon.
+/// Turns below this are rounding errors of coordinates in single precision: the vertex is in the
+/// middle of a side of the polygon.
 constexpr double SmallestTurn = 1e-5;
-/// Sums of lengths are the length of the whole up to rounding.
-constexpr double WalkedAll = 1.0 - 1e-9;
-/// How much longer than its neighbour a side of one curve may be.
+/// Fraction of a length at which a sum of edge lengths counts as complete, for rounding.
+constexpr double CompleteFraction = 1.0 - 1e-9;
+/// Maximum ratio of the length of a side to that of its neighbour on the same curve.
 constexpr double LargestRatio = 2.0;
 
 /// One loop of aligned boundary edges, walked with the domain on the left.
@@ -65,6 +65,7 @@ public:
     }
   }
 
+  /// Adds the phases that spread every turn of the loop over the sides next to it.
   void Spread(SpreadPhases& phases) const
   {
     const std::size_t turns = this->Turns.size();
@@ -82,41 +83,45 @@ public:
       const double back = 0.5 * std::min(before, LargestRatio * after);
       const double forth = 0.5 * std::min(after, LargestRatio * before);
       const double density = 4.0 * this->Turning(at) / (back + forth);
-      // The side of a curve that ends at a corner: the tangent is that of the side in its middle and
-      // goes on turning up to the corner, whose jump is less by that.
+      // On a side of a curve that ends at a corner, the tangent equals the side's direction in its
+      // middle and keeps turning up to the corner, whose jump is reduced by that turn.
       const double forthReach = this->Turns[next].corner && 2.0 * forth == after ? after : forth;
       const double backReach = this->Turns[last].corner && 2.0 * back == before ? before : back;
-      double way = 0.0;
-      for (std::size_t i = at; way < forthReach * WalkedAll; i = (i + 1) % this->Edges.size())
+      double passed = 0.0;
+      for (std::size_t i = at; passed < forthReach * CompleteFraction;
+           i = (i + 1) % this->Edges.size())
       {
         const double length = this->Length(i);
         const auto shift = [&](double distance)
         { return density * (std::min(distance, forthReach) - forth); };
-        phases.start[this->Edges[i]] += shift(way);
-        phases.middle[this->Edges[i]] += shift(way + 0.5 * length);
-        way += length;
-        phases.end[this->Edges[i]] += shift(way);
+        phases.start[this->Edges[i]] += shift(passed);
+        phases.middle[this->Edges[i]] += shift(passed + 0.5 * length);
+        passed += length;
+        phases.end[this->Edges[i]] += shift(passed);
       }
-      way = 0.0;
-      for (std::size_t i = this->Before(at); way < backReach * WalkedAll; i = this->Before(i))
+      passed = 0.0;
+      for (std::size_t i = this->Before(at); passed < backReach * CompleteFraction;
+           i = this->Before(i))
       {
         const double length = this->Length(i);
         const auto shift = [&](double distance)
         { return density * (back - std::min(distance, backReach)); };
-        phases.end[this->Edges[i]] += shift(way);
-        phases.middle[this->Edges[i]] += shift(way + 0.5 * length);
-        way += length;
-        phases.start[this->Edges[i]] += shift(way);
+        phases.end[this->Edges[i]] += shift(passed);
+        phases.middle[this->Edges[i]] += shift(passed + 0.5 * length);
+        passed += length;
+        phases.start[this->Edges[i]] += shift(passed);
       }
     }
   }
 
-  /// Moves the points of the curve from the sides to where the tangent leads from turn to turn.
+  /// Moves the points of the curve away from the sides by integrating the tangent from turn to
+  /// turn.
   void Bend(const SpreadPhases& phases, CurveSources& curve) const
   {
     for (std::size_t t = 0; t < this->Turns.size(); ++t)
     {
-      // What the tangent gains to the left of the side, less what it would miss the next turn by.
+      // Integral of the tangent to the left of the side; subtracting a linear part makes the curve
+      // meet the next turn.
       const double length = this->SideLength(t);
       double left = 0.0;
       this->AlongSide(t,
@@ -127,16 +132,16 @@ public:
       const double slope = left / length;
       left = 0.0;
       this->AlongSide(t,
-        [&](int edge, double half, double way)
+        [&](int edge, double half, double passed)
         {
           const MeshTopology& topology = this->Problem.Topology();
           const auto [from, to] = topology.BoundaryAt(edge).vertices;
           const Point along = (topology.PointAt(to) - topology.PointAt(from)) / (2.0 * half);
           const Point normal(-along.y(), along.x());
           const auto here = static_cast<std::size_t>(edge);
-          curve.start[here] += (left - slope * way) * normal;
+          curve.start[here] += (left - slope * passed) * normal;
           left += 0.125 * half * (phases.start[edge] + phases.middle[edge]);
-          curve.middle[here] += (left - slope * (way + half)) * normal;
+          curve.middle[here] += (left - slope * (passed + half)) * normal;
           left += 0.125 * half * (phases.middle[edge] + phases.end[edge]);
         });
     }
@@ -145,7 +150,7 @@ public:
 private:
   struct Turn
   {
-    std::size_t at; ///< The edge that starts there.
+    std::size_t at; ///< Position in Edges of the edge that starts there.
     bool corner;
   };
 
@@ -169,22 +174,22 @@ private:
     const MeshTopology& topology = this->Problem.Topology();
     return (topology.PointAt(to) - topology.PointAt(from)).norm();
   }
-  /// Calls f(entry of mesh.boundary, half its length, length before it) along the side from one turn to
-  /// the next. Returns the side's length.
+  /// Calls f(entry of mesh.boundary, half its length, length passed before it) along the side from
+  /// one turn to the next. Returns the side's length.
   template <typename F>
   double AlongSide(std::size_t turn, const F& f) const
   {
     const std::size_t end = this->Turns[(turn + 1) % this->Turns.size()].at;
-    double way = 0.0;
+    double passed = 0.0;
     std::size_t i = this->Turns[turn].at;
     do
     {
       const double length = this->Length(i);
-      f(this->Edges[i], 0.5 * length, way);
-      way += length;
+      f(this->Edges[i], 0.5 * length, passed);
+      passed += length;
       i = (i + 1) % this->Edges.size();
     } while (i != end);
-    return way;
+    return passed;
   }
   double SideLength(std::size_t turn) const
   {
@@ -272,7 +277,7 @@ EdgePhases LinearEdgePhases(const PotentialProblem& problem)
     const BoundaryEdge& edge = problem.Topology().mesh.boundary[i];
     if (edge.IsAligned())
     {
-      // What was not spread: corners.
+      // The part of the jump that was not spread, at corners.
       const auto here = static_cast<Eigen::Index>(i);
       const double left = jump[edge.vertices[0]] + phases.start[here] - phases.end[previous[i]];
       result.start[here] -= 0.5 * left;

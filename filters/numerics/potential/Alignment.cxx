@@ -41,18 +41,18 @@ double SetAlignedCrosses(const MeshTopology& topology, const Alignment& alignmen
     if (topology.mesh.boundary[i].IsAligned())
     {
       Complex& value = u[topology.edges.ofBoundary[i]];
-      const Complex wanted = alignment.crosses[static_cast<Eigen::Index>(i)];
-      change = std::max(change, std::abs(value - wanted));
-      value = wanted;
+      const Complex prescribed = alignment.crosses[static_cast<Eigen::Index>(i)];
+      change = std::max(change, std::abs(value - prescribed));
+      value = prescribed;
     }
   }
   return change;
 }
 
 PotentialProblem::PotentialProblem(
-  std::shared_ptr<const PotentialSolver> solver, Alignment question)
+  std::shared_ptr<const PotentialSolver> solver, Alignment boundaryCondition)
   : potential(std::move(solver))
-  , alignment(std::move(question))
+  , alignment(std::move(boundaryCondition))
 {
   RequireConsistent(this->alignment.count);
 }

@@ -8,34 +8,37 @@
 
 namespace crossfield
 {
-/// What the boundary of a mesh asks of crosses in one question: the quarter indices chosen for its
-/// vertices, the count that follows, and the crosses themselves (docs/method.md §2.4, §7.1).
+/// The boundary condition of one problem: the quarter indices chosen for boundary vertices, the
+/// Poincaré-Hopf count that follows, and the crosses on the boundary (docs/method.md §2.4, §7.1).
 struct Alignment
 {
-  std::vector<CornerChoice> corners; ///< As they were given; elsewhere the smallest rotation.
-  std::map<int, int> chosenQuarters; ///< The same by vertex of the mesh.
+  std::vector<CornerChoice>
+    corners; ///< As given; elsewhere the cross turns by its smallest rotation.
+  std::map<int, int> chosenQuarters; ///< The same choices by mesh vertex.
   PoincareHopfCount count;
   /// u = e^{4iτ} on aligned edges, in the order of mesh.boundary; 0 on holes.
   ComplexVector crosses;
 };
 
-/// `pointQuarters`: sum of the quarter indices of singularities without holes. Throws Error when a
-/// choice is not at a vertex of an aligned loop. An inconsistent count is no error here.
+/// Aligns crosses with the boundary. `pointQuarters` is the sum of the quarter indices of
+/// singularities without holes. Throws Error when a choice is not at a vertex of an aligned loop.
+/// Does not check that the count is consistent.
 Alignment AlignWithBoundary(const MeshTopology& topology,
   const std::vector<CornerChoice>& corners = {}, int pointQuarters = 0);
 
-/// Copies the prescribed crosses into u and returns the largest change that this was.
+/// Copies the prescribed crosses into u, a value per edge, and returns the largest change |Δu|.
 double SetAlignedCrosses(
   const MeshTopology& topology, const Alignment& alignment, ComplexVector& u);
 
-/// One question to the factored Laplacian of a mesh. Any number of them share a factor.
+/// A boundary condition together with the factored Laplacian of the mesh. Any number of problems
+/// share one factor.
 struct PotentialProblem
 {
   std::shared_ptr<const PotentialSolver> potential;
   Alignment alignment;
 
   /// Throws Error when the quarter indices violate Poincaré-Hopf.
-  PotentialProblem(std::shared_ptr<const PotentialSolver> solver, Alignment question);
+  PotentialProblem(std::shared_ptr<const PotentialSolver> solver, Alignment boundaryCondition);
 
   const MeshTopology& Topology() const { return this->potential->GetTopology(); }
 };

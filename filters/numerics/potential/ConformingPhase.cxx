@@ -5,11 +5,11 @@
 
 namespace crossfield
 {
-ConformingPhase::ConformingPhase(const PotentialSolver& potential, const Eigen::VectorXd& growth)
-  : Potential(potential)
-  , Value(Eigen::VectorXd::Zero(potential.Rows()))
+ConformingPhase::ConformingPhase(const PotentialOperator& laplacian, const Eigen::VectorXd& growth)
+  : Laplacian(laplacian)
+  , Value(Eigen::VectorXd::Zero(laplacian.Rows()))
 {
-  const std::vector<LoopStrip>& strips = potential.GetStrips();
+  const std::vector<LoopStrip>& strips = laplacian.GetStrips();
   for (std::size_t k = 0; k < strips.size(); ++k)
   {
     for (const LoopStrip::Step& step : strips[k].steps)
@@ -18,7 +18,7 @@ ConformingPhase::ConformingPhase(const PotentialSolver& potential, const Eigen::
     }
   }
   this->SetPeriods(growth);
-  for (const BoundaryLoop& loop : potential.GetTopology().loops)
+  for (const BoundaryLoop& loop : laplacian.GetTopology().loops)
   {
     if (loop.kind != BoundaryKind::Hole)
     {
@@ -29,7 +29,7 @@ ConformingPhase::ConformingPhase(const PotentialSolver& potential, const Eigen::
 
 void ConformingPhase::ShiftInnerLoops(const Eigen::VectorXd& differences)
 {
-  const MeshTopology& topology = this->Potential.GetTopology();
+  const MeshTopology& topology = this->Laplacian.GetTopology();
   Eigen::Index k = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -48,13 +48,13 @@ void ConformingPhase::ShiftInnerLoops(const Eigen::VectorXd& differences)
 void ConformingPhase::SetPeriods(const Eigen::VectorXd& growth)
 {
   Eigen::Index k = 0;
-  for (const BoundaryLoop& loop : this->Potential.GetTopology().loops)
+  for (const BoundaryLoop& loop : this->Laplacian.GetTopology().loops)
   {
     if (loop.kind == BoundaryKind::Outer)
     {
       continue;
     }
-    double& period = this->Value[this->Potential.PeriodRow(k)];
+    double& period = this->Value[this->Laplacian.PeriodRow(k)];
     ++k;
     if (loop.kind == BoundaryKind::Hole)
     {
@@ -63,7 +63,7 @@ void ConformingPhase::SetPeriods(const Eigen::VectorXd& growth)
     }
     for (int edge : loop.edges)
     {
-      period += growth[edge]; // of a clockwise edge
+      period += growth[edge]; // edges of inner loops are clockwise
     }
   }
 }
@@ -75,11 +75,11 @@ double ConformingPhase::Jump(int triangle, int vertex) const
   if (found != this->StepsOf.end())
   {
     const auto& v =
-      this->Potential.GetTopology().mesh.triangles[static_cast<std::size_t>(triangle)];
+      this->Laplacian.GetTopology().mesh.triangles[static_cast<std::size_t>(triangle)];
     const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
     for (const auto& [k, step] : found->second)
     {
-      jump += this->Value[this->Potential.PeriodRow(k)] * step->left[i];
+      jump += this->Value[this->Laplacian.PeriodRow(k)] * step->left[i];
     }
   }
   return jump;
@@ -87,7 +87,7 @@ double ConformingPhase::Jump(int triangle, int vertex) const
 
 void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& growth)
 {
-  const MeshTopology& topology = this->Potential.GetTopology();
+  const MeshTopology& topology = this->Laplacian.GetTopology();
   std::vector<int> along = loop.edges;
   if (loop.kind == BoundaryKind::Inner)
   {
@@ -105,8 +105,8 @@ void ConformingPhase::SetLoop(const BoundaryLoop& loop, const Eigen::VectorXd& g
 
 double ConformingPhase::Transport(Eigen::Index k) const
 {
-  const MeshTopology& topology = this->Potential.GetTopology();
-  const LoopStrip& strip = this->Potential.GetStrips()[static_cast<std::size_t>(k)];
+  const MeshTopology& topology = this->Laplacian.GetTopology();
+  const LoopStrip& strip = this->Laplacian.GetStrips()[static_cast<std::size_t>(k)];
   std::array<int, 2> side = topology.BoundaryAt(strip.firstBoundaryEdge).vertices;
   double sum = 0.0;
   for (const LoopStrip::Step& step : strip.steps)
@@ -114,7 +114,8 @@ double ConformingPhase::Transport(Eigen::Index k) const
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(step.triangle)];
     const auto at = [&](int vertex)
     { return this->Value[vertex] + this->Jump(step.triangle, vertex); };
-    // The way leaves by the other side that has one end on the left and one on the right.
+    // The strip leaves the triangle by the other side with one end on the left and one on the
+    // right.
     const auto isLeft = [&](std::size_t i) { return step.left[i] > 0.5; };
     std::array<int, 2> out = side;
     for (std::size_t i = 0; i < 3; ++i)

@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-Eigen::MatrixXd EdgePotential::AroundIslands(const Eigen::MatrixXd& sources) const
+Eigen::MatrixXd EdgePotential::SumAroundIslands(const Eigen::MatrixXd& sources) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
   Eigen::MatrixXd sums =
@@ -31,21 +31,21 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
   const MeshTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
   Eigen::VectorXd sources =
-    this->Inside.HarmonicSources(ConformingPhase(this->Potential, fluxes).Get());
-  const Eigen::MatrixXd& constants = this->Inside.IslandSources();
+    this->Dirichlet.HarmonicSources(ConformingPhase(this->Potential.GetOperator(), fluxes).Get());
+  const Eigen::MatrixXd& constants = this->Dirichlet.IslandSources();
   if (constants.cols() > 0)
   {
-    sources -=
-      constants * Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->AroundIslands(sources));
+    sources -= constants *
+      Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->SumAroundIslands(sources));
   }
 
-  // 2. Its conjugate changes by the source of a vertex on the way past it, and by that of a period along its strip; the
-  // potential is minus that.
+  // 2. Its conjugate changes by the source of a vertex from one boundary edge to the next, and by
+  //    the source of a period along its strip; the potential is minus the conjugate.
   Eigen::VectorXd values = Eigen::VectorXd::Zero(fluxes.size());
   const auto follow = [&](const BoundaryLoop& loop, int first)
   {
-    const bool forward =
-      loop.kind == BoundaryKind::Outer; // inner loops are listed against their edges
+    const bool forward = loop.kind ==
+      BoundaryKind::Outer; // inner loops are listed against the direction of their edges
     const std::size_t count = loop.edges.size();
     std::size_t here = 0;
     while (loop.edges[here] != first)

@@ -26,8 +26,8 @@ std::shared_ptr<const PotentialSolver> WithoutHoles(
 
 constexpr auto Islands = PotentialSolver::Periods::Islands;
 
-/// Makes a solution single-valued; returns the sources at the periods that keep it so. `basis` and `inverse` as
-/// PointPotential has them.
+/// Makes a solution single-valued by sources at the periods, and returns them. `basis` and
+/// `inverse` are PeriodBasis and PeriodInverse of PointPotential.
 Eigen::VectorXd RemovePeriods(
   const Eigen::MatrixXd& basis, const Eigen::MatrixXd& inverse, Eigen::VectorXd& solution)
 {
@@ -61,7 +61,7 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
     this->Halves.push_back({ ends[1], middle, topology.PointAt(ends[1]), growth[1] });
   }
   this->FindBoundaryLogs();
-  // What turns by less than counts as a turn is in no half yet.
+  // The halves do not contain turns below SmallestTurn (AlignedSources) yet.
   Eigen::VectorXd missing = this->Sources;
   for (const BoundaryHalf& half : this->Halves)
   {
@@ -76,7 +76,8 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
       BoundaryHalf& half = this->Halves[h];
       const auto [from, to] = this->Ends(h, m < this->CurveLogs);
       half.logFlux += log.strength * turns[h];
-      // Its mean over a half: of its ends, but along sides that come out of it integrated.
+      // The mean over a half is that of its ends. For points of curves, and along sides that pass
+      // through the position of the logarithm, it is integrated.
       const bool along = m < this->CurveLogs || std::abs(turns[h]) <= AngleRounding;
       half.logMean += along
         ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
@@ -120,7 +121,7 @@ void PointPotential::FindBoundaryLogs()
     }
     else if (found != chosen.end() && found->second != 0)
     {
-      // Straight on: −s / α = 2πk / π.
+      // The boundary is straight here: −s / α = 2πk / π.
       this->BoundaryLogs.push_back({ this->Curve.start[i], 2.0 * found->second, Pi });
       this->LogVertices.push_back(vertex);
       this->Sources[vertex] += 2.0 * Pi * found->second;
@@ -151,24 +152,24 @@ std::vector<double> PointPotential::Turns(std::size_t boundaryLog) const
   const LogSource& log = this->BoundaryLogs[boundaryLog];
   const bool onCurve = boundaryLog < this->CurveLogs;
   std::vector<double> turns;
-  double rest = log.angle;
-  double length = 0.0; // of the halves next to it
+  double remaining = log.angle;
+  double length = 0.0; // of the halves at its vertex
   for (std::size_t h = 0; h < this->Halves.size(); ++h)
   {
     const auto [from, to] = this->Ends(h, onCurve);
     const bool own = this->Halves[h].vertex == this->LogVertices[boundaryLog];
     turns.push_back(own ? 0.0 : log.Turn(from, to));
-    rest -= turns.back();
+    remaining -= turns.back();
     length += own ? (to - from).norm() : 0.0;
   }
-  // A curve leaves its tangent, as the half next to the point does not. A corner is seen from all of the
-  // polygon under its angle, and nothing is left but rounding.
+  // A curve turns away from its tangent, but a half at the vertex is straight: it receives the
+  // angle that remains. For a corner, what remains is rounding.
   for (std::size_t h = 0; onCurve && h < this->Halves.size(); ++h)
   {
     if (this->Halves[h].vertex == this->LogVertices[boundaryLog])
     {
       const auto [from, to] = this->Ends(h, onCurve);
-      turns[h] = rest * (to - from).norm() / length;
+      turns[h] = remaining * (to - from).norm() / length;
     }
   }
   return turns;
@@ -219,12 +220,12 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     RequireConsistent(count);
   }
   Solution result;
-  // Nearer than this they are one point in single precision.
-  const double least = 1e-6 * this->Domain.Diagonal();
+  // Points nearer than this coincide in single precision.
+  const double minimum = 1e-6 * this->Domain.Diagonal();
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     const Singularity& singularity = configuration[i];
-    if (!(SignedDistance(singularity.position, this->Domain) > least))
+    if (!(SignedDistance(singularity.position, this->Domain) > minimum))
     {
       throw Error("The singularity " + std::to_string(i + 1) + " at " +
         Describe(singularity.position) +
@@ -232,7 +233,7 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     }
     for (std::size_t j = 0; j < i; ++j)
     {
-      if ((configuration[j].position - singularity.position).norm() <= least)
+      if ((configuration[j].position - singularity.position).norm() <= minimum)
       {
         throw Error("Singularities " + std::to_string(j + 1) + " and " + std::to_string(i + 1) +
           " are at the same place " + Describe(singularity.position) +
@@ -244,7 +245,7 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
   }
   const std::size_t inside = result.logs.size();
 
-  // 1. Sources of R. Every log is seen from all of the boundary under the angle of the domain.
+  // 1. Sources of R. The angles at which a logarithm sees the boundary add up to its angle.
   result.sources = this->Sources;
   for (const BoundaryHalf& half : this->Halves)
   {
@@ -254,12 +255,12 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     }
   }
   result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());
-  // Angles have rounding errors that a Neumann problem must not see as a source.
+  // The Neumann problem has no solution for the sum of rounding errors of the angles: remove it.
   const Eigen::Index periods = this->Problem.potential->PeriodCount();
   const Eigen::Index vertices = result.sources.size() - periods;
   result.sources[this->Halves.front().vertex] -= result.sources.head(vertices).sum();
 
-  // 2. R without periods: the sources at the periods that keep them zero are what R carries.
+  // 2. R without periods. The sources that keep the periods zero are the phase that R carries.
   result.regular = this->Problem.potential->Solve(result.sources, Islands);
   const Eigen::VectorXd carried =
     RemovePeriods(this->PeriodBasis, this->PeriodInverse, result.regular);
@@ -286,7 +287,7 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
       defects[k] = WrapAngle(difference);
       result.holonomyDefect.push_back(defects[k]);
     }
-    // 3. And with those that the alignment of inner loops asks for.
+    // 3. R with the periods that align inner loops.
     result.offsets = NearestOffsets(defects, this->PeriodInverse);
     result.periods = this->PeriodInverse * result.offsets;
     result.aligned = result.regular + this->PeriodBasis * result.offsets;

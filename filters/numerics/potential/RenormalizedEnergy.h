@@ -6,9 +6,9 @@
 
 namespace crossfield
 {
-/// The renormalised energy of a configuration: what remains of the energy ½ ∫ |∇φ|² of the aligned
-/// unit-norm field when the logarithms of its singularities are taken out (docs/method.md §5.3, §6.4; paper, "The
-/// unifying renormalized Ginzburg-Landau energy"),
+/// The renormalised energy W of a configuration: the finite part of the energy ½ ∫ |∇φ|² of the
+/// aligned unit-norm field, without the logarithmic divergence at its singularities and corners
+/// (docs/method.md §5.3, §6.4; paper, "The unifying renormalized Ginzburg-Landau energy"),
 ///   E = Σ_j π d_j² log(1/ρ) + Σ_c 16 e(α_c, k_c) log(1/ρ) + W + o(1)
 /// on the domain without disks of radius ρ around singularities and corners.
 struct RenormalizedEnergyValue
@@ -16,25 +16,29 @@ struct RenormalizedEnergyValue
   double energy = 0.0;             ///< W, with the harmonic field of the holonomy defects.
   double singleValuedEnergy = 0.0; ///< W without it.
   double logarithmCoefficient = 0.0;
-  /// Of the energy at a core radius ρ, without the o(1): between configurations of different
-  /// coefficients this can be compared, and W cannot.
+  /// Returns the energy at a core radius ρ, without the o(1). It compares configurations whose
+  /// coefficients of the logarithm differ; W does not.
   double AtCoreRadius(double radius) const
   {
     return this->energy - this->logarithmCoefficient * std::log(radius);
   }
-  Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity,
-  Eigen::Matrix2Xd singleValuedGradient; ///< and of W without the harmonic field.
+  Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity.
+  Eigen::Matrix2Xd singleValuedGradient; ///< The same for W without the harmonic field.
   std::vector<double> holonomyDefect;
-  std::vector<Eigen::Matrix2Xd> defectGradient; ///< Of each holonomy defect.
+  std::vector<Eigen::Matrix2Xd> defectGradient; ///< Gradient of each holonomy defect.
 };
 
-/// W of a configuration, from its solution. With Λ the sum of the logarithms a_m log|x − x_m| and ω_m
-/// the angle of the domain around x_m, Green's identity turns the formula of the paper into
+/// Evaluates W of a configuration from its solution. With Λ the sum of the logarithms a_m log|x −
+/// x_m| and ω_m the angle of the domain around x_m, Green's identity turns the formula of the paper
+/// into
 ///   W = −½ Σ_{m≠n} ω_m a_m a_n log|x_m − x_n| + ½ ∮ R ∂R/∂ν + ∮ Λ ∂R/∂ν + ½ ∮ Λ ∂Λ/∂ν,
-/// plus ½ offsetᵀ S⁻¹ offset for inner loops that are off by an offset. The integrals are sums over
-/// halves of boundary edges, the logarithms of the boundary as means. R is the mean of two solutions, with values at vertices and on edges, whose
-/// energies are bounds on either side, and so is the last term; both are quadratic in the sources, so that the discrete W is a smooth function of the
-/// positions wherever they are in the mesh, and its gradient is exact and needs no further solve.
+/// plus ½ offsetᵀ S⁻¹ offset for the phase offsets of inner loops. The integrals are sums over
+/// halves of boundary edges; logarithms at the boundary enter by their means.
+///
+/// R is the mean of two solutions, one with values at vertices and one with values on edges, whose
+/// energies bound the exact one from below and above; the same holds for the last term. Both are
+/// quadratic in the sources, so the discrete W is a smooth function of the positions wherever they
+/// are in the mesh, and its gradient is exact and needs no further solve.
 RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const PointPotential& potential, const PointPotential::Solution& solution);
 }

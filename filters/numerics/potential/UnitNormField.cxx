@@ -12,7 +12,7 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
   UnitNormField result;
   result.energy = potential.energy;
   result.holonomyDefect = potential.holonomyDefect;
-  // The phase by rotation and summation along edges.
+  // The phase follows from the gradient turned by 90°, summed from edge to edge.
   const MeshTopology& topology = problem.Topology();
   const int first = topology.FirstOuterEdge();
   const Eigen::RowVectorXd phase = IntegrateConjugate(topology.mesh, topology.edges,

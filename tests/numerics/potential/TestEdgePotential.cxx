@@ -24,7 +24,8 @@ SharedTopology WithIslands(double size)
   return ShareTopology(DrillHoles(domain, {}, options));
 }
 
-/// Fluxes through boundary edges, those through the loops different from zero, which add up to zero.
+/// Fluxes through boundary edges, those through the loops different from zero, which add up to
+/// zero.
 Eigen::VectorXd FluxesOn(const MeshTopology& topology)
 {
   Eigen::VectorXd fluxes(static_cast<Eigen::Index>(topology.mesh.boundary.size()));
@@ -43,7 +44,8 @@ TEST(EdgePotential, IsTheSolutionOfCrouzeixAndRaviart)
   const Eigen::VectorXd fluxes = FluxesOn(*topology);
   const Eigen::VectorXd values = EdgePotential(solver).Solve(fluxes);
 
-  // The same by its own matrix, with something on the diagonal at the first outer edge, where the potential is 0.
+  // The same by its own matrix, with something on the diagonal at the first outer edge, where the
+  // potential is 0.
   SparseMatrix matrix = CrouzeixRaviartStiffness(topology->mesh, topology->edges);
   const int ground = topology->EdgeOfBoundary(topology->loops[0].edges.front());
   matrix.coeffRef(ground, ground) += 1.0;
@@ -68,7 +70,8 @@ TEST(EdgePotential, IsSymmetricAndOfMoreEnergyThanThatOfVertices)
   const Eigen::VectorXd others = fluxes.reverse();
   EXPECT_NEAR(others.dot(edges.Solve(fluxes)), fluxes.dot(edges.Solve(others)), 1e-10);
 
-  // Half of the flux of an edge to each of its ends is exact for functions that are linear on edges.
+  // Half of the flux of an edge to each of its ends is exact for functions that are linear on
+  // edges.
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(solver.Rows());
   for (Eigen::Index i = 0; i < fluxes.size(); ++i)
   {
@@ -77,7 +80,8 @@ TEST(EdgePotential, IsSymmetricAndOfMoreEnergyThanThatOfVertices)
       sources[vertex] += 0.5 * fluxes[i];
     }
   }
-  // Free periods leave more of it than periods of zero, as W has them, and still it is below that of the edges.
+  // Free periods leave more of it than periods of zero, as W has them, and still it is below that
+  // of the edges.
   const Eigen::VectorXd atVertices = solver.Solve(sources, PotentialSolver::Periods::Islands);
   EXPECT_GT(fluxes.dot(edges.Solve(fluxes)), 1.01 * sources.dot(atVertices));
 }

@@ -8,6 +8,10 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
+#include <thread>
 
 namespace crossfield::test
 {
@@ -16,7 +20,7 @@ namespace
 constexpr auto Islands = PotentialSolver::Periods::Islands;
 constexpr auto Everywhere = PotentialSolver::Periods::IslandsAndHoles;
 
-/// A mesh with its solver: two holes, and two islands unless it is said otherwise.
+/// A mesh with two holes, and its solver.
 struct Prepared
 {
   PotentialSolver solver;
@@ -24,9 +28,8 @@ struct Prepared
   const EdgeNumbering& edges;
   const std::vector<BoundaryLoop>& loops;
 
-  explicit Prepared(const PlanarDomain& domain,
-    PotentialSolver::Boundary boundary = PotentialSolver::Boundary::Natural)
-    : solver(ShareTopology(MakeMesh(domain)), boundary)
+  explicit Prepared(const PlanarDomain& domain)
+    : solver(ShareTopology(MakeMesh(domain)))
     , mesh(solver.GetTopology().mesh)
     , edges(solver.GetTopology().edges)
     , loops(solver.GetTopology().loops)
@@ -41,11 +44,12 @@ struct Prepared
   }
 };
 
-PlanarDomain Plain()
+PlanarDomain WithoutIslands()
 {
   return MakePlanarDomain({ RegularPolygon(40) });
 }
 
+/// The same domain with two islands.
 PlanarDomain WithIslands()
 {
   return MakePlanarDomain({ RegularPolygon(40), RegularPolygon(4, 0.2, Point(0.4, 0.1)),
@@ -65,7 +69,7 @@ Eigen::VectorXd RandomSources(Random& random, const Prepared& prepared)
 TEST(PotentialSolver, SolvesTheLaplacianForAnySourcesOfSumZero)
 {
   Random random(110);
-  const Prepared prepared(Plain());
+  const Prepared prepared(WithoutIslands());
   ASSERT_EQ(prepared.solver.PeriodCount(Islands), 0);
   const SparseMatrix stiffness = P1Stiffness(prepared.mesh, prepared.edges);
   for (int trial = 0; trial < 5; ++trial)
@@ -100,41 +104,44 @@ TEST(PotentialSolver, ApplyGivesBackTheSources)
   Random random(113);
   const Prepared prepared(WithIslands());
   const Eigen::VectorXd sources = RandomSources(random, prepared);
-  const Eigen::VectorXd applied = prepared.solver.Apply(prepared.solver.Solve(sources, Everywhere));
+  const Eigen::VectorXd applied =
+    prepared.solver.GetOperator().Apply(prepared.solver.Solve(sources, Everywhere));
   EXPECT_LE((applied - sources).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
-TEST(PotentialSolver, AGivenBoundaryKeepsItsValuesAndPeriods)
+TEST(DirichletSolver, KeepsPrescribedValuesAndPeriodsAndIsHarmonicInside)
 {
   Random random(114);
-  const Prepared prepared(WithIslands(), PotentialSolver::Boundary::Given);
-  const PotentialSolver& solver = prepared.solver;
-  const auto isGiven = [&](Eigen::Index row)
+  const Prepared prepared(WithIslands());
+  const PotentialOperator& laplacian = prepared.solver.GetOperator();
+  const DirichletSolver& dirichlet = prepared.solver.GetDirichlet();
+  const auto isPrescribed = [&](Eigen::Index row)
   {
-    return row >= solver.PeriodRow(0) ||
+    return row >= laplacian.PeriodRow(0) ||
       std::any_of(prepared.mesh.boundary.begin(), prepared.mesh.boundary.end(),
         [row](const BoundaryEdge& edge)
         { return edge.kind != BoundaryKind::Hole && edge.vertices[0] == row; });
   };
-  Eigen::VectorXd given = Eigen::VectorXd::Zero(solver.Rows());
-  for (Eigen::Index row = 0; row < given.size(); ++row)
+  Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(laplacian.Rows());
+  for (Eigen::Index row = 0; row < prescribed.size(); ++row)
   {
-    given[row] = isGiven(row) ? random.Uniform(-1.0, 1.0) : 0.0;
+    prescribed[row] = isPrescribed(row) ? random.Uniform(-1.0, 1.0) : 0.0;
   }
-  const Eigen::VectorXd solution = given + solver.Solve(-solver.Apply(given), Everywhere);
-  const Eigen::VectorXd sources = solver.Apply(solution);
-  for (Eigen::Index row = 0; row < given.size(); ++row)
+  const Eigen::VectorXd solution = dirichlet.Harmonic(prescribed);
+  const Eigen::VectorXd sources = laplacian.Apply(solution);
+  EXPECT_EQ(dirichlet.HarmonicSources(prescribed), sources);
+  for (Eigen::Index row = 0; row < prescribed.size(); ++row)
   {
-    if (isGiven(row))
+    if (isPrescribed(row))
     {
-      EXPECT_EQ(solution[row], given[row]);
+      EXPECT_EQ(solution[row], prescribed[row]);
     }
     else
     {
       EXPECT_NEAR(sources[row], 0.0, 1e-11);
     }
   }
-  EXPECT_EQ(solver.PeriodFactor(Everywhere).size(), 0);
+  EXPECT_EQ(dirichlet.GetFactor().PeriodFactor(Everywhere).size(), 0);
 }
 
 TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)
@@ -155,8 +162,8 @@ TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)
 
 TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
 {
-  // docs/method.md §2: sources at the vertices of boundary loops and periods, none inside and none in sum
-  // around any loop, give a single-valued φ; its differences are the right-hand side.
+  // docs/method.md §2: sources at the vertices of boundary loops and periods, none inside and none
+  // in sum around any loop, give a single-valued φ; its differences are the right-hand side.
   Random random(112);
   const Prepared prepared(WithIslands());
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
@@ -223,7 +230,7 @@ TEST(PotentialSolver, PeriodFactorBelongsToTheSchurComplement)
     sources.middleRows(prepared.solver.PeriodRow(0), count).setIdentity();
     const Eigen::MatrixXd inverse =
       prepared.solver.Solve(sources, periods).middleRows(prepared.solver.PeriodRow(0), count);
-    const Eigen::MatrixXd lower = prepared.solver.PeriodFactor(periods);
+    const Eigen::MatrixXd lower = prepared.solver.GetFactor().PeriodFactor(periods);
     const Eigen::MatrixXd identity = lower * (lower.transpose() * inverse);
     EXPECT_LE((identity - Eigen::MatrixXd::Identity(count, count)).norm(), 1e-10);
   }
@@ -232,7 +239,7 @@ TEST(PotentialSolver, PeriodFactorBelongsToTheSchurComplement)
 TEST(PotentialSolver, HoleSourcesAreTheDifferencesAroundHoles)
 {
   const Prepared prepared(WithIslands());
-  const Eigen::SparseMatrix<double>& sources = prepared.solver.HoleSources();
+  const Eigen::SparseMatrix<double> sources = HoleSources(prepared.solver.GetOperator());
   Eigen::Index column = 0;
   Eigen::Index period = 2;
   for (const BoundaryLoop& loop : prepared.loops)
@@ -259,31 +266,37 @@ TEST(PotentialSolver, HoleSourcesAreTheDifferencesAroundHoles)
   EXPECT_EQ(sources.nonZeros(), 2 * column + 2);
 }
 
-TEST(PotentialSolver, HoleResponseIsWhatSourcesOnHolesDo)
+TEST(HoleResponse, AgreesWithSolutionsForSourcesOnHolesAndAtPeriods)
 {
-  for (const auto boundary :
-    { PotentialSolver::Boundary::Natural, PotentialSolver::Boundary::Given })
+  for (const PlanarDomain& domain : { WithoutIslands(), WithIslands() })
   {
-    for (const PlanarDomain& domain : { Plain(), WithIslands() })
+    const Prepared prepared(domain);
+    const PotentialSolver& solver = prepared.solver;
+    const Eigen::MatrixXd sources = HoleSources(solver.GetOperator());
+    for (const PotentialFactor* factor :
+      { &solver.GetFactor(), &solver.GetDirichlet().GetFactor() })
     {
+      const bool natural = factor == &solver.GetFactor();
+      const HoleElimination holes(*factor);
       for (const auto periods : { Islands, Everywhere })
       {
-        const Prepared prepared(domain, boundary);
-        const PotentialSolver& solver = prepared.solver;
-        const Eigen::MatrixXd sources = solver.HoleSources();
-        Eigen::MatrixXd expected = sources.transpose() * solver.Solve(sources, periods);
-        const PotentialSolver::HoleResponse& response = solver.GetHoleResponse(periods);
+        Eigen::MatrixXd expected = sources.transpose() * factor->Solve(sources, periods);
+        const HoleResponse response(holes, periods);
         ASSERT_EQ(response.elastic.BlockCount(), 2);
-        if (periods == Islands || boundary == PotentialSolver::Boundary::Given)
+        if (periods == Islands || !natural)
         {
           const double mean = expected.diagonal().mean();
           expected.topLeftCorner(12, 12).array() += mean / 12.0;
           expected.bottomRightCorner(12, 12).array() += mean / 12.0;
         }
         EXPECT_LE((response.elastic.Dense() - expected).norm(), 1e-11 * expected.norm());
+        if (natural)
+        {
+          EXPECT_EQ(solver.GetHoleResponse(periods).elastic.Dense(), response.elastic.Dense());
+        }
 
-        Eigen::MatrixXd atPeriods = Eigen::MatrixXd::Zero(solver.Rows(),
-          boundary == PotentialSolver::Boundary::Natural ? solver.PeriodCount(periods) : 0);
+        Eigen::MatrixXd atPeriods =
+          Eigen::MatrixXd::Zero(solver.Rows(), natural ? solver.PeriodCount(periods) : 0);
         atPeriods.middleRows(solver.PeriodRow(0), atPeriods.cols()).setIdentity();
         ASSERT_EQ(response.periods.cols(), atPeriods.cols());
         if (atPeriods.cols() == 0)
@@ -291,16 +304,84 @@ TEST(PotentialSolver, HoleResponseIsWhatSourcesOnHolesDo)
           continue;
         }
         EXPECT_LE(
-          (response.periods - sources.transpose() * solver.Solve(atPeriods, periods)).norm(),
+          (response.periods - sources.transpose() * factor->Solve(atPeriods, periods)).norm(),
           1e-11);
       }
     }
   }
 }
 
+/// Everything that a solver computes for one right-hand side, its lazy parts included.
+std::vector<Eigen::MatrixXd> AnswersOf(
+  const PotentialSolver& solver, const Eigen::VectorXd& sources)
+{
+  std::vector<Eigen::MatrixXd> answers;
+  for (const auto periods : { Everywhere, Islands })
+  {
+    const HoleResponse& response = solver.GetHoleResponse(periods);
+    answers.push_back(response.elastic.Dense());
+    answers.push_back(response.periods);
+    PotentialFactor::Eliminated eliminated = solver.GetFactor().Eliminate(sources, periods);
+    const Eigen::MatrixXd differences = solver.GetHoles().Differences(eliminated);
+    solver.GetHoles().AddSources(eliminated, differences, periods);
+    answers.push_back(solver.GetFactor().PeriodValues(eliminated, periods));
+    answers.push_back(solver.GetFactor().Substitute(eliminated));
+    answers.push_back(solver.Solve(sources, periods));
+    answers.push_back(solver.Gradient(answers.back()));
+    answers.push_back(solver.GetOperator().Apply(answers[answers.size() - 2]));
+  }
+  const DirichletSolver& dirichlet = solver.GetDirichlet();
+  Eigen::VectorXd onLoops = Eigen::VectorXd::Zero(solver.Rows());
+  for (const BoundaryEdge& edge : solver.GetTopology().mesh.boundary)
+  {
+    onLoops[edge.vertices[0]] = edge.IsAligned() ? sources[edge.vertices[0]] : 0.0;
+  }
+  answers.push_back(dirichlet.HarmonicSources(onLoops));
+  answers.push_back(dirichlet.IslandSources());
+  return answers;
+}
+
+TEST(PotentialSolver, AnswersTwoThreadsAtOnceAsOne)
+{
+  Random random(115);
+  constexpr std::size_t Count = 8;
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const Prepared prepared(WithIslands());
+    std::vector<Eigen::VectorXd> sources;
+    std::vector<std::vector<Eigen::MatrixXd>> expected;
+    for (std::size_t i = 0; i < Count; ++i)
+    {
+      sources.push_back(RandomSources(random, prepared));
+      expected.push_back(AnswersOf(prepared.solver, sources.back()));
+    }
+    // A solver none of whose lazy parts exists yet.
+    const PotentialSolver shared(prepared.solver.ShareTopology());
+    std::array<std::vector<std::vector<Eigen::MatrixXd>>, 2> answers;
+    std::atomic<int> ready = 0;
+    const auto run = [&](std::vector<std::vector<Eigen::MatrixXd>>& own)
+    {
+      ++ready;
+      while (ready < 2)
+      {
+        std::this_thread::yield();
+      }
+      for (const Eigen::VectorXd& right : sources)
+      {
+        own.push_back(AnswersOf(shared, right));
+      }
+    };
+    std::thread second(run, std::ref(answers[1]));
+    run(answers[0]);
+    second.join();
+    EXPECT_EQ(answers[0], expected);
+    EXPECT_EQ(answers[1], expected);
+  }
+}
+
 TEST(PotentialSolver, RefusesSourcesWithASum)
 {
-  const Prepared prepared(Plain());
+  const Prepared prepared(WithoutIslands());
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(prepared.solver.Rows());
   sources[3] = 0.5;
   EXPECT_TRUE(Refuses(

@@ -99,7 +99,8 @@ TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
     std::vector<double> errors;
     for (const int count : { 80, 160, 320 })
     {
-      // At vertices, in the middle of sides and anywhere along them, on polygons turned by some angle.
+      // At vertices, in the middle of sides and anywhere along them, on polygons turned by some
+      // angle.
       const double size = 2.0 * Pi / count;
       std::vector<double> of;
       for (const Place place : { Place::Vertex, Place::Middle, Place::Anywhere })
@@ -209,7 +210,8 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
 
 TEST(RenormalizedEnergy, OfADefectIsTheMiddleOfItsBounds)
 {
-  // ½ δ² 2π / log(1 / a) in a ring of the inner radius a, which long triangles around a small polygon miss by P1 alone.
+  // ½ δ² 2π / log(1 / a) in a ring of the inner radius a, which long triangles around a small
+  // polygon miss by P1 alone.
   const double inner = 0.02;
   const PlanarDomain ring =
     MakePlanarDomain({ RegularPolygon(256, 1.0), RegularPolygon(24, inner) });
@@ -219,8 +221,8 @@ TEST(RenormalizedEnergy, OfADefectIsTheMiddleOfItsBounds)
   const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(potential, solution);
   const double offset = solution.offsets[0];
   ASSERT_GT(std::abs(offset), 0.5);
-  // From outside a regular polygon is a circle of its capacity, Γ(1/n) / (2^(1 + 2/n) π^½ Γ(½ + 1/n)) of a side. The
-  // outer one is the unit circle within 1e-4.
+  // From outside a regular polygon is a circle of its capacity, Γ(1/n) / (2^(1 + 2/n) π^½ Γ(½ +
+  // 1/n)) of a side. The outer one is the unit circle within 1e-4.
   const double part = 1.0 / 24.0;
   const double radius = inner * 2.0 * std::sin(Pi * part) * std::tgamma(part) /
     (std::pow(2.0, 1.0 + 2.0 * part) * std::sqrt(Pi) * std::tgamma(0.5 + part));
@@ -337,8 +339,8 @@ TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
 
 TEST(RenormalizedEnergy, AQuarterDiskThatIsAllCornerHasNothingElse)
 {
-  // The centre carries 2: Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4, zero on the arc; inside of it, on its chords, Φ
-  // is below zero by O(h²).
+  // The centre carries 2: Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4, zero on the arc; inside of
+  // it, on its chords, Φ is below zero by O(h²).
   for (const double size : { 0.1, 0.03 })
   {
     const TriangleMesh mesh = Mesh(Builtin("quarter-disk", size), size);

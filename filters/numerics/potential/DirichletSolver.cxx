@@ -1,0 +1,33 @@
+#include "DirichletSolver.h"
+
+namespace crossfield
+{
+DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
+  : Factor(laplacian, PotentialFactor::Boundary::Dirichlet)
+  , OfIslands(laplacian.Rows(), laplacian.PeriodCount(PotentialOperator::Periods::Islands))
+{
+  const MeshTopology& topology = laplacian.GetTopology();
+  Eigen::Index k = 0;
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    if (loop.kind == BoundaryKind::Inner)
+    {
+      Eigen::VectorXd one = Eigen::VectorXd::Zero(laplacian.Rows());
+      for (const int edge : loop.edges)
+      {
+        one[topology.BoundaryAt(edge).vertices[0]] = 1.0;
+      }
+      this->OfIslands.col(k) = this->HarmonicSources(one);
+      ++k;
+    }
+  }
+}
+
+Eigen::VectorXd DirichletSolver::Harmonic(const Eigen::VectorXd& x) const
+{
+  // No period is unknown, so which of them the problem has makes no difference.
+  return x +
+    this->Factor.Solve(
+      -this->Factor.GetOperator().Apply(x), PotentialOperator::Periods::IslandsAndHoles);
+}
+}

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "PotentialFactor.h"
+
+namespace crossfield
+{
+/// Harmonic potentials with prescribed values on outer and inner loops and prescribed periods, on a
+/// mesh whose Laplacian is factored for the inner vertices.
+///
+/// Immutable: every member function may be called from several threads at once.
+class DirichletSolver
+{
+public:
+  /// Refers to the operator, which must outlive it.
+  explicit DirichletSolver(const PotentialOperator& laplacian);
+
+  const PotentialFactor& GetFactor() const { return this->Factor; }
+
+  /// Returns the potential with the values of x at the vertices of outer and inner loops and at
+  /// periods, and with no source elsewhere. x is zero at the vertices inside.
+  Eigen::VectorXd Harmonic(const Eigen::VectorXd& x) const;
+
+  /// Returns the sources of Harmonic(x).
+  Eigen::VectorXd HarmonicSources(const Eigen::VectorXd& x) const
+  {
+    return this->Factor.GetOperator().Apply(this->Harmonic(x));
+  }
+
+  /// The sources of the harmonic potentials that are 1 on one inner loop and 0 on all other loops:
+  /// a column per inner loop.
+  const Eigen::MatrixXd& IslandSources() const { return this->OfIslands; }
+
+private:
+  PotentialFactor Factor;
+  Eigen::MatrixXd OfIslands; ///< See IslandSources.
+};
+}

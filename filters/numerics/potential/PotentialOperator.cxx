@@ -1,0 +1,139 @@
+#include "PotentialOperator.h"
+
+#include "P1Laplacian.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace crossfield
+{
+PotentialOperator::PotentialOperator(SharedTopology topology)
+  : Topology(std::move(topology))
+  , IslandCount(this->Topology->LoopCount(BoundaryKind::Inner))
+  , Strips(FindLoopStrips(this->Topology->mesh, this->Topology->edges, this->Topology->loops, true))
+{
+}
+
+Eigen::SparseMatrix<double> PotentialOperator::Assemble() const
+{
+  const TriangleMesh& mesh = this->Topology->mesh;
+  const std::vector<LoopStrip>& strips = this->Strips;
+  Eigen::SparseMatrix<double> matrix = P1Stiffness(mesh, this->Topology->edges);
+  const Eigen::Index vertexCount = matrix.rows();
+  const auto size = vertexCount + static_cast<Eigen::Index>(strips.size());
+  matrix.conservativeResize(size, size);
+  std::vector<Eigen::Triplet<double>> border;
+  for (std::size_t k = 0; k < strips.size(); ++k)
+  {
+    const auto row = static_cast<int>(vertexCount + static_cast<Eigen::Index>(k));
+    // K_T η_k on the triangles of its strip, sorted to find where other strips overlap.
+    std::vector<std::pair<int, Eigen::Vector3d>> products;
+    for (const LoopStrip::Step& step : strips[k].steps)
+    {
+      const Eigen::Vector3d product =
+        P1ElementStiffness(mesh, static_cast<std::size_t>(step.triangle)) *
+        Eigen::Map<const Eigen::Vector3d>(step.left.data());
+      products.emplace_back(step.triangle, product);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const int vertex = mesh.triangles[static_cast<std::size_t>(step.triangle)][i];
+        border.emplace_back(vertex, row, product[static_cast<Eigen::Index>(i)]);
+        border.emplace_back(row, vertex, product[static_cast<Eigen::Index>(i)]);
+      }
+    }
+    std::sort(products.begin(), products.end(),
+      [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t l = 0; l < strips.size(); ++l)
+    {
+      for (const LoopStrip::Step& step : strips[l].steps)
+      {
+        const auto found = std::lower_bound(products.begin(), products.end(), step.triangle,
+          [](const auto& entry, int triangle) { return entry.first < triangle; });
+        if (found != products.end() && found->first == step.triangle)
+        {
+          border.emplace_back(static_cast<int>(vertexCount + static_cast<Eigen::Index>(l)), row,
+            found->second.dot(Eigen::Map<const Eigen::Vector3d>(step.left.data())));
+        }
+      }
+    }
+  }
+  if (!border.empty())
+  {
+    Eigen::SparseMatrix<double> addition(size, size);
+    addition.setFromTriplets(border.begin(), border.end());
+    matrix += addition;
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) const
+{
+  const auto gradientOf = [this](std::size_t t, double f0, double f1, double f2) -> Point
+  {
+    const auto& triangle = this->Topology->mesh.triangles[t];
+    const Point& p0 = this->Topology->mesh.points[static_cast<std::size_t>(triangle[0])];
+    const Point a = this->Topology->mesh.points[static_cast<std::size_t>(triangle[1])] - p0;
+    const Point b = this->Topology->mesh.points[static_cast<std::size_t>(triangle[2])] - p0;
+    const double da = f1 - f0;
+    const double db = f2 - f0;
+    return Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b);
+  };
+  Eigen::MatrixXd gradient(
+    2 * potentials.cols(), static_cast<Eigen::Index>(this->Topology->mesh.triangles.size()));
+  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
+  {
+    const auto& v = this->Topology->mesh.triangles[t];
+    for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+    {
+      gradient.block<2, 1>(2 * c, static_cast<Eigen::Index>(t)) =
+        gradientOf(t, potentials(v[0], c), potentials(v[1], c), potentials(v[2], c));
+    }
+  }
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    {
+      const Point cut = gradientOf(
+        static_cast<std::size_t>(step.triangle), step.left[0], step.left[1], step.left[2]);
+      for (Eigen::Index c = 0; c < potentials.cols(); ++c)
+      {
+        gradient.block<2, 1>(2 * c, step.triangle) += potentials(this->PeriodRow(k), c) * cut;
+      }
+    }
+  }
+  return gradient;
+}
+
+Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
+{
+  const Eigen::Matrix2Xd gradient = this->Gradient(potential);
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(this->Rows());
+  // ∫ ∇Φ · ∇λ_i over a triangle is half the cross product of the opposite edge and the gradient.
+  const auto load = [&](std::size_t t, std::size_t i)
+  {
+    const auto& v = this->Topology->mesh.triangles[t];
+    const Point opposite = this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] -
+      this->Topology->mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])];
+    return 0.5 * Cross(opposite, gradient.col(static_cast<Eigen::Index>(t)));
+  };
+  for (std::size_t t = 0; t < this->Topology->mesh.triangles.size(); ++t)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      sources[this->Topology->mesh.triangles[t][i]] += load(t, i);
+    }
+  }
+  for (Eigen::Index k = 0; k < this->PeriodCount(); ++k)
+  {
+    for (const LoopStrip::Step& step : this->Strips[static_cast<std::size_t>(k)].steps)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        sources[this->PeriodRow(k)] +=
+          step.left[i] * load(static_cast<std::size_t>(step.triangle), i);
+      }
+    }
+  }
+  return sources;
+}
+}

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "LoopStrip.h"
+#include "MeshTopology.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace crossfield
+{
+/// The P1 Laplacian of potentials with periods (docs/method.md §2.3).
+///
+/// Unknowns are the values of a potential Ψ at the vertices, and one period q_k per inner loop and
+/// hole: the amount by which Ψ grows along a closed path around it with the domain on the left. Ψ
+/// with periods is Ψ + Σ q_k η_k with the cut functions η_k of LoopStrip, whose gradients vanish
+/// outside their strips. The matrix is
+///   [ K  r ; rᵀ R ],  r_k = Σ_T K_T η_k|T,  R_kl = Σ_T η_k|Tᵀ K_T η_l|T,
+/// that of the energy ½ ∫ |∇Ψ + Σ q_k ∇η_k|², positive semidefinite with the constants as kernel.
+///
+/// Vectors have a row per vertex of the mesh, then a row per period, those of inner loops before
+/// those of holes. With φ the conjugate of Ψ, ∇φ = rot ∇Ψ, rot = +90°, φ at the midpoints of edges
+/// (Crouzeix-Raviart), the entries of a right-hand side ("sources") mean:
+/// - at a boundary vertex: φ on the boundary edge after it minus φ on the one before, with the
+///   domain on the left; at an interior vertex: −2π times the number of turns of φ around it;
+/// - at a period: φ on the strip's first edge minus φ on its last edge.
+///
+/// Immutable: every member function may be called from several threads at once.
+class PotentialOperator
+{
+public:
+  /// The loops around which a potential has a period; the periods around the other loops are zero.
+  /// A hole needs one only where its edges are not free to shift by a common constant.
+  enum class Periods
+  {
+    Islands,        ///< Inner loops.
+    IslandsAndHoles ///< Inner loops and holes.
+  };
+
+  explicit PotentialOperator(SharedTopology topology);
+
+  const MeshTopology& GetTopology() const { return *this->Topology; }
+  const SharedTopology& ShareTopology() const { return this->Topology; }
+
+  /// Number of rows: vertices of the mesh plus all periods.
+  Eigen::Index Rows() const { return this->VertexCount() + this->PeriodCount(); }
+  Eigen::Index VertexCount() const
+  {
+    return static_cast<Eigen::Index>(this->Topology->mesh.points.size());
+  }
+  Eigen::Index PeriodCount(Periods periods = Periods::IslandsAndHoles) const
+  {
+    return periods == Periods::Islands ? this->IslandCount
+                                       : static_cast<Eigen::Index>(this->Strips.size());
+  }
+  /// Row of the k-th period.
+  Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount() + k; }
+  /// The strip of every period.
+  const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
+
+  /// Assembles the matrix. Throws Error when the mesh has degenerate triangles.
+  Eigen::SparseMatrix<double> Assemble() const;
+
+  /// Returns the gradient ∇Ψ + Σ q_k ∇η_k on every triangle: a column per triangle, two rows per
+  /// column of `potentials`.
+  Eigen::MatrixXd Gradient(const Eigen::MatrixXd& potentials) const;
+
+  /// Returns the matrix times (Ψ, q): the sources of a potential.
+  Eigen::VectorXd Apply(const Eigen::VectorXd& potential) const;
+
+private:
+  SharedTopology Topology;
+  Eigen::Index IslandCount;
+  std::vector<LoopStrip> Strips;
+};
+}
