@@ -11,6 +11,7 @@ namespace crossfield
 {
 namespace
 {
+/// Disjoint sets of numbers.
 class UnionFind
 {
 public:
@@ -27,7 +28,7 @@ public:
     }
     return i;
   }
-  /// Whether they were apart.
+  /// Joins the sets of i and j; returns whether they were different.
   bool Join(int i, int j)
   {
     i = this->Find(i);
@@ -40,15 +41,16 @@ private:
   std::vector<int> Parent;
 };
 
-/// Shortest ways along edges from the boundary to the vertices that are goals.
-struct ShortestWays
+/// Shortest edge paths from the boundary to vertices inside.
+struct ShortestPaths
 {
   std::vector<double> length;
-  std::vector<int> edge; ///< The last edge of the way; −1 on the boundary.
-  std::vector<int> loop; ///< Where it starts.
+  std::vector<int> edge; ///< Last edge of the path; −1 on the boundary.
+  std::vector<int> loop; ///< Boundary loop where the path starts.
 };
 
-ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<bool>& isGoal)
+/// Finds the paths to all goals by Dijkstra's algorithm.
+ShortestPaths FindPathsInwards(const MeshTopology& topology, const std::vector<bool>& isGoal)
 {
   const std::size_t count = topology.mesh.points.size();
   const EdgeNumbering& edges = topology.edges;
@@ -70,7 +72,7 @@ ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<bool>& 
     }
   }
 
-  ShortestWays ways{ std::vector<double>(count, std::numeric_limits<double>::infinity()),
+  ShortestPaths paths{ std::vector<double>(count, std::numeric_limits<double>::infinity()),
     std::vector<int>(count, -1), std::vector<int>(count, -1) };
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
@@ -79,43 +81,44 @@ ShortestWays WalkInwards(const MeshTopology& topology, const std::vector<bool>& 
     for (const int position : topology.loops[l].edges)
     {
       const int v = topology.BoundaryAt(position).vertices[0];
-      ways.length[Index(v)] = 0.0;
-      ways.loop[Index(v)] = static_cast<int>(l);
+      paths.length[Index(v)] = 0.0;
+      paths.loop[Index(v)] = static_cast<int>(l);
       queue.emplace(0.0, v);
     }
   }
-  auto left = std::count(isGoal.begin(), isGoal.end(), true);
-  while (!queue.empty() && left > 0)
+  auto remaining = std::count(isGoal.begin(), isGoal.end(), true);
+  while (!queue.empty() && remaining > 0)
   {
     const auto [length, v] = queue.top();
     queue.pop();
-    if (length > ways.length[Index(v)])
+    if (length > paths.length[Index(v)])
     {
       continue;
     }
-    left -= isGoal[Index(v)] ? 1 : 0;
+    remaining -= isGoal[Index(v)] ? 1 : 0;
     for (int i = start[Index(v)]; i < start[Index(v) + 1]; ++i)
     {
       const int e = incident[Index(i)];
       const auto& [a, b] = edges.vertices[Index(e)];
       const int other = a == v ? b : a;
       const double reached = length + (topology.PointAt(a) - topology.PointAt(b)).norm();
-      if (reached < ways.length[Index(other)])
+      if (reached < paths.length[Index(other)])
       {
-        ways.length[Index(other)] = reached;
-        ways.edge[Index(other)] = e;
-        ways.loop[Index(other)] = ways.loop[Index(v)];
+        paths.length[Index(other)] = reached;
+        paths.edge[Index(other)] = e;
+        paths.loop[Index(other)] = paths.loop[Index(v)];
         queue.emplace(reached, other);
       }
     }
   }
-  return ways;
+  return paths;
 }
 
-void MarkWay(
-  const MeshTopology& topology, const ShortestWays& ways, int vertex, std::vector<bool>& isCut)
+/// Cuts the path to a vertex, up to the first edge that is cut already.
+void CutPath(
+  const MeshTopology& topology, const ShortestPaths& paths, int vertex, std::vector<bool>& isCut)
 {
-  for (int e = ways.edge[Index(vertex)]; e >= 0 && !isCut[Index(e)]; e = ways.edge[Index(vertex)])
+  for (int e = paths.edge[Index(vertex)]; e >= 0 && !isCut[Index(e)]; e = paths.edge[Index(vertex)])
   {
     isCut[Index(e)] = true;
     const auto& [a, b] = topology.edges.vertices[Index(e)];
@@ -123,16 +126,16 @@ void MarkWay(
   }
 }
 
-/// Joins the loops by the shortest ways between them (Kruskal).
-void JoinLoops(const MeshTopology& topology, const ShortestWays& ways, std::vector<bool>& isCut)
+/// Cuts the shortest paths that join all loops (Kruskal).
+void JoinLoops(const MeshTopology& topology, const ShortestPaths& paths, std::vector<bool>& isCut)
 {
   std::vector<std::pair<double, int>> bridges;
   for (int e = 0; e < topology.edges.Count(); ++e)
   {
     const auto& [a, b] = topology.edges.vertices[Index(e)];
-    if (ways.loop[Index(a)] != ways.loop[Index(b)])
+    if (paths.loop[Index(a)] != paths.loop[Index(b)])
     {
-      bridges.emplace_back(ways.length[Index(a)] + ways.length[Index(b)] +
+      bridges.emplace_back(paths.length[Index(a)] + paths.length[Index(b)] +
           (topology.PointAt(a) - topology.PointAt(b)).norm(),
         e);
     }
@@ -142,16 +145,17 @@ void JoinLoops(const MeshTopology& topology, const ShortestWays& ways, std::vect
   for (const auto& [length, e] : bridges)
   {
     const auto& [a, b] = topology.edges.vertices[Index(e)];
-    if (loops.Join(ways.loop[Index(a)], ways.loop[Index(b)]))
+    if (loops.Join(paths.loop[Index(a)], paths.loop[Index(b)]))
     {
       isCut[Index(e)] = true;
-      MarkWay(topology, ways, a, isCut);
-      MarkWay(topology, ways, b, isCut);
+      CutPath(topology, paths, a, isCut);
+      CutPath(topology, paths, b, isCut);
     }
   }
 }
 
-/// The ways between vertices where something happens.
+/// Divides the cut edges into chains at singular vertices, at boundary vertices and at vertices
+/// that do not have exactly two cut edges.
 std::vector<CutGraph::Chain> FindChains(
   const MeshTopology& topology, const std::vector<bool>& isCut, const std::vector<int>& singular)
 {
@@ -209,7 +213,8 @@ std::vector<CutGraph::Chain> FindChains(
   return chains;
 }
 
-/// Joins the corners of triangles on both sides of the edges that are not cut. Only vertices on the cut have several copies.
+/// Numbers the vertices of the cut mesh: joins the corners of triangles on both sides of the edges
+/// that are not cut. Only vertices on the cut have several copies.
 void NumberCorners(const MeshTopology& topology, CutGraph& cut)
 {
   const auto& triangles = topology.mesh.triangles;
@@ -278,21 +283,21 @@ CutGraph CutOpen(const MeshTopology& topology, const std::vector<int>& singular)
 {
   CutGraph cut;
   cut.isCut.assign(Index(topology.edges.Count()), false);
-  // Loops are joined by ways to all vertices.
+  // Joining loops needs the paths to all vertices.
   const bool joins = topology.loops.size() > 1;
   std::vector<bool> isGoal(topology.mesh.points.size(), joins);
   for (const int vertex : singular)
   {
     isGoal[Index(vertex)] = true;
   }
-  const ShortestWays ways = WalkInwards(topology, isGoal);
+  const ShortestPaths paths = FindPathsInwards(topology, isGoal);
   for (const int vertex : singular)
   {
-    MarkWay(topology, ways, vertex, cut.isCut);
+    CutPath(topology, paths, vertex, cut.isCut);
   }
   if (joins)
   {
-    JoinLoops(topology, ways, cut.isCut);
+    JoinLoops(topology, paths, cut.isCut);
   }
   cut.chains = FindChains(topology, cut.isCut, singular);
   NumberCorners(topology, cut);

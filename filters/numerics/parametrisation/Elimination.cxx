@@ -51,44 +51,43 @@ Elimination::Row Elimination::Resolve(const Row& row)
 
 void Elimination::Impose(const Row& row)
 {
-  Row rest = this->Resolve(row);
-  if (rest.empty())
+  Row remaining = this->Resolve(row);
+  if (remaining.empty())
   {
     return;
   }
-  // An equation between even numbers is that between their halves, exactly.
-  while (std::all_of(
-    rest.begin(), rest.end(), [](const auto& term) { return std::fmod(term.second, 2.0) == 0.0; }))
+  // An equation with even coefficients is divided by 2, which is exact.
+  while (std::all_of(remaining.begin(), remaining.end(),
+    [](const auto& term) { return std::fmod(term.second, 2.0) == 0.0; }))
   {
-    for (auto& term : rest)
+    for (auto& term : remaining)
     {
       term.second *= 0.5;
     }
   }
-  auto pivot = rest.end();
-  for (auto term = rest.begin(); term != rest.end(); ++term)
+  auto pivot = remaining.end();
+  for (auto term = remaining.begin(); term != remaining.end(); ++term)
   {
     const auto rank = [this](int unknown) { return this->Rank[static_cast<std::size_t>(unknown)]; };
     if (std::abs(term->second) == 1.0 &&
-      (pivot == rest.end() || rank(term->first) < rank(pivot->first)))
+      (pivot == remaining.end() || rank(term->first) < rank(pivot->first)))
     {
       pivot = term;
     }
   }
-  if (pivot == rest.end())
+  if (pivot == remaining.end())
   {
-    throw Error(
-      "The seams of the flat map have no whole-numbered solution; give the singularities' "
-      "and corners' quarter indices so that each is below 2.");
+    throw Error("The seams of the seamless map have no integral solution; give the singularities' "
+                "and corners' quarter indices so that each is below 2.");
   }
   const auto [unknown, sign] = *pivot;
-  rest.erase(pivot);
-  for (auto& term : rest)
+  remaining.erase(pivot);
+  for (auto& term : remaining)
   {
     term.second *= -sign;
   }
   this->IsDependent[static_cast<std::size_t>(unknown)] = true;
-  this->Dependent[static_cast<std::size_t>(unknown)] = std::move(rest);
+  this->Dependent[static_cast<std::size_t>(unknown)] = std::move(remaining);
 }
 
 Eigen::SparseMatrix<double, Eigen::RowMajor> Elimination::Prolongation()

@@ -7,15 +7,16 @@
 
 namespace crossfield
 {
-/// Homogeneous linear equations with small whole coefficients, solved exactly by substitution
-/// (docs/method.md §12.3): every equation makes one unknown depend on others. Pivots are ±1, so nothing is
-/// ever rounded.
+/// Exact elimination of homogeneous linear equations with small integer coefficients by
+/// substitution (docs/method.md §12.3): every equation makes one unknown depend on others. Pivots
+/// are ±1, so no operation is rounded.
 class Elimination
 {
 public:
   using Row = std::vector<std::pair<int, double>>; ///< Unknown and coefficient.
 
-  /// `rank`: of the unknowns with a coefficient ±1 that of least rank is eliminated.
+  /// `rank` has a rank per unknown: an equation eliminates the unknown of minimum rank among those
+  /// with coefficient ±1.
   explicit Elimination(std::vector<int> rank)
     : Rank(std::move(rank))
     , Dependent(this->Rank.size())
@@ -23,18 +24,18 @@ public:
   {
   }
 
-  /// Σ coefficient · unknown = 0. Does nothing where that follows from what was imposed. Throws Error
-  /// when there is no pivot.
+  /// Imposes Σ coefficient · unknown = 0. Has no effect if the equation follows from those imposed
+  /// before. Throws Error when there is no pivot.
   void Impose(const Row& row);
 
   bool IsFree(int unknown) const { return !this->IsDependent[static_cast<std::size_t>(unknown)]; }
 
-  /// All unknowns from the free ones, which are numbered in their order. Dependent ones that are
-  /// no combination of others are zero.
+  /// Returns the matrix that maps the free unknowns, numbered in their order, to all unknowns.
+  /// Dependent unknowns whose combination is empty are zero.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Prolongation();
 
 private:
-  /// In terms of free unknowns, ordered.
+  /// Returns the row in terms of free unknowns, sorted.
   Row Resolve(const Row& row);
 
   std::vector<int> Rank;

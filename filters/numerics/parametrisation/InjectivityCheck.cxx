@@ -9,8 +9,8 @@ namespace crossfield
 {
 namespace
 {
-/// What is to be done about a map that is not sound.
-std::string Mend(const SeamlessMap& map)
+/// Returns the remedy for a map that is not injective.
+std::string Remedy(const SeamlessMap& map)
 {
   std::size_t worst = 0;
   for (std::size_t k = 1; k < map.holonomyDefect.size(); ++k)
@@ -20,7 +20,7 @@ std::string Mend(const SeamlessMap& map)
       worst = k;
     }
   }
-  // A twentieth of a radian of θ, a quarter of that of the phase: smaller ones turn nothing over.
+  // Radians of the phase, 0.05 of θ: smaller defects do not invert triangles.
   constexpr double Harmless = 0.2;
   if (!map.holonomyDefect.empty() && std::abs(map.holonomyDefect[worst]) > Harmless)
   {
@@ -39,7 +39,7 @@ void RequireInjective(const SeamlessMap& map)
   const MeshTopology& topology = *map.topology;
   const auto triangles = static_cast<int>(map.corners.size());
   int flipped = 0;
-  Point place = Point::Zero();
+  Point location = Point::Zero();
   Eigen::VectorXd angles =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
   for (int t = 0; t < triangles; ++t)
@@ -50,7 +50,7 @@ void RequireInjective(const SeamlessMap& map)
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     if (!(Cross(b - a, c - a) > 0.0))
     {
-      place = flipped == 0 ? topology.PointAt(v[0]) : place;
+      location = flipped == 0 ? topology.PointAt(v[0]) : location;
       ++flipped;
     }
     angles[v[0]] += AngleBetween(b - a, c - a);
@@ -59,8 +59,8 @@ void RequireInjective(const SeamlessMap& map)
   }
   if (flipped > 0)
   {
-    throw Error("The flat map folds over in " + std::to_string(flipped) +
-      " triangles, the first near " + Describe(place) + "; " + Mend(map));
+    throw Error("The seamless map folds over in " + std::to_string(flipped) +
+      " triangles, the first near " + Describe(location) + "; " + Remedy(map));
   }
   std::vector<int> quarters(topology.mesh.points.size(), 4);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -73,12 +73,13 @@ void RequireInjective(const SeamlessMap& map)
   }
   for (int v = 0; v < static_cast<int>(quarters.size()); ++v)
   {
-    const double wanted = 0.5 * Pi * quarters[static_cast<std::size_t>(v)];
-    // Seams and sides allow multiples of a quarter turn only; the rest is rounding.
-    if (angles[v] > 0.0 && std::abs(angles[v] - wanted) > 0.25 * Pi)
+    const double expected = 0.5 * Pi * quarters[static_cast<std::size_t>(v)];
+    // Seams and sides allow multiples of a quarter turn only; smaller differences are rounding.
+    if (angles[v] > 0.0 && std::abs(angles[v] - expected) > 0.25 * Pi)
     {
-      throw Error("The angles of the flat map at " + Describe(topology.PointAt(v)) + " add up to " +
-        std::to_string(angles[v]) + " instead of " + std::to_string(wanted) + "; " + Mend(map));
+      throw Error("The angles of the seamless map at " + Describe(topology.PointAt(v)) +
+        " add up to " + std::to_string(angles[v]) + " instead of " + std::to_string(expected) +
+        "; " + Remedy(map));
     }
   }
 }

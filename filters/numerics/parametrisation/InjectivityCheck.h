@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// Throws Error, with the place, unless every triangle of the map is positively oriented and the angles
-/// at every vertex add up to what its cone says: then the map is locally injective.
+/// Throws Error, with the location, unless every triangle of the map is positively oriented and the
+/// angles at every vertex add up to that of its cone: then the map is locally injective.
 void RequireInjective(const SeamlessMap& map);
 }

@@ -9,8 +9,9 @@ namespace crossfield
 {
 namespace
 {
-/// Who is eliminated first where there is a choice: further copies of a vertex, then vertices, then
-/// translations; cones stay, since halves of translations would not be whole.
+/// The order in which unknowns are eliminated where there is a choice: further copies of a vertex,
+/// then vertices, then translations, last cones, because the cones' coordinates in terms of
+/// translations would have halves as coefficients.
 enum Rank
 {
   Copies,
@@ -19,7 +20,8 @@ enum Rank
   Cones
 };
 
-/// The part (0: real, 1: imaginary) of i^quarters (x + iy) is a signed part of (x, y).
+/// Returns which of x and y (0 or 1), and with which sign, is the part (0: real, 1: imaginary) of
+/// i^quarters (x + iy).
 std::pair<int, double> PartOfTurned(int part, int quarters)
 {
   const Point real = TurnByQuarters(Point(1.0, 0.0), quarters);
@@ -27,6 +29,7 @@ std::pair<int, double> PartOfTurned(int part, int quarters)
   return real[part] != 0.0 ? std::make_pair(0, real[part]) : std::make_pair(1, imaginary[part]);
 }
 
+/// Assembles the equations and eliminates them one by one.
 class Equations
 {
 public:
@@ -37,8 +40,8 @@ public:
   {
   }
 
-  /// w' = i^rotation w + T at both ends of every edge of a chain.
-  void Seam(std::size_t chain, int rotation)
+  /// Imposes w' = i^rotation w + T at both ends of every edge of a chain.
+  void ImposeSeam(std::size_t chain, int rotation)
   {
     const auto& [vertices, edges] = this->Cut.chains[chain];
     const auto translation = static_cast<int>(this->Cut.original.size() + chain);
@@ -65,8 +68,8 @@ public:
     }
   }
 
-  /// The part of w across a boundary edge is the same at both ends.
-  void Side(int position, int direction)
+  /// Imposes that the coordinate across a boundary edge is the same at both its ends.
+  void ImposeSide(int position, int direction)
   {
     const int edge = this->Topology.EdgeOfBoundary(position);
     const int triangle = this->Topology.edges.triangles[Index(edge)][0];
@@ -97,6 +100,7 @@ private:
     return ranks;
   }
 
+  /// Returns the vertex of the cut mesh at the corner of a triangle where `vertex` is.
   int Copy(int triangle, int vertex) const
   {
     const auto& v = this->Topology.mesh.triangles[Index(triangle)];
@@ -135,11 +139,11 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> EliminateSeams(const MeshTopology& 
   Equations equations(topology, cut, cones);
   for (std::size_t chain = 0; chain < cut.chains.size(); ++chain)
   {
-    equations.Seam(chain, seams[chain].rotation);
+    equations.ImposeSeam(chain, seams[chain].rotation);
   }
   for (int position = 0; position < static_cast<int>(directions.size()); ++position)
   {
-    equations.Side(position, directions[Index(position)]);
+    equations.ImposeSide(position, directions[Index(position)]);
   }
   return equations.Prolongation();
 }

@@ -7,16 +7,18 @@
 
 namespace crossfield
 {
-/// What ties the coordinates of a mesh that is cut open (docs/method.md §12.3), solved: all unknowns from
-/// the free ones. Unknowns are u and v of vertex c, 2c and 2c + 1, and after them the two of each chain's
-/// translation.
+/// Solves the equations of seams and of boundary sides between the coordinates of a cut mesh
+/// (docs/method.md §12.3). Returns the matrix that maps the free unknowns to all: u and v of vertex
+/// c are unknowns 2c and 2c + 1; after them come the two components of each chain's translation.
 ///
-/// `seams`: of each chain the rotation from its left to its right; `directions` as in SeamlessMap; `cones` are
-/// the vertices whose position the translations depend on.
+/// `seams` has for each chain the rotation from its left to its right; `directions` as in
+/// SeamlessMap. The coordinates of `cones` are eliminated last, so the translations are expressed
+/// by them.
 Eigen::SparseMatrix<double, Eigen::RowMajor> EliminateSeams(const MeshTopology& topology,
   const CutGraph& cut, const std::vector<SeamTransition>& seams, const std::vector<int>& directions,
   const std::vector<Cone>& cones);
 
-/// The triangle on the left of the way from one vertex to another along an edge; −1 where there is none.
+/// Returns the triangle on the left of an edge that is directed from vertex `from` to its other
+/// vertex; −1 where there is none.
 int TriangleLeftOf(const MeshTopology& topology, int edge, int from);
 }

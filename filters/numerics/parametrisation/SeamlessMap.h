@@ -7,7 +7,7 @@
 
 namespace crossfield
 {
-/// i^quarters times a vector; exact.
+/// Returns i^quarters times a vector, without rounding.
 inline Point TurnByQuarters(const Point& vector, int quarters)
 {
   switch (((quarters % 4) + 4) % 4)
@@ -23,7 +23,8 @@ inline Point TurnByQuarters(const Point& vector, int quarters)
   }
 }
 
-/// From the chart on one side of a seam to that on the other: w' = i^rotation w + translation.
+/// Transition from the chart on one side of a seam to that on the other:
+/// w' = i^rotation w + translation.
 struct SeamTransition
 {
   int rotation = 0; ///< 0 to 3.
@@ -39,38 +40,40 @@ struct SeamTransition
   }
 };
 
-/// A point of the flat surface where the angles do not add up to 2π, or π on the boundary.
+/// A vertex at which the angles of the map do not add up to 2π, or to π on the boundary.
 struct Cone
 {
-  int vertex = 0; ///< Of the mesh.
+  int vertex = 0; ///< Vertex of the mesh.
   int quarterIndex = 1;
   bool onBoundary = false;
-  int row = -1; ///< Of the configuration; −1 for corners.
+  int row = -1; ///< Row of the configuration; −1 for corners.
 
-  /// The angle around it in quarter turns: 4 − k inside, 2 − k at a corner.
+  /// Returns the angle around it in quarter turns: 4 − k inside, 2 − k at a corner.
   int Quarters() const { return (this->onBoundary ? 2 : 4) - this->quarterIndex; }
 };
 
-/// w = u + iv with dw = e^{−(H + iθ)} dz on a mesh that is cut open (docs/method.md §12): crosses are along
-/// the axes, the boundary's sides are axis-parallel segments, and across a seam w changes by quarter
-/// turns and a translation. Every singularity is a cone of angle (4 − k) π/2, every corner one of (2 − k) π/2.
+/// The seamless map of a cross field: w = u + iv with dw = e^{−(H + iθ)} dz on the mesh cut open
+/// (docs/method.md §12). In the map crosses are parallel to the axes and sides of the boundary are
+/// axis-parallel segments; across a seam w changes by quarter turns and a translation. Every
+/// singularity is a cone of angle (4 − k) π/2, every corner one of (2 − k) π/2.
 struct SeamlessMap
 {
   SharedTopology topology;
-  std::vector<std::array<int, 3>> corners; ///< Per triangle corner the vertex of the cut mesh.
-  std::vector<int> original;               ///< Per vertex of the cut mesh that of the mesh.
-  std::vector<Point> points;               ///< w, per vertex of the cut mesh. Area as the domain's.
+  std::vector<std::array<int, 3>> corners; ///< Vertex of the cut mesh at every triangle corner.
+  std::vector<int> original;               ///< Vertex of the mesh for every vertex of the cut mesh.
+  std::vector<Point> points; ///< w at the vertices of the cut mesh. The area is that of the domain.
 
   /// Per side of a triangle: 0 where it is no seam; ±(i + 1) where transition i, or its inverse,
-  /// leads from its chart to that of its neighbour.
+  /// maps the chart of the triangle to that of its neighbour.
   std::vector<std::array<int, 3>> seams;
   std::vector<SeamTransition> transitions;
-  /// Per entry of mesh.boundary its direction in the chart of its triangle: i^direction, 0 to 3.
+  /// Per entry of mesh.boundary its direction i^direction in the chart of its triangle, 0 to 3.
   std::vector<int> directions;
   std::vector<Cone> cones; ///< Singularities in the order of the configuration, then corners.
 
   std::vector<double> holonomyDefect; ///< As in HField.
-  /// √(∫ e^{2H} |∇w − e^{−(H + iθ)}|² / area), scaled: how far the map is from conformal.
+  /// √(∫ e^{2H} |∇w − e^{−(H + iθ)}|² / area): the deviation of the map from a conformal one,
+  /// relative to its gradient.
   double residual = 0.0;
 
   const Point& At(int triangle, int corner) const
@@ -78,8 +81,9 @@ struct SeamlessMap
     return this->points[static_cast<std::size_t>(
       this->corners[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)])];
   }
+  /// Returns the transition across a side of a triangle; the identity where it is no seam.
   SeamTransition Across(int triangle, int side) const;
-  /// Largest extent of w, which tolerances refer to.
+  /// Returns the diagonal of the bounding box of w, to which tolerances are relative.
   double Extent() const;
 };
 }

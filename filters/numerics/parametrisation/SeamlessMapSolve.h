@@ -2,8 +2,8 @@
 
 #include "BoundaryCorners.h"
 #include "ConfigurationPlacement.h"
-#include "SeamlessMap.h"
 #include "Progress.h"
+#include "SeamlessMap.h"
 #include "Singularity.h"
 
 namespace crossfield
@@ -11,20 +11,21 @@ namespace crossfield
 struct SeamlessMapOptions
 {
   std::vector<CornerChoice> corners; ///< As for SolveHField.
-  /// CapCorners of PoincareHopf.h; what is missing must be among the singularities.
+  /// Applies CapCorners of PoincareHopf.h; the quarters that this removes from corners must be
+  /// among the singularities.
   bool capCorners = false;
 };
 
-/// PlaceConfiguration with the corners that the options ask for.
-PlacedConfiguration PlaceForMap(
-  const MeshTopology& topology, const Configuration& configuration, const SeamlessMapOptions& options);
+/// Calls PlaceConfiguration with the corners of the options, capped if the options say so.
+PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
+  const SeamlessMapOptions& options);
 
-/// Solves for the map on a mesh with a vertex at every singularity (MeshOnPoints): one factorisation
-/// for H, one for w.
+/// Solves for the seamless map on a mesh with a vertex at every singularity (MeshOnPoints). Takes
+/// one factorisation for H and one for w.
 ///
-/// Throws Error when a singularity is of quarter index 3 or more or at no vertex, when a corner is of
-/// index 2 or more, when the configuration is not consistent, and, with the place, when the map folds over
-/// or the angles at a vertex do not add up.
+/// Throws Error when a singularity has quarter index 3 or more or is at no vertex, when a corner
+/// has index 2 or more, when the configuration is not consistent, and, with the location, when the
+/// map folds over or the angles at a vertex do not add up.
 SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration& configuration,
   const SeamlessMapOptions& options = {}, const Progress& progress = {});
 }

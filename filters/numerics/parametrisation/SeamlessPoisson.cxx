@@ -15,8 +15,9 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/// Values at the corners of a triangle of a function with the derivative wanted: that at the centre,
-/// times (ζ / ζ_c)^{−d/4} near a logarithm d log|ζ|, whose singular part the map then has exactly.
+/// Returns values at the corners of a triangle of a function with the target derivative: that at
+/// the centre, times (ζ / ζ_c)^{−d/4} near a logarithm d log|ζ|, whose singular part the map then
+/// reproduces exactly.
 std::array<Complex, 3> LocalPrimitive(
   const std::array<Point, 3>& corners, Complex derivative, const LogSource* log)
 {
@@ -45,11 +46,11 @@ SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& fr
   const auto count = static_cast<int>(mesh.triangles.size());
   SeamlessPoisson problem;
   problem.weights.resize(mesh.triangles.size());
-  problem.wanted.resize(mesh.triangles.size());
-  // Where sizes differ by more than 1e4 the smaller ones count as if they did not: with the range of
-  // doubles used up by the weights, rounding would turn triangles over (docs/method.md §12.3).
+  problem.target.resize(mesh.triangles.size());
+  // The ratio of weights is bounded as if sizes differed by at most 1e4: weights that use up the
+  // range of doubles would let rounding invert triangles (docs/method.md §12.3).
   constexpr double SmallestPart = 1e-8;
-  const double leastWeight = SmallestPart * std::exp(2.0 * frames.h.maxCoeff());
+  const double minimumWeight = SmallestPart * std::exp(2.0 * frames.h.maxCoeff());
   ForBothHalves(true,
     [&](std::size_t half)
     {
@@ -70,28 +71,28 @@ SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& fr
           std::polar(std::exp(-frames.h[t]), -frames.angle[t]), log);
         for (std::size_t i = 0; i < 3; ++i)
         {
-          problem.wanted[Index(t)].row(static_cast<Eigen::Index>(i)) << values[i].real(),
+          problem.target[Index(t)].row(static_cast<Eigen::Index>(i)) << values[i].real(),
             values[i].imag();
         }
-        problem.weights[Index(t)] = std::max(std::exp(2.0 * frames.h[t]), leastWeight);
+        problem.weights[Index(t)] = std::max(std::exp(2.0 * frames.h[t]), minimumWeight);
       }
     });
   return problem;
 }
 
-Eigen::Matrix<double, 3, 2> SeamlessPoisson::Off(
+Eigen::Matrix<double, 3, 2> SeamlessPoisson::DeviationIn(
   const SeamlessMap& map, const Eigen::VectorXd& unknowns, std::size_t triangle) const
 {
   const auto& corners = map.corners[triangle];
-  const Eigen::Matrix<double, 3, 2>& there = this->wanted[triangle];
-  Eigen::Matrix<double, 3, 2> off = Eigen::Matrix<double, 3, 2>::Zero();
+  const Eigen::Matrix<double, 3, 2>& goal = this->target[triangle];
+  Eigen::Matrix<double, 3, 2> deviation = Eigen::Matrix<double, 3, 2>::Zero();
   for (int i = 1; i < 3; ++i)
   {
-    off.row(i) = (there.row(i) - there.row(0)) -
+    deviation.row(i) = (goal.row(i) - goal.row(0)) -
       (unknowns.segment<2>(2 * corners[Index(i)]) - unknowns.segment<2>(2 * corners[0]))
         .transpose();
   }
-  return off;
+  return deviation;
 }
 
 Eigen::MatrixX2d SeamlessPoisson::Residual(
@@ -99,10 +100,10 @@ Eigen::MatrixX2d SeamlessPoisson::Residual(
 {
   const auto count = static_cast<Eigen::Index>(map.original.size());
   Eigen::MatrixX2d residual = Eigen::MatrixX2d::Zero(count, 2);
-  for (std::size_t t = 0; t < this->wanted.size(); ++t)
+  for (std::size_t t = 0; t < this->target.size(); ++t)
   {
-    const Eigen::Matrix<double, 3, 2> flux =
-      this->weights[t] * (P1ElementStiffness(map.topology->mesh, t) * this->Off(map, unknowns, t));
+    const Eigen::Matrix<double, 3, 2> flux = this->weights[t] *
+      (P1ElementStiffness(map.topology->mesh, t) * this->DeviationIn(map, unknowns, t));
     for (int i = 0; i < 3; ++i)
     {
       residual.row(map.corners[t][Index(i)]) += flux.row(i);
@@ -114,11 +115,11 @@ Eigen::MatrixX2d SeamlessPoisson::Residual(
 double SeamlessPoisson::ObjectiveAt(const SeamlessMap& map, const Eigen::VectorXd& unknowns) const
 {
   double residual = 0.0;
-  for (std::size_t t = 0; t < this->wanted.size(); ++t)
+  for (std::size_t t = 0; t < this->target.size(); ++t)
   {
-    const Eigen::Matrix<double, 3, 2> off = this->Off(map, unknowns, t);
-    residual +=
-      this->weights[t] * off.cwiseProduct(P1ElementStiffness(map.topology->mesh, t) * off).sum();
+    const Eigen::Matrix<double, 3, 2> deviation = this->DeviationIn(map, unknowns, t);
+    residual += this->weights[t] *
+      deviation.cwiseProduct(P1ElementStiffness(map.topology->mesh, t) * deviation).sum();
   }
   return residual;
 }

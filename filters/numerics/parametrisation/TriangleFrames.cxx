@@ -12,8 +12,8 @@ namespace crossfield
 {
 namespace
 {
-/// The phase 4θ along straight steps inside of triangles: its increase is that of the conjugate of R
-/// and the angles at which the logarithms' places see the step.
+/// The increase of the phase 4θ along straight steps within triangles: that of the conjugate of R
+/// plus the angles at which the positions of the logarithms see the step.
 class PhaseWalk
 {
 public:
@@ -44,8 +44,8 @@ public:
       3.0;
   }
 
-  /// From the centre of a triangle to the midpoint of an edge. Singularities of curves see the boundary
-  /// on the curve.
+  /// Returns the increase from the centre of a triangle to the midpoint of an edge. Singularities
+  /// of curves see the point of the curve instead of the midpoint of a boundary edge.
   double ToEdge(int triangle, int edge) const
   {
     const Point from = this->Centre(triangle);
@@ -59,7 +59,8 @@ public:
       SumOfTurns(atCorner, logs + this->Logs.size(), from, to);
   }
 
-  /// Whether a logarithm is that of a singularity of a curve: it need not be at a vertex.
+  /// Returns whether a logarithm belongs to a singularity of a curve, which need not be at a
+  /// vertex.
   bool IsOnCurve(std::size_t log) const
   {
     return log >= this->FirstOnCurve && log < this->FirstAtCorner;
@@ -70,11 +71,11 @@ private:
   const std::vector<LogSource>& Logs;
   const std::size_t FirstOnCurve;
   const std::size_t FirstAtCorner;
-  std::vector<Point> SeenFromCurves; ///< The midpoint of every edge.
+  std::vector<Point> SeenFromCurves; ///< Per edge its midpoint, or the point of the curve for it.
   const Eigen::MatrixXd Gradient;
 };
 
-/// 4H at the centres: R is linear on a triangle, the logarithms are exact.
+/// Returns 4H at the centres: R is linear on a triangle, the logarithms are exact.
 Eigen::VectorXd CentreValues(
   const PointPotential& potential, const PointPotential::Solution& solution, const PhaseWalk& walk)
 {
@@ -96,20 +97,20 @@ Eigen::VectorXd CentreValues(
   return values;
 }
 
-/// Triangles within a few edges of a logarithm: beyond, the second-order error of taking one value for
-/// a triangle is small.
+/// Finds the triangles within a few edge lengths of a logarithm. Farther away, the second-order
+/// error of a constant value per triangle is small.
 std::vector<TriangleFrames::NearLog> FindNear(
   const MeshTopology& topology, const std::vector<LogSource>& logs, const PhaseWalk& walk)
 {
   constexpr double Edges = 6.0;
-  // Halfway between two neither is taken, so that what is symmetric stays so.
+  // Halfway between two logarithms neither is taken, which preserves symmetry.
   constexpr double EquallyNear = 1e-9;
   std::vector<TriangleFrames::NearLog> near;
   for (int t = 0; t < static_cast<int>(topology.mesh.triangles.size()); ++t)
   {
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     const Point centre = walk.Centre(t);
-    // Of an equilateral triangle the square of an edge is 4 / √3 times the area.
+    // The squared edge length of an equilateral triangle is 4 / √3 times its area.
     const double area = TriangleArea(topology.mesh, v);
     double nearest = Edges * Edges * 4.0 / std::sqrt(3.0) * area;
     const LogSource* found = nullptr;
@@ -138,112 +139,148 @@ std::vector<TriangleFrames::NearLog> FindNear(
   }
   return near;
 }
+
+/// Finds a branch of the phase for every triangle and the jumps between them.
+class BranchSearch
+{
+public:
+  BranchSearch(const PointPotential& potential, const PhaseWalk& walk)
+    : Topology(potential.GetProblem().Topology())
+    , MidpointShift(potential.GetMidpointShift())
+    , Walk(walk)
+    , ToSide(this->Topology.mesh.triangles.size())
+    , Phase(static_cast<Eigen::Index>(this->Topology.mesh.triangles.size()))
+  {
+    ForBothHalves(true,
+      [&](std::size_t half)
+      {
+        const auto [begin, end] = HalfOf(static_cast<int>(this->ToSide.size()), half);
+        for (int t = begin; t < end; ++t)
+        {
+          for (std::size_t i = 0; i < 3; ++i)
+          {
+            this->ToSide[static_cast<std::size_t>(t)][i] =
+              walk.ToEdge(t, this->Topology.edges.ofTriangle[static_cast<std::size_t>(t)][i]);
+          }
+        }
+      });
+  }
+
+  /// Continues the phase breadth-first from the outer loop, and returns it at every centre.
+  const Eigen::VectorXd& Continue()
+  {
+    std::vector<bool> known(this->ToSide.size(), false);
+    const int first = this->Topology.FirstOuterEdge();
+    const int firstEdge = this->Topology.EdgeOfBoundary(first);
+    const int start = this->Topology.edges.triangles[static_cast<std::size_t>(firstEdge)][0];
+    this->Phase[start] = this->BoundaryPhase(first) - this->Walk.ToEdge(start, firstEdge);
+    known[static_cast<std::size_t>(start)] = true;
+    std::vector<int> queue = { start };
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const int t = queue[next];
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const int other = this->Neighbour(t, i);
+        if (other >= 0 && !known[static_cast<std::size_t>(other)])
+        {
+          known[static_cast<std::size_t>(other)] = true;
+          this->Phase[other] = this->Continued(t, i, other);
+          queue.push_back(other);
+        }
+      }
+    }
+    return this->Phase;
+  }
+
+  /// Sets the jumps and the residual of the frames.
+  void SetJumps(TriangleFrames& frames) const
+  {
+    frames.jump.assign(this->ToSide.size(), { 0, 0, 0 });
+    for (int t = 0; t < static_cast<int>(this->ToSide.size()); ++t)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const int other = this->Neighbour(t, i);
+        if (other >= 0)
+        {
+          const auto [turns, residual] =
+            RoundToTurns(this->Continued(t, i, other) - this->Phase[other]);
+          frames.jump[static_cast<std::size_t>(t)][i] = turns;
+          frames.residual = std::max(frames.residual, residual);
+        }
+      }
+    }
+    for (int position = 0; position < static_cast<int>(this->Topology.mesh.boundary.size());
+         ++position)
+    {
+      const int edge = this->Topology.EdgeOfBoundary(position);
+      const int t = this->Topology.edges.triangles[static_cast<std::size_t>(edge)][0];
+      const std::size_t i = this->SideOf(t, edge);
+      // On an inner loop with a holonomy defect, a quarter of the defect remains.
+      frames.jump[static_cast<std::size_t>(t)][i] = RoundToTurns(this->BoundaryPhase(position) -
+        this->Phase[t] - this->ToSide[static_cast<std::size_t>(t)][i])
+                                                      .first;
+    }
+  }
+
+private:
+  /// Returns the integer nearest to a phase in turns, and the deviation from it in radians of θ.
+  static std::pair<int, double> RoundToTurns(double phase)
+  {
+    const double turn = 2.0 * Pi;
+    const double whole = std::round(phase / turn);
+    return std::make_pair(static_cast<int>(whole), 0.25 * std::abs(phase - whole * turn));
+  }
+
+  /// Returns the phase of the cross along a boundary edge, at its midpoint.
+  double BoundaryPhase(int position) const
+  {
+    const auto& [from, to] = this->Topology.BoundaryAt(position).vertices;
+    const Point along = this->Topology.PointAt(to) - this->Topology.PointAt(from);
+    return 4.0 * std::atan2(along.y(), along.x()) + this->MidpointShift[position];
+  }
+
+  /// Returns the triangle across a side; −1 at the boundary.
+  int Neighbour(int triangle, std::size_t side) const
+  {
+    const int edge = this->Topology.edges.ofTriangle[static_cast<std::size_t>(triangle)][side];
+    const auto& two = this->Topology.edges.triangles[static_cast<std::size_t>(edge)];
+    return two[0] == triangle ? two[1] : two[0];
+  }
+
+  std::size_t SideOf(int triangle, int edge) const
+  {
+    const auto& sides = this->Topology.edges.ofTriangle[static_cast<std::size_t>(triangle)];
+    return static_cast<std::size_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  }
+
+  /// Returns the phase of a triangle, continued to the centre of its neighbour across a side.
+  double Continued(int triangle, std::size_t side, int neighbour) const
+  {
+    const int edge = this->Topology.edges.ofTriangle[static_cast<std::size_t>(triangle)][side];
+    return this->Phase[triangle] + this->ToSide[static_cast<std::size_t>(triangle)][side] -
+      this->ToSide[static_cast<std::size_t>(neighbour)][this->SideOf(neighbour, edge)];
+  }
+
+  const MeshTopology& Topology;
+  const Eigen::VectorXd& MidpointShift;
+  const PhaseWalk& Walk;
+  std::vector<std::array<double, 3>> ToSide; ///< Increase from the centre to each side's midpoint.
+  Eigen::VectorXd Phase;                     ///< At the centres.
+};
 }
 
 TriangleFrames FrameTriangles(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
-  const PotentialProblem& problem = potential.GetProblem();
-  const MeshTopology& topology = problem.Topology();
   const PhaseWalk walk(potential, solution);
-  const auto count = static_cast<Eigen::Index>(topology.mesh.triangles.size());
-  const double turn = 2.0 * Pi;
-
   TriangleFrames frames;
   frames.h = 0.25 * CentreValues(potential, solution, walk);
-  frames.jump.assign(static_cast<std::size_t>(count), { 0, 0, 0 });
-  const auto wholeTurns = [turn](double phase)
-  {
-    const double whole = std::round(phase / turn);
-    return std::make_pair(static_cast<int>(whole), 0.25 * std::abs(phase - whole * turn));
-  };
-
-  // The phase of the cross along a boundary edge, at its midpoint.
-  const auto boundaryPhase = [&](int position)
-  {
-    const auto& [from, to] = topology.BoundaryAt(position).vertices;
-    const Point along = topology.PointAt(to) - topology.PointAt(from);
-    return 4.0 * std::atan2(along.y(), along.x()) + potential.GetMidpointShift()[position];
-  };
-
-  // 1. Breadth-first from the outer loop: a branch everywhere.
-  Eigen::VectorXd phase(count);
-  std::vector<bool> known(static_cast<std::size_t>(count), false);
-  const int first = topology.FirstOuterEdge();
-  const int firstEdge = topology.EdgeOfBoundary(first);
-  const int start = topology.edges.triangles[static_cast<std::size_t>(firstEdge)][0];
-  phase[start] = boundaryPhase(first) - walk.ToEdge(start, firstEdge);
-  known[static_cast<std::size_t>(start)] = true;
-  std::vector<int> queue = { start };
-  const auto neighbour = [&topology](int triangle, int edge)
-  {
-    const auto& two = topology.edges.triangles[static_cast<std::size_t>(edge)];
-    return two[0] == triangle ? two[1] : two[0];
-  };
-  // The increase from the centre to the midpoint of each side.
-  std::vector<std::array<double, 3>> toSide(static_cast<std::size_t>(count));
-  ForBothHalves(true,
-    [&](std::size_t half)
-    {
-      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
-      for (int t = begin; t < end; ++t)
-      {
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          toSide[static_cast<std::size_t>(t)][i] =
-            walk.ToEdge(t, topology.edges.ofTriangle[static_cast<std::size_t>(t)][i]);
-        }
-      }
-    });
-  const auto sideOf = [&topology](int triangle, int edge)
-  {
-    const auto& sides = topology.edges.ofTriangle[static_cast<std::size_t>(triangle)];
-    return static_cast<std::size_t>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
-  };
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const int t = queue[next];
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const int edge = topology.edges.ofTriangle[static_cast<std::size_t>(t)][i];
-      const int other = neighbour(t, edge);
-      if (other >= 0 && !known[static_cast<std::size_t>(other)])
-      {
-        known[static_cast<std::size_t>(other)] = true;
-        phase[other] = phase[t] + toSide[static_cast<std::size_t>(t)][i] -
-          toSide[static_cast<std::size_t>(other)][sideOf(other, edge)];
-        queue.push_back(other);
-      }
-    }
-  }
-
-  // 2. What the branches differ by.
-  for (int t = 0; t < static_cast<int>(count); ++t)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const int edge = topology.edges.ofTriangle[static_cast<std::size_t>(t)][i];
-      const int other = neighbour(t, edge);
-      if (other >= 0)
-      {
-        const double carried = phase[t] + toSide[static_cast<std::size_t>(t)][i] -
-          toSide[static_cast<std::size_t>(other)][sideOf(other, edge)];
-        const auto [turns, residual] = wholeTurns(carried - phase[other]);
-        frames.jump[static_cast<std::size_t>(t)][i] = turns;
-        frames.residual = std::max(frames.residual, residual);
-      }
-    }
-  }
-  for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
-  {
-    const int edge = topology.EdgeOfBoundary(position);
-    const int t = topology.edges.triangles[static_cast<std::size_t>(edge)][0];
-    const std::size_t i = sideOf(t, edge);
-    // On an inner loop with a holonomy defect, a quarter of that is left.
-    frames.jump[static_cast<std::size_t>(t)][i] =
-      wholeTurns(boundaryPhase(position) - phase[t] - toSide[static_cast<std::size_t>(t)][i]).first;
-  }
-  // Rounding of as many steps as there are triangles across the domain, by far.
+  BranchSearch branches(potential, walk);
+  frames.angle = 0.25 * branches.Continue();
+  branches.SetJumps(frames);
+  // Far above the rounding of as many steps as there are triangles across the domain.
   constexpr double LargestResidual = 1e-6;
   if (!(frames.residual <= LargestResidual))
   {
@@ -251,8 +288,7 @@ TriangleFrames FrameTriangles(
       std::to_string(frames.residual) +
       " radians; the mesh may have degenerate triangles, remesh the domain.");
   }
-  frames.angle = 0.25 * phase;
-  frames.near = FindNear(topology, solution.logs, walk);
+  frames.near = FindNear(potential.GetProblem().Topology(), solution.logs, walk);
   return frames;
 }
 }

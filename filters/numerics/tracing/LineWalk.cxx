@@ -21,8 +21,8 @@ bool LineWalk::IsLeft(const LineSegment& segment, int corner) const
 {
   const double across = this->Across(segment, corner);
   // Left of +u is +v, left of +v is −u.
-  const bool leftIsMore = segment.direction == 0 || segment.direction == 3;
-  return leftIsMore ? across >= segment.level : across <= segment.level;
+  const bool leftIsGreater = segment.direction == 0 || segment.direction == 3;
+  return leftIsGreater ? across >= segment.level : across <= segment.level;
 }
 
 void LineWalk::Leave(LineSegment& segment, int side) const
@@ -76,7 +76,7 @@ LineSegment LineWalk::StartInside(int triangle, const Point& w, int direction) c
   segment.level = w[segment.AlongU() ? 1 : 0];
   segment.offset = -segment.Sign() * w[segment.AlongU() ? 0 : 1];
   segment.startsInside = true;
-  // Out between a corner on the right and the next one on the left.
+  // The exit side has a corner on the right, then one on the left.
   for (int side = 0; side < 3; ++side)
   {
     if (!this->IsLeft(segment, side) && this->IsLeft(segment, (side + 1) % 3))
@@ -85,7 +85,7 @@ LineSegment LineWalk::StartInside(int triangle, const Point& w, int direction) c
       return segment;
     }
   }
-  // The point is a corner that the triangle lies beside, as seen along the line.
+  // The point is a corner, and the triangle is beside the line: leave at the farthest corner.
   int furthest = 0;
   for (int corner = 1; corner < 3; ++corner)
   {
@@ -129,7 +129,8 @@ LineSegment LineWalk::Continue(const LineSegment& segment) const
     next.level = w[next.AlongU() ? 1 : 0];
     next.offset = segment.exitLength - next.Sign() * w[next.AlongU() ? 0 : 1];
   }
-  // The start of the side is on the left of a line that enters; it leaves between left and right.
+  // A line enters with the start of the side on its left, and leaves between a right and a left
+  // corner.
   this->Leave(next, this->IsLeft(next, (side + 2) % 3) ? (side + 1) % 3 : (side + 2) % 3);
   return next;
 }

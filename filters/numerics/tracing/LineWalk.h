@@ -4,16 +4,16 @@
 
 namespace crossfield
 {
-/// Where a line is on the outline of a triangle.
+/// A point on the outline of a triangle.
 struct OutlinePoint
 {
-  int side = 0;          ///< Of the triangle.
-  double fraction = 0.0; ///< From the side's start; 0 is the corner.
+  int side = 0;          ///< Side of the triangle.
+  double fraction = 0.0; ///< Fraction of the side from its start; 0 is the corner.
 };
 
-/// The part of a straight line inside of one triangle. In the chart of the triangle the line runs along
-/// i^direction; the coordinate across is `level`, exactly, and the length from the line's start is
-/// ± the coordinate along + offset.
+/// The part of a straight line in one triangle. In the chart of the triangle the line runs in
+/// direction i^direction; its transverse coordinate is exactly `level`, and the length from the
+/// line's start is ± the longitudinal coordinate + offset.
 struct LineSegment
 {
   int triangle = 0;
@@ -24,13 +24,14 @@ struct LineSegment
   OutlinePoint exit;
   double entryLength = 0.0;
   double exitLength = 0.0;
-  bool startsInside = false; ///< At a point of the triangle, not on its outline.
+  bool startsInside = false; ///< Starts at a point inside the triangle, not on its outline.
 
   bool AlongU() const { return this->direction % 2 == 0; }
   double Sign() const { return this->direction < 2 ? 1.0 : -1.0; }
-  /// Length at a coordinate along, and the other way round.
+  /// Convert between the length from the start and the longitudinal coordinate.
   double LengthAt(double coordinate) const { return this->Sign() * coordinate + this->offset; }
   double CoordinateAt(double length) const { return this->Sign() * (length - this->offset); }
+  /// Returns the point at a length, in the chart of the triangle.
   Point At(double length) const
   {
     const double along = this->CoordinateAt(length);
@@ -38,9 +39,9 @@ struct LineSegment
   }
 };
 
-/// Steps of straight lines from triangle to triangle (docs/method.md §13.1). Which side a line leaves through follows
-/// from the sign of one exact comparison: whether the vertex ahead is on its left. A vertex on the line counts
-/// as left, in every triangle, so that no line is lost.
+/// Follows straight lines from triangle to triangle (docs/method.md §13.1). The side through which
+/// a line leaves follows from one exact comparison: whether the vertex ahead is on its left. A
+/// vertex on the line counts as left, in every triangle, so that no line is lost.
 class LineWalk
 {
 public:
@@ -49,28 +50,31 @@ public:
   {
   }
 
+  /// Starts at a vertex.
   LineSegment Start(const Departure& departure) const;
-  /// Into the domain from the middle of a boundary edge, at right angles.
+  /// Starts at the midpoint of a boundary edge, perpendicular to it, into the domain.
   LineSegment StartFromSide(int boundaryPosition) const;
-  /// From a point of a triangle.
+  /// Starts at a point of a triangle.
   LineSegment StartInside(int triangle, const Point& w, int direction) const;
 
-  /// The triangle beyond the end of a segment; −1 when that is on the boundary.
+  /// Returns the triangle beyond the end of a segment; −1 when the end is on the boundary.
   int Beyond(const LineSegment& segment) const;
-  /// The segment in the triangle beyond.
+  /// Returns the segment in the triangle beyond.
   LineSegment Continue(const LineSegment& segment) const;
 
-  /// The point of the plane at a length within a segment.
+  /// Returns the point of the plane at a length within a segment.
   Point PlaneAt(const LineSegment& segment, double length) const;
   Point PlaneAt(int triangle, const OutlinePoint& point) const;
-  /// The point of the plane where a triangle has coordinates w.
+  /// Returns the point of the plane at which a triangle has coordinates w.
   Point PlaneAt(int triangle, const Point& w) const;
 
 private:
-  /// Of the coordinates of a corner of a triangle those across and along a direction.
+  /// Return the transverse and longitudinal coordinate of a corner of the segment's triangle.
   double Across(const LineSegment& segment, int corner) const;
   double Along(const LineSegment& segment, int corner) const;
+  /// Returns whether a corner is on the left of the line or on it.
   bool IsLeft(const LineSegment& segment, int corner) const;
+  /// Sets the exit of a segment, through a side of its triangle.
   void Leave(LineSegment& segment, int side) const;
 
   const SeamlessMap& Map;

@@ -5,10 +5,10 @@
 
 namespace crossfield
 {
-double TMesh::SideLength(const TPatch& face, std::size_t side) const
+double TMesh::SideLength(const TPatch& patch, std::size_t side) const
 {
   double length = 0.0;
-  for (const int h : face.sides[side])
+  for (const int h : patch.sides[side])
   {
     length += this->arcs[static_cast<std::size_t>(h / 2)].length;
   }
@@ -18,12 +18,12 @@ double TMesh::SideLength(const TPatch& face, std::size_t side) const
 double TMesh::Mismatch() const
 {
   double largest = 0.0;
-  for (const TPatch& face : this->faces)
+  for (const TPatch& patch : this->faces)
   {
     for (std::size_t side = 0; side < 2; ++side)
     {
       largest = std::max(
-        largest, std::abs(this->SideLength(face, side) - this->SideLength(face, side + 2)));
+        largest, std::abs(this->SideLength(patch, side) - this->SideLength(patch, side + 2)));
     }
   }
   return largest;

@@ -4,6 +4,6 @@
 
 namespace crossfield
 {
-/// The nodes and arcs of lines and boundary, without faces.
-TMesh LayArcs(const SeamlessMap& map, const TraceGraph& graph);
+/// Builds the nodes and arcs of separatrices and boundary loops, without patches.
+TMesh BuildArcs(const SeamlessMap& map, const TraceGraph& graph);
 }

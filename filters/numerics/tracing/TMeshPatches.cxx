@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-/// The half-edges that start at every node, by slot.
+/// Returns the half-edges that start at every node, sorted by slot.
 std::vector<std::vector<int>> Stars(const TMesh& mesh)
 {
   std::vector<std::vector<int>> stars(mesh.nodes.size());
@@ -32,8 +32,8 @@ bool AtBoundary(const TNode& node)
   return node.kind == NodeKind::Corner || node.kind == NodeKind::OnBoundary;
 }
 
-/// Sets what follows every half-edge around its face, and returns the angles in between, quarter turns;
-/// 0 along the outside.
+/// Links every half-edge to the next one around its patch, and returns the angles between them in
+/// quarter turns; 0 outside the domain.
 std::vector<int> LinkHalfEdges(TMesh& mesh)
 {
   const std::vector<std::vector<int>> stars = Stars(mesh);
@@ -60,12 +60,13 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
   return angles;
 }
 
-[[noreturn]] void ThrowUnsound(const Point& place)
+[[noreturn]] void ThrowNoRectangles(const Point& location)
 {
-  throw Error("The lines do not divide the domain into rectangles near " + Describe(place) +
-    "; use a finer mesh.");
+  throw Error("The separatrices do not divide the domain into rectangles near " +
+    Describe(location) + "; use a finer mesh.");
 }
 
+/// Follows the links around every patch and collects its sides.
 void CollectPatches(TMesh& mesh)
 {
   const std::vector<int> angles = LinkHalfEdges(mesh);
@@ -75,16 +76,16 @@ void CollectPatches(TMesh& mesh)
     {
       continue;
     }
-    const Point& place = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
+    const Point& location = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
     const auto number = static_cast<int>(mesh.faces.size());
-    // Around once, from the first right angle on.
+    // The half-edges around the patch, then rotated to start after the first right angle.
     std::vector<int> around;
     int h = first;
     do
     {
       if (h < 0 || mesh.halfEdges[Index(h)].face >= 0)
       {
-        ThrowUnsound(place);
+        ThrowNoRectangles(location);
       }
       mesh.halfEdges[Index(h)].face = number;
       around.push_back(h);
@@ -94,38 +95,38 @@ void CollectPatches(TMesh& mesh)
       around.begin(), around.end(), [&angles](int edge) { return angles[Index(edge)] == 1; });
     if (corner == around.end())
     {
-      ThrowUnsound(place);
+      ThrowNoRectangles(location);
     }
     std::rotate(around.begin(), corner + 1, around.end());
-    TPatch face;
+    TPatch patch;
     std::size_t side = 0;
     for (const int edge : around)
     {
       if (side > 3 || angles[Index(edge)] < 1 || angles[Index(edge)] > 2)
       {
-        ThrowUnsound(place);
+        ThrowNoRectangles(location);
       }
-      face.sides[side].push_back(edge);
+      patch.sides[side].push_back(edge);
       side += angles[Index(edge)] == 1 ? 1U : 0U;
     }
     if (side != 4)
     {
-      ThrowUnsound(place);
+      ThrowNoRectangles(location);
     }
-    mesh.faces.push_back(std::move(face));
+    mesh.faces.push_back(std::move(patch));
   }
 }
 }
 
 TMesh MakeTMesh(const SeamlessMap& map, const TraceGraph& graph)
 {
-  TMesh mesh = LayArcs(map, graph);
+  TMesh mesh = BuildArcs(map, graph);
   CollectPatches(mesh);
   const auto count = [](std::size_t size) { return static_cast<int>(size); };
   const int euler = map.topology->edges.EulerCharacteristic(map.topology->mesh);
   if (count(mesh.nodes.size()) - count(mesh.arcs.size()) + count(mesh.faces.size()) != euler)
   {
-    ThrowUnsound(mesh.nodes.empty() ? Point::Zero() : mesh.nodes.front().place);
+    ThrowNoRectangles(mesh.nodes.empty() ? Point::Zero() : mesh.nodes.front().place);
   }
   return mesh;
 }

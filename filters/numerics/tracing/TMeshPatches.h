@@ -4,7 +4,8 @@
 
 namespace crossfield
 {
-/// Faces come from the quarter turns at nodes alone. Throws Error when one has not four right angles,
-/// or faces − arcs + nodes is not the Euler characteristic.
+/// Builds the T-mesh. Patches follow from the quarter turns at nodes alone. Throws Error when a
+/// patch does not have four right angles, or when patches − arcs + nodes is not the Euler
+/// characteristic.
 TMesh MakeTMesh(const SeamlessMap& map, const TraceGraph& graph);
 }

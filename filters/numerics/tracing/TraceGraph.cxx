@@ -11,37 +11,40 @@ namespace crossfield
 {
 namespace
 {
-/// Lines have different head starts, up to this part of the extent, so that no two are anywhere at
-/// the same time in domains that are symmetric; irregular and much larger than SameIsoline.
+/// Separatrices have different delays, up to this fraction of the extent, so that in symmetric
+/// domains no two arrive anywhere at the same time. The delays are irregular and much larger than
+/// SameIsoline.
 constexpr double LargestDelay = 1e-6;
 constexpr double GoldenRatio = 0.6180339887498949;
-/// A line is at most a few times as long as the domain wide (docs/method.md §13.1).
+/// Bound on the length of a separatrix, in extents; real ones have a few (docs/method.md §13.1).
 constexpr double LongestLine = 1000.0;
 
+/// An event in the simultaneous advance of all separatrices.
 struct Event
 {
   enum Kind
   {
     Advance,  ///< `line` enters the next triangle, or ends on the boundary.
-    Crossing, ///< `line` comes to `other`, which was there before.
-    Meeting   ///< `line` and `other` meet head-on; length is that of both.
+    Crossing, ///< `line` arrives at `other`, which passed there before.
+    Meeting   ///< `line` and `other` meet head-on; `length` is that of both together.
   };
   double time = 0.0;
-  int number = 0; ///< Of events at one time the first that was found.
+  int number = 0; ///< Order in which events were found, which breaks ties.
   Kind kind = Advance;
   int line = 0;
   int other = 0;
   double length = 0.0;
   double otherLength = 0.0;
-  int segment = 0; ///< Of the line.
+  int segment = 0; ///< Segment of `line`.
   int otherDirection = 0;
 
-  bool operator<(const Event& event) const // last is on top
+  bool operator<(const Event& event) const // the priority queue has the greatest on top
   {
     return this->time > event.time || (this->time == event.time && this->number > event.number);
   }
 };
 
+/// Traces all separatrices of a map.
 class Tracer
 {
 public:
@@ -65,7 +68,7 @@ public:
       {
         TracedLine line;
         line.cone = static_cast<int>(cone);
-        // At a corner slot 0 is the side that starts there.
+        // Slot 0 of a corner is the side that starts there.
         line.slot = static_cast<int>(i) + (this->Map.cones[cone].onBoundary ? 1 : 0);
         line.segments.push_back(this->Walk.Start(departures[cone][i]));
         this->Add(std::move(line));
@@ -77,7 +80,7 @@ public:
       TracedLine line;
       line.startPosition = position;
       line.segments.push_back(this->Walk.StartFromSide(position));
-      line.delay = this->Now; // the others were there before
+      line.delay = this->Now; // all others have passed
       ++this->Graph.extraLines;
       this->Add(std::move(line));
       this->TraceAll();
@@ -86,7 +89,7 @@ public:
   }
 
 private:
-  /// Where a segment is entered in the list of its triangle.
+  /// A segment in the linked list of its triangle.
   struct Entry
   {
     int line;
@@ -155,13 +158,13 @@ private:
     }
     if (last.exitLength > LongestLine * this->Extent)
     {
-      throw Error("A line of the flat map goes around without an end; use a finer mesh.");
+      throw Error("A separatrix of the seamless map does not end; use a finer mesh.");
     }
     line.segments.push_back(this->Walk.Continue(last));
     this->Enter(number);
   }
 
-  /// Finds whom a line meets in the triangle that it has come into.
+  /// Finds the separatrices that one meets in the triangle that it has entered.
   void Enter(int number)
   {
     const TracedLine& line = this->Graph.lines[Index(number)];
@@ -194,8 +197,8 @@ private:
     this->Push(event);
   }
 
-  /// A position on the outline of a triangle, and which of two lines at one place comes first,
-  /// the same as seen from both sides of an edge.
+  /// Returns a position on the outline of a triangle, and a rank of the line that orders lines at
+  /// one position consistently from both sides of an edge.
   std::pair<double, int> OnOutline(int triangle, const OutlinePoint& point, int line) const
   {
     const auto& v = this->Topology.mesh.triangles[Index(triangle)];
@@ -203,10 +206,10 @@ private:
     return { point.side + point.fraction, upwards ? line : -line };
   }
 
-  /// Whether two lines cross in a triangle: where they enter and leave alternates around it.
+  /// Returns whether two lines cross in a triangle: their entries and exits alternate around it.
   bool Interleave(const LineSegment& a, int lineA, const LineSegment& b, int lineB) const
   {
-    // Lines of one vertex only meet there.
+    // Lines from one vertex meet only there.
     const auto atCorner = [](const LineSegment& s)
     { return s.entryLength == 0.0 && s.entry.fraction == 0.0; };
     if (atCorner(a) && atCorner(b) && a.entry.side == b.entry.side)
@@ -246,7 +249,8 @@ private:
     this->Push(event);
   }
 
-  /// How far a line got, or may still get. Where two meet head-on, no other can pass between them.
+  /// Returns the length that a separatrix has reached or may still reach. Where two meet head-on,
+  /// no other can pass between them.
   double Reach(const TracedLine& line) const
   {
     return line.end == LineEnd::None ? this->Extent * 2.0 * LongestLine
@@ -259,7 +263,7 @@ private:
     TracedLine& line = this->Graph.lines[Index(event.line)];
     if (this->Reach(this->Graph.lines[Index(event.other)]) < event.otherLength)
     {
-      return; // the other one was stopped before
+      return; // the other one stops before this point
     }
     line.end = LineEnd::Line;
     line.length = event.length;
@@ -325,7 +329,8 @@ private:
     return this->PositionOfEdge[Index(edge)];
   }
 
-  /// An edge of a loop without corners that no line starts or ends at; −1 if there is none.
+  /// Returns an edge of a loop without corners at which no separatrix starts or ends; −1 if there
+  /// is none.
   int FreeLoop() const
   {
     std::vector<bool> met(this->Topology.mesh.boundary.size(), false);
@@ -364,7 +369,7 @@ private:
   const LineWalk Walk;
   const double Extent;
   const double Tolerance;
-  std::vector<int> Latest; ///< Per triangle the entry that came last.
+  std::vector<int> Latest; ///< Latest entry of every triangle.
   std::vector<Entry> Entries;
   std::priority_queue<Event> Events;
   std::vector<int> PositionOfEdge;

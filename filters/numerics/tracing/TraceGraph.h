@@ -5,54 +5,55 @@
 
 namespace crossfield
 {
-/// Lines this near, relative to the extent, are on one isoline: above what a solve is off by rounding
-/// (1e-14 to 1e-13), and below what the lengths of opposite sides may differ by.
+/// Separatrices nearer than this, relative to the extent, are on one isoline. It is above the
+/// rounding error of a solve (1e-14 to 1e-13) and below the tolerance on the lengths of opposite
+/// sides.
 constexpr double SameIsoline = 4e-13;
 
-/// What a line ends at.
+/// What stops a separatrix.
 enum class LineEnd
 {
-  None,     ///< It goes on.
-  Line,     ///< The side of another line.
-  Boundary, ///< The boundary.
-  HeadOn    ///< The front of another line on the same isoline: both together are one way.
+  None,     ///< It has not been stopped.
+  Line,     ///< It meets another separatrix from the side.
+  Boundary, ///< It meets the boundary.
+  HeadOn    ///< It meets another one head-on, on the same isoline: the two form one path.
 };
 
-/// A straight line in a flat map, from where it starts to what stops it.
+/// A separatrix: a straight line in the seamless map from a cone, or from a boundary loop, to where
+/// it is stopped.
 struct TracedLine
 {
-  int cone = -1; ///< Where it starts, in SeamlessMap::cones; −1: on the boundary (extra lines).
-  int slot = 0;  ///< Which of the directions there, counter-clockwise from 0.
-  int startPosition = -1; ///< Of an extra line: the entry of mesh.boundary where it starts.
-  double delay = 0.0;     ///< Head start of the others, in length.
-  double length = 0.0;    ///< In the map.
+  int cone = -1; ///< Cone where it starts; −1 for extra ones, which start on the boundary.
+  int slot = 0;  ///< Direction at the cone, counter-clockwise from 0.
+  int startPosition = -1; ///< Entry of mesh.boundary where an extra one starts.
+  double delay = 0.0;     ///< Delay of its start, as a length.
+  double length = 0.0;    ///< Length in the map.
   LineEnd end = LineEnd::None;
-  int other = -1;           ///< The line at its end,
-  double otherLength = 0.0; ///< and where on that.
-  /// Length of the way that two lines that meet head-on make together.
-  double headOnLength = 0.0;
-  int endPosition = -1;   ///< The entry of mesh.boundary where it ends.
-  int lastSegment = 0;    ///< The segment that it ends in.
-  int endDirection = 0;   ///< In the chart of that segment's triangle,
-  int otherDirection = 0; ///< and that of the other line there.
+  int other = -1;            ///< Separatrix at its end.
+  double otherLength = 0.0;  ///< Length along that one to the common point.
+  double headOnLength = 0.0; ///< Length of both together where two meet head-on.
+  int endPosition = -1;      ///< Entry of mesh.boundary where it ends.
+  int lastSegment = 0;       ///< Segment in which it ends.
+  int endDirection = 0;      ///< Its direction in the chart of that segment's triangle.
+  int otherDirection = 0;    ///< Direction of the other separatrix there.
   std::vector<LineSegment> segments;
 };
 
-/// All lines that leave the cones of a map, each up to the first line or side that it meets
+/// All separatrices of a map, each up to the first separatrix or boundary side that it meets
 /// (docs/method.md §13).
 struct TraceGraph
 {
   std::vector<TracedLine> lines;
-  int extraLines = 0; ///< The last ones: for boundary loops that nothing meets.
-  int headOn = 0;     ///< Pairs that met head-on.
+  int extraLines = 0; ///< Number of extra ones, at the end: for boundary loops that no other meets.
+  int headOn = 0;     ///< Pairs that meet head-on.
 };
 
-/// Lines advance together, the shortest first; where two cross, the one that comes later stops. Lines
-/// on one isoline that meet head-on become one. From each boundary loop that nothing meets one line is
-/// drawn at right angles.
+/// Traces the separatrices of a map. All advance together, the shortest first; where two cross, the
+/// one that arrives later stops. Two on one isoline that meet head-on become one path. From each
+/// boundary loop that none meets, one extra separatrix starts at a right angle.
 TraceGraph TraceLines(const SeamlessMap& map, const Progress& progress = {});
 
-/// The straight line from a point of a triangle, as far as the boundary or a length.
+/// Traces the straight line from a point of a triangle to the boundary, or up to length `longest`.
 std::vector<LineSegment> TraceStreamline(
   const SeamlessMap& map, int triangle, const Point& w, int direction, double longest);
 }

@@ -10,7 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// Where a direction is, in eighths of a turn: 2q on the axis i^q, 2q + 1 between it and the next.
+/// Returns the angle of a direction in eighths of a turn: 2q on the axis i^q, 2q + 1 between that
+/// and the next axis.
 int Eighths(const Point& direction)
 {
   const double x = direction.x();
@@ -35,6 +36,7 @@ int Modulo(int value, int modulus)
   return ((value % modulus) + modulus) % modulus;
 }
 
+/// Walks around vertices, counter-clockwise from triangle to triangle.
 class FanWalk
 {
 public:
@@ -60,7 +62,7 @@ public:
   std::vector<Departure> Around(const Cone& cone) const
   {
     int triangle = this->Start[Index(cone.vertex)];
-    int here = 0; // of the spoke that the triangle starts with, in its chart
+    int here = 0; // direction in eighths of the spoke with which the triangle starts, in its chart
     if (cone.onBoundary)
     {
       const int position = this->Boundary[Index(cone.vertex)];
@@ -104,8 +106,8 @@ public:
     const auto expected = static_cast<std::size_t>(cone.Quarters() - (cone.onBoundary ? 1 : 0));
     if (total != 2 * cone.Quarters() || departures.size() != expected)
     {
-      throw Error("The triangles of the flat map around " +
-        Describe(this->Topology.PointAt(cone.vertex)) + " make up " + std::to_string(total) +
+      throw Error("The triangles of the seamless map around " +
+        Describe(this->Topology.PointAt(cone.vertex)) + " add up to " + std::to_string(total) +
         " eighths of a turn instead of " + std::to_string(2 * cone.Quarters()) +
         "; use a finer mesh there.");
     }
@@ -119,9 +121,9 @@ private:
     return static_cast<int>(std::find(v.begin(), v.end(), vertex) - v.begin());
   }
 
+  /// Returns the direction of a boundary edge in the chart of its triangle.
   int DirectionOf(int edge) const
   {
-    // The boundary edge that ends at the vertex.
     for (const int v : this->Topology.edges.vertices[Index(edge)])
     {
       const int position = this->Boundary[Index(v)];
@@ -136,7 +138,7 @@ private:
   const SeamlessMap& Map;
   const MeshTopology& Topology;
   std::vector<int> Start;    ///< A triangle at every vertex.
-  std::vector<int> Boundary; ///< The entry of mesh.boundary that starts there.
+  std::vector<int> Boundary; ///< Entry of mesh.boundary that starts at every vertex; −1 inside.
 };
 }
 

@@ -44,6 +44,10 @@ TEST(Elimination, RandomSystemsOfSignsKeepTheirRank)
 TEST(Elimination, RefusesWhatHasNoPivot)
 {
   Elimination system({ 0, 0 });
-  EXPECT_TRUE(Refuses([&] { system.Impose({ { 0, 2.0 }, { 1, 3.0 } }); }, { "whole-numbered" }));
+  EXPECT_TRUE(Refuses(
+    [&] {
+      system.Impose({ { 0, 2.0 }, { 1, 3.0 } });
+    },
+    { "no integral solution" }));
 }
 }

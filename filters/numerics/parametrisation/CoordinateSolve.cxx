@@ -1,4 +1,4 @@
-#include "SeamlessSolve.h"
+#include "CoordinateSolve.h"
 
 #include "DissectedCholesky.h"
 #include "Error.h"
@@ -15,7 +15,7 @@ namespace
 {
 using Prolongation = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// c |w_a − w_b|² in the sum: of an edge between two vertices of the mesh that is cut open.
+/// A term c |w_a − w_b|² of the sum, for an edge between two vertices of the cut mesh.
 struct Coupling
 {
   int a;
@@ -23,7 +23,8 @@ struct Coupling
   double value;
 };
 
-/// The sum without its linear part, edge by edge. Both sides of a cut edge count for themselves.
+/// Returns the quadratic part of the sum, edge by edge. The two sides of a cut edge have separate
+/// terms.
 std::vector<Coupling> CoupleCorners(const SeamlessMap& map, const std::vector<double>& weights)
 {
   const MeshTopology& topology = *map.topology;
@@ -55,7 +56,7 @@ std::vector<Coupling> CoupleCorners(const SeamlessMap& map, const std::vector<do
   return couplings;
 }
 
-/// The matrix of the sum for u and v in turn, in terms of the free unknowns.
+/// Returns the matrix of the sum for the free unknowns of both u and v.
 Eigen::SparseMatrix<double> FreeMatrix(
   const std::vector<Coupling>& couplings, const Prolongation& prolongation)
 {
@@ -98,14 +99,16 @@ Eigen::SparseMatrix<double> FreeMatrix(
   return AssembleSymmetric(diagonal, offDiagonal);
 }
 
-/// How the free unknowns are eliminated.
+/// Input of the dissection that orders the free unknowns for elimination.
 struct Order
 {
-  std::vector<Point> places;
-  std::vector<int> trailing; ///< Many others depend on them: they come last.
-  std::vector<int> ground;   ///< u and v of one vertex on which none depends: the origin is free.
+  std::vector<Point> places; ///< Positions of the free unknowns.
+  std::vector<int> trailing; ///< Unknowns on which many others depend: they come last.
   std::vector<int>
-    partners; ///< Of u of a vertex its v, and of v its u, if none depends on them; else −1.
+    ground; ///< u and v of a vertex on which no other depends, left out to fix the origin.
+  /// Per unknown: v of the vertex if it is u, u if it is v, when no other vertex depends on them;
+  /// else −1.
+  std::vector<int> partners;
 };
 
 Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
@@ -122,13 +125,13 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
     {
       const std::size_t unknown = Index(static_cast<int>(term.col()));
       ++dependents[unknown];
-      if (vertex < map.original.size()) // the first one's place
+      if (vertex < map.original.size()) // rows descend, so the first vertex sets the position
       {
         order.places[unknown] = map.topology->PointAt(map.original[vertex]);
       }
     }
   }
-  // A vertex in a chain has its copy beside it.
+  // More dependents than a vertex inside a chain has, with its copy.
   constexpr int ManyDependents = 4;
   for (int j = 0; j < static_cast<int>(count); ++j)
   {
@@ -160,27 +163,28 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
   }
   if (order.ground.empty())
   {
-    throw Error("The mesh is too coarse for a flat map: no vertex is off the seams and the "
+    throw Error("The mesh is too coarse for a seamless map: every vertex is on a seam or on the "
                 "boundary; use a finer mesh.");
   }
   return order;
 }
 }
 
-Eigen::VectorXd SolveSeamless(const SeamlessMap& map, const SeamlessPoisson& poisson,
+Eigen::VectorXd SolveCoordinates(const SeamlessMap& map, const SeamlessPoisson& poisson,
   const Prolongation& prolongation, const Progress& progress)
 {
   const Order order = OrderUnknowns(map, prolongation);
   const DissectedCholesky factor(FreeMatrix(CoupleCorners(map, poisson.weights), prolongation),
     order.places, order.trailing, order.ground, progress, order.partners);
 
-  // The first is off by rounding times the range of the weights, 1e-2 of the extent for hundreds
-  // of random singularities: iterative refinement. A correction by the part c leaves an error of about c² (docs/method.md §12.3).
+  // Iterative refinement: the first solution has an error of rounding times the range of the
+  // weights, 1e-2 of the extent for hundreds of random singularities. A correction by the fraction
+  // c leaves an error of about c² (docs/method.md §12.3).
   constexpr double NegligibleSquared = 1e-8;
-  constexpr int MostCorrections = 5;
+  constexpr int MaximumCorrections = 5;
   Eigen::VectorXd w = Eigen::VectorXd::Zero(prolongation.rows());
-  double largest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= MostCorrections; ++i)
+  double previous = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= MaximumCorrections; ++i)
   {
     const Eigen::MatrixX2d residual = poisson.Residual(map, w);
     Eigen::VectorXd full = Eigen::VectorXd::Zero(prolongation.rows());
@@ -190,15 +194,15 @@ Eigen::VectorXd SolveSeamless(const SeamlessMap& map, const SeamlessPoisson& poi
     }
     const Eigen::VectorXd correction =
       prolongation * factor.Substitute(factor.Eliminate(prolongation.transpose() * full)).col(0);
-    const double part =
+    const double fraction =
       i == 0 ? 1.0 : correction.lpNorm<Eigen::Infinity>() / w.lpNorm<Eigen::Infinity>();
-    if (!(part < largest))
+    if (!(fraction < previous))
     {
-      break; // rounding is reached, or the map is told not to be injective
+      break; // converged to rounding; RequireInjective reports maps that are unusable
     }
     w += correction;
-    largest = part;
-    if (part <= NegligibleSquared)
+    previous = fraction;
+    if (fraction <= NegligibleSquared)
     {
       break;
     }
