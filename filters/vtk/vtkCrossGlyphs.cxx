@@ -144,7 +144,8 @@ std::vector<GlyphPlace> PlacesOfTriangles(vtkDataSet* input)
  * Selects in each square of the grid the glyph nearest to its centre, and moves it there if its
  * triangle contains the centre.
  */
-std::vector<GlyphPlace> SelectOnGrid(vtkDataSet* input, const std::vector<GlyphPlace>& places, double spacing)
+std::vector<GlyphPlace> SelectOnGrid(
+  vtkDataSet* input, const std::vector<GlyphPlace>& places, double spacing)
 {
   const crossfield::DomainPlane plane = DomainConversion::FindPlane(input);
   std::map<std::array<double, 2>, std::pair<double, GlyphPlace>> nearest;

@@ -18,8 +18,9 @@ const DomainConversion::Domain& CachedDomain::Read(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-const crossfield::FactoredDomain& CachedDomain::Factor(const crossfield::Configuration& configuration,
-  double meshSize, const crossfield::Progress& progress)
+const crossfield::FactoredDomain& CachedDomain::Factor(
+  const crossfield::Configuration& configuration, double meshSize,
+  const crossfield::Progress& progress)
 {
   auto& [last, other] = this->Factored;
   if (last.first != meshSize)
