@@ -1,5 +1,6 @@
 """crossfield quads: the mesh, its blocks and layout, their numbers and refusals."""
 import json
+import math
 import unittest
 
 from program import ProgramTest, write_configuration
@@ -23,10 +24,37 @@ class Quads(ProgramTest):
         self.assertTrue(report["integers"]["optimal"])
         self.assertEqual(report["inverted"], 0)
         self.assertEqual(set(report["seconds"]),
-                         {"mesh", "map", "trace", "integers", "layout", "smooth"})
+                         {"mesh", "map", "trace", "integers", "layout", "smooth", "choose"})
+        self.assertEqual(report["seconds"]["choose"], 0)
+        self.assertNotIn("events", report)
         for name in ("quads.vtu", "layout.vtp", "blocks.vtm", "blocks/block0.vts",
                      "blocks/block4.vts"):
             self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_singularities_are_those_used(self):
+        """After the repair of the holonomy, and with the sizes that they were chosen for."""
+        for domain, arguments in (("builtin:disk", ("--quads", "300", "--sizing", "uniform")),
+                                  ("builtin:ring", ("--size", "0.2", "--repair-holonomy", "--pairs", "1"))):
+            report = self.report(domain, *arguments, "--save-singularities", "used.csv")
+            self.assertGreater(report["seconds"]["choose"], 0)
+            self.assertTrue(report["events"])
+            rows = [line.split(",") for line in (self.folder / "used.csv").read_text().split()[1:]]
+            self.assertEqual([[float(x), float(y), int(k)] for x, y, k in rows],
+                             [[s["x"], s["y"], s["quarter_index"]] for s in report["singularities"]])
+            again = self.report(domain, "-s", "used.csv", *(a for a in arguments if a != "--repair-holonomy"))
+            for name in ("quads", "irregular", "blocks", "scaled_jacobian", "singularities"):
+                self.assertEqual(again[name], report[name])
+
+    def test_positions_are_those_after_repair(self):
+        rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.0)
+                for r, t, k in ((0.8, 0.25, 1), (0.55, 0.1, -1)) for n in range(4)]
+        write_configuration(self.folder / "eight.csv", rows)
+        report = self.report("builtin:ring", "-s", "eight.csv", "--size", "0.1", "--repair-holonomy")
+        moves = [math.hypot(s["x"] - x, s["y"] - y) for s, (x, y, *_) in zip(report["singularities"], rows)]
+        self.assertAlmostEqual(max(moves), report["repair"]["distance"], places=12)
+        self.assertGreater(max(moves), 0.01)
+        self.assertIn("to repair the holonomy.", self.succeed(
+            "quads", "builtin:ring", "-s", "eight.csv", "-o", "quads.vtu", "--size", "0.1", "--repair-holonomy"))
 
     def test_corners_alone(self):
         report = self.report("builtin:l-shape", "--quads", "300")

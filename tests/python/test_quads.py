@@ -16,12 +16,13 @@ import unittest
 
 import numpy as np
 
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 import crossfield
 from crossfield import _quads
+from crossfield._input import as_domain
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify"))
 import kept  # noqa: E402
@@ -49,6 +50,27 @@ class Quads(unittest.TestCase):
             for report in (expected, found):
                 del report["seconds"], report["integers"]["seconds"]
             self.assertEqual(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True))
+
+    def test_singularities_and_corners_used_are_outputs_of_the_filter(self):
+        mesh = crossfield.quads("builtin:star", count=300)
+        mesher = crossfield.vtkQuadMesher()
+        mesher.SetInputData(as_domain("builtin:star", None))
+        mesher.SetQuadCount(300)
+        mesher.Update()
+        for port, data in ((3, mesh.singularities.data), (4, mesh.singularities.corners)):
+            used = mesher.GetOutputDataObject(port)
+            self.assertEqual([used.GetPoint(i) for i in range(used.GetNumberOfPoints())],
+                             [data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+            quarters = [vtk_to_numpy(d.GetPointData().GetArray("QuarterIndex")).tolist() for d in (used, data)]
+            self.assertEqual(*quarters)
+        self.assertEqual(mesh.singularities.corners.GetNumberOfPoints(), 10)
+        self.assertEqual(mesh.report["events"], mesh.singularities.events)
+        self.assertGreater(mesh.report["seconds"]["choose"], 0)
+        again = crossfield.quads("builtin:star", mesh.singularities, count=300,
+                                 corners=mesh.singularities.corners, cap_corners=False)
+        self.assertEqual(again.points.shape, mesh.points.shape)
+        self.assertLess(np.abs(again.points - mesh.points).max(), 1e-9)
+        self.assertNotIn("events", again.report)
 
     def test_arrays_are_a_conforming_mesh_with_these_valences(self):
         mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
@@ -133,6 +155,8 @@ class Quads(unittest.TestCase):
         rows = four(0.8, 0.25, 1) + four(0.55, 0.1, -1)
         repaired = crossfield.quads("builtin:ring", rows, size=0.1, repair_holonomy=True)
         self.assertEqual(repaired.report["irregular"], {"3": 4, "5": 4})
+        moves = np.linalg.norm(repaired.singularities.points[:, :2] - np.array(rows)[:, :2], axis=1)
+        self.assertAlmostEqual(moves.max(), repaired.report["repair"]["distance"], places=12)
         self.assertAlmostEqual(abs(repaired.report["repair"]["defect_before"][0]), 0.6, delta=0.01)
         # All turn by the least sum of squares of ways r_j δ_j with Σ k_j δ_j = 0.6.
         least = 0.15 * 4 / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2)
