@@ -252,8 +252,8 @@ DesignRequest vtkLayoutDesigner::MakeRequest(
   if (this->Quads != QuadsNone)
   {
     request.options.quads.emplace();
-    request.options.quads->size = this->QuadSize;
-    request.options.quads->count = this->QuadCount;
+    request.options.quads->quadSize = this->QuadSize;
+    request.options.quads->quadCount = this->QuadCount;
     request.options.quads->smooth = this->Quads == QuadsSmooth && !this->Dragging;
   }
   request.snapTolerance = this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * request.quadSize;

@@ -227,7 +227,7 @@ void Quads(benchmark::State& state)
 {
   const SeamlessMap map = SolveSeamlessMap(TopologyOnPoints(10000), EightHoles());
   QuadOptions options;
-  options.count = static_cast<int>(state.range(0));
+  options.quadCount = static_cast<int>(state.range(0));
   for (auto _ : state)
   {
     const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);

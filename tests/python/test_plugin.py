@@ -482,7 +482,7 @@ def test_input_untouched():
 
 LoadPlugin(sys.argv[1], ns=globals())
 for test in (test_proxies, test_menus, test_default_chain, test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
-             test_energies, test_size_arrays, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
+             test_energies, test_size_arrays, test_quad_mesher_outputs, test_domain_files, test_other_domains, test_unit_norm, test_bad_input, test_topology,
              test_handles, test_handles_of_a_proposal, test_summary_of_the_check,
              test_changed_input, test_input_untouched):
     test()

@@ -72,7 +72,7 @@ public:
       return CountArcs(
         this->Result.lines, ProblemOf(this->Result.lines, this->Lengths, size), search);
     };
-    const bool given = this->Options.size > 0.0;
+    const bool given = this->Options.quadSize > 0.0;
     SizedCounts found = this->ForSize([&](double size)
       { return countsOf(size, given ? ArcSearch::Thorough : ArcSearch::Quick); },
       progress);
@@ -152,20 +152,20 @@ private:
   SizedCounts ForSize(
     const std::function<ArcCounts(double)>& countsOf, const Progress& progress) const
   {
-    if (this->Options.size > 0.0)
+    if (this->Options.quadSize > 0.0)
     {
       progress.Report(0.0);
-      return { this->Options.size, countsOf(this->Options.size), 0 };
+      return { this->Options.quadSize, countsOf(this->Options.quadSize), 0 };
     }
-    return SearchSize(this->Result.lines, this->Options.count,
-      std::sqrt(this->Area / this->Options.count), countsOf, progress);
+    return SearchSize(this->Result.lines, this->Options.quadCount,
+      std::sqrt(this->Area / this->Options.quadCount), countsOf, progress);
   }
 
   /// The part by which a number of quads misses the wanted one.
   double Off(const ArcCounts& counts) const
   {
     const auto count = static_cast<double>(CountQuads(this->Result.lines, counts.counts));
-    return std::abs(count / this->Options.count - 1.0);
+    return std::abs(count / this->Options.quadCount - 1.0);
   }
 
   static void Take(const SizedCounts& found, QuadResult& result)
@@ -227,8 +227,8 @@ private:
 QuadResult MakeQuads(
   const SeamlessMap& map, TMesh lines, const QuadOptions& options, const Progress& progress)
 {
-  if (!(options.size >= 0.0) || !std::isfinite(options.size) ||
-    (options.size == 0.0 && options.count < 1))
+  if (!(options.quadSize >= 0.0) || !std::isfinite(options.quadSize) ||
+    (options.quadSize == 0.0 && options.quadCount < 1))
   {
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }

@@ -12,10 +12,11 @@ namespace crossfield
 {
 struct QuadOptions
 {
-  double size = 0.0; ///< Length of quads in the map, whose area is the domain's; 0: by count.
-  int count = 1000;  ///< Wanted number of quads where no size is given.
-  TargetSizes sizes;
-  bool smooth = true;  ///< Otherwise points are left where the map has them, which is for drafts.
+  /// Target side length of quads in the map, whose area is the domain's; 0: by quadCount.
+  double quadSize = 0.0;
+  int quadCount = 1000; ///< Target number of quads where quadSize is 0.
+  TargetSizes sizes;    ///< Variation of the size over the domain.
+  bool smooth = true;   ///< Otherwise points are left where the map has them, which is for drafts.
   bool coarse = false; ///< The fewest blocks that are sound, instead of those nearest to the sizes.
 };
 

@@ -84,15 +84,15 @@ public:
   void MakeQuads(const SeamlessMap& map, TMesh separatrices, const Progress& progress)
   {
     QuadOptions options;
-    options.size = this->Request.quadSize;
-    options.count = this->Request.quadCount;
+    options.quadSize = this->Request.quadSize;
+    options.quadCount = this->Request.quadCount;
     options.coarse = this->Request.coarse;
     options.sizes.sizing = this->Request.sizing;
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, *map.topology);
       options.sizes.field = std::move(sizes.field);
-      options.size *= sizes.mean;
+      options.quadSize *= sizes.mean;
     }
     this->Result.quads = crossfield::MakeQuads(map, std::move(separatrices), options, progress);
     QuadSeconds& seconds = this->Result.seconds;

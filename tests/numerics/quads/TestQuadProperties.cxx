@@ -241,11 +241,11 @@ TEST(QuadProperties, OfRandomDomains)
       try
       {
         QuadOptions options;
-        options.size = part * extent;
+        options.quadSize = part * extent;
         const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
-        ExpectSound(result, map, options.size);
+        ExpectSound(result, map, options.quadSize);
         ++meshes;
-        far += FarApart(map, options.size) ? 1 : 0;
+        far += FarApart(map, options.quadSize) ? 1 : 0;
         if (tell)
         {
           std::printf(
@@ -253,9 +253,9 @@ TEST(QuadProperties, OfRandomDomains)
             "released %d moved %.2g s %.3f %.3f\n",
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
-            result.quality.inverted, FarApart(map, options.size), result.counts.zeroArcs,
+            result.quality.inverted, FarApart(map, options.quadSize), result.counts.zeroArcs,
             result.counts.nodes, result.counts.gap, result.smoothing.released,
-            result.smoothing.moved / options.size, result.counts.seconds, result.smoothSeconds);
+            result.smoothing.moved / options.quadSize, result.counts.seconds, result.smoothSeconds);
         }
       }
       catch (const Error& error)
@@ -301,7 +301,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
     for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
     {
       QuadOptions options;
-      options.size = 0.2;
+      options.quadSize = 0.2;
       options.sizes.sizing = sizing;
       const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
       EXPECT_GE(result.smoothing.symmetries, 4);

@@ -24,7 +24,7 @@ SeamlessMap MapOfSix()
 QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Conformal)
 {
   QuadOptions options;
-  options.count = count;
+  options.quadCount = count;
   options.sizes.sizing = sizing;
   return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
 }

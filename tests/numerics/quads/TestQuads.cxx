@@ -24,7 +24,7 @@ SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration
 QuadResult QuadsOf(const SeamlessMap& map, double size)
 {
   QuadOptions options;
-  options.size = size;
+  options.quadSize = size;
   return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
 }
 
@@ -206,13 +206,13 @@ TEST(Quads, OfACountAreNearlyAsMany)
   for (const int count : { 100, 700, 5000 })
   {
     QuadOptions options;
-    options.count = count;
+    options.quadCount = count;
     EXPECT_NEAR(static_cast<double>(
                   MakeQuads(map, MakeTMesh(map, TraceLines(map)), options).mesh.quads.size()),
       count, 0.05 * count);
   }
   QuadOptions none;
-  none.size = -1.0;
+  none.quadSize = -1.0;
   EXPECT_TRUE(Refuses(
     [&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), none); }, { "size", "positive" }));
 }
@@ -224,7 +224,7 @@ TEST(Quads, OfUniformSizingAreNearlyEqual)
     Join(OnCircle(5, 0.55, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } });
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
   QuadOptions options;
-  options.count = 600;
+  options.quadCount = 600;
   const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   options.sizes.sizing = Sizing::Uniform;
   const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
@@ -243,7 +243,7 @@ TEST(Quads, FollowASizeField)
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
   const SeamlessMap map = MapOf(plate, {}, 0.1);
   QuadOptions options;
-  options.count = 500;
+  options.quadCount = 500;
   options.sizes.sizing = Sizing::Field;
   options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
   const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
@@ -275,7 +275,7 @@ TEST(Quads, CoarseOnesHaveFewerBlocks)
     Join(OnCircle(5, 0.5, 0.37, 1, 0.0), { { { 0.03, 0.02 }, -1 } });
   const SeamlessMap map = MapOf(domain, configuration, 0.05);
   QuadOptions options;
-  options.size = 0.03;
+  options.quadSize = 0.03;
   const QuadResult fine = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   options.coarse = true;
   const QuadResult coarse = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);

@@ -58,7 +58,7 @@ TEST(QuadWorkflow, MakesTheMeshOfItsSteps)
   const SeamlessMap map = SolveSeamlessMap(
     ShareTopology(MeshOnPoints(disk, *request.singularities, 0.1)), *request.singularities);
   QuadOptions options;
-  options.size = 0.1;
+  options.quadSize = 0.1;
   const QuadResult steps = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
   ExpectSamePoints(result.quads.mesh, steps.mesh, 0.0);
   EXPECT_EQ(result.holonomyDefect, map.holonomyDefect);
