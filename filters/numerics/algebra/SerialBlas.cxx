@@ -1,7 +1,5 @@
 #include "SerialBlas.h"
 
-#include "BlasKernels.h"
-
 #include <mutex>
 
 // OpenBLAS's own interface; its headers cannot be included next to another cblas.h.
@@ -23,7 +21,6 @@ int ThreadsBefore = 1;
 SerialBlas::SerialBlas()
 {
   const std::lock_guard<std::mutex> lock(Mutex);
-  ChooseBlasKernels();
   if (Users++ == 0)
   {
     ThreadsBefore = openblas_get_num_threads();
