@@ -1,33 +1,28 @@
 /**
- * crossfield check DOMAIN [-s S.csv] [--propose F.csv [--alternatives N]]: which configurations can exist on a domain,
- * by the generalised Poincaré-Hopf theorem, and why. Exit status 1 when the given one cannot.
+ * crossfield check DOMAIN [-s S.csv] [--propose F.csv [--alternatives N]]: checks whether a
+ * configuration can exist on a domain, by the generalised Poincaré-Hopf theorem, and proposes one.
+ * Exit status 1 if it cannot exist.
  *
  *   crossfield check builtin:disk -s four.csv --json -
  */
 #include "BoundaryInput.h"
+#include "CheckOutput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "TopologyJson.h"
-#include "vtkBoundaryCornerClassifier.h"
+#include "ReportJson.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkPoincareHopfCheck.h"
 
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 
@@ -51,95 +46,17 @@ struct CheckOptions
   bool cancelFlat = false;
 };
 
-/** F_1.csv beside F.csv, for the first alternative. */
-std::string AlternativeFile(const std::string& proposal, int number)
+/** Writes the proposal to F.csv and the alternatives to F_1.csv, F_2.csv, … */
+void WriteProposals(vtkConfigurationProposal* proposal, bool hasHeight, const std::string& file,
+  OutputTransaction& outputs)
 {
-  return proposal.substr(0, proposal.rfind('.')) + "_" + std::to_string(number) + ".csv";
-}
-
-/** The points of one alternative. */
-vtkSmartPointer<vtkPolyData> AlternativePoints(vtkConfigurationProposal* proposal, int number)
-{
-  auto* all = vtkPolyData::SafeDownCast(proposal->GetOutputDataObject(3));
-  vtkDataArray* numbers = all->GetPointData()->GetArray(names::Alternative);
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkIntArray> quarters;
-  quarters->SetName(names::QuarterIndex);
-  for (vtkIdType i = 0; i < all->GetNumberOfPoints(); ++i)
+  OutputFile::WriteConfiguration(proposal->GetOutput(), hasHeight, file, outputs);
+  auto* table = vtkTable::SafeDownCast(proposal->GetOutputDataObject(2));
+  const std::string stem = file.substr(0, file.rfind('.'));
+  for (int i = 1; i < static_cast<int>(table->GetNumberOfRows()); ++i)
   {
-    if (static_cast<int>(numbers->GetTuple1(i)) == number)
-    {
-      points->InsertNextPoint(all->GetPoint(i));
-      quarters->InsertNextValue(
-        static_cast<int>(all->GetPointData()->GetArray(names::QuarterIndex)->GetTuple1(i)));
-    }
-  }
-  result->SetPoints(points);
-  result->GetPointData()->AddArray(quarters);
-  return result;
-}
-
-void PrintAlternatives(vtkTable* table)
-{
-  std::cout << "alternative singularities logarithm_coefficient renormalized_energy "
-               "energy_at_core_radius holonomy_defect size_spread origin\n";
-  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-  {
-    for (const char* name : { names::Alternative, names::Singularities, names::LogarithmCoefficient,
-           names::RenormalizedEnergy, names::EnergyAtCoreRadius, names::HolonomyDefect,
-           names::SizeSpread })
-    {
-      std::cout << table->GetValueByName(row, name).ToDouble() << " ";
-    }
-    std::cout << table->GetValueByName(row, names::Origin).ToString() << "\n";
-  }
-}
-
-void PrintSummary(vtkPoincareHopfCheck* check)
-{
-  vtkDataSet* domain = check->GetOutput();
-  std::cout << "Euler characteristic " << FieldValue(domain, names::EulerCharacteristic)
-            << ", valence " << FieldValue(domain, names::Valence) << ", tangent turning "
-            << FieldValue(domain, names::TangentTurning) << "\ninterior quarter indices: required "
-            << FieldValue(domain, names::RequiredInteriorQuarters) << ", given "
-            << FieldValue(domain, names::GivenInteriorQuarters) << "\n";
-  auto* corners = vtkDataSet::SafeDownCast(check->GetOutputDataObject(2));
-  for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
-  {
-    if (corners->GetPointData()->GetArray(names::Cancellable)->GetTuple1(i) != 0.0)
-    {
-      std::cout << "the corner at (" << corners->GetPoint(i)[0] << ", " << corners->GetPoint(i)[1];
-      if (DomainReader::HasHeight(domain))
-      {
-        std::cout << ", " << corners->GetPoint(i)[2];
-      }
-      std::cout << ") can be cancelled by singularities in the domain\n";
-    }
-  }
-  if (vtkDataArray* defects = domain->GetFieldData()->GetArray(names::HolonomyDefect))
-  {
-    for (vtkIdType i = 0; i < defects->GetNumberOfTuples(); ++i)
-    {
-      std::cout << "holonomy defect at inner loop " << i + 1 << ": " << defects->GetTuple1(i)
-                << "\n";
-    }
-  }
-}
-
-/** Says so where `crossfield corners` asks for another sum, and which of the two is followed. */
-void PrintHint(vtkAlgorithm* domain, double required)
-{
-  vtkNew<vtkBoundaryCornerClassifier> classifier;
-  classifier->SetInputConnection(domain->GetOutputPort());
-  PipelineRun::Update(classifier, "corners");
-  const double cheapest = FieldValue(classifier->GetOutput(), names::InteriorQuarters);
-  if (cheapest != required)
-  {
-    std::cout
-      << "the cheapest quarter indices of corners ask for " << cheapest
-      << " inside instead; to follow them give --corners what `crossfield corners` writes\n";
+    OutputFile::WriteConfiguration(CheckOutput::AlternativePoints(proposal, i), hasHeight,
+      stem + "_" + std::to_string(i) + ".csv", outputs);
   }
 }
 
@@ -165,7 +82,7 @@ int Check(const CheckOptions& options)
     BoundaryInput::Keep(domain, singularities);
   }
 
-  // 3. Propose; without a given configuration the proposal is what is checked.
+  // 3. Propose; if no configuration was given, check the proposal.
   if (!options.proposal.empty())
   {
     proposal->SetCancelFlatCorners(options.cancelFlat);
@@ -178,48 +95,43 @@ int Check(const CheckOptions& options)
     }
   }
   PipelineRun::Update(check, "checking");
+  vtkDataSet* checked = check->GetOutput();
+  const std::string reason = FieldText(checked, names::Reason);
 
   // 4. Write.
   OutputTransaction outputs;
   if (!options.proposal.empty())
   {
-    OutputFile::WriteConfiguration(proposal->GetOutput(),
-      DomainReader::HasHeight(check->GetOutput()), options.proposal, outputs);
-    auto* table = vtkTable::SafeDownCast(proposal->GetOutputDataObject(2));
-    for (int i = 1; i < static_cast<int>(table->GetNumberOfRows()); ++i)
-    {
-      OutputFile::WriteConfiguration(AlternativePoints(proposal, i),
-        DomainReader::HasHeight(check->GetOutput()), AlternativeFile(options.proposal, i), outputs);
-    }
-  }
-  const std::string reason = vtkStringArray::SafeDownCast(
-    check->GetOutput()->GetFieldData()->GetAbstractArray(names::Reason))
-                               ->GetValue(0);
-  const bool consistent = FieldValue(check->GetOutput(), names::Consistent) != 0.0;
-  if (options.json.empty() && !outputs.PrintsData())
-  {
-    std::cout << reason << "\n";
-    BoundaryInput::Print(domain);
-    PrintSummary(check);
-    if (options.alternatives > 0)
-    {
-      PrintAlternatives(vtkTable::SafeDownCast(proposal->GetOutputDataObject(2)));
-    }
-    const bool isField =
-      check->GetOutput()->GetFieldData()->GetArray(names::UnwantedSingularities) != nullptr;
-    if (options.corners.empty() && !isField)
-    {
-      PrintHint(domain, FieldValue(check->GetOutput(), names::RequiredInteriorQuarters));
-    }
+    WriteProposals(proposal, DomainReader::HasHeight(checked), options.proposal, outputs);
   }
   if (!options.json.empty())
   {
-    outputs.Write(BoundaryInput::AddTo(TopologyJson::Write(check), domain), options.json);
+    outputs.Write(ReportJson::Write("check",
+                    { checked,
+                      { { "corners", check->GetOutputDataObject(2) },
+                        { "loops", check->GetOutputDataObject(1) },
+                        { "domain", domain->GetOutputDataObject(0) } } }),
+      options.json);
+  }
+  else if (!outputs.PrintsData())
+  {
+    std::cout << reason << "\n";
+    BoundaryInput::Print(domain);
+    CheckOutput::Print(check);
+    if (options.alternatives > 0)
+    {
+      CheckOutput::PrintAlternatives(vtkTable::SafeDownCast(proposal->GetOutputDataObject(2)));
+    }
+    const bool isField = checked->GetFieldData()->HasArray(names::UnwantedSingularities) != 0;
+    if (options.corners.empty() && !isField)
+    {
+      CheckOutput::PrintCornerHint(domain, FieldValue(checked, names::RequiredInteriorQuarters));
+    }
   }
   outputs.Commit();
 
-  // 5. The answer.
-  if (!consistent)
+  // 5. Return the answer.
+  if (FieldValue(checked, names::Consistent) == 0.0)
   {
     throw PipelineRun::Error(reason, AnswerIsNo);
   }
@@ -231,29 +143,29 @@ void AddCheckCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
-    app.add_subcommand("check", "say whether singularities can exist on a domain, and why");
+    app.add_subcommand("check", "check whether singularities can exist on a domain, and why");
   command->footer("Example: crossfield check builtin:disk -s four.csv --json -");
   command
     ->add_option("DOMAIN", options->domain,
-      std::string(DomainReader::Help) + "; a solved field is checked itself")
+      std::string(DomainReader::Help) + "; of a solved field the field itself is checked")
     ->required();
   options->boundary.AddTo(*command);
-  command->add_option("-s,--singularities", options->singularities,
-    "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp; default: none");
+  AddSingularitiesTo(*command, options->singularities, "none");
   AddCornersTo(*command, options->corners);
   CLI::Option* proposing = command->add_option("--propose", options->proposal,
-    "write a consistent configuration to this .csv file: that of -s with what it lacks");
+    "write a configuration that can exist to this .csv file: the singularities of -s and those "
+    "that "
+    "the domain still needs");
   command
     ->add_option("--alternatives", options->alternatives,
-      "with --propose F.csv: write up to so many others, the best first, to F_1.csv, F_2.csv, …")
+      "with --propose F.csv: number of further configurations, 0 to 100; they are written to "
+      "F_1.csv, "
+      "F_2.csv, …, the best first; default: 0")
     ->check(CLI::Range(0, 100))
     ->needs(proposing);
-  command
-    ->add_option("--core-radius", options->coreRadius,
-      "radius of cores at which their energies are compared; default: 1/100 of the diagonal")
-    ->check(CLI::NonNegativeNumber);
+  AddCoreRadiusTo(*command, options->coreRadius);
   command->add_flag("--cancel-flat", options->cancelFlat,
-    "propose pairs that cancel corners of 135 to 180 degrees");
+    "propose pairs of singularities that cancel corners of 135 to 180 degrees");
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Check(*options); });
 }

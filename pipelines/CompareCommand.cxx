@@ -1,6 +1,6 @@
 /**
- * crossfield compare DOMAIN [-s S.csv] -o F.vtm: several methods on one domain and configuration, in
- * one table and one multiblock file to look at side by side.
+ * crossfield compare DOMAIN [-s S.csv] -o F.vtm: solves with several methods on one domain and
+ * configuration, and writes a table and one multiblock file that shows the fields side by side.
  *
  *   crossfield compare builtin:disk -s four.csv -o compared.vtm --epsilon 0.05
  */
@@ -42,13 +42,13 @@ struct CompareOptions : MeshOptions
   std::string savedSingularities;
 };
 
-/** A copy of a field that is moved along x. */
-vtkSmartPointer<vtkUnstructuredGrid> Moved(vtkUnstructuredGrid* field, double offset)
+/** Returns a copy of a field, translated along x. */
+vtkSmartPointer<vtkUnstructuredGrid> Translated(vtkUnstructuredGrid* field, double offset)
 {
   auto moved = vtkSmartPointer<vtkUnstructuredGrid>::New();
   moved->ShallowCopy(field);
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble(); // as everywhere: crosses are aligned with edges to rounding
+  points->SetDataTypeToDouble();
   points->DeepCopy(field->GetPoints());
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -66,7 +66,7 @@ int Compare(const CompareOptions& options)
   OutputFile::RequireWritable({ { options.output, ".vtm" }, { options.csv, "" },
     { options.json, "" }, { options.savedSingularities, ".csv" } });
 
-  // 2. Read the domain and the configuration; epsilon is the mesh size unless it is given.
+  // 2. Read the domain and the configuration; the default of epsilon is the mesh size.
   const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   PipelineRun::Update(domain, "reading");
   SingularityInput singularities(options.singularities, domain, options.size, "");
@@ -79,12 +79,13 @@ int Compare(const CompareOptions& options)
     : options.size != 0.0                       ? options.size
                                                 : diagonal / 40.0;
 
-  // 3. Solve by every method. What one of them refuses is a row of the table.
+  // 3. Solve with every method. A method that refuses the configuration becomes a row with its
+  // sentence.
   std::vector<CompareRow> rows;
   OutputFile::Blocks blocks;
   std::optional<PipelineRun::Error> refused;
   bool allConverged = true;
-  bool configurationServed = false; // by a method that makes use of it
+  bool configurationAccepted = false; // by a method that uses it
   for (const std::string& method : options.methods)
   {
     MethodRun run;
@@ -93,9 +94,9 @@ int Compare(const CompareOptions& options)
       rows.push_back(run.Solve(method, options.size, epsilon, domain, singularities));
       const double offset =
         options.inPlace ? 0.0 : 1.2 * width * static_cast<double>(blocks.size());
-      blocks.emplace_back(method, Moved(run.GetField(), offset));
+      blocks.emplace_back(method, Translated(run.GetField(), offset));
       allConverged = allConverged && rows.back().converged;
-      configurationServed = configurationServed || !MethodRun::IsReference(method);
+      configurationAccepted = configurationAccepted || !MethodRun::IsReference(method);
     }
     catch (const PipelineRun::Error& error)
     {
@@ -106,7 +107,7 @@ int Compare(const CompareOptions& options)
     }
   }
   const bool badConfiguration =
-    refused.has_value() && refused->GetStatus() == BadInput && !configurationServed;
+    refused.has_value() && refused->GetStatus() == BadInput && !configurationAccepted;
   if (blocks.empty() || badConfiguration)
   {
     throw PipelineRun::Error(*refused);
@@ -125,7 +126,7 @@ int Compare(const CompareOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(BoundaryInput::AddTo(CompareTable::Json(rows), domain), options.json);
+    outputs.Write(CompareTable::Json(rows, domain->GetOutputDataObject(0)), options.json);
   }
   if (options.json.empty() && !outputs.PrintsData())
   {
@@ -135,7 +136,7 @@ int Compare(const CompareOptions& options)
   }
   outputs.Commit();
 
-  // 5. The answer.
+  // 5. Return the answer.
   return refused.has_value() || !allConverged ? AnswerIsNo : Done;
 }
 }
@@ -144,28 +145,30 @@ void AddCompareCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command =
-    app.add_subcommand("compare", "compute the cross field by several methods and compare them");
+    app.add_subcommand("compare", "compute the cross field with several methods and compare them");
   command->footer("Example: crossfield compare builtin:disk -s four.csv -o compared.vtm\n"
-                  "Exit status 1 when a method refused the configuration or did not converge.");
+                  "Exit status 1 if a method refused the configuration or did not converge.");
   options->AddTo(*command);
   command->get_option("--output")
-    ->description("the .vtm file to write; the fields go to a folder of the same name beside it");
+    ->description("write the fields to this .vtm file, and to a folder of the same name beside it");
   command
     ->add_option("--methods", options->methods,
-      "separated by commas: constrained, unit-norm, unit-holes, global-constraint, imprint, "
-      "imprint-unit, triangle, triangle-penalty, penalty (holes with the Ginzburg-Landau penalty), "
-      "ginzburg-landau, ginzburg-landau-constant (its constant start)")
+      "methods to compare, separated by commas, out of constrained, unit-norm, unit-holes, "
+      "global-constraint, imprint, imprint-unit, triangle, triangle-penalty, penalty (holes and "
+      "the "
+      "Ginzburg-Landau penalty), ginzburg-landau, ginzburg-landau-constant (from a constant start)")
     ->delimiter(',')
     ->capture_default_str()
     ->check(CLI::IsMember(MethodRun::AllMethods()));
   command
     ->add_option("--epsilon", options->epsilon,
-      "length of the penalty, of all methods that have one; default: the mesh size")
+      "length of the penalty for all methods that have one, positive; default: the mesh size")
     ->check(CLI::PositiveNumber);
-  command->add_flag(
-    "--in-place", options->inPlace, "leave the fields where they are instead of side by side");
-  command->add_option("--csv", options->csv, "write the table to this file, or - for output");
+  command->add_flag("--in-place", options->inPlace,
+    "keep the fields in place instead of placing them side by side");
+  command->add_option(
+    "--csv", options->csv, "write the table as CSV to this file, or to standard output for -");
   AddSaveSingularitiesTo(*command, options->savedSingularities);
-  command->add_option("--json", options->json, "write the table to this file, or - for output");
+  AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Compare(*options); });
 }

@@ -1,6 +1,6 @@
 /**
- * crossfield corners DOMAIN [-o F.vtp]: the corners of a domain with their quarter indices in each
- * scenario and in the cheapest assignment.
+ * crossfield corners DOMAIN [-o F.vtp]: computes the quarter indices of the corners of a domain in
+ * each scenario of the paper, and chooses the cheapest ones.
  *
  *   crossfield corners builtin:l-shape -o corners.vtp --json -
  */
@@ -10,7 +10,7 @@
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
-#include "TopologyJson.h"
+#include "ReportJson.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -26,7 +26,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <iostream>
 #include <memory>
 #include <vector>
@@ -88,7 +87,7 @@ int Corners(const CornersOptions& options)
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable({ { options.output, ".vtp" }, { options.json, "" } });
 
-  // 2. Classify.
+  // 2. Read the domain and classify its corners.
   const auto domain = BoundaryInput::Open(options.domain, 0.0, options.boundary);
   vtkNew<vtkBoundaryCornerClassifier> classifier;
   classifier->SetInputConnection(domain->GetOutputPort());
@@ -101,20 +100,22 @@ int Corners(const CornersOptions& options)
   }
   PipelineRun::Update(classifier, "corners");
 
-  // 3. Write.
+  // 3. Write the corners and the report.
   OutputTransaction outputs;
-  if (!options.output.empty())
+  OutputFile::WriteIfNamed(classifier->GetOutput(), options.output, outputs);
+  if (!options.json.empty())
   {
-    OutputFile::Write(classifier->GetOutput(), options.output, outputs);
+    outputs.Write(ReportJson::Write("corners",
+                    { classifier->GetOutput(),
+                      { { "scenarios", classifier->GetOutputDataObject(1) },
+                        { "split", classifier->GetOutputDataObject(2) },
+                        { "domain", domain->GetOutputDataObject(0) } } }),
+      options.json);
   }
-  if (options.json.empty() && !outputs.PrintsData())
+  else if (!outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
     PrintSummary(classifier);
-  }
-  if (!options.json.empty())
-  {
-    outputs.Write(BoundaryInput::AddTo(TopologyJson::Write(classifier), domain), options.json);
   }
   outputs.Commit();
   return Done;
@@ -124,20 +125,21 @@ int Corners(const CornersOptions& options)
 void AddCornersCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<CornersOptions>();
-  CLI::App* command = app.add_subcommand("corners", "choose the quarter indices of corners");
+  CLI::App* command = app.add_subcommand("corners", "choose the quarter indices of the corners");
   command->footer("Example: crossfield corners builtin:l-shape -o corners.vtp --json -");
   command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   options->boundary.AddTo(*command);
-  command->add_option("-o,--output", options->output, "the .vtp file to write");
+  command->add_option("-o,--output", options->output,
+    "write the corners to this .vtp file, or to standard output for -");
   AddJsonTo(*command, options->json);
   command
     ->add_option("--override", options->overrides,
-      "X Y K: the corner nearest to (X, Y) has the quarter index K; may be repeated")
+      "X Y K: give the corner nearest to (X, Y) the quarter index K; may be repeated")
     ->type_size(3)
     ->expected(1, 1000);
-  command->add_flag(
-    "--split", options->split, "replace k = 2 by k = 1 and an interior singularity close by");
+  command->add_flag("--split", options->split,
+    "replace a corner of quarter index 2 by one of index 1 and a singularity close to it");
   command->add_flag("--printed-coefficient", options->printed,
-    "count interior singularities twice, as the paper prints it");
+    "count interior singularities twice in the energy, as the formula printed in the paper does");
   command->callback([options, &status] { status = Corners(*options); });
 }

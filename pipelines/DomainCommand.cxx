@@ -33,30 +33,38 @@ void AddDomainCommand(CLI::App& app, int& status)
   command->footer("Example: crossfield domain ring --inner-radius 0.46 -o ring.vtp");
   command
     ->add_option("NAME", options->name,
-      "disk, ring, ellipse, quarter-disk, square, rectangle, l-shape, hexagonal, star, "
+      "name of the domain: disk, ring, ellipse, quarter-disk, square, rectangle, l-shape, "
+      "hexagonal, star, "
       "angular-balanced, angular-negative, angular-positive or angular-hole")
     ->required();
-  command->add_option("-o,--output", options->output, "the .vtp file to write")->required();
   command
-    ->add_option("--radius", options->radius, "of disk, ring, quarter-disk, hexagonal and star")
-    ->capture_default_str();
-  command->add_option("--inner-radius", options->innerRadius, "of ring and star")
+    ->add_option("-o,--output", options->output,
+      "write the boundary loops to this .vtp file, or to standard output for -")
+    ->required();
+  command
+    ->add_option("--radius", options->radius,
+      "radius of disk, ring, quarter-disk, hexagonal and star, positive")
     ->capture_default_str();
   command
-    ->add_option(
-      "--width", options->width, "of ellipse, square, rectangle, l-shape and the angular domains")
+    ->add_option("--inner-radius", options->innerRadius,
+      "radius of the hole of ring, or of the notches of star, positive and smaller than the radius")
     ->capture_default_str();
-  command->add_option("--height", options->height, "of ellipse and rectangle")
+  command
+    ->add_option("--width", options->width,
+      "width of ellipse, square, rectangle, l-shape and the angular domains, positive")
+    ->capture_default_str();
+  command->add_option("--height", options->height, "height of ellipse and rectangle, positive")
     ->capture_default_str();
   command->add_option("--size", options->edgeLength,
-    "length of the segments of curves; default: 1/40 of the domain's diagonal");
+    "length of the segments that stand for curves, positive; default: 1/40 of the domain's "
+    "diagonal");
   command->callback(
     [options, &status]
     {
       // 1. Check the output before any work.
       OutputFile::RequireWritable({ { options->output, ".vtp" } });
 
-      // 2. Make the loops.
+      // 2. Build the boundary loops.
       vtkNew<vtkPlanarDomainSource> source;
       source->SetDomainName(options->name);
       source->SetRadius(options->radius);

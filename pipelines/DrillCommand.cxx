@@ -1,5 +1,6 @@
 /**
- * crossfield drill DOMAIN [-s S.csv] -o F.vtu: triangulates a domain with a hole at every singularity.
+ * crossfield drill DOMAIN [-s S.csv] -o F.vtu: triangulates a domain with a hole at every
+ * singularity.
  *
  *   crossfield drill builtin:disk -s four.csv -o drilled.vtu --size 0.05
  */
@@ -51,7 +52,7 @@ void AddDrillCommand(CLI::App& app, int& status)
       SingularityInput singularities(options->singularities, domain, options->size, "");
       singularities.Update();
 
-      // 3. Drill.
+      // 3. Mesh.
       vtkNew<vtkDrillHoles> drill;
       drill->SetInputConnection(domain->GetOutputPort());
       drill->SetSingularitiesConnection(singularities.GetOutputPort());

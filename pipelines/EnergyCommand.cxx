@@ -1,20 +1,22 @@
 /**
- * crossfield energy DOMAIN [-s A.csv] [-s B.csv …]: energies of configurations, the best first.
+ * crossfield energy DOMAIN [-s A.csv] [-s B.csv …]: computes the energies of configurations and
+ * lists the best first.
  *
  *   crossfield energy builtin:disk -s four.csv --json -
  */
 #include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
-#include "EnergyJson.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "ReportJson.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityEnergy.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -97,15 +99,20 @@ int Energy(const EnergyOptions& options)
     BoundaryInput::Keep(domain, options.corners);
   }
 
-  // 3. Compute and write.
+  // 3. Compute the energies.
   PipelineRun::Update(energy, "energies");
   vtkTable* table = energy->GetOutput();
+
+  // 4. Write.
   OutputTransaction outputs;
   if (!options.json.empty())
   {
-    outputs.Write(BoundaryInput::AddTo(EnergyJson::Write(energy, files,
-                                         chosen.has_value() ? chosen->GetOutput() : nullptr),
-                    domain),
+    outputs.Write(ReportJson::Write("energy",
+                    { table,
+                      { { "gradients", energy->GetOutputDataObject(1) },
+                        { "singularities", chosen.has_value() ? chosen->GetOutput() : nullptr },
+                        { "domain", domain->GetOutputDataObject(0) } },
+                      {}, files }),
       options.json);
   }
   else if (!outputs.PrintsData())
@@ -119,7 +126,7 @@ int Energy(const EnergyOptions& options)
   }
   outputs.Commit();
 
-  // 4. The answer.
+  // 5. Return the answer.
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     if (table->GetValueByName(row, names::Consistent).ToInt() == 0)
@@ -140,17 +147,14 @@ void AddEnergyCommand(CLI::App& app, int& status)
   options->boundary.AddTo(*command);
   command
     ->add_option("-s,--singularities", options->configurations,
-      "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp, or - for standard "
-      "input; may be repeated; left out: chosen for the domain")
+      "configuration to compare: a .csv file with the header x,y,quarter_index[,radius], a .vtp "
+      "file, "
+      "or - for standard input; may be repeated; default: one that is chosen for the domain")
     ->expected(1)
     ->take_all();
   AddCornersTo(*command, options->corners);
-  command->add_option(
-    "--size", options->size, "target edge length; default: 1/40 of the domain's diagonal");
-  command
-    ->add_option("--core-radius", options->coreRadius,
-      "radius of cores at which energies are compared; default: 1/100 of the domain's diagonal")
-    ->check(CLI::NonNegativeNumber);
+  AddSizeTo(*command, options->size);
+  AddCoreRadiusTo(*command, options->coreRadius);
   AddJsonTo(*command, options->json);
   command->callback([options, &status] { status = Energy(*options); });
 }

@@ -1,5 +1,6 @@
 /**
- * crossfield hfield DOMAIN [-s S.csv] -o F.vtu: the scalar H, its size map and its cross field.
+ * crossfield hfield DOMAIN [-s S.csv] -o F.vtu: computes the size field H, its size map and its
+ * cross field.
  *
  *   crossfield hfield builtin:disk -s four.csv -o h.vtu --json -
  */
@@ -74,9 +75,9 @@ int SolveH(const HFieldOptions& options)
   solver->SetArrays(options.arrays);
   SingularityInput singularities(options.singularities, domain, options.size, options.corners);
   PipelineRun::Update(domain, "reading");
-  const bool ofItsHoles =
+  const bool usesHoles =
     options.singularities.empty() && DomainReader::IsDrilled(domain->GetOutputDataObject(0));
-  if (ofItsHoles)
+  if (usesHoles)
   {
     DomainReader::ConnectCorners(solver.Get(), options.corners);
   }
@@ -90,31 +91,28 @@ int SolveH(const HFieldOptions& options)
   // 3. Solve.
   PipelineRun::Update(solver, "solving");
   vtkUnstructuredGrid* field = solver->GetOutput();
-  std::map<std::string, double> seconds;
-  const char* const stages[] = { "mesh", "assemble", "factor", "solve" };
-  for (int i = 0; i < 4; ++i)
-  {
-    seconds[stages[i]] = solver->GetStageSeconds()[i];
-  }
 
   // 4. Write the field and the report.
   OutputTransaction outputs;
-  seconds["write"] = OutputFile::WriteIfNamed(field, options.output, outputs);
-  vtkDataSet* placed = nullptr;
-  if (!ofItsHoles)
+  const double writeSeconds = OutputFile::WriteIfNamed(field, options.output, outputs);
+  if (!usesHoles)
   {
-    placed = singularities.GetOutput();
     singularities.Save(options.savedSingularities, outputs);
   }
   if (!options.json.empty())
   {
-    outputs.Write(
-      BoundaryInput::AddTo(ReportJson::Write(field, seconds, placed), domain), options.json);
+    const double* seconds = solver->GetStageSeconds(); // mesh, assemble, factor, solve
+    outputs.Write(ReportJson::Write("field",
+                    { field,
+                      { { "domain", domain->GetOutputDataObject(0) },
+                        { "singularities", usesHoles ? nullptr : singularities.GetOutput() } },
+                      { seconds[1], seconds[2], seconds[0], seconds[3], writeSeconds } }),
+      options.json);
   }
   else if (!outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
-    if (!ofItsHoles)
+    if (!usesHoles)
     {
       singularities.PrintChoice();
     }
@@ -122,7 +120,7 @@ int SolveH(const HFieldOptions& options)
   }
   outputs.Commit();
 
-  // 5. The answer.
+  // 5. Return the answer.
   const bool unwanted = FieldValue(field, names::UnwantedSingularities) != 0.0;
   return FieldValue(field, names::Converged) == 0.0 || (options.strict && unwanted) ? AnswerIsNo
                                                                                     : Done;
@@ -132,19 +130,20 @@ int SolveH(const HFieldOptions& options)
 void AddHFieldCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<HFieldOptions>();
-  CLI::App* command =
-    app.add_subcommand("hfield", "compute H, the size map and the cross field without iteration");
+  CLI::App* command = app.add_subcommand(
+    "hfield", "compute the size field H, the size map and the cross field without iteration");
   command->footer("Example: crossfield hfield builtin:disk -s four.csv -o h.vtu --json -");
   options->AddTo(*command);
   command->get_option("--singularities")
-    ->description("singularities inside and on the boundary: .csv with the header "
-                  "x,y,quarter_index[,radius], or .vtp, or - for standard input; left out: chosen "
-                  "for the domain, and on a drilled mesh its holes");
+    ->description(
+      "singularities in the interior and on the boundary: a .csv file with the header "
+      "x,y,quarter_index[,radius], a .vtp file, or - for standard input; default: chosen "
+      "for the domain; on a drilled mesh its holes");
   AddCornersTo(*command, options->corners);
   AddArraysTo(*command, options->arrays);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);
   command->add_flag(
-    "--strict", options->strict, "exit with status 1 when there are unwanted singularities");
+    "--strict", options->strict, "exit with status 1 if there are unwanted singularities");
   command->callback([options, &status] { status = SolveH(*options); });
 }

@@ -1,15 +1,15 @@
 /**
- * crossfield optimize DOMAIN [-s S.csv] -o BETTER.csv: moves the interior singularities to where the
- * renormalised energy is least, or with --even to where sizes are most even.
+ * crossfield optimize DOMAIN [-s S.csv] -o BETTER.csv: moves the interior singularities to a
+ * minimum of the renormalised energy, or with --even to where the sizes of quads are most uniform.
  *
  *   crossfield optimize builtin:disk -s four.csv -o better.csv --json -
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
-#include "EnergyJson.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
+#include "ReportJson.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkSingularityOptimizer.h"
@@ -20,7 +20,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 
 #include <CLI/CLI.hpp>
 
@@ -45,7 +44,7 @@ struct OptimizeOptions : MeshOptions
   int pairs = 0;
 };
 
-/** Why the words after --sizing make no sense; empty if they do. */
+/** Returns what is wrong with the words after --sizing, or nothing. */
 std::string CheckSizing(const OptimizeOptions& options)
 {
   const std::string& sizing = options.sizing[0];
@@ -59,13 +58,17 @@ std::string CheckSizing(const OptimizeOptions& options)
   }
   return options.even || options.pairs > 0
     ? ""
-    : "--sizing says which sizes are even; give it with --even or --pairs";
+    : "--sizing chooses which sizes are uniform; give it with --even or --pairs";
 }
 
-/** What evenness costs: a line for each point of the front. */
-void PrintFront(vtkPolyData* moved)
+/** Prints the spread of sizes, and for each step towards uniform sizes what it costs in energy. */
+void PrintSizes(vtkPolyData* moved, bool isSizeField)
 {
   vtkFieldData* data = moved->GetFieldData();
+  std::cout << "spread of sizes (standard deviation of "
+            << (isSizeField ? "log size over target size" : "their logarithm") << ") from "
+            << FieldValue(moved, names::SizeSpreadBefore) << " to "
+            << FieldValue(moved, names::SizeSpreadAfter) << "\n";
   std::cout << "singularities, spread of sizes, renormalized energy, holonomy defect\n";
   for (vtkIdType i = 0; i < data->GetArray(names::FrontSingularities)->GetNumberOfTuples(); ++i)
   {
@@ -85,7 +88,7 @@ int Optimize(const OptimizeOptions& options)
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable({ { options.output, ".csv" }, { options.json, "" } });
 
-  // 2. Read the domain and the start.
+  // 2. Read the domain and the configuration to start from.
   const auto domain = BoundaryInput::Open(options.domain, options.size, options.boundary);
   vtkNew<vtkSingularityOptimizer> optimizer;
   optimizer->SetInputConnection(domain->GetOutputPort());
@@ -116,9 +119,11 @@ int Optimize(const OptimizeOptions& options)
   DomainReader::ConnectCorners(optimizer.Get(), options.corners);
   BoundaryInput::Keep(domain, options.corners);
 
-  // 3. Optimise and write.
+  // 3. Optimise.
   PipelineRun::Update(optimizer, "optimizing");
   vtkPolyData* moved = optimizer->GetOutput();
+
+  // 4. Write.
   OutputTransaction outputs;
   if (!options.output.empty())
   {
@@ -126,34 +131,25 @@ int Optimize(const OptimizeOptions& options)
       DomainReader::HasHeight(vtkDataSet::SafeDownCast(optimizer->GetInputDataObject(0, 0)));
     OutputFile::WriteConfiguration(moved, hasHeight, options.output, outputs);
   }
-  if (options.json.empty() && !outputs.PrintsData())
+  if (!options.json.empty())
+  {
+    outputs.Write(
+      ReportJson::Write("optimize",
+        { moved, { { "singularities", moved }, { "domain", domain->GetOutputDataObject(0) } } }),
+      options.json);
+  }
+  else if (!outputs.PrintsData())
   {
     BoundaryInput::Print(domain);
     std::cout << "renormalized energy from " << FieldValue(moved, names::RenormalizedEnergyBefore)
               << " to " << FieldValue(moved, names::RenormalizedEnergyAfter) << " in "
               << FieldValue(moved, names::Iterations) << " iterations. "
-              << vtkStringArray::SafeDownCast(
-                   moved->GetFieldData()->GetAbstractArray(names::Reason))
-                   ->GetValue(0)
-              << "\n";
+              << FieldText(moved, names::Reason) << "\n";
     if (options.even || options.pairs > 0)
     {
-      std::cout << "spread of sizes (standard deviation of "
-                << (options.sizing[0] == "field" ? "log size over wanted size" : "their logarithm")
-                << ") from " << FieldValue(moved, names::SizeSpreadBefore) << " to "
-                << FieldValue(moved, names::SizeSpreadAfter) << "\n";
-      PrintFront(moved);
+      PrintSizes(moved, options.sizing[0] == "field");
     }
-    auto* events =
-      vtkStringArray::SafeDownCast(moved->GetFieldData()->GetAbstractArray(names::Events));
-    for (vtkIdType i = 0; i < events->GetNumberOfValues(); ++i)
-    {
-      std::cout << events->GetValue(i) << "\n";
-    }
-  }
-  if (!options.json.empty())
-  {
-    outputs.Write(BoundaryInput::AddTo(EnergyJson::Write(optimizer), domain), options.json);
+    PrintEvents(moved);
   }
   outputs.Commit();
   return FieldValue(moved, names::Converged) != 0.0 ? Done : AnswerIsNo;
@@ -164,35 +160,34 @@ void AddOptimizeCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<OptimizeOptions>();
   CLI::App* command =
-    app.add_subcommand("optimize", "move the interior singularities to where the energy is least");
+    app.add_subcommand("optimize", "move the interior singularities to a minimum of the energy");
   command->footer("Example: crossfield optimize builtin:disk -s four.csv -o better.csv --json -");
   options->AddTo(*command);
-  command->get_option("--output")->description("the .csv file to write, or - for output");
+  command->get_option("--output")
+    ->description("write the singularities to this .csv file, or to standard output for -");
   command->get_option("--singularities")
-    ->description("configuration to start from, as in `crossfield solve`; left out: a proposal");
+    ->description(
+      "singularities to start from: a .csv file with the header "
+      "x,y,quarter_index[,radius], a .vtp file, or - for standard input; default: a proposal");
   AddCornersTo(*command, options->corners);
-  command->add_option("--iterations", options->iterations, "most iterations")
+  command
+    ->add_option("--iterations", options->iterations, "maximum number of iterations, not negative")
     ->capture_default_str()
     ->check(CLI::NonNegativeNumber);
-  command
-    ->add_option("--clearance", options->clearance,
-      "least distance to the boundary and to each other; default: 1/400 of the domain's diagonal")
-    ->check(CLI::NonNegativeNumber);
+  AddClearanceTo(*command, options->clearance, "1/400 of the domain's diagonal");
   command->add_flag("--keep-all", options->keepAll,
-    "no singularity moves into the boundary or out of it, none that meet are taken out");
+    "keep every singularity in the interior or on the boundary where it started; remove none that "
+    "meet");
   command->add_flag("--even", options->even,
-    "then move on to where the sizes of quads that follow the field are most even");
+    "after that, move the singularities to where the sizes of quads are most uniform");
   CLI::Option* sizing =
     command
       ->add_option("--sizing", options->sizing,
-        "with --even or --pairs, uniform: the same sizes everywhere; field NAME: in proportion to those of a point array of "
-        "the domain")
+        "with --even or --pairs: uniform aims at equal sizes everywhere; field NAME at sizes in "
+        "proportion to a point array of the domain; default: uniform")
       ->expected(1, 2)
       ->type_name("WORD");
-  command
-    ->add_option("--pairs", options->pairs,
-      "with --even, and then with up to so many pairs of quarter indices 1 and -1 more, while they bring something")
-    ->check(CLI::Range(0, 100));
+  AddPairsTo(*command, options->pairs);
   AddJsonTo(*command, options->json);
   command->callback(
     [options, sizing, &status]

@@ -1,9 +1,8 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: an all-quad mesh with exactly the chosen irregular
- * nodes.
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: makes an all-quad mesh with exactly the chosen
+ * irregular nodes.
  *
- *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm --json
- *   -
+ *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
  */
 #include "BoundaryInput.h"
 #include "CommandLine.h"
@@ -24,7 +23,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <memory>
@@ -32,7 +30,6 @@
 namespace
 {
 namespace names = vtkCrossFieldArrayNames;
-using Json = nlohmann::ordered_json;
 
 struct QuadsOptions
 {
@@ -68,52 +65,13 @@ vtkDataSet* Singularities(vtkQuadMesher* mesher)
   return vtkDataSet::SafeDownCast(mesher->GetOutputDataObject(3));
 }
 
-/** Returns the numbers of nodes by valence. */
-Json ByValence(vtkUnstructuredGrid* quads, const char* name)
+/** Returns the data that the report of a mesh is written from. */
+ReportJson::Sources SourcesOf(vtkQuadMesher* mesher, vtkAlgorithm* domain)
 {
-  Json counts = Json::object();
-  vtkDataArray* valences = quads->GetFieldData()->GetArray(names::IrregularValence);
-  for (vtkIdType i = 0; i < valences->GetNumberOfTuples(); ++i)
-  {
-    const auto count = static_cast<int>(Value(quads, name, i));
-    if (count > 0)
-    {
-      counts[std::to_string(static_cast<int>(valences->GetTuple1(i)))] = count;
-    }
-  }
-  return counts;
-}
-
-std::string WriteJson(vtkQuadMesher* mesher)
-{
-  vtkUnstructuredGrid* quads = mesher->GetOutput();
-  const auto count = [quads](const char* name)
-  { return static_cast<long long>(Value(quads, name)); };
-  Json report = Json::object();
-  report["quads"] = count(names::Quads);
-  report["irregular"] = ByValence(quads, names::IrregularObtained);
-  report["asked"] = ByValence(quads, names::IrregularRequested);
-  report["blocks"] = count(names::Blocks);
-  report["scaled_jacobian"] = { { "min", Value(quads, names::ScaledJacobianRange) },
-    { "mean", Value(quads, names::ScaledJacobianRange, 1) },
-    { "bound", Value(quads, names::ScaledJacobianBound) } };
-  report["eta"] = { { "min", Value(quads, names::EtaRange) },
-    { "mean", Value(quads, names::EtaRange, 1) } };
-  report["sizes"] = { { "min", Value(quads, names::SizeRange) },
-    { "mean", Value(quads, names::SizeRange, 1) }, { "max", Value(quads, names::SizeRange, 2) } };
-  report["size_variation"] = Value(quads, names::SizeVariation);
-  report["zero_arcs"] = count(names::ZeroArcs);
   const double* seconds = mesher->GetStageSeconds();
-  report["integers"] = { { "variables", count(names::IntegerVariables) }, { "seconds", seconds[3] },
-    { "optimal", count(names::IntegerOptimal) != 0 }, { "gap", Value(quads, names::IntegerGap) } };
-  report["inverted"] = count(names::Inverted);
-  report["moved"] = Value(quads, names::Moved);
-  report["seconds"] = { { "mesh", seconds[0] }, { "map", seconds[1] }, { "trace", seconds[2] },
-    { "integers", seconds[3] }, { "layout", seconds[4] }, { "smooth", seconds[5] },
-    { "choose", seconds[6] } };
-  ReportJson::AddRepair(report, quads->GetFieldData());
-  ReportJson::AddSingularities(report, Singularities(mesher), DomainReader::HasHeight(quads));
-  return report.dump(2) + "\n";
+  return { mesher->GetOutput(),
+    { { "singularities", Singularities(mesher) }, { "domain", domain->GetOutputDataObject(0) } },
+    std::vector<double>(seconds, seconds + 7) };
 }
 
 void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
@@ -204,7 +162,7 @@ int Mesh(const QuadsOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(BoundaryInput::AddTo(WriteJson(mesher), domain), options.json);
+    outputs.Write(ReportJson::Write("quads", SourcesOf(mesher, domain)), options.json);
   }
   else if (!outputs.PrintsData())
   {
@@ -216,7 +174,7 @@ int Mesh(const QuadsOptions& options)
     }
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
-              << ByValence(quads, names::IrregularObtained).dump() << ", least scaled Jacobian "
+              << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
               << Value(quads, names::ScaledJacobianRange) << " (attainable "
               << Value(quads, names::ScaledJacobianBound) << ")\n";
   }
@@ -232,46 +190,43 @@ void AddQuadsCommand(CLI::App& app, int& status)
     "quads", "make an all-quad mesh with exactly the chosen irregular nodes, and its blocks");
   command->footer(
     "Example: crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --json -");
-  command->add_option("DOMAIN", options->domain, "a file, or builtin:NAME")->required();
+  command->add_option("DOMAIN", options->domain, DomainReader::Help)->required();
   options->boundary.AddTo(*command);
-  command->add_option("-s,--singularities", options->singularities,
-    "singularities: .csv with the header x,y,quarter_index, or .vtp, or - for standard input; left out: "
-    "chosen for the domain");
-  command->add_option("-o,--output", options->output, "the .vtu file to write, with the quads")
+  AddSingularitiesTo(*command, options->singularities);
+  command
+    ->add_option("-o,--output", options->output,
+      "write the quads to this .vtu file, or to standard output for -")
     ->required();
-  CLI::Option* size = command->add_option("--size", options->size, "mean side length of quads")
+  CLI::Option* size = command
+                        ->add_option("--size", options->size,
+                          "mean side length of the quads, positive; default: from --quads")
                         ->check(CLI::PositiveNumber);
   CLI::Option* count =
-    command->add_option("--quads", options->quads, "target number of quads; default 1000")
+    command
+      ->add_option("--quads", options->quads, "target number of quads, positive; default: 1000")
       ->check(CLI::PositiveNumber)
       ->excludes(size);
   command
     ->add_option("--sizing", options->sizing,
-      "conformal: sizes of the field, the best shapes; uniform: the same everywhere, singularities may move; "
-      "field NAME: the lengths in a point array of the domain, with --quads their proportions")
+      "conformal: the sizes of the cross field, with the best shapes; uniform: the same size "
+      "everywhere, for which singularities may move; field NAME: the lengths in a point array of the "
+      "domain, or with --quads their proportions; default: conformal")
     ->expected(1, 2)
     ->type_name("WORD");
-  command->add_flag("--coarse", options->coarse, "the smallest number of blocks with sound quads");
+  command->add_flag(
+    "--coarse", options->coarse, "make the smallest number of blocks that still has sound quads");
   command
-    ->add_option(
-      "--mesh-size", options->meshSize, "edge length of the triangles on which the map is solved")
+    ->add_option("--mesh-size", options->meshSize,
+      "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "
+      "the domain's diagonal")
     ->check(CLI::PositiveNumber);
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
-  command->add_option("--layout", options->layout, "write the layout to this .vtp file");
-  command
-    ->add_option("--clearance", options->clearance,
-      "minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of the size of "
-      "quads")
-    ->check(CLI::PositiveNumber);
-  command
-    ->add_option("--pairs", options->pairs,
-      "maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities where they make "
-      "sizes more uniform")
-    ->check(CLI::Range(0, 100));
-  command->add_flag("--cap-corners,!--no-cap-corners", options->capCorners,
-    "give sharp corners of quarter index 2 index 1; given singularities must make up for it; default: on");
-  command->add_flag("--repair-holonomy", options->repairHolonomy,
-    "move the singularities by the smallest distances after which no inner loop has a holonomy defect");
+  command->add_option(
+    "--layout", options->layout, "write the sides of the blocks to this .vtp file");
+  AddClearanceTo(*command, options->clearance, "0.7 of the size of quads");
+  AddPairsTo(*command, options->pairs);
+  AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
+  AddRepairHolonomyTo(*command, options->repairHolonomy);
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

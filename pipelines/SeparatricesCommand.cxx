@@ -1,6 +1,6 @@
 /**
- * crossfield separatrices DOMAIN -s S.csv -o LINES.vtp: the lines that leave the singularities of a cross
- * field, and the rectangles that they divide the domain into.
+ * crossfield separatrices DOMAIN [-s S.csv] -o LINES.vtp: traces the separatrices of a cross field,
+ * the lines that leave its singularities, and the rectangles into which they divide the domain.
  *
  *   crossfield separatrices builtin:disk -s four.csv -o lines.vtp --faces faces.vtp --json -
  */
@@ -21,7 +21,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <memory>
@@ -41,27 +40,6 @@ struct SeparatricesOptions : MeshOptions
   bool capCorners = false;
   bool repairHolonomy = false;
 };
-
-std::string WriteJson(vtkPolyData* lines, vtkCrossFieldMap* map, vtkSeparatrices* separatrices,
-  vtkDataSet* singularities)
-{
-  const auto count = [lines](const char* name)
-  { return static_cast<long long>(FieldValue(lines, name)); };
-  nlohmann::ordered_json report = nlohmann::ordered_json::object();
-  report["lines"] = count(names::Lines);
-  report["faces"] = count(names::Faces);
-  report["arcs"] = count(names::Arcs);
-  report["extra_lines"] = count(names::ExtraLines);
-  report["flips"] = count(names::Flips);
-  report["longest"] = FieldValue(lines, names::Longest);
-  report["mismatch"] = FieldValue(lines, names::Mismatch);
-  report["map_residual"] = FieldValue(map->GetOutput(), names::MapResidual);
-  report["seconds"] = { { "mesh", map->GetStageSeconds()[0] }, { "map", map->GetStageSeconds()[1] },
-    { "trace", separatrices->GetStageSeconds() } };
-  ReportJson::AddRepair(report, map->GetOutput()->GetFieldData());
-  ReportJson::AddSingularities(report, singularities, DomainReader::HasHeight(map->GetOutput()));
-  return report.dump(2) + "\n";
-}
 
 int Trace(const SeparatricesOptions& options)
 {
@@ -102,8 +80,12 @@ int Trace(const SeparatricesOptions& options)
   singularities.Save(options.savedSingularities, outputs);
   if (!options.json.empty())
   {
-    outputs.Write(
-      BoundaryInput::AddTo(WriteJson(lines, map, separatrices, singularities.GetOutput()), domain),
+    outputs.Write(ReportJson::Write("separatrices",
+                    { lines,
+                      { { "map", map->GetOutput() }, { "singularities", singularities.GetOutput() },
+                        { "domain", domain->GetOutputDataObject(0) } },
+                      { map->GetStageSeconds()[0], map->GetStageSeconds()[1],
+                        separatrices->GetStageSeconds() } }),
       options.json);
   }
   else if (!outputs.PrintsData())
@@ -123,24 +105,24 @@ void AddSeparatricesCommand(CLI::App& app, int& status)
 {
   auto options = std::make_shared<SeparatricesOptions>();
   CLI::App* command = app.add_subcommand("separatrices",
-    "follow the lines that leave the singularities, and the rectangles between them");
+    "trace the lines that leave the singularities, and the rectangles between them");
   command->footer(
     "Example: crossfield separatrices builtin:disk -s four.csv -o lines.vtp --json -");
   options->AddTo(*command);
   command->get_option("--singularities")
-    ->description("singularities inside and on the boundary: .csv with the header "
-                  "x,y,quarter_index, or .vtp, or - for standard input; left out: chosen for the "
-                  "domain");
-  command->get_option("--output")->description("the .vtp file to write, with the lines");
+    ->description(
+      "singularities in the interior and on the boundary: a .csv file with the header "
+      "x,y,quarter_index, a .vtp file, or - for standard input; default: chosen for the "
+      "domain");
+  command->get_option("--output")
+    ->description("write the separatrices to this .vtp file, or to standard output for -");
   command->add_option("--faces", options->faces, "write the rectangles to this .vtp file");
-  command->add_option(
-    "--map", options->map, "write the mesh with its coordinates to this .vtu file");
+  command->add_option("--map", options->map,
+    "write the triangle mesh with the coordinates of the seamless map to this .vtu file");
   command->add_option("--seeds", options->seeds,
-    "points from which streamlines of the cross field are drawn as well: .csv, .vtp");
-  command->add_flag("--cap-corners", options->capCorners,
-    "give sharp corners of quarter index 2 index 1; the rest must be among the singularities");
-  command->add_flag("--repair-holonomy", options->repairHolonomy,
-    "move the singularities the least way to where no inner loop has a holonomy defect");
+    "also trace streamlines of the cross field from these points: a .csv or .vtp file");
+  AddCapCornersTo(*command, options->capCorners, "--cap-corners");
+  AddRepairHolonomyTo(*command, options->repairHolonomy);
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

@@ -1,5 +1,8 @@
 /**
- * crossfield: choose the singularities of planar cross fields. One subcommand, one file.
+ * crossfield: all-quad meshes and cross fields of planar parts, with chosen irregular nodes. Each
+ * subcommand has a file of its own, NAMECommand.cxx.
+ *
+ *   crossfield quads builtin:disk -o quads.vtu
  *
  * Exit status: 0 done; 1 done but the answer is no; 2 bad usage or bad input, with one sentence on
  * standard error and no file written.
@@ -23,8 +26,8 @@
 namespace
 {
 /**
- * Ends the program. Under a limit on the address space (ulimit -v) a thread of OpenBLAS may be asking
- * for memory for ever, and exit() would wait for it.
+ * Ends the program. Under a limit on the address space (ulimit -v) a thread of OpenBLAS may retry
+ * an allocation for ever, and exit() would wait for it.
  */
 int End(int status)
 {
@@ -54,8 +57,10 @@ void PrintPaths(const char* program)
 
 int Run(int argc, char** argv)
 {
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // PipelineRun says what went wrong
-  CLI::App app("Choose the singularities of planar cross fields.", "crossfield");
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // PipelineRun reports errors
+  CLI::App app(
+    "All-quad meshes and cross fields of planar parts, with the irregular nodes you choose.",
+    "crossfield");
   app.set_version_flag("--version", CROSSFIELD_VERSION);
   bool paths = false;
   app.add_flag("--paths", paths, "print where the program, the plugin and the Python package are");

@@ -1,7 +1,7 @@
-# The Python package around the wrapped classes: copied to ${package_directory} and installed from
-# there, so that the build tree and an installation hold the same files.
+# The Python package around the wrapped classes. It is copied to ${package_directory} and installed from there, so build
+# tree and installation have the same files.
 
-# The names of arrays are those of the C++ header.
+# Names of arrays, generated from the C++ header.
 set(header "${CMAKE_CURRENT_LIST_DIR}/../vtk/vtkCrossFieldArrayNames.h")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
 file(STRINGS "${header}" lines REGEX "^constexpr const char\\* ")
@@ -14,14 +14,16 @@ endforeach ()
 
 configure_file("${CMAKE_CURRENT_LIST_DIR}/__init__.py.in" "${package_directory}/__init__.py" @ONLY)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/names.py.in" "${package_directory}/names.py" @ONLY)
-set(package_files __init__.py names.py)
-foreach (file IN ITEMS __init__.pyi _boundary.py _configurations.py _functions.py _input.py _quads.py _results.py _run.py py.typed)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/../vtk/reports.json" "${package_directory}/reports.json" COPYONLY)
+set(package_files __init__.py names.py reports.json)
+foreach (file IN ITEMS __init__.pyi _boundary.py _configurations.py _functions.py _input.py _quads.py _reports.py _results.py
+  _run.py py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/${file}" "${package_directory}/${file}" COPYONLY)
   list(APPEND package_files "${file}")
 endforeach ()
 list(TRANSFORM package_files PREPEND "${package_directory}/")
 
-# Types of the wrapped classes, by a module that Debian's VTK 9.1 lacks: there they are only named.
+# Types of the wrapped classes. The module that generates them is missing in Debian's VTK 9.1, where every class is Any.
 if (NOT Python3_EXECUTABLE)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
 endif ()

@@ -1,4 +1,4 @@
-# The classes and functions are typed where they are defined; this says which of them are public.
+# Public names; the classes and functions are typed where they are defined.
 from . import names as names
 from ._boundary import simplify as simplify
 from ._configurations import energy as energy, optimize as optimize, propose as propose

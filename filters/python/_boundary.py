@@ -1,4 +1,4 @@
-"""What is taken out of the boundary of a domain before it is meshed."""
+"""Removes detail from the boundary of a domain before it is meshed."""
 from __future__ import annotations
 
 from typing import Optional, Union
@@ -15,15 +15,15 @@ from .vtkCrossFieldFilters import vtkBoundarySimplifier
 def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[float] = None,
              smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0
              ) -> tuple[Union[vtkPolyData, vtkUnstructuredGrid], float]:
-    """A domain for the other functions with less detail in its boundary, and the largest distance moved.
+    """Returns a domain with less detail in its boundary, and the maximum distance that the boundary was moved.
 
     domain  as for `solve`
-    size    edge length of the mesh that it is meant for; default: 1/40 of the diagonal
-    thin    detail below this length is thinned, 0: none; default: 0.02 of the size
-    smooth  waves below this length are smoothed; 0: none
-    keep    singularities and corners on the boundary at which it stays
+    size    target edge length of the mesh; default: 1/40 of the diagonal
+    thin    removes detail below this length; 0: none; default: 0.02 of the size
+    smooth  smooths waves below this length; 0: none
+    keep    singularities and corners on the boundary, which stays in place there
 
-    The program does this with every domain, the functions of this package with none.
+    The program simplifies every domain; the other functions of this package do not.
 
     >>> coast, moved = simplify("builtin:star", smooth=0.05)
     >>> moved

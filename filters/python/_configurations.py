@@ -1,23 +1,26 @@
-"""Configurations: proposed, optimised and compared."""
+"""Proposes, optimises and compares configurations."""
 from __future__ import annotations
 
 from typing import Any, Optional, Union
 
-import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import names
 from ._input import Domain, Singularities, as_configuration, as_domain
-from ._results import Configuration, Corners, configuration_of, snake_case
+from ._reports import report_of
+from ._results import Configuration, Corners, configuration_of
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
     vtkConfigurationProposal, vtkSingularityEnergy, vtkSingularityOptimizer)
 
 
 def corner_points(corners: Union[Corners, Singularities]) -> Any:
+    """Returns the points of corners with their quarter indices."""
     return corners.data if isinstance(corners, Corners) else as_configuration(corners, "corners")
 
 
 def checked(size: Optional[float]) -> float:
+    """Returns a length, or 0 for None; raises Error if it is not positive."""
     if size is not None and not size > 0:
         raise Error("The size %s is not positive; give a length, or None." % size)
     return size or 0.0
@@ -63,25 +66,15 @@ def _proposal(pipeline: Pipeline, domain: Any, given: Singularities, size: Optio
     return proposal
 
 
-def report_choice(report: dict[str, Any], chosen: Optional[Configuration], points: np.ndarray) -> None:
-    """Adds chosen singularities as the program reports them: z only where the points of the result differ in it."""
-    if chosen is None:
-        return
-    axes = "xyz" if np.ptp(points[:, 2]) > 0 else "xy"
-    report["singularities"] = [
-        {**dict(zip(axes, point)), "quarter_index": k}
-        for point, k in zip(chosen.points.tolist(), chosen.quarter_index.tolist())]
-    report["events"] = list(chosen.events)
-
-
 def propose(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
             corners: Union[Corners, Singularities] = None, cancel_flat_corners: bool = False,
             automatic: bool = False, clearance: Optional[float] = None,
             keep_all: bool = False) -> Configuration:
-    """Singularities that can exist on a domain: those given and what they lack.
+    """Proposes singularities that can exist on a domain: those given and those that the domain still needs.
 
-    With `automatic` they are moved to where the energy is least, as `solve` does when none are given;
-    `clearance` and `keep_all` are then those of `optimize`. The other arguments are those of `solve`.
+    With `automatic` they are moved to a minimum of the energy, as `solve` does if none are given; `clearance` and
+    `keep_all` are then those of `optimize`. `cancel_flat_corners` adds pairs that cancel corners of 135 to 180
+    degrees. The other arguments are those of `solve`.
 
     >>> propose("builtin:disk").quarter_index.tolist()
     [1, 1, 1, 1]
@@ -99,28 +92,27 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
              corners: Union[Corners, Singularities] = None, iterations: int = 200,
              even: bool = False, pairs: int = 0, size_array: Optional[str] = None,
              clearance: Optional[float] = None, keep_all: bool = False) -> Configuration:
-    """Moves singularities to where the renormalised energy of their field is least.
+    """Moves singularities to a minimum of the renormalised energy of their field.
 
-    `clearance` is their least distance to the boundary and to each other, 1/400 of the diagonal if it is
-    None; with `keep_all` none of them moves into the boundary or out of it, or is taken out.
+    iterations  maximum number of iterations; default: 200
+    clearance   minimum distance to the boundary and to each other; default: 1/400 of the diagonal
+    keep_all    keeps every singularity in the interior or on the boundary where it started, and removes none that meet
+    even        after that, moves them to where the sizes of quads that follow the field are most uniform:
+                report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size
+    pairs       maximum number of pairs of quarter indices 1 and -1 to add after that, where they make sizes more
+                uniform; report["front"] has a row for the minimum energy, for uniform sizes, and for each pair
+    size_array  with `even` or `pairs`: name of a point array of the domain with target sizes, as for `quads`; sizes
+                are then in proportion to these, and the spread is that of log(size / target size)
 
-    With `even` it then moves on to where the sizes of quads that follow the field are most even:
-    report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size. With `pairs`
-    up to so many pairs of indices 1 and -1 are added after that, while they bring something; the lists
-    report["front_singularities"], ["front_size_spread"], ["front_renormalized_energy"] and
-    ["front_holonomy_defect"] have an entry for the least energy, for even sizes, and for each pair.
-    `size_array`, with `even` or `pairs`, is the name of a point array of the domain with wanted sizes, as for `quads`:
-    sizes are then to be in proportion to these, and the spread is that of log(size / wanted size).
-
-    The arguments are those of `solve`; it starts from a proposal if no singularities are given. Where
-    they do not come to rest there is a RuntimeWarning, and report["converged"] is False.
+    The other arguments are those of `solve`. Without singularities it starts from a proposal. If it does not
+    converge, there is a RuntimeWarning, and report["converged"] is False.
 
     >>> better = optimize("builtin:disk", [(0.1, 0.2, 1), (-0.3, 0.5, 1), (-0.5, -0.6, 1), (0.3, 0, 1)])
     >>> better.report["converged"], better.points.shape
     (True, (4, 3))
     """
     if size_array is not None and not (even or pairs > 0):
-        raise Error("A size_array says which sizes are even; give it with even or pairs.")
+        raise Error("A size_array chooses which sizes are uniform; give it with even or pairs.")
     pipeline = Pipeline()
     data = as_domain(domain, size)
     if singularities is None:
@@ -146,10 +138,10 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
 
 def energy(domain: Domain, *configurations: Singularities, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None) -> list[dict[str, Any]]:
-    """Energies of configurations, the best first, under the names of `crossfield energy --json`.
+    """Computes the energies of configurations, the best first, with the keys of `crossfield energy --json`.
 
-    Each entry says which `configuration` it is, counted from 0, and whether it is `consistent`; if not,
-    its energies are not numbers. Without configurations that of a chosen one.
+    Each entry has the number of its `configuration`, counted from 0, and whether it is `consistent`; the energies of
+    an inconsistent one are NaN. Without configurations the energy of a chosen one is computed.
 
     >>> inner = [(0.3, 0.3, 1), (-0.3, 0.3, 1), (-0.3, -0.3, 1), (0.3, -0.3, 1)]
     >>> [row["configuration"] for row in energy("builtin:disk", inner, None)]
@@ -167,14 +159,6 @@ def energy(domain: Domain, *configurations: Singularities, size: Optional[float]
             chosen(pipeline, data, None, size, corners).data if rows is None
             else as_configuration(rows))
     table = pipeline.update(filter_).GetOutput()
-    rows_of_table = []
-    for row in range(table.GetNumberOfRows()):
-        values: dict[str, Any] = {}
-        for column in range(table.GetNumberOfColumns()):
-            name = table.GetColumnName(column)
-            cell = table.GetValue(row, column)
-            values[snake_case(name)] = (
-                cell.ToInt() if name == names.Configuration
-                else cell.ToInt() != 0 if name == names.Consistent else cell.ToDouble())
-        rows_of_table.append(values)
-    return rows_of_table
+    report = report_of("energy", table, gradients=filter_.GetOutputDataObject(1))
+    numbers = vtk_to_numpy(table.GetRowData().GetArray(names.Configuration)).tolist()
+    return [{"configuration": i, **row} for i, row in zip(numbers, report["configurations"])]

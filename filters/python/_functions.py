@@ -1,14 +1,15 @@
-"""The functions of the package: one pipeline of filters each."""
+"""Functions of the package: one pipeline of filters each."""
 from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Union
 
 from . import names
-from ._configurations import checked, chosen as choose, corner_points, give, report_choice
+from ._configurations import checked, chosen as choose, corner_points, give
 from ._input import Domain, Singularities, as_configuration, as_domain
 from ._results import (
     Corners, CrossField, HField, Mesh, Separatrices, ConsistencyCheck, copied, field_of, h_field_of, mesh_of,
-    places, report_of, separatrices_of)
+    places, separatrices_of)
+from ._reports import report_of
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import (
     vtkBoundaryCornerClassifier, vtkCrossFieldMap, vtkDrillHoles, vtkGinzburgLandauCrossField,
@@ -22,7 +23,7 @@ _STARTS = {"constrained": {"best": vtkPerforatedCrossField.StartBest,
                                "constant": vtkGinzburgLandauCrossField.StartConstant,
                                "zero": vtkGinzburgLandauCrossField.StartZero}}
 
-_ARRAYS = {"exact": 0, "display": 1, "all": 2}  # as vtkCrossFieldArraySets numbers them
+_ARRAYS = {"exact": 0, "display": 1, "all": 2}  # codes of vtkCrossFieldArraySets
 
 
 def _choice(value: str, choices: Any, what: str) -> Any:
@@ -47,8 +48,8 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
     """Triangulates a domain with a small hole at every singularity.
 
-    The arguments are those of `solve`; singularities that are not given are chosen. `gradation` is the
-    largest growth of the edge length per unit of distance.
+    The arguments are those of `solve`; without singularities they are chosen. `gradation` is the maximum growth of
+    the edge length per unit of distance, `minimum_hole_edges` the minimum number of edges on a hole.
 
     >>> mesh = drill("builtin:square", [(1.5, 1, 1, 0.1), (0.5, 1, -1, 0.1)])
     >>> sorted(set(mesh.quarter_index.tolist()))
@@ -66,28 +67,28 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
           method: str = "unit-norm", start: Optional[str] = None, unit_holes: bool = False,
           corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
           minimum_hole_edges: int = 32, gradation: float = 0.25, arrays: str = "all") -> CrossField:
-    """The smoothest cross field that is aligned with the boundary and has these singularities.
+    """Computes the smoothest cross field that is aligned with the boundary and has these singularities.
 
     domain         a loop, an array (n, 2) of points; a list of loops; any vtkDataSet with boundary
                    lines or a surface mesh; a file; or "builtin:NAME". Loops may be in any plane of
                    space, (n, 3).
     singularities  an array (m, 3) of x, y, quarter index, or (m, 4) with a radius; any vtkDataSet of
-                   points with `QuarterIndex`, see `configuration`; a .csv or .vtp file; what
-                   `propose` and `optimize` give; [] for none. None, the default: they are chosen for
-                   the domain, and report["events"] says how
-    size           edge length of the mesh; default: 1/40 of the diagonal of the domain
-    method         "unit-norm": the norm is one, with exactly these singularities; "constrained", that
-                   of the paper, whose norm is free: where it vanishes there are others, which is a
-                   RuntimeWarning; "ginzburg-landau", which places singularities by itself
+                   points with `QuarterIndex`, see `configuration`; a .csv or .vtp file; a result of
+                   `propose` or `optimize`; [] for none. Default: None, they are chosen for the domain, and
+                   report["events"] lists the decisions
+    size           target edge length of the mesh; default: 1/40 of the diagonal of the domain
+    method         "unit-norm": norm one, with exactly these singularities; "constrained": the method of the paper,
+                   whose norm is free; if it vanishes elsewhere, there are further singularities and a
+                   RuntimeWarning; "ginzburg-landau": places the singularities itself
     start          "constrained": "best" (default), "harmonic", "unit-norm"; "ginzburg-landau":
                    "harmonic" (default), "constant", "zero"
-    unit_holes     force unit crosses on the holes
-    corners        quarter indices of corners: what `corners` gives, or as `singularities`
+    unit_holes     forces unit crosses on the holes
+    corners        quarter indices of corners: a result of `corners`, or as `singularities`
     epsilon        "ginzburg-landau": radius of the cores, a length; default: the mean edge length by area
     minimum_hole_edges, gradation
-                   of the mesh, see `drill`
-    arrays         what `grid` has, and a file that it is written to: "all"; "display", without Representation and
-                   Cross2; "exact", only what `u` is made of
+                   options of the mesh, see `drill`
+    arrays         arrays of `grid`, and of a file that it is written to: "all"; "display", without Representation
+                   and Cross2; "exact", only the array that holds `u`
 
     Raises Error with one sentence if the input is bad or no such field exists. An iteration that
     does not converge is a RuntimeWarning, and report["converged"] is False.
@@ -109,7 +110,7 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
     crossfield.Error: The quarter indices of the singularities add up to 1 ...
     """
     starts = _choice(method, _STARTS, "method")
-    kept = _choice(arrays, _ARRAYS, "choice of arrays")
+    array_set = _choice(arrays, _ARRAYS, "choice of arrays")
     pipeline = Pipeline()
     data = as_domain(domain, size)
     chosen = None
@@ -137,19 +138,17 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
             solver.SetCornersData(corner_points(corners))
     if start is not None:
         solver.SetStart(_choice(start, starts, "start of the method " + method))
-    solver.SetArrays(kept)
+    solver.SetArrays(array_set)
     found = _drilled(pipeline, data, rows, size, minimum_hole_edges, gradation)
     solver.SetInputConnection(found.GetOutputPort())
-    field = field_of(pipeline.update(solver).GetOutput())
-    report_choice(field.report, chosen, field.points)
-    return field
+    return field_of(pipeline.update(solver).GetOutput(), chosen)
 
 
 def hfield(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None, arrays: str = "all") -> HField:
-    """The scalar H, its size map and its cross field of norm one, with singularities as points.
+    """Computes the size field H, its size map and its cross field of norm one, with singularities as points.
 
-    The arguments are those of `solve`; singularities may lie on the boundary. `domain` can also be the
+    The arguments are those of `solve`; singularities may be on the boundary. `domain` can also be the
     `grid` of a drilled mesh, whose holes are then the singularities.
 
     >>> field = hfield("builtin:disk", [(0, 0, 4)])
@@ -167,20 +166,17 @@ def hfield(domain: Domain, singularities: Singularities = None, *, size: Optiona
         chosen = give(pipeline, solver, data, singularities, size, corners)
     elif corners is not None:  # a drilled mesh has its singularities
         solver.SetCornersData(corner_points(corners))
-    field = h_field_of(pipeline.update(solver).GetOutput())
-    report_choice(field.report, chosen, field.points)
-    return field
+    return h_field_of(pipeline.update(solver).GetOutput(), chosen)
 
 
 def check(domain: Domain, singularities: Singularities = None, *,
           corners: Union[Corners, Singularities] = None, corner_angle: float = 30.0,
           holonomy: bool = True) -> ConsistencyCheck:
-    """Whether singularities can exist on a domain, and why; by the Poincaré-Hopf theorem.
+    """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
-    The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
-    then checked itself. A vertex of the boundary that turns by more than `corner_angle` degrees is a
-    corner. `holonomy` says whether the defects of inner loops are computed, which takes a solve.
-    A configuration that cannot exist is no error.
+    The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is then checked
+    itself. A vertex of the boundary that turns by more than `corner_angle` degrees is a corner. `holonomy` also
+    computes the holonomy defects of inner loops, which takes a solve. A configuration that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -197,15 +193,11 @@ def check(domain: Domain, singularities: Singularities = None, *,
     filter_.SetHolonomy(holonomy)
     checked = pipeline.update(filter_).GetOutput()
     found = filter_.GetOutputDataObject(2)
-    wanted = (names.EulerCharacteristic, names.Valence, names.TangentTurning,
-              names.RequiredInteriorQuarters, names.GivenInteriorQuarters, names.Consistent)
-    report = report_of(checked, wanted)
-    report["holonomy_defect"] = report_of(checked, (names.HolonomyDefect,)).get(
-        "holonomy_defect", [])
+    report = report_of("check", checked, corners=found, loops=filter_.GetOutputDataObject(1))
     data = found.GetPointData()
     return ConsistencyCheck(
         consistent=report["consistent"],
-        reason=checked.GetFieldData().GetAbstractArray(names.Reason).GetValue(0),
+        reason=report["reason"],
         corner_points=places(found), corner_angles=copied(data, names.Angle),
         corner_quarters=copied(data, names.QuarterIndex),
         cancellable=copied(data, names.Cancellable) != 0, report=report)
@@ -213,11 +205,10 @@ def check(domain: Domain, singularities: Singularities = None, *,
 
 def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: bool = False,
             overrides: Sequence[tuple[float, float, int]] = ()) -> Corners:
-    """The quarter indices of corners that cost least together with the singularities they need.
+    """Computes the quarter indices of corners that have minimum energy with the singularities that they require.
 
-    `overrides` are rows of x, y and quarter index for the corner nearest to (x, y), in coordinates
-    of the domain's plane. `printed_coefficient` counts interior singularities twice, as the paper
-    prints it.
+    `overrides` are rows of x, y and quarter index for the corner nearest to (x, y), in coordinates of the domain's
+    plane. `printed_coefficient` counts interior singularities twice, as the formula printed in the paper does.
 
     >>> found = corners("builtin:l-shape")
     >>> found.quarter_index.tolist(), found.interior_quarters
@@ -231,16 +222,8 @@ def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: 
     for row in overrides:
         classifier.AddOverride(*row)
     found = pipeline.update(classifier).GetOutput()
-    data, report = found.GetPointData(), report_of(found)
-    table = classifier.GetOutputDataObject(1)
-
-    def cell(row: int, name: str) -> Any:
-        return table.GetValueByName(row, name)
-
-    scenarios = {cell(row, names.Scenario).ToString(): {
-        "sum": cell(row, names.Sum).ToInt(), "energy": cell(row, names.Energy).ToDouble(),
-        "feasible": cell(row, names.Feasible).ToInt() != 0}
-        for row in range(table.GetNumberOfRows())}
+    data = found.GetPointData()
+    report = report_of("corners", found, scenarios=classifier.GetOutputDataObject(1))
     return Corners(
         points=places(found), angle=copied(data, names.Angle),
         quarter_index=copied(data, names.QuarterIndex),
@@ -250,21 +233,21 @@ def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: 
         conventional=copied(data, names.QuarterIndexConventional),
         corner_energy=copied(data, names.CornerEnergy),
         cancellable=copied(data, names.Cancellable) != 0, tied=copied(data, names.Tied) != 0,
-        scenario=found.GetFieldData().GetAbstractArray(names.Scenario).GetValue(0),
-        energy=report["energy"], interior_quarters=report["interior_quarters"],
-        scenarios=scenarios, data=found)
+        scenario=report["scenario"], energy=report["energy"],
+        interior_quarters=report["interior_quarters"], scenarios=report["scenarios"], data=found)
 
 
 def separatrices(domain: Domain, singularities: Singularities = None, *,
                  size: Optional[float] = None, corners: Union[Corners, Singularities] = None,
                  cap_corners: bool = False, repair_holonomy: bool = False,
                  seeds: Singularities = None) -> Separatrices:
-    """The lines that leave the singularities of a cross field, and the rectangles between them.
+    """Traces the separatrices of a cross field, the lines that leave its singularities, and the rectangles between
+    them.
 
-    The arguments are those of `solve`, without holes. `cap_corners` gives sharp corners of quarter
-    index 2 index 1. `repair_holonomy` moves singularities the least way to where no inner loop has a
-    holonomy defect; `report["repair"]` says how far. From each of `seeds`, points as `singularities`,
-    four streamlines are drawn.
+    The arguments are those of `solve`, without holes. `cap_corners` treats very sharp corners (quarter index 2) as
+    ordinary ones (index 1). `repair_holonomy` moves singularities slightly so that grid lines close up around each
+    hole; `report["repair"]` has the distance. From each of `seeds`, points as `singularities`, four streamlines are
+    traced.
 
     >>> found = separatrices("builtin:l-shape")
     >>> len(found.lines), len(found.faces)
@@ -283,6 +266,4 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
     if seeds is not None:
         traced.SetSeedsData(as_configuration(seeds, "seeds"))
     pipeline.update(traced)
-    found = separatrices_of(traced.GetOutput(0), traced.GetOutput(1), flat.GetOutput())
-    report_choice(found.report, chosen, places(flat.GetOutput()))
-    return found
+    return separatrices_of(traced.GetOutput(0), traced.GetOutput(1), flat.GetOutput(), chosen)

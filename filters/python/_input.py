@@ -1,4 +1,4 @@
-"""Domains and configurations as users have them, as the data sets that the filters read."""
+"""Converts domains and configurations of users to the data sets that the filters read."""
 from __future__ import annotations
 
 import os
@@ -23,7 +23,7 @@ from .vtkCrossFieldFilters import vtkPlanarDomainReader, vtkPlanarDomainSource, 
 Path = Union[str, "os.PathLike[str]"]
 #: One loop, several loops, a data set, a file, or "builtin:NAME".
 Domain = Union[ArrayLike, Sequence[ArrayLike], vtkDataSet, Path]
-#: Rows of x, y, quarter index and maybe radius, a data set, or a file; None: no singularities.
+#: Rows of x, y, quarter index and optionally radius, a data set, or a file; None: no singularities.
 Singularities = Union[ArrayLike, vtkDataSet, Path, None]
 
 _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
@@ -32,7 +32,7 @@ _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
 
 
 def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
-    """Rows of numbers with one of the widths; no rows at all are fine."""
+    """Returns rows of numbers with one of the widths; there may be no rows."""
     try:
         array = np.asarray(values, dtype=float)
     except (TypeError, ValueError):
@@ -48,7 +48,7 @@ def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
 
 
 def _points(places: np.ndarray) -> vtkPoints:
-    """Points in double precision; z is 0 where it is not given."""
+    """Returns points in double precision; z is 0 if it is not given."""
     padded = np.zeros((len(places), 3))
     padded[:, :places.shape[1]] = places
     points = vtkPoints()
@@ -57,7 +57,7 @@ def _points(places: np.ndarray) -> vtkPoints:
 
 
 def _cells(cells: Sequence[np.ndarray]) -> vtkCellArray:
-    """Cells of any numbers of points."""
+    """Returns cells, each with any number of points."""
     offsets = np.concatenate([[0], np.cumsum([len(cell) for cell in cells])]).astype(np.int64)
     ids = np.concatenate([np.asarray(cell, dtype=np.int64) for cell in cells])
     result = vtkCellArray()
@@ -67,7 +67,7 @@ def _cells(cells: Sequence[np.ndarray]) -> vtkCellArray:
 
 
 def _loops(loops: Any) -> vtkPolyData:
-    """Closed polylines."""
+    """Returns loops as closed polylines."""
     if len(loops) == 0:
         raise Error("The domain has no loops; give at least one array of points.")
     if np.ndim(loops[0]) == 1:
@@ -88,7 +88,7 @@ def _loops(loops: Any) -> vtkPolyData:
 
 
 def _read_gmsh(path: str) -> vtkPolyData:
-    """A Gmsh mesh through meshio: its triangles and quadrilaterals, or else its lines."""
+    """Reads a Gmsh mesh with meshio: its triangles and quadrilaterals, or else its lines."""
     try:
         import meshio
     except ImportError:
@@ -99,7 +99,7 @@ def _read_gmsh(path: str) -> vtkPolyData:
             % (path, os.path.splitext(path)[0] + ".vtu", path)) from None
     try:
         mesh = meshio.read(path)
-    except (Exception, SystemExit) as error:  # meshio has many ways to say no
+    except (Exception, SystemExit) as error:  # meshio raises errors of many types
         raise Error("The file '%s' cannot be read by meshio (%s); check it." % (path, error)) from None
     cells: dict[str, list[np.ndarray]] = {"line": [], "triangle": [], "quad": []}
     for block in mesh.cells:
@@ -119,8 +119,8 @@ def _read_gmsh(path: str) -> vtkPolyData:
 
 
 def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """A domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an aerofoil
-    .dat, or a .msh of Gmsh if meshio is installed.
+    """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an aerofoil .dat, or
+    a .msh of Gmsh if meshio is installed.
 
     Raises Error if there is no such file, it cannot be read or holds no cells.
     """
@@ -151,13 +151,13 @@ def _read_with(kind: Any, path: str) -> Any:
     try:
         return Pipeline().update_one(reader).GetOutputDataObject(0)
     except Error as error:
-        # Among others, Debian 12's VTKs cannot parse files with appended data.
+        # The VTKs of Debian 12 cannot parse files with appended data, for example.
         raise Error("The file '%s' cannot be read (%s); check it, or save it again as binary or "
                     "ASCII, not appended." % (path, error)) from None
 
 
 def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """The two types that the filters read; every other data set has cells that they know."""
+    """Returns one of the two types that the filters read; the cells of other data sets are copied."""
     if isinstance(data, (vtkPolyData, vtkUnstructuredGrid)):
         return data
     append = vtkAppendFilter()
@@ -166,9 +166,9 @@ def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructur
 
 
 def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """The data set of a domain; curves of built-in ones are sampled at `size`."""
+    """Returns the data set of a domain; curves of built-in domains are sampled at `size`."""
     if isinstance(domain, vtkDataSet):
-        if domain.GetNumberOfCells() == 0:  # the filters would give an empty output
+        if domain.GetNumberOfCells() == 0:  # the filters would return an empty output
             raise Error("The domain has no cells; give boundary lines or a triangle mesh.")
         return _as_curves_or_surfaces(domain)
     if isinstance(domain, (str, os.PathLike)):
@@ -184,7 +184,7 @@ def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUn
 
 def configuration(points: ArrayLike, quarter_index: ArrayLike,
                   radius: Optional[ArrayLike] = None) -> vtkPolyData:
-    """Singularities as points with the arrays `QuarterIndex` and, if given, `Radius`.
+    """Returns singularities as points with the arrays `QuarterIndex` and, if given, `Radius`.
 
     `points` is (n, 2), or (n, 3) for a domain in any plane of space, `quarter_index` (n,), 4 times
     the index of each; `radius` is (n,) or one number, in the units of the domain.
@@ -207,7 +207,7 @@ def configuration(points: ArrayLike, quarter_index: ArrayLike,
         except (TypeError, ValueError):
             raise Error("The singularities need one number '%s' for each of their %d points."
                         % (name, len(places))) from None
-        # The filters refuse what is not an integer, and say which.
+        # The filters report values that are not integers.
         if name == names.QuarterIndex and (column == column.astype(np.int32)).all():
             column = column.astype(np.int32)
         array = numpy_to_vtk(column, deep=True)
@@ -217,8 +217,8 @@ def configuration(points: ArrayLike, quarter_index: ArrayLike,
 
 
 def as_configuration(rows: Singularities, what: str = "singularities") -> vtkDataSet:
-    """The points of singularities or corners with their quarter indices."""
-    data = getattr(rows, "data", None)  # of what propose, optimize and corners give
+    """Returns the points of singularities or corners with their quarter indices."""
+    data = getattr(rows, "data", None)  # of a result of propose, optimize or corners
     rows = data if isinstance(data, vtkDataSet) else rows
     if isinstance(rows, vtkDataSet):
         return rows

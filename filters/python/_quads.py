@@ -11,10 +11,10 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_LINE, VTK_QUAD, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 from . import names
-from ._configurations import checked, corner_points, report_choice
+from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
-from ._results import (
-    Configuration, Corners, chains, configuration_of, copied, places, repair_of, report_of, write_grid)
+from ._reports import report_of
+from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
@@ -81,30 +81,6 @@ class QuadMesh:
                         % (path, error)) from None
 
 
-def _by_valence(report: dict[str, Any], name: str) -> dict[str, int]:
-    return {str(int(valence)): int(count)
-            for valence, count in zip(report["irregular_valence"], report[name]) if count > 0}
-
-
-def _report(mesher: vtkQuadMesher) -> dict[str, Any]:
-    found = report_of(mesher.GetOutput())
-    seconds = mesher.GetStageSeconds()
-    report = {
-        "quads": found["quads"], "irregular": _by_valence(found, "irregular_obtained"),
-        "asked": _by_valence(found, "irregular_requested"), "blocks": found["blocks"],
-        "scaled_jacobian": {"min": found["scaled_jacobian_range"][0],
-                            "mean": found["scaled_jacobian_range"][1],
-                            "bound": found["scaled_jacobian_bound"]},
-        "eta": dict(zip(("min", "mean"), found["eta_range"])),
-        "sizes": dict(zip(("min", "mean", "max"), found["size_range"])),
-        "size_variation": found["size_variation"], "zero_arcs": found["zero_arcs"],
-        "integers": {"variables": found["integer_variables"], "seconds": seconds[3],
-                     "optimal": found["integer_optimal"] != 0, "gap": found["integer_gap"]},
-        "inverted": found["inverted"], "moved": found["moved"],
-        "seconds": dict(zip(("mesh", "map", "trace", "integers", "layout", "smooth", "choose"), seconds))}
-    return {**report, **repair_of(found)}
-
-
 def _points_of_block(grid: Any) -> np.ndarray:
     size = [0, 0, 0]
     grid.GetDimensions(size)
@@ -112,8 +88,10 @@ def _points_of_block(grid: Any) -> np.ndarray:
     return places(grid).reshape(rows, columns, 3).transpose(1, 0, 2).copy()
 
 
-def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
+def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
+    """Returns the outputs of a mesher; the report lists the singularities if they were chosen."""
     grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
+    used = configuration_of(mesher, 3)
     types = vtk_to_numpy(grid.GetCellTypesArray())
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
@@ -130,8 +108,10 @@ def _mesh_of(mesher: vtkQuadMesher) -> QuadMesh:
         irregular=copied(grid.GetPointData(), names.Irregular), block=of(quads, names.BlockId),
         scaled_jacobian=of(quads, names.ScaledJacobian),
         blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
-        layout=chains(places(layout), layout.GetLines()), singularities=configuration_of(mesher, 3), report=_report(mesher), grid=grid,
-        block_data=blocks, layout_data=layout)
+        layout=chains(places(layout), layout.GetLines()), singularities=used,
+        report=report_of("quads", grid, mesher.GetStageSeconds(),
+                         singularities=used.data if was_chosen else None),
+        grid=grid, block_data=blocks, layout_data=layout)
 
 
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
@@ -140,7 +120,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
           repair_holonomy: bool = False, clearance: Optional[float] = None,
           pairs: int = 0) -> QuadMesh:
-    """An all-quad mesh with exactly the chosen irregular nodes.
+    """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
@@ -203,6 +183,4 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSingularitiesData(as_configuration(singularities))
     if corners is not None:
         mesher.SetCornersData(corner_points(corners))
-    mesh = _mesh_of(pipeline.update(mesher))
-    report_choice(mesh.report, mesh.singularities if singularities is None else None, mesh.points)
-    return mesh
+    return _mesh_of(pipeline.update(mesher), was_chosen=singularities is None)

@@ -1,12 +1,11 @@
-"""What the functions give back: numpy arrays, and the VTK data that they were taken from."""
+"""Results of the functions: numpy arrays, and the VTK data that they were copied from."""
 from __future__ import annotations
 
 import contextlib
 import os
-import re
 import shutil
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence, Union
+from typing import Any, Optional, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -15,52 +14,21 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from . import names
+from ._reports import report_of
 from ._run import Pipeline
 from .vtkCrossFieldFilters import vtkCrossFieldSingularities
 
-# Field data that is true or false, and that has one entry for each hole or inner loop.
-_FLAGS = (names.Converged, names.Consistent, names.DegreesReached, names.StartedFromUnitNorm,
-          names.UnitHoles)
-_LISTS = (names.Annihilation, names.DefectBefore, names.FrontHolonomyDefect, names.FrontRenormalizedEnergy,
-          names.FrontSingularities, names.FrontSizeSpread, names.HoleDegree, names.HoleDegreeReliable, names.HoleNormRange,
-          names.HolonomyDefect, names.IrregularRequested, names.IrregularObtained, names.IrregularValence,
-          names.PointSingularities)
-
 
 def copied(attributes: Any, name: str) -> np.ndarray:
-    """A copy of an array."""
+    """Returns a copy of an array."""
     return vtk_to_numpy(attributes.GetArray(name)).copy()
 
 
 def places(data: Any) -> np.ndarray:
-    """A copy of the points, (n, 3)."""
+    """Returns a copy of the points, (n, 3)."""
     if data.GetNumberOfPoints() == 0:
         return np.empty((0, 3))
     return vtk_to_numpy(data.GetPoints().GetData()).copy()
-
-
-def snake_case(name: str) -> str:
-    """The name of an array as the program writes it."""
-    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
-
-
-def report_of(data: Any, wanted: Optional[Sequence[str]] = None) -> dict[str, Any]:
-    """Field data, or the wanted arrays of it, under the names of `crossfield --json`."""
-    report = {}
-    for i in range(data.GetFieldData().GetNumberOfArrays()):
-        array = data.GetFieldData().GetArray(i)
-        if array is None or (wanted is not None and array.GetName() not in wanted):
-            continue  # a text, or of no interest
-        values = vtk_to_numpy(array).tolist()
-        name = array.GetName()
-        if name in _FLAGS:
-            values = values[0] != 0
-        elif name == names.HoleDegreeReliable:
-            values = [value != 0 for value in values]
-        elif name not in _LISTS and len(values) == 1:
-            values = values[0]
-        report[snake_case(name)] = values
-    return report
 
 
 def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
@@ -74,10 +42,10 @@ def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) 
 
 
 def replace_file(text: str, path: Union[str, "os.PathLike[str]"]) -> None:
-    """Puts a file into its place when it is complete, as the program does: until then what was there stays."""
+    """Writes a file beside its place and renames it when it is complete, as the program does."""
     place = os.path.realpath(path)
     is_file = os.path.isfile(place)
-    if os.path.exists(place) and not is_file:  # a device or a pipe, of which nothing can take the place
+    if os.path.exists(place) and not is_file:  # a device or a pipe, which cannot be replaced
         with open(place, "w", encoding="utf-8") as file:
             file.write(text)
         return
@@ -103,8 +71,8 @@ class Mesh:
     edges          (b, 2) int, of the boundary, with the domain on the left
     boundary_kind  (b,) int: 1 outer loop, 2 inner loop, 3 hole
     boundary_id    (b,) int: number of the loop, or row of the singularity
-    quarter_index  (b,) int: of the hole, 0 elsewhere
-    grid           all of it as a vtkUnstructuredGrid
+    quarter_index  (b,) int: quarter index of the hole, 0 elsewhere
+    grid           the mesh as a vtkUnstructuredGrid
     """
 
     points: np.ndarray
@@ -126,20 +94,20 @@ class CrossField(Mesh):
 
     u              (t, 3) complex, at the midpoints of p0p1, p1p2, p2p0 of each triangle: the exact
                    discrete field
-    angle          (t,) float, of a branch at the centre of each triangle, in (-π/4, π/4], radians
+    angle          (t,) float, angle of a branch at the centre of each triangle, in (-π/4, π/4], radians
     norm           (t,) float, |u| at the centre of each triangle
     cross          (t, 3) float, the branch at that angle as a unit vector of space
     point_angle    (n,) float, the angle at each point
     point_norm     (n,) float, |u| at each point
     point_cross    (n, 3) float, the branch at each point
-    hole_degrees   (h,) int, quarter turns that the field really makes around each hole
-    report         the numbers of the solver, under the names of `crossfield solve --json`
-    grid           all of it as a vtkUnstructuredGrid
+    hole_degrees   (h,) int, quarter turns that the field makes around each hole
+    report         numbers of the solver, with the keys of `crossfield solve --json`
+    grid           the field as a vtkUnstructuredGrid
 
-    u and the angles are in the frame of the plane: of (x, y) if z is constant, of (y, z) if x is, of
-    (x, z) if y is, and in other planes of the nearest of these three, turned into the plane by the
-    shortest rotation. Crosses and what is at points are arrays of `grid`, in its single precision, and None where
-    the choice of `arrays` leaves them out: crosses and norms with "exact", the angles at points also with "display".
+    u and the angles refer to the frame of the plane: (x, y) if z is constant, (y, z) if x is, (x, z) if y is; in any
+    other plane to the nearest of these three, turned into the plane by the shortest rotation. Crosses and values at
+    points are the arrays of `grid`, in single precision. They are None if the choice of `arrays` leaves them out:
+    crosses and norms with "exact", the angles at points also with "display".
     """
 
     u: np.ndarray
@@ -162,10 +130,10 @@ class CrossField(Mesh):
 
 @dataclass(frozen=True)
 class HField(CrossField):
-    """A cross field of norm one with singularities as points, the scalar H and its size map.
+    """A cross field of norm one with singularities as points, its size field H and its size map.
 
     h              (n,) float, at each point
-    size_map       (n,) float, e^H, up to a factor the local size of quads, larger where the lines spread
+    size_map       (n,) float, e^H: local size of quads up to a factor, larger where the lines spread
     """
 
     h: np.ndarray
@@ -174,13 +142,13 @@ class HField(CrossField):
 
 @dataclass(frozen=True)
 class Configuration:
-    """Singularities that were proposed or optimised; all functions take it as `singularities`.
+    """Singularities that were proposed or optimised; every function accepts it as `singularities`.
 
     points         (m, 3) float
     quarter_index  (m,) int
-    radius         (m,) float of their holes, or None where they have none
-    events         what was decided, a sentence each
-    report         the numbers of the optimiser, under the names of `crossfield optimize --json`
+    radius         (m,) float, radii of their holes, or None
+    events         decisions that were made, a sentence each
+    report         numbers of the optimiser, with the keys of `crossfield optimize --json`
     data           the points as vtkPolyData
     corners        the corners whose quarter index was chosen, as vtkPolyData, or None
     """
@@ -195,7 +163,7 @@ class Configuration:
 
 
 def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
-    """The singularities in an output of a filter, and the corners in the next one, if any."""
+    """Returns the singularities in an output of a filter, and the corners in the next one, if any."""
     data = algorithm.GetOutputDataObject(port)
     events = data.GetFieldData().GetAbstractArray(names.Events)
     has_radii = bool(data.GetPointData().HasArray(names.Radius))
@@ -204,7 +172,7 @@ def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
         points=places(data), quarter_index=copied(data.GetPointData(), names.QuarterIndex),
         radius=copied(data.GetPointData(), names.Radius) if has_radii else None,
         events=[events.GetValue(i) for i in range(events.GetNumberOfValues())] if events else [],
-        report=report_of(data), data=data,
+        report=report_of("optimize", data), data=data,
         corners=corners if isinstance(corners, vtkPolyData) else None)
 
 
@@ -227,11 +195,11 @@ def _mesh_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
 
 
 def mesh_of(grid: vtkUnstructuredGrid) -> Mesh:
-    """The arrays of a drilled mesh."""
+    """Returns a drilled mesh."""
     return Mesh(**_mesh_arrays(grid))
 
 
-def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
+def _field_arrays(grid: vtkUnstructuredGrid, chosen: Optional[Configuration]) -> dict[str, Any]:
     mesh = _mesh_arrays(grid)
     triangles = vtk_to_numpy(grid.GetCellTypesArray()) == VTK_TRIANGLE
 
@@ -244,8 +212,6 @@ def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
     u = exact[:, 0::2] + 1j * exact[:, 1::2]
     centre = u.mean(axis=1)
     at_points = shown(grid.GetPointData(), names.Representation)
-    report = report_of(grid)
-    report["triangles"] = len(mesh["triangles"])
     return {
         **mesh, "u": u,
         "angle": np.angle(centre) / 4, "norm": np.abs(centre),
@@ -253,17 +219,18 @@ def _field_arrays(grid: vtkUnstructuredGrid) -> dict[str, Any]:
         "point_norm": shown(grid.GetPointData(), names.CrossNorm),
         "cross": shown(grid.GetCellData(), names.Cross, triangles),
         "point_cross": shown(grid.GetPointData(), names.Cross),
-        "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree), "report": report}
+        "hole_degrees": copied(grid.GetFieldData(), names.HoleDegree),
+        "report": report_of("field", grid, singularities=chosen and chosen.data)}
 
 
-def field_of(grid: vtkUnstructuredGrid) -> CrossField:
-    """The arrays of a field."""
-    return CrossField(**_field_arrays(grid))
+def field_of(grid: vtkUnstructuredGrid, chosen: Optional[Configuration] = None) -> CrossField:
+    """Returns a field; its report lists the singularities if they were chosen."""
+    return CrossField(**_field_arrays(grid, chosen))
 
 
-def h_field_of(grid: vtkUnstructuredGrid) -> HField:
-    """The arrays of a field with H."""
-    return HField(**_field_arrays(grid), h=copied(grid.GetPointData(), names.H),
+def h_field_of(grid: vtkUnstructuredGrid, chosen: Optional[Configuration] = None) -> HField:
+    """Returns a field with its size field H, as field_of does."""
+    return HField(**_field_arrays(grid, chosen), h=copied(grid.GetPointData(), names.H),
                   size_map=np.exp(copied(grid.GetPointData(), names.H)))
 
 
@@ -271,13 +238,13 @@ def h_field_of(grid: vtkUnstructuredGrid) -> HField:
 class ConsistencyCheck:
     """Whether singularities can exist on a domain, and why.
 
-    consistent         the sum of quarter indices is the one that the domain asks for
+    consistent         whether the quarter indices have the sum that the domain requires
     reason             one sentence
     corner_points      (c, 3) float
     corner_angles      (c,) float, inside the domain, radians
     corner_quarters    (c,) int, quarter index of each corner
-    cancellable        (c,) bool, interior singularities can make it a regular point
-    report             the numbers, under the names of `crossfield check --json`
+    cancellable        (c,) bool, whether interior singularities can make the corner a regular point
+    report             numbers with the keys of `crossfield check --json`
     """
 
     consistent: bool
@@ -295,16 +262,16 @@ class Corners:
 
     points             (c, 3) float
     angle              (c,) float, inside the domain, radians
-    quarter_index      (c,) int, of least energy
+    quarter_index      (c,) int, quarter indices of minimum energy
     scarce, balanced, excess, conventional
-                       (c,) int, in the scenarios of the paper, and by the smallest rotation
+                       (c,) int, quarter indices in the scenarios of the paper, and by the smallest rotation
     corner_energy      (c,) float
     cancellable, tied  (c,) bool
-    scenario           name of the scenario that the least energy belongs to
-    energy             of all corners and the interior singularities that they make necessary
+    scenario           name of the scenario of minimum energy
+    energy             energy of all corners and of the interior singularities that they require
     interior_quarters  sum of the quarter indices in the interior
     scenarios          name: {"sum", "energy", "feasible"}
-    data               the points as vtkPolyData; `solve` and `check` take it, or this object
+    data               the points as vtkPolyData; functions accept it, or this object, as `corners`
     """
 
     points: np.ndarray
@@ -326,18 +293,18 @@ class Corners:
 
 @dataclass(frozen=True)
 class Separatrices:
-    """The lines that leave the singularities of a cross field, and the rectangles between them.
+    """Separatrices, the lines that leave the singularities of a cross field, and the rectangles between them.
 
     lines          list of (n, 3) float, a polyline each; streamlines from seeds at the end
-    singularity    (l,) int, row of the singularity where a line starts; -1 at corners and of others
-    seed           (l,) int, of streamlines the seed, else -1
+    singularity    (l,) int, row of the singularity where a line starts; -1 for corners and streamlines
+    seed           (l,) int, row of the seed of a streamline, else -1
     ends_at        (l,) int: 1 the side of another line, 2 the boundary, 3 head-on, 0 too long
-    length         (l,) float, in the map
+    length         (l,) float, length in the map
     faces          list of (n, 3) float, a polygon each, counter-clockwise
     face_sizes     (f, 2) float, sides of the rectangles in the map, whose area is that of the domain
-    report         the numbers, under the names of `crossfield separatrices --json`
+    report         numbers with the keys of `crossfield separatrices --json`
     line_data, face_data, map
-                   all of it as vtkPolyData, and the map as a vtkUnstructuredGrid
+                   the lines and faces as vtkPolyData, and the map as a vtkUnstructuredGrid
     """
 
     lines: list[np.ndarray]
@@ -354,24 +321,17 @@ class Separatrices:
 
 
 def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
-    """The points of each polyline or polygon."""
+    """Returns the points of each polyline or polygon."""
     ids = vtk_to_numpy(cells.GetConnectivityArray())
     starts = vtk_to_numpy(cells.GetOffsetsArray())
     return [points[ids[first:last]] for first, last in zip(starts[:-1], starts[1:])]
 
 
-def repair_of(report: dict[str, Any]) -> dict[str, Any]:
-    """What a repair of the holonomy did, as the program writes it; nothing where there was none."""
-    if "repair_distance" not in report:
-        return {}
-    return {"repair": {"distance": report["repair_distance"], "defect_before": report["defect_before"]}}
-
-
-def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
-                    map: vtkUnstructuredGrid) -> Separatrices:
-    """The arrays of lines, faces and their map."""
+def separatrices_of(lines: vtkPolyData, faces: vtkPolyData, map: vtkUnstructuredGrid,
+                    chosen: Optional[Configuration]) -> Separatrices:
+    """Returns lines, faces and their map; the report lists the singularities if they were chosen."""
     data, sizes = lines.GetCellData(), faces.GetCellData()
-    outline = copied(faces.GetPointData(), names.FaceId)  # of every face one after the other
+    outline = copied(faces.GetPointData(), names.FaceId)  # points are ordered by face
     return Separatrices(
         lines=chains(places(lines), lines.GetLines()),
         singularity=copied(data, names.Singularity), seed=copied(data, names.Seed),
@@ -380,5 +340,5 @@ def separatrices_of(lines: vtkPolyData, faces: vtkPolyData,
         face_sizes=np.column_stack(
             [copied(sizes, name)[np.unique(copied(sizes, names.FaceId), return_index=True)[1]]
              for name in (names.USize, names.VSize)]),
-        report={**report_of(lines), **repair_of(report_of(map))},
+        report=report_of("separatrices", lines, map=map, singularities=chosen and chosen.data),
         line_data=lines, face_data=faces, map=map)

@@ -1,4 +1,4 @@
-"""Running filters without a word on the console: what goes wrong is raised."""
+"""Runs filters without output on the console; their errors are raised."""
 from __future__ import annotations
 
 import contextlib
@@ -12,7 +12,7 @@ from .vtkCrossFieldFilters import vtkCrossFieldErrorCodes
 
 
 class Error(RuntimeError):
-    """What every function of this package raises: one sentence that names the cause and the mend.
+    """Error of every function of this package: one sentence that names cause, place and remedy.
 
     `inconsistent` is true when the input is valid, but no cross field with these singularities
     exists (exit status 1 of the program), and false when the input is bad (exit status 2).
@@ -24,13 +24,13 @@ class Error(RuntimeError):
 
 
 def _sentence(text: str) -> str:
-    """VTK writes "ERROR: In FILE, line N\\nvtkClass (0x...): sentence\\n\\n"."""
+    """Returns the sentence in a text of VTK, "ERROR: In FILE, line N\\nvtkClass (0x...): sentence\\n\\n"."""
     return text.split("): ", 1)[-1].strip()
 
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[vtkStringOutputWindow]:
-    """Keeps what objects inside of filters, which nobody observes, have to say."""
+    """Collects the messages of objects inside filters, which have no observer."""
     window, verbosity = vtkOutputWindow.GetInstance(), vtkLogger.GetCurrentVerbosityCutoff()
     kept = vtkStringOutputWindow()
     vtkOutputWindow.SetInstance(kept)
@@ -43,7 +43,7 @@ def _quiet() -> Iterator[vtkStringOutputWindow]:
 
 
 class Pipeline:
-    """Filters whose errors and warnings are kept, in the order in which they come."""
+    """Filters whose errors and warnings are collected, in the order in which they occur."""
 
     def __init__(self) -> None:
         self._filters: list[Any] = []
@@ -51,30 +51,30 @@ class Pipeline:
         self._warnings: list[str] = []
 
     def add(self, algorithm: Any) -> Any:
-        """Watches a filter; gives it back."""
+        """Observes a filter and returns it."""
         self._filters.append(algorithm)
         algorithm.AddObserver("ErrorEvent", self._keep_error)
         algorithm.AddObserver("WarningEvent", self._keep_warning)
-        # The executive repeats that its filter has failed.
+        # The executive reports once more that its filter has failed.
         algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         return algorithm
 
     def update(self, algorithm: Any) -> Any:
-        """Runs a filter and all above it; raises Error if one of them fails."""
+        """Updates a filter and those upstream; raises Error if one of them fails."""
         with _quiet() as inside:
             algorithm.Update()
         self._errors += re.findall(r"^ERROR: In .*\n(.*)", inside.GetOutput(), re.MULTILINE)
         for text in self._warnings:
             warnings.warn(_sentence(text), RuntimeWarning, stacklevel=4)
-        self._warnings.clear()  # another filter may follow
+        self._warnings.clear()  # for the next filter
         codes = [found.GetErrorCode() for found in self._filters]
         if self._errors or any(codes):
-            text = self._errors[0] if self._errors else "VTK does not say why it failed."
+            text = self._errors[0] if self._errors else "VTK failed without a message; check the input."
             raise Error(_sentence(text), vtkCrossFieldErrorCodes.Inconsistent in codes)
         return algorithm
 
     def update_one(self, algorithm: Any) -> Any:
-        """Watches and runs a filter that stands alone."""
+        """Observes and updates a single filter."""
         return self.update(self.add(algorithm))
 
     def _keep_error(self, caller: Any, event: str, text: str) -> None:

@@ -1,6 +1,6 @@
 /**
- * Which arrays the filters that compute a cross field write: values of their property Arrays. The exact
- * field is in double precision; what can be derived from it is in single precision, enough to look at.
+ * Values of the property Arrays of filters that compute a cross field: the sets of arrays that they write.
+ * The exact field is in double precision; arrays that follow from it are in single precision.
  */
 
 #ifndef vtkCrossFieldArraySets_h
@@ -10,9 +10,9 @@ namespace vtkCrossFieldArraySets
 {
 enum
 {
-  /** `CrossFieldCR`, and `H` of vtkHField: all that the filters of this module need. */
+  /** `CrossFieldCR`, and `H` of vtkHField: the arrays that other filters need. */
   Exact = 0,
-  /** Also `Cross` and `CrossNorm`, and `SizeMap` of vtkHField: what one looks at. */
+  /** Also `Cross` and `CrossNorm`, and `SizeMap` of vtkHField: arrays for display. */
   Display = 1,
   /** Also `Representation` and `Cross2`. */
   All = 2

@@ -69,7 +69,7 @@ void BlockCompressor::Compress(vtkDataSet* data, size_t blockSize)
     }
     catch (const std::bad_alloc&)
     {
-      next = blocks.size(); // what is missing is compressed when the writer asks for it
+      next = blocks.size(); // the remaining blocks are compressed when the writer requests them
     }
   };
   std::vector<std::thread> threads;
@@ -80,7 +80,7 @@ void BlockCompressor::Compress(vtkDataSet* data, size_t blockSize)
       threads.emplace_back(work);
     }
   }
-  catch (const std::exception&) // no memory for another thread: those that run will do
+  catch (const std::exception&) // no memory for another thread: use those that run
   {
   }
   work();
@@ -98,7 +98,7 @@ size_t BlockCompressor::CompressBuffer(unsigned char const* uncompressedData,
   const bool known = found != this->Blocks.end() && found->second.size == uncompressedSize &&
     !found->second.compressed.empty();
   const std::vector<unsigned char> compressed = known
-    ? std::move(found->second.compressed) // a block is asked for once
+    ? std::move(found->second.compressed) // each block is requested once
     : ZlibBlock::Compress(uncompressedData, uncompressedSize);
   if (compressed.size() > compressionSpace)
   {

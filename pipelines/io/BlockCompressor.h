@@ -9,18 +9,19 @@
 class vtkDataSet;
 
 /**
- * zlib for VTK's writers on all cores. A writer asks for one block after the other; this compressor
- * has compressed the blocks of a data set's arrays before, in parallel and by ZlibBlock.h, and hands them out. What it
- * has not seen it compresses when asked. The file is the same for any number of cores.
+ * zlib compressor for VTK's writers that uses all cores. A writer requests one block after another.
+ * This compressor has compressed the blocks of the data set's arrays beforehand, in parallel and
+ * with ZlibBlock.h; it compresses other blocks when they are requested. The file does not depend on
+ * the number of cores.
  */
 class BlockCompressor : public vtkZLibDataCompressor
 {
 public:
-  // No vtkTypeMacro: writers put the class name into the file, and readers must know it.
+  // No vtkTypeMacro: writers store the class name in the file, and readers must know it.
   static BlockCompressor* New();
 
   /**
-   * Compresses the arrays on points and cells, and the points, in blocks of a writer's BlockSize.
+   * Compresses the points and the arrays on points and cells, in blocks of the writer's BlockSize.
    * They must not change until they are written.
    */
   void Compress(vtkDataSet* data, size_t blockSize);
@@ -36,7 +37,7 @@ private:
     size_t size = 0;
     std::vector<unsigned char> compressed;
   };
-  std::map<unsigned char const*, Block> Blocks; ///< By where they begin.
+  std::map<unsigned char const*, Block> Blocks; ///< Blocks by their first byte.
 };
 
 #endif

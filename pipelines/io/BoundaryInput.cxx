@@ -9,7 +9,6 @@
 #include "vtkFieldData.h"
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <optional>
@@ -18,14 +17,15 @@ namespace
 {
 namespace names = vtkCrossFieldArrayNames;
 
+/** Changes to the boundary. */
 struct Change
 {
-  long long before = 0;
-  long long after = 0;
-  double moved = 0.0;
+  long long before = 0; ///< Number of points before.
+  long long after = 0;  ///< Number of points after.
+  double moved = 0.0;   ///< Maximum distance that the boundary was moved.
 };
 
-/** What was taken out, if anything. */
+/** Returns the changes to the boundary, if there are any. */
 std::optional<Change> ChangeOf(vtkAlgorithm* domain)
 {
   vtkFieldData* data = domain->GetOutputDataObject(0)->GetFieldData();
@@ -44,11 +44,12 @@ void BoundaryOptions::AddTo(CLI::App& command)
 {
   command
     .add_option("--thin-boundary", this->thinning,
-      "take detail below this length out of the boundary, 0: none; default: 0.02 of the target edge length")
+      "remove boundary detail below this length, 0 for none; default: 0.02 of the target edge "
+      "length")
     ->check(CLI::NonNegativeNumber);
   command
     .add_option("--smooth-boundary", this->smoothing,
-      "smooth what is ragged in the boundary: waves below this length")
+      "smooth ragged boundaries: waves below this length, positive; default: no smoothing")
     ->check(CLI::PositiveNumber);
 }
 
@@ -88,22 +89,5 @@ void Print(vtkAlgorithm* domain)
     std::cout << "The boundary has " << change->after << " of " << change->before
               << " points and was moved by at most " << change->moved << ".\n";
   }
-}
-
-std::string AddTo(const std::string& report, vtkAlgorithm* domain)
-{
-  const std::optional<Change> change = ChangeOf(domain);
-  if (!change.has_value())
-  {
-    return report;
-  }
-  auto json = nlohmann::ordered_json::parse(report);
-  if (!json.is_object())
-  {
-    return report;
-  }
-  json["boundary"] = { { "points_before", change->before }, { "points", change->after },
-    { "moved", change->moved } };
-  return json.dump(2) + "\n";
 }
 }

@@ -11,11 +11,11 @@ namespace CLI
 class App;
 }
 
-/** What is taken out of the boundary of a command's domain. */
+/** Options that simplify the boundary of a command's domain. */
 struct BoundaryOptions
 {
-  double thinning = -1.0; ///< As ThinningLength of vtkBoundarySimplifier.
-  double smoothing = 0.0;
+  double thinning = -1.0; ///< ThinningLength of vtkBoundarySimplifier.
+  double smoothing = 0.0; ///< SmoothingLength of vtkBoundarySimplifier.
 
   /** Adds the options --thin-boundary and --smooth-boundary. */
   void AddTo(CLI::App& command);
@@ -23,20 +23,18 @@ struct BoundaryOptions
 
 namespace BoundaryInput
 {
-/** The domain of DomainReader::Open, without what the options take out; `size` is that of the mesh. */
+/** Opens a domain as DomainReader::Open does and simplifies its boundary; `size` is the mesh size.
+ */
 vtkSmartPointer<vtkAlgorithm> Open(
   const std::string& name, double size, const BoundaryOptions& options);
 
-/** Points of the boundary of such a domain that stay where they are. */
+/** Keeps the boundary of such a domain in place at these points. */
 void Keep(vtkAlgorithm* domain, vtkAlgorithm* points, int port = 0);
-/** The same, of a file, if one is named. */
+/** Keeps the boundary in place at the points of a file, if one is named. */
 void Keep(vtkAlgorithm* domain, const std::string& file);
 
-/** One line, where something was taken out. */
+/** Prints how the boundary was simplified, if it was. */
 void Print(vtkAlgorithm* domain);
-
-/** A JSON report, and where something was taken out with `boundary`: its `points_before`, `points` and `moved`. */
-std::string AddTo(const std::string& report, vtkAlgorithm* domain);
 }
 
 #endif

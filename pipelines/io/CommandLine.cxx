@@ -1,68 +1,127 @@
 #include "CommandLine.h"
 
 #include "DomainReader.h"
+#include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldArraySets.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iostream>
 #include <map>
+
+namespace
+{
+/** Values of --mode, in the order of the codes of vtkDrillHoles. */
+const std::vector<std::string> DrillModes = { "perforate", "imprint", "triangle" };
+}
 
 void MeshOptions::AddTo(CLI::App& command)
 {
   command.add_option("DOMAIN", this->domain, DomainReader::Help)->required();
-  command.add_option("-s,--singularities", this->singularities,
-    "configuration: .csv with the header x,y,quarter_index[,radius], or .vtp, or - for standard "
-    "input; left out: chosen for the domain");
-  command.add_option("-o,--output", this->output, "the .vtu file to write, or - for output");
+  AddSingularitiesTo(command, this->singularities);
   command.add_option(
-    "--size", this->size, "target edge length; default: 1/40 of the domain's diagonal");
+    "-o,--output", this->output, "write the result to this .vtu file, or to standard output for -");
+  AddSizeTo(command, this->size);
   this->boundary.AddTo(command);
+}
+
+CLI::Option* AddSingularitiesTo(CLI::App& command, std::string& file, const std::string& fallback)
+{
+  return command.add_option("-s,--singularities", file,
+    "singularities: a .csv file with the header x,y,quarter_index[,radius], a .vtp file, or - for "
+    "standard input; default: " +
+      fallback);
+}
+
+void AddSizeTo(CLI::App& command, double& size)
+{
+  command.add_option("--size", size,
+    "target edge length of the triangle mesh, positive; default: 1/40 of the domain's diagonal");
 }
 
 void AddCornersTo(CLI::App& command, std::string& corners)
 {
   command.add_option("--corners", corners,
-    "quarter indices of corners: .vtp written by `crossfield corners`, or .csv");
+    "quarter indices of the corners: a .vtp file from `crossfield corners`, or a .csv file; "
+    "default: "
+    "from the angle of each corner");
 }
 
 void AddSaveSingularitiesTo(CLI::App& command, std::string& file)
 {
   command.add_option("--save-singularities", file,
-    "write the singularities, given or chosen, to this .csv file, or - for output");
+    "write the singularities that were used, given or chosen, to this .csv file, or to standard "
+    "output for -");
 }
 
 void AddJsonTo(CLI::App& command, std::string& json)
 {
-  command.add_option("--json", json, "write the numbers to this file, or - for output");
-}
-
-const std::vector<std::string>& DrillModes()
-{
-  static const std::vector<std::string> modes = { "perforate", "imprint", "triangle" };
-  return modes;
+  command.add_option("--json", json,
+    "write the numbers of the run as JSON to this file, or to standard output for -");
 }
 
 void AddModeTo(CLI::App& command, std::string& mode)
 {
   command
     .add_option("--mode", mode,
-      "what a singularity becomes: perforate, a hole; imprint, a circle of edges whose inside is "
-      "kept; triangle, the edges of the one triangle at its place")
+      "how a singularity enters the mesh: perforate cuts out a hole; imprint makes a circle of "
+      "edges "
+      "and keeps its inside; triangle uses the edges of the triangle that contains it")
     ->capture_default_str()
-    ->check(CLI::IsMember(DrillModes()));
+    ->check(CLI::IsMember(DrillModes));
 }
 
-int DrillModeCode(const std::string& mode)
+void AddCoreRadiusTo(CLI::App& command, double& radius)
 {
-  return static_cast<int>(
-    std::find(DrillModes().begin(), DrillModes().end(), mode) - DrillModes().begin());
+  command
+    .add_option("--core-radius", radius,
+      "radius of the cores for which the energies of configurations are compared, not negative; "
+      "default: 1/100 of the domain's diagonal")
+    ->check(CLI::NonNegativeNumber);
+}
+
+void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fallback)
+{
+  command
+    .add_option("--clearance", clearance,
+      "minimum distance of the chosen singularities to the boundary and to each other, not "
+      "negative; "
+      "default: " +
+        fallback)
+    ->check(CLI::NonNegativeNumber);
+}
+
+void AddPairsTo(CLI::App& command, int& pairs)
+{
+  command
+    .add_option("--pairs", pairs,
+      "maximum number of pairs of quarter indices 1 and -1 to add where they make sizes more "
+      "uniform, "
+      "0 to 100; default: 0")
+    ->check(CLI::Range(0, 100));
+}
+
+void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names)
+{
+  command.add_flag(names, cap,
+    std::string("treat very sharp corners (quarter index 2) as ordinary ones (quarter index 1), "
+                "with one quad; "
+                "given singularities must add up accordingly; default: ") +
+      (cap ? "on" : "off"));
+}
+
+void AddRepairHolonomyTo(CLI::App& command, bool& repair)
+{
+  command.add_flag("--repair-holonomy", repair,
+    "move the singularities slightly so that grid lines close up around each hole");
 }
 
 void AddArraysTo(CLI::App& command, int& arrays)
@@ -71,16 +130,37 @@ void AddArraysTo(CLI::App& command, int& arrays)
     { "display", vtkCrossFieldArraySets::Display }, { "all", vtkCrossFieldArraySets::All } };
   command
     .add_option("--arrays", arrays,
-      "which arrays the file has: exact, the field itself, which is all that other subcommands need; "
-      "display, also crosses, their norm and the size map, to look at; or all, also what follows from "
-      "these; default: all")
+      "arrays to write: exact, only the field itself, which is all that other subcommands need; "
+      "display, also the crosses, their norm and the size field; all, also the arrays that follow "
+      "from these; default: all")
     ->transform(CLI::CheckedTransformer(sets).description("{exact,display,all}"))
     ->type_name("TEXT");
+}
+
+int DrillModeCode(const std::string& mode)
+{
+  return static_cast<int>(
+    std::find(DrillModes.begin(), DrillModes.end(), mode) - DrillModes.begin());
 }
 
 double FieldValue(vtkDataObject* data, const char* name)
 {
   return data->GetFieldData()->GetArray(name)->GetComponent(0, 0);
+}
+
+std::string FieldText(vtkDataObject* data, const char* name)
+{
+  return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name))->GetValue(0);
+}
+
+void PrintEvents(vtkDataObject* data)
+{
+  auto* events = vtkStringArray::SafeDownCast(
+    data->GetFieldData()->GetAbstractArray(vtkCrossFieldArrayNames::Events));
+  for (vtkIdType i = 0; events != nullptr && i < events->GetNumberOfValues(); ++i)
+  {
+    std::cout << events->GetValue(i) << "\n";
+  }
 }
 
 long long CountTriangles(vtkUnstructuredGrid* mesh)

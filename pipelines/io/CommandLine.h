@@ -9,6 +9,7 @@
 namespace CLI
 {
 class App;
+class Option;
 }
 class vtkDataObject;
 class vtkUnstructuredGrid;
@@ -21,7 +22,7 @@ enum ExitStatus
   BadInput = 2
 };
 
-/** The subcommands; each sets `status` when it has run. */
+/** Add the subcommands; each sets `status` after its run. */
 ///@{
 void AddCheckCommand(CLI::App& app, int& status);
 void AddCompareCommand(CLI::App& app, int& status);
@@ -37,7 +38,7 @@ void AddSeparatricesCommand(CLI::App& app, int& status);
 void AddSolveCommand(CLI::App& app, int& status);
 ///@}
 
-/** Options that several subcommands share. */
+/** Options of all subcommands that mesh a domain and read a configuration. */
 struct MeshOptions
 {
   BoundaryOptions boundary;
@@ -49,31 +50,40 @@ struct MeshOptions
   void AddTo(CLI::App& command);
 };
 
-/** Adds the option --corners. */
+/** Options that several subcommands share; each function adds one of them. */
+///@{
+/** Adds -s; `fallback` says what is used without it. */
+CLI::Option* AddSingularitiesTo(
+  CLI::App& command, std::string& file, const std::string& fallback = "chosen for the domain");
+void AddSizeTo(CLI::App& command, double& size);
 void AddCornersTo(CLI::App& command, std::string& corners);
-
-/** Adds the option --save-singularities. */
 void AddSaveSingularitiesTo(CLI::App& command, std::string& file);
-
-/** Adds the option --json. */
 void AddJsonTo(CLI::App& command, std::string& json);
-
-/** Names of the modes of vtkDrillHoles, in the order of its codes. */
-const std::vector<std::string>& DrillModes();
-
-/** Adds the option --mode. */
 void AddModeTo(CLI::App& command, std::string& mode);
+void AddCoreRadiusTo(CLI::App& command, double& radius);
+/** `fallback` is the default in words. */
+void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fallback);
+void AddPairsTo(CLI::App& command, int& pairs);
+/** `names` are those of the flag that sets `cap` and, if any, of the one that clears it. */
+void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names);
+void AddRepairHolonomyTo(CLI::App& command, bool& repair);
+/** `arrays` is one of vtkCrossFieldArraySets. */
+void AddArraysTo(CLI::App& command, int& arrays);
+///@}
 
-/** The code of a mode. */
+/** Returns the code of vtkDrillHoles for a value of --mode. */
 int DrillModeCode(const std::string& mode);
 
-/** Adds the option --arrays; `arrays` is one of vtkCrossFieldArraySets. */
-void AddArraysTo(CLI::App& command, int& arrays);
-
-/** The first, or only, value of an array of field data, which must be there. */
+/** Returns the first value of an array of field data, which must exist. */
 double FieldValue(vtkDataObject* data, const char* name);
 
-/** Number of triangles among the cells of a drilled mesh. */
+/** Returns the first text of an array of field data, which must exist. */
+std::string FieldText(vtkDataObject* data, const char* name);
+
+/** Prints the sentences in the array `Events` of the field data, if there are any. */
+void PrintEvents(vtkDataObject* data);
+
+/** Returns the number of triangles among the cells of a mesh. */
 long long CountTriangles(vtkUnstructuredGrid* mesh);
 
 #endif

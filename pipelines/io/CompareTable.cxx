@@ -2,6 +2,7 @@
 
 #include "CommandLine.h"
 #include "JsonText.h"
+#include "ReportJson.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -45,24 +46,25 @@ void ReadNormRange(vtkUnstructuredGrid* field, CompareRow& row)
   }
 }
 
-/** Σ |k| asked for on holes and circles, and the part of it on those with the right degree. */
+/** Reads Σ |k| of the requested indices on holes and circles, and the part that the field has. */
+ * there. */
 void ReadDegrees(vtkUnstructuredGrid* field, CompareRow& row)
 {
   vtkDataArray* kinds = field->GetCellData()->GetArray(names::BoundaryKind);
   vtkDataArray* ids = field->GetCellData()->GetArray(names::BoundaryId);
   vtkDataArray* quarters = field->GetCellData()->GetArray(names::QuarterIndex);
-  std::map<int, int> asked;
+  std::map<int, int> requested;
   for (vtkIdType cell = 0; cell < field->GetNumberOfCells(); ++cell)
   {
     if (kinds->GetComponent(cell, 0) >= 3)
     {
-      asked[static_cast<int>(ids->GetComponent(cell, 0))] =
+      requested[static_cast<int>(ids->GetComponent(cell, 0))] =
         static_cast<int>(quarters->GetComponent(cell, 0));
     }
   }
   vtkDataArray* degrees = field->GetFieldData()->GetArray(names::HoleDegree);
   vtkIdType hole = 0;
-  for (const auto& [id, quarter] : asked)
+  for (const auto& [id, quarter] : requested)
   {
     row.wanted += std::abs(quarter);
     row.reached +=
@@ -159,7 +161,7 @@ std::string Csv(const std::vector<CompareRow>& rows)
   return text.str();
 }
 
-std::string Json(const std::vector<CompareRow>& rows)
+std::string Json(const std::vector<CompareRow>& rows, vtkDataObject* domain)
 {
   nlohmann::ordered_json methods = nlohmann::ordered_json::array();
   for (const CompareRow& row : rows)
@@ -171,6 +173,8 @@ std::string Json(const std::vector<CompareRow>& rows)
     }
     methods.push_back(object);
   }
-  return JsonText({ { "methods", methods } }) + "\n";
+  nlohmann::ordered_json report = { { "methods", methods } };
+  ReportJson::AddCommon({ domain, { { "domain", domain } } }, report);
+  return JsonText(report) + "\n";
 }
 }

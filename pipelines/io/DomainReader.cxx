@@ -34,7 +34,7 @@ namespace
 {
 using PipelineRun::Error;
 
-/** Gives a reader the file, or the text; only some readers take one. */
+/** Sets the file of a reader, or the text if the reader supports one. */
 template <class Reader>
 auto SetInput(Reader* reader, const std::string& file, const std::string* text, int)
   -> decltype(reader->ReadFromInputStringOn())
@@ -52,7 +52,7 @@ void SetInput(Reader* reader, const std::string& file, const std::string*, long)
   reader->SetFileName(file.c_str());
 }
 
-/** Reads the file, or the text if that is known already. */
+/** Reads the file, or the text if it was read already. */
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, const std::string* text = nullptr)
 {
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, const std::string* t
   }
   catch (const Error& error)
   {
-    // Among others, Debian 12's VTKs cannot parse files with appended data.
+    // The VTKs of Debian 12 cannot parse files with appended data, for example.
     throw Error("The file '" + file + "' cannot be read (" + error.what() +
       "); check it, or save it again as binary or ASCII, not appended.");
   }
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkAlgorithm> OpenWith(const std::string& file, const std::strin
   return source;
 }
 
-/** vtkPLYReader takes what is in its memory for the words that a property lacks. */
+/** Throws if a property lacks words: vtkPLYReader would read uninitialised memory. */
 void RequireProperties(const std::string& file)
 {
   std::ifstream stream(file);
@@ -101,7 +101,7 @@ void RequireProperties(const std::string& file)
   }
 }
 
-/** vtkOBJReader takes what is not a number for 0. */
+/** Throws if a coordinate is not a number: vtkOBJReader would read 0. */
 void RequireNumbers(const std::string& file)
 {
   std::ifstream stream(file);
@@ -123,7 +123,7 @@ void RequireNumbers(const std::string& file)
   }
 }
 
-/** The whole text of a file, a pipe or a device. */
+/** Returns the text of a file, a pipe or a device. */
 std::string ReadText(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -132,7 +132,7 @@ std::string ReadText(const std::string& file)
   return text.str();
 }
 
-/** The loops of a table or an aerofoil, in a file or a text that is known already. */
+/** Reads the loops of a table or an aerofoil from a file, or from a text that was read already. */
 vtkSmartPointer<vtkAlgorithm> OpenLoops(const std::string& file, const std::string* text = nullptr)
 {
   auto reader = vtkSmartPointer<vtkPlanarDomainReader>::New();
@@ -151,7 +151,7 @@ bool BeginsWith(const std::string& text, const std::string& part)
   return text.compare(0, part.size(), part) == 0;
 }
 
-/** What comes through a pipe can be read once only, and has no ending that tells what it is. */
+/** Reads a pipe: only once, and without an ending that indicates the type. */
 vtkSmartPointer<vtkAlgorithm> OpenStream(const std::string& file)
 {
   const std::string text = ReadText(file);
@@ -168,13 +168,13 @@ vtkSmartPointer<vtkAlgorithm> OpenStream(const std::string& file)
   return OpenLoops(file, &text);
 }
 
-/** "-" is standard input. */
+/** Returns the file to read; "-" is standard input. */
 std::string NameOfInput(const std::string& argument)
 {
   return argument == "-" ? "/dev/stdin" : argument;
 }
 
-/** Whether it is a pipe or a device. */
+/** Returns whether a file is a pipe or a device. */
 bool IsStream(const std::string& file)
 {
   struct stat status = {};
@@ -185,8 +185,9 @@ bool IsStream(const std::string& file)
 namespace DomainReader
 {
 const char* const Help =
-  "boundary loops or a triangle mesh: a .vtp .vtu .vtk .stl .obj .ply file, a .csv file with the "
-  "points x,y or x,y,z of loops, an aerofoil .dat, - for standard input, or builtin:NAME (see "
+  "domain: boundary loops or a triangle mesh in a .vtp .vtu .vtk .stl .obj .ply file, a .csv file "
+  "with "
+  "the points x,y or x,y,z of loops, an aerofoil .dat, - for standard input, or builtin:NAME (see "
   "`crossfield domain --help`)";
 
 vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
@@ -243,9 +244,9 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
   if (ending == ".msh")
   {
     const std::string converted = argument.substr(0, argument.size() - ending.size()) + ".vtu";
-    // Debian's package has the module, but not the command `meshio convert`.
+    // The package of Debian has the module, but not the command `meshio convert`.
     throw Error("The domain '" + argument +
-      "' is a mesh of Gmsh, which is not read here; convert it "
+      "' is a mesh of Gmsh, which the program does not read; convert it "
       "with `python3 -c \"import meshio; meshio.write('" +
       converted + "', meshio.read('" + argument +
       "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
@@ -297,7 +298,7 @@ bool HasHeight(vtkDataSet* domain)
   domain->GetBounds(all);
   if (!(all[4] < all[5]))
   {
-    return false; // of all points, and so of those that cells use
+    return false; // all points have the same z, so those of cells do
   }
   const std::array<double, 6> bounds = Bounds(domain);
   return bounds[4] < bounds[5];

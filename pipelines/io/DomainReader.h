@@ -10,24 +10,26 @@
 class vtkDataObject;
 class vtkDataSet;
 
-/** The program's DOMAIN argument: a file, or builtin:NAME. */
+/** Reads the argument DOMAIN of the program: a file, or builtin:NAME. */
 namespace DomainReader
 {
 /** Help text for the argument. */
 extern const char* const Help;
 
 /**
- * A source or reader for the argument: .vtp .vtu .vtk .stl .obj .ply through VTK's
- * readers, .csv and .dat through vtkPlanarDomainReader, builtin:NAME with curves sampled at `edgeLength` (0:
- * the default). "-" is standard input; of it and of other pipes the first bytes say what they are. Throws PipelineRun::Error for a file that is missing,
- * cannot be read or holds no cells, and for an unknown ending.
+ * Returns a source or reader for the argument: VTK's readers for .vtp .vtu .vtk .stl .obj .ply,
+ * vtkPlanarDomainReader for .csv and .dat, and vtkPlanarDomainSource for builtin:NAME, with curves
+ * sampled at `edgeLength` (0: the default). "-" is standard input; the type of data from standard
+ * input and other pipes follows from their first bytes. Throws PipelineRun::Error for a file that
+ * is missing, cannot be read or has no cells, and for an unknown ending.
  */
 vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength);
 
-/** A source or reader for points with quarter indices: a .vtp file, else .csv; "-" is standard input. */
+/** Returns a source or reader for points with quarter indices: .vtp or .csv; "-" is standard input.
+ */
 vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& name);
 
-/** Gives a filter the corners of a file, if one is named. */
+/** Connects the corners of a file to a filter, if one is named. */
 template <class Filter>
 void ConnectCorners(Filter* filter, const std::string& file)
 {
@@ -37,13 +39,13 @@ void ConnectCorners(Filter* filter, const std::string& file)
   }
 }
 
-/** Whether a domain is a mesh of vtkDrillHoles, with what it says of its boundary. */
+/** Returns whether a domain is a mesh of vtkDrillHoles, with the arrays on its boundary. */
 bool IsDrilled(vtkDataObject* domain);
 
-/** The bounding box of the points that the lines and surface cells of a domain use. */
+/** Returns the bounding box of the points that lines and surface cells of a domain use. */
 std::array<double, 6> Bounds(vtkDataSet* domain);
 
-/** Whether a domain is in no plane z = const, so that its points are told with their z. */
+/** Returns whether a domain is in no plane z = const, so that outputs need z coordinates. */
 bool HasHeight(vtkDataSet* domain);
 }
 

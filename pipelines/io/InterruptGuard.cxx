@@ -7,18 +7,18 @@
 
 namespace
 {
-// The handler runs in any thread, so blocking signals in the one that writes would not do.
+// The handler runs in any thread, so blocking signals in the thread that writes is not enough.
 enum State
 {
   Idle,
-  Guarded, // nested guards keep it
+  Guarded, // a guard exists
   Ending   // a handler removes files
 };
 std::atomic<int> Current{ Idle };
 std::atomic<int> Waiting{ 0 };
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not wait for a lock");
 
-int Depth = 0; // of guards; only the thread that writes has any
+int Depth = 0; // number of nested guards, all in the thread that writes
 std::vector<std::string> Files;
 std::vector<std::string> Folders;
 
@@ -30,7 +30,7 @@ extern "C" void RemoveAndEnd(int number)
     Waiting = number;
     return;
   }
-  // unlink, rmdir, signal and raise may be called here; reading the strings allocates nothing.
+  // unlink, rmdir, signal and raise are allowed in handlers; reading the strings allocates nothing.
   for (const std::string& file : Files)
   {
     unlink(file.c_str());
@@ -81,7 +81,7 @@ void InterruptGuard::Install()
       std::signal(number, RemoveAndEnd);
     }
   }
-  std::signal(SIGXFSZ, SIG_IGN); // so that writing beyond a limit is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN); // then writing beyond a limit is an error, like a full disk
 }
 
 void InterruptGuard::RemoveOnSignal(

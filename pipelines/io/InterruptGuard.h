@@ -5,8 +5,9 @@
 #include <vector>
 
 /**
- * While one of these exists, SIGINT, SIGTERM, SIGHUP and SIGPIPE wait; at other times they remove
- * what RemoveOnSignal was told last and end the program as they always do.
+ * Delays SIGINT, SIGTERM, SIGHUP and SIGPIPE while an object of this class exists. At other times
+ * these signals remove the files and folders of the last RemoveOnSignal, and end the program as
+ * usual.
  */
 class InterruptGuard
 {
@@ -16,10 +17,11 @@ public:
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /** Handles the signals that are not ignored; makes a limit on the size of files an error. */
+  /** Installs handlers for the signals that are not ignored; turns a limit on file size into an
+   * error. */
   static void Install();
 
-  /** Files and folders, the outer ones first, to remove when a signal comes. Needs a guard. */
+  /** Sets the files and folders (outer ones first) to remove on a signal. Needs a guard. */
   static void RemoveOnSignal(std::vector<std::string> files, std::vector<std::string> folders);
 };
 

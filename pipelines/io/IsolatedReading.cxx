@@ -31,15 +31,15 @@ namespace
 {
 using PipelineRun::Error;
 
-/** The child's exit status; with any other it died. */
+/** Exit status of the child; any other status is a crash. */
 enum ChildStatus
 {
   Copied = 40, ///< The copy is complete; the text holds warnings.
-  Refused,     ///< The text is the sentence.
+  Refused,     ///< The text is the error message.
   NoMemory     ///< An allocation failed.
 };
 
-/** A file without a name, in memory, that parent and child share. */
+/** Unnamed file in memory that parent and child share. */
 class MemoryFile
 {
 public:
@@ -48,7 +48,7 @@ public:
   {
     if (this->Descriptor < 0)
     {
-      throw Error("The system gives no memory to read a file into; free some.");
+      throw Error("The system has no memory for the contents of a file; free some.");
     }
   }
   ~MemoryFile() { close(this->Descriptor); }
@@ -69,7 +69,7 @@ void Limit(decltype(RLIMIT_CPU) resource, rlim_t value)
   setrlimit(resource, &limit);
 }
 
-/** Bytes of data that this process has, as RLIMIT_DATA counts them. */
+/** Returns the bytes of data of this process, as RLIMIT_DATA counts them. */
 rlim_t DataSize()
 {
   std::ifstream statistics("/proc/self/statm");
@@ -92,11 +92,11 @@ void LimitChild(const std::string& file)
   Limit(RLIMIT_DATA, DataSize() + std::min(machine, 1024 * megabyte + 1000 * size));
 }
 
-/** Reads, copies and tells. */
+/** Reads the file, writes the copy and the messages, and exits. */
 [[noreturn]] void RunChild(const std::string& file, vtkAlgorithm* reader,
   const std::string& copyPath, const std::string& textPath)
 {
-  // A dying reader must not speak for itself; warnings go into the text.
+  // Messages of a crashing reader are dropped; warnings go into the text.
   dup2(open("/dev/null", O_WRONLY), STDERR_FILENO);
   std::ofstream text(textPath);
   std::cerr.rdbuf(text.rdbuf());
@@ -123,18 +123,18 @@ void LimitChild(const std::string& file)
     text << error.what();
   }
   text.flush();
-  _exit(status); // without destructors and exit handlers: they are the parent's
+  _exit(status); // without destructors and exit handlers, which belong to the parent
 }
 
-/** What waitpid says of a child that did not come to its end, as the beginning of a sentence. */
-std::string CauseOfDeath(int status)
+/** Describes the status that waitpid returns for a child that did not finish. */
+std::string DescribeCrash(int status)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
   {
-    return "VTK's reader does not come to an end on it";
+    return "VTK's reader takes too long on it";
   }
-  return std::string("VTK's reader breaks off on it") +
+  return std::string("VTK's reader crashes on it") +
     (signal != 0 ? std::string(": ") + strsignal(signal) : "");
 }
 }
@@ -156,15 +156,15 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, vtkAlgorithm* reader
   }
   if (child < 0)
   {
-    throw Error("the system does not start a process to read it in");
+    throw Error("the system cannot start a process to read it");
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) < ChildStatus::Copied)
   {
-    throw Error(CauseOfDeath(status));
+    throw Error(DescribeCrash(status));
   }
   if (WEXITSTATUS(status) == ChildStatus::NoMemory)
   {
-    throw Error("it asks for more memory than there is for a file of its size");
+    throw Error("it needs more memory than is available for a file of its size");
   }
   std::ostringstream words;
   words << std::ifstream(text.Path()).rdbuf();

@@ -14,29 +14,29 @@ class vtkPerforatedCrossField;
 class vtkSingularitySource;
 
 /**
- * The pipeline of one method of `crossfield compare`: domain and singularities -> mesh -> field ->
- * the singularities in it.
+ * Pipeline of one method of `crossfield compare`: domain and singularities -> mesh -> field ->
+ * singularities in the field.
  */
 class MethodRun
 {
 public:
-  /** The names of the methods. */
+  /** Returns the names of the methods. */
   static const std::vector<std::string>& AllMethods();
 
-  /** Whether a method places singularities by itself. */
+  /** Returns whether a method places the singularities itself. */
   static bool IsReference(const std::string& method);
 
   MethodRun();
   ~MethodRun();
 
   /**
-   * Solves; `size` is the edge length, `epsilon` the length of the penalty. Throws
+   * Solves; `size` is the edge length, `epsilon` the length in the penalty. Throws
    * PipelineRun::Error.
    */
   CompareRow Solve(const std::string& method, double size, double epsilon, vtkAlgorithm* domain,
     const SingularityInput& singularities);
 
-  /** None before Solve. */
+  /** Returns the field, null before Solve. */
   vtkUnstructuredGrid* GetField() const { return this->Field; }
 
 private:

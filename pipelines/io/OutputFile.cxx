@@ -28,14 +28,15 @@ namespace
 using PipelineRun::Error;
 
 /**
- * Throws std::bad_alloc if the text of the data would find no memory: VTK 9.1 crashes when that happens
- * while it writes. The text in base 64 is 4/3 of the data or less, and 3 times that while it grows.
+ * Throws std::bad_alloc if there is no memory for the text of the data: VTK 9.1 crashes if memory
+ * runs out while it writes. The text in base 64 has at most 4/3 of the data's size, and 3 times
+ * that while it grows.
  */
 void RequireMemoryForText(vtkDataObject* data)
 {
   const std::size_t kibibytes = data->GetActualMemorySize();
   const std::unique_ptr<char[]> trial(new char[kibibytes * 4 * 1024]);
-  *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may leave the allocation out
+  *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may remove the allocation
 }
 
 void RequireWritableFile(const std::string& file, const std::string& ending)
@@ -73,7 +74,7 @@ void RequireWritable(std::initializer_list<Output> outputs)
     {
       continue;
     }
-    // A multiblock is an index and a folder beside it.
+    // A multiblock is an index file and a folder beside it.
     if (file != "-" || ending == ".vtm")
     {
       RequireWritableFile(file, ending);

@@ -12,10 +12,11 @@
 class OutputTransaction;
 class vtkDataSet;
 
-/** Writes results as parts of a transaction, which puts all outputs of a command into place or none. */
+/** Writes results as parts of a transaction, which puts all outputs of a command in place or none.
+ */
 namespace OutputFile
 {
-/** A file that a command was asked for, if any; "-" is standard output, whatever the ending. */
+/** Output file of a command, empty if there is none; "-" is standard output. */
 struct Output
 {
   std::string file;
@@ -23,30 +24,30 @@ struct Output
 };
 
 /**
- * Throws PipelineRun::Error unless every file ends as it should, its folder can be written, and no two
- * are the same. Commands call it before any work.
+ * Throws PipelineRun::Error unless every file has its ending, its folder can be written, and no two
+ * files are the same. Commands call it before any work.
  */
 void RequireWritable(std::initializer_list<Output> outputs);
 
 /**
- * Writes a vtkPolyData (.vtp), vtkUnstructuredGrid (.vtu) or vtkStructuredGrid (.vts) in inline binary with zlib: the VTKs of
- * Debian 12 cannot read appended data back.
+ * Writes a vtkPolyData (.vtp), vtkUnstructuredGrid (.vtu) or vtkStructuredGrid (.vts) in inline
+ * binary with zlib: the VTKs of Debian 12 cannot read appended data.
  */
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
 
-/** The same, unless no file is named; returns the seconds that it took. */
+/** Writes the data if a file is named; returns the seconds that this took. */
 double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
 
-/** Writes singularities as the .csv file that vtkSingularitySource reads, with the radii they have. */
+/** Writes singularities, with their radii if they have any, as .csv for vtkSingularitySource. */
 void WriteConfiguration(
   vtkDataSet* singularities, bool hasHeight, const std::string& file, OutputTransaction& outputs);
 
-/** Data sets and their names. */
+/** Names and data sets of a multiblock. */
 using Blocks = std::vector<std::pair<std::string, vtkSmartPointer<vtkDataObject>>>;
 
 /**
- * Writes a multiblock F.vtm and its grids, as Write does, to F/NAME.vtu or F/NAME.vts. The index is
- * written here: VTK's own writer leaves a broken file behind when it fails.
+ * Writes a multiblock F.vtm, and its grids as Write does to F/NAME.vtu or F/NAME.vts. VTK's own
+ * writer is not used, because it leaves a broken file when it fails.
  */
 void WriteBlocks(const Blocks& blocks, const std::string& file, OutputTransaction& outputs);
 }

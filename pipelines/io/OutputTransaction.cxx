@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
   throw Error("The file '" + file + "' cannot be written; check the folder and the free space.");
 }
 
-/** Where a link points to, which need not exist; other names unchanged, but absolute. */
+/** Returns the target of a link, which need not exist; other names are only made absolute. */
 std::string FollowLinks(const std::string& file)
 {
   std::error_code failed;
   fs::path path = fs::absolute(file, failed);
-  constexpr int MostLinks = 40; // as the kernel has it; beyond are circles
-  for (int i = 0; i < MostLinks && fs::is_symlink(path, failed); ++i)
+  constexpr int MaximumLinks = 40; // as in the kernel; more are a cycle
+  for (int i = 0; i < MaximumLinks && fs::is_symlink(path, failed); ++i)
   {
     path = path.parent_path() / fs::read_symlink(path, failed);
   }
@@ -107,7 +107,7 @@ void OutputTransaction::Write(const std::string& text, const std::string& file)
   struct stat old = {};
   if (stat(entry.place.c_str(), &old) == 0)
   {
-    chmod(entry.part.c_str(), old.st_mode & 07777); // whoever could not read it still cannot
+    chmod(entry.part.c_str(), old.st_mode & 07777); // keep the permissions
   }
 }
 
@@ -157,9 +157,9 @@ void OutputTransaction::Print() const
 void OutputTransaction::Place(File& file)
 {
   const std::string before = file.place + ".before" + std::to_string(getpid());
-  RequireNoFolder(file.place, file.name); // it would be moved like a file
-  std::remove(before.c_str());            // of a process of this number that was killed
-  // A second name leaves the first in place; some file systems have no such names.
+  RequireNoFolder(file.place, file.name); // rename would move a folder like a file
+  std::remove(before.c_str());            // left by a killed process with this number
+  // A hard link keeps the file in place; some file systems have none.
   if (link(file.place.c_str(), before.c_str()) == 0 ||
     (errno != ENOENT && std::rename(file.place.c_str(), before.c_str()) == 0))
   {
@@ -175,7 +175,7 @@ void OutputTransaction::Place(File& file)
 void OutputTransaction::Commit()
 {
   this->Print();
-  const InterruptGuard guard; // a signal waits until all is in place
+  const InterruptGuard guard; // delays signals until all files are in place
   for (File& file : this->Files)
   {
     this->Place(file);
@@ -201,7 +201,7 @@ void OutputTransaction::Undo()
     if (!file->before.empty())
     {
       std::rename(file->before.c_str(), file->place.c_str());
-      // Two names of one file: then rename leaves both.
+      // If both names refer to one file, rename keeps both.
       std::remove(file->before.c_str());
     }
     else if (file->placed)
@@ -211,6 +211,6 @@ void OutputTransaction::Undo()
   }
   for (auto folder = this->Folders.rbegin(); folder != this->Folders.rend(); ++folder)
   {
-    rmdir(folder->c_str()); // fails, as it should, when somebody else put something into it
+    rmdir(folder->c_str()); // fails if another program has written into it
   }
 }

@@ -5,13 +5,13 @@
 #include <vector>
 
 /**
- * All files that a command writes, or none of them: each is written beside its place, as
- * NAME.part<pid>, and Commit renames them when all are complete. Without a Commit, and when SIGINT,
- * SIGTERM or SIGHUP end the program, what was written beside is removed again. When a rename fails,
- * those before it are undone. After a power cut or SIGKILL files of either kind may be left over.
+ * Writes all files of a command, or none of them. Each is written beside its place, as
+ * NAME.part<pid>, and Commit renames them when all are complete. Without a Commit, and if SIGINT,
+ * SIGTERM or SIGHUP end the program, these parts are removed. If a rename fails, the earlier ones
+ * are undone. After a power cut or SIGKILL, parts and second names of old files may remain.
  *
- * A link is followed. What is not a regular file, like /dev/null or a named pipe, cannot be renamed
- * over: it and standard output are written by Commit, before the renames.
+ * Links are followed. A place that is not a regular file, like /dev/null or a named pipe, cannot be
+ * replaced by a rename: Commit writes to it and to standard output before the renames.
  */
 class OutputTransaction
 {
@@ -24,22 +24,22 @@ public:
   /** Writes a text beside its place; "-" is standard output. Throws PipelineRun::Error. */
   void Write(const std::string& text, const std::string& file);
 
-  /** Whether data go to standard output, which then takes no text. */
+  /** Returns whether data go to standard output, so that no summary may be printed. */
   bool PrintsData() const { return !this->Streams.empty(); }
 
-  /** Makes a folder and those above it, where they are missing. */
+  /** Makes a folder and its parents if they are missing. */
   void MakeFolder(const std::string& folder);
 
-  /** Puts everything into place; throws PipelineRun::Error, and has then changed nothing. */
+  /** Puts all files in place; if it throws PipelineRun::Error, it has changed nothing. */
   void Commit();
 
 private:
   struct File
   {
-    std::string name;   ///< As the user wrote it.
-    std::string place;  ///< Where it goes: links are followed.
-    std::string part;   ///< Where it is until then.
-    std::string before; ///< Another name of what was there, to undo the rename.
+    std::string name;   ///< Name that the user gave.
+    std::string place;  ///< File to write, after links are followed.
+    std::string part;   ///< File that is written until Commit.
+    std::string before; ///< Second name of the old file, to undo the rename.
     bool placed = false;
   };
   struct Stream
@@ -55,7 +55,7 @@ private:
 
   std::vector<File> Files;
   std::vector<Stream> Streams;
-  std::vector<std::string> Folders; ///< Made here, the outer ones first.
+  std::vector<std::string> Folders; ///< Folders that were made, outer ones first.
 };
 
 #endif

@@ -6,7 +6,7 @@ namespace
 {
 using Rows = std::vector<std::array<double, 4>>;
 
-/** Four k = +1 on the diagonals of the disk. */
+/** Returns four singularities k = +1 on the diagonals of the disk. */
 Rows Square(double distance, double radius)
 {
   const double d = distance * std::sqrt(0.5);

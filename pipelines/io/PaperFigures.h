@@ -5,23 +5,23 @@
 #include <string>
 #include <vector>
 
-/** A figure of the paper that shows a computation, and how it is computed here. */
+/** Figure of the paper that shows a computation, and its parameters here. */
 struct PaperFigure
 {
-  std::string name;   ///< Of the file.
-  std::string label;  ///< In the paper's LaTeX.
-  std::string says;   ///< What the paper says about it.
+  std::string name;   ///< Name of the file.
+  std::string label;  ///< Label in the LaTeX source of the paper.
+  std::string says;   ///< Statement of the paper about it.
   std::string domain; ///< Name of a built-in domain.
-  double innerRadius; ///< Of a ring.
-  std::string method; ///< One of MethodRun, or "h" for vtkHField.
+  double innerRadius; ///< Inner radius of a ring.
+  std::string method; ///< Method of MethodRun, or "h" for vtkHField.
   double size;        ///< Edge length.
-  double epsilon;     ///< Of methods with a penalty.
-  /** Rows x, y, quarter index, radius; with `propose` what vtkConfigurationProposal gives instead. */
+  double epsilon;     ///< Length in the penalty of methods that have one.
+  /** Rows x, y, quarter index, radius; with `propose`, vtkConfigurationProposal is used instead. */
   std::vector<std::array<double, 4>> singularities;
   bool propose = false;
 };
 
-/** In the order of the paper. */
+/** Returns the figures in the order of the paper. */
 std::vector<PaperFigure> PaperFigures();
 
 #endif

@@ -20,7 +20,7 @@
 
 namespace
 {
-/** Keeps the first error message instead of printing it; warnings go to standard error. */
+/** Stores the first error message and all warnings instead of printing them. */
 class ErrorCatcher : public vtkOutputWindow
 {
 public:
@@ -29,8 +29,8 @@ public:
 
   void DisplayErrorText(const char* text) override
   {
-    // The executive repeats that an algorithm failed; a few readers leave it at a warning.
-    // VTK's arrays say what they cannot allocate before they throw std::bad_alloc.
+    // The executive reports once more that an algorithm failed; a few readers only warn. VTK's
+    // arrays report what they cannot allocate before they throw std::bad_alloc.
     const bool repetition =
       std::string(text).find("returned failure for request") != std::string::npos ||
       std::string(text).find("Unable to allocate") != std::string::npos;
@@ -41,7 +41,7 @@ public:
     }
   }
   void DisplayWarningText(const char* text) override { this->Warnings.push_back(Sentence(text)); }
-  /** Of functions that have no object to report an error, such as those that parse numbers. */
+  /** Stores an error of a function without an object, such as one that parses numbers. */
   void DisplayGenericWarningText(const char* text) override { this->DisplayErrorText(text); }
 
   bool Failed = false;
@@ -50,8 +50,8 @@ public:
 
 private:
   /**
-   * VTK writes "ERROR: In FILE, line N\nvtkClass (0x…): sentence\n\n", and without an object the same
-   * without the class. The sentence may have several lines; here it gets one.
+   * Returns the sentence in a message of VTK, "ERROR: In FILE, line N\nvtkClass (0x…):
+   * sentence\n\n", in one line. Messages without an object have no class.
    */
   static std::string Sentence(const std::string& text)
   {
@@ -101,7 +101,7 @@ void RequireNoError(void (*work)(void*), void* data)
     const auto& warnings = catcher->Warnings;
     throw Error(!catcher->First.empty() ? catcher->First
         : !warnings.empty()             ? warnings.front()
-                                        : "VTK does not say why");
+                                        : "VTK reports no cause");
   }
   for (const std::string& warning : catcher->Warnings)
   {

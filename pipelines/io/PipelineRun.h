@@ -8,10 +8,11 @@
 
 class vtkAlgorithm;
 
-/** Updates the filters of a pipeline, and turns what VTK reports as an error into an exception. */
+/** Updates the filters of a pipeline, and throws the errors that VTK reports. */
 namespace PipelineRun
 {
-/** One sentence that names cause and mend, which the program prints, and its exit status. */
+/** Error with one sentence that names cause, place and remedy, and the exit status of the program.
+ */
 class Error : public std::runtime_error
 {
 public:
@@ -27,13 +28,13 @@ private:
 };
 
 /**
- * Updates a filter and all above it; throws the first error sentence that any of them
- * reported, with status AnswerIsNo if the configuration is inconsistent.
- * On a terminal it keeps a progress line on standard error.
+ * Updates a filter and those upstream; throws the first error that one of them reports, with status
+ * AnswerIsNo if the configuration is inconsistent. On a terminal it shows a progress line on
+ * standard error, which begins with `what`.
  */
 void Update(vtkAlgorithm* filter, const char* what);
 
-/** Runs work() and throws the first error that VTK reported meanwhile. */
+/** Runs work() and throws the first error that VTK reports during it. */
 void RequireNoError(void (*work)(void*), void* data);
 template <class Work>
 void RequireNoError(Work work)

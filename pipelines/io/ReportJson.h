@@ -5,30 +5,49 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
-class vtkDataSet;
-class vtkFieldData;
-class vtkUnstructuredGrid;
+class vtkDataObject;
 
-/** The numbers of a run as JSON. */
+/**
+ * Writes the numbers of a run as JSON. The table filters/vtk/reports.json lists the keys of every
+ * report, the arrays that they come from, and explains its kinds of entries.
+ */
 namespace ReportJson
 {
-/**
- * One object with the field data of a field under their names in snake_case (`hole_degree`): arrays
- * per hole as lists, flags as true or false, other single values as numbers; then the number of
- * `triangles`, the `seconds` spent in each stage and, unless null, the singularities.
- */
-std::string Write(vtkUnstructuredGrid* field, const std::map<std::string, double>& seconds,
-  vtkDataSet* singularities);
+/** Data, times and names that a report is written from. */
+struct Sources
+{
+  using Others = std::map<std::string, vtkDataObject*>;
 
-/**
- * Adds the list `singularities` of x, y, z in planes that are not z = const, and quarter_index, and
- * where they were chosen the list `events`, a sentence for each thing that was decided.
- */
-void AddSingularities(nlohmann::ordered_json& report, vtkDataSet* singularities, bool hasHeight);
+  Sources(vtkDataObject* given, const Others& givenOthers = {},
+    const std::vector<double>& givenSeconds = {}, const std::vector<std::string>& givenFiles = {})
+    : data(given)
+    , others(givenOthers)
+    , seconds(givenSeconds)
+    , files(givenFiles)
+  {
+  }
 
-/** Adds `repair` with `distance` and `defect_before`, if a filter has repaired the holonomy. */
-void AddRepair(nlohmann::ordered_json& report, vtkFieldData* field);
+  vtkDataObject* data; ///< Data set or table whose field data the report reads.
+  /**
+   * Other sources by the names that the table gives them; null if there is none. Every report reads
+   * `domain`, the domain after its boundary was simplified, and `singularities`, those that the
+   * command has used.
+   */
+  Others others;
+  std::vector<double> seconds;    ///< Times of the stages, in the order of the table.
+  std::vector<std::string> files; ///< Names of the input files.
+};
+
+/** Adds what every report has: singularities, events and changes to the domain's boundary. */
+void AddCommon(const Sources& sources, nlohmann::ordered_json& report);
+
+/** Returns the report of this name as text, with a line break at the end. */
+std::string Write(const std::string& name, const Sources& sources);
+
+/** Returns the value of one key of a report in one line, for the summary that a command prints. */
+std::string Write(const std::string& name, const std::string& key, const Sources& sources);
 }
 
 #endif

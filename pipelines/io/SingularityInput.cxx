@@ -1,6 +1,7 @@
 #include "SingularityInput.h"
 
 #include "BoundaryInput.h"
+#include "CommandLine.h"
 #include "DomainReader.h"
 #include "OutputFile.h"
 #include "PipelineRun.h"
@@ -13,7 +14,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkStringArray.h"
 
 #include <iostream>
 
@@ -133,12 +133,7 @@ void PrintRepair(vtkFieldData* field)
 
 void PrintChosen(vtkDataSet* singularities, bool hasHeight)
 {
-  auto* events =
-    vtkStringArray::SafeDownCast(singularities->GetFieldData()->GetAbstractArray(names::Events));
-  for (vtkIdType i = 0; events != nullptr && i < events->GetNumberOfValues(); ++i)
-  {
-    std::cout << events->GetValue(i) << "\n";
-  }
+  PrintEvents(singularities);
   PrintSingularities(singularities, hasHeight);
 }
 

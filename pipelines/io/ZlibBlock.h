@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <vector>
 
-/** Compression of data into the format of zlib, which every reader of VTK's files knows. */
+/** Compression in the format of zlib, which every reader of VTK files supports. */
 namespace ZlibBlock
 {
 /**
- * The bytes in the format of zlib, by libdeflate, which takes less than half the time, at its quickest level: higher
- * ones gain a few per cent. Throws std::bad_alloc.
+ * Compresses bytes with libdeflate, which takes less than half the time of zlib, at its fastest
+ * level; higher levels gain a few per cent. Throws std::bad_alloc.
  */
 std::vector<unsigned char> Compress(const unsigned char* data, std::size_t size);
 }

@@ -130,7 +130,7 @@ LOOKUP_TABLE default
         self.assertLess(report["size_spread_after"], 0.6 * report["size_spread_before"])
         self.assertEqual(sorted(s["quarter_index"] for s in report["singularities"]), [-1, 1])
         self.assertLess(optimized("uniform", "--even")["size_spread_before"], 1e-9)
-        self.assertIn("log size over wanted size",
+        self.assertIn("log size over target size",
                       self.succeed(*common, "field", "Length", "--even"))
         self.refuse(*common, "field", "Length", says=("give it with --even or --pairs",))
         self.refuse(*common, "field", "--even", says=("--sizing: give", "name of a point array"))

@@ -63,7 +63,7 @@ class Variants(ProgramTest):
             self.assertIs(report["degrees_reached"], reached)
             self.assertEqual(report["hole_degree"] == [1] * 4, reached)
             self.assertEqual(report["unwanted_singularities"] == 0, reached)
-        self.assertIn("NOT those asked for", self.run_program(*arguments).stdout)
+        self.assertIn("NOT the requested ones", self.run_program(*arguments).stdout)
 
     def test_five_with_the_penalty(self):
         rows = [(0.6 * math.cos(0.3 + i * 0.4 * math.pi), 0.6 * math.sin(0.3 + i * 0.4 * math.pi),
