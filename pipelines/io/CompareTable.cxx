@@ -47,7 +47,6 @@ void ReadNormRange(vtkUnstructuredGrid* field, CompareRow& row)
 }
 
 /** Reads Σ |k| of the requested indices on holes and circles, and the part that the field has. */
- * there. */
 void ReadDegrees(vtkUnstructuredGrid* field, CompareRow& row)
 {
   vtkDataArray* kinds = field->GetCellData()->GetArray(names::BoundaryKind);
