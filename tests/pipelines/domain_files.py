@@ -22,7 +22,7 @@ def _cells(tag, cells, more=""):
 
 
 def _place(point):
-    """x, y and z; z is 0 for points of the plane."""
+    """Returns x, y and z; z is 0 if there is none."""
     x, y, z = (*point, 0.0)[:3]
     return f"{x!r} {y!r} {z!r}"
 
@@ -39,7 +39,7 @@ def write_vtp(path, points, lines):
 
 
 def write_singularities(path, rows):
-    """Rows of x, y, quarter index and radius, as vtkSingularitySource makes points of them."""
+    """Writes rows of x, y, quarter index and radius as the points that vtkSingularitySource makes."""
     data = "\n".join(["<PointData>", _array("Int32", "QuarterIndex", [row[2] for row in rows]),
                       _array("Float64", "Radius", [row[3] for row in rows]), "</PointData>"])
     piece = (f'<Piece NumberOfPoints="{len(rows)}" NumberOfVerts="{len(rows)}">\n{data}\n'
@@ -90,20 +90,20 @@ def write_ply(path, points, triangles):
 
 
 def write_csv(path, points):
-    """One loop: the points in the order in which they follow each other."""
+    """Returns the points of one loop in their order."""
     lines = ["x,y,z"[:2 * len(points[0]) - 1]] + [",".join(map(repr, point)) for point in points]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
 
 def write_loop_obj(path, points):
-    """One closed line as .obj."""
+    """Writes one closed line as .obj."""
     lines = [f"v {_place(point)}" for point in points]
     lines += ["l " + " ".join(str(i + 1) for i in (*range(len(points)), 0))]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
 
 def write_loop_vtk(path, points):
-    """One closed polyline as legacy .vtk."""
+    """Writes one closed polyline as legacy .vtk."""
     ids = (*range(len(points)), 0)
     lines = ["# vtk DataFile Version 3.0", "a loop", "ASCII", "DATASET POLYDATA",
              f"POINTS {len(points)} double"] + [_place(point) for point in points]
@@ -112,5 +112,5 @@ def write_loop_vtk(path, points):
 
 
 def write_loop(path, points):
-    """One closed polyline as .vtp."""
+    """Writes one closed polyline as .vtp."""
     write_vtp(path, points, [[*range(len(points)), 0]])

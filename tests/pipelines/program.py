@@ -1,4 +1,4 @@
-"""What the tests of the program share: they run it as a person does, in a folder of their own."""
+"""Base of the tests of the program: they run it as a user does, each in its own folder."""
 
 import hashlib
 import json
@@ -15,22 +15,22 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "verify"
 import kept
 
 PROGRAM = os.environ["CROSSFIELD_PROGRAM"]
-SECONDS = int(os.environ.get("CROSSFIELD_SECONDS", "100"))  # of one run; more is a hang
+SECONDS = int(os.environ.get("CROSSFIELD_SECONDS", "100"))  # limit for one run
 
 FOUR = [(x, y, 1, 0.1) for x, y in ((0.42, 0.42), (-0.42, 0.42), (-0.42, -0.42), (0.42, -0.42))]
 
-# One line that begins with the program's name and ends with a full stop.
+# One line that begins with the name of the program and ends with a full stop.
 SENTENCE = re.compile(r"\Acrossfield: [^\n]+\.\n\Z")
 
 
 def write_configuration(path, rows=FOUR):
-    """Rows of x, y, quarter index and radius; texts stay as they are."""
+    """Writes rows of x, y, quarter index and radius; texts are written unchanged."""
     lines = ["x,y,quarter_index,radius"] + [",".join(str(value) for value in row) for row in rows]
     pathlib.Path(path).write_text("\n".join(lines) + "\n")
 
 
 class ProgramTest(unittest.TestCase):
-    """A test that runs in an empty folder, in which four.csv suits the unit disk."""
+    """Test in a folder that holds only four.csv, a configuration for the unit disk."""
 
     maxDiff = None
 
@@ -51,7 +51,7 @@ class ProgramTest(unittest.TestCase):
         return result
 
     def snapshot(self):
-        """Name, time and fingerprint of everything in the folder."""
+        """Returns name, time and hash of everything in the folder."""
         return {
             str(path.relative_to(self.folder)): (
                 path.stat().st_mtime_ns, self.digest(path) if path.is_file() else "folder")
@@ -67,12 +67,12 @@ class ProgramTest(unittest.TestCase):
         return result.stdout
 
     def solve(self, domain, *arguments, singularities="four.csv"):
-        """The report of `solve` as a dictionary."""
+        """Returns the report of `solve` as a dictionary."""
         command = ("solve", domain, "-s", singularities, "--json", "-", *arguments)
         return json.loads(self.succeed(*self.with_output(command)))
 
     def with_output(self, arguments):
-        """A run that only reports writes what it computes for the verifier."""
+        """Adds an output, for the verifier, to a run that only reports."""
         if not kept.WRITTEN or {"-o", "--output"} & set(arguments):
             return arguments
         folder = tempfile.TemporaryDirectory(prefix="crossfield-")
@@ -81,7 +81,7 @@ class ProgramTest(unittest.TestCase):
         return (*arguments, "-o", pathlib.Path(folder.name) / "kept.vtu")
 
     def refuse(self, *arguments, says=(), status=2):
-        """Runs the program, which must leave the folder alone and say why in one sentence."""
+        """Runs the program, which must change nothing in the folder and report the cause in one sentence."""
         before = self.snapshot()
         result = self.run_program(*arguments)
         self.assertEqual(result.returncode, status, (result.args, result.stdout, result.stderr))
@@ -96,7 +96,7 @@ class ProgramTest(unittest.TestCase):
         return result.stderr
 
     def refuse_solve(self, domain, *arguments, singularities="four.csv", **options):
-        """Refuses to solve, while field.vtu and report.json of an earlier run are there."""
+        """Expects `solve` to refuse and to keep field.vtu and report.json of an earlier run."""
         for name in ("field.vtu", "report.json"):
             (self.folder / name).write_text("from an earlier run\n")
             os.utime(self.folder / name, (1e9, 1e9))

@@ -25,14 +25,14 @@ def write_loops(path, loops):
 
 
 def write_aerofoil(path, points):
-    """Selig's format: the name, then the points from the trailing edge around the profile."""
+    """Writes Selig's format: the name, then the points from the trailing edge around the profile."""
     lines = [f" {x:.6f}  {y:.6f}" for x, y in points]
     pathlib.Path(path).write_text("\n".join(["NACA 0012", *lines]) + "\n")
 
 
 class AutomaticTest(ProgramTest):
     def arrives(self, domain):
-        """`solve` with the domain and nothing else."""
+        """Runs `solve` with the domain as the only input."""
         result = self.run_program(*self.with_output(("solve", domain, "--json", "-")))
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         report = json.loads(result.stdout)
@@ -41,7 +41,7 @@ class AutomaticTest(ProgramTest):
         self.assertEqual(report["unwanted_singularities"], 0)
         self.assertIs(report["consistent"], True)
         for defect in report.get("holonomy_defect", []):
-            # Zero where singularities are points; holes and their mesh leave up to a few hundredths.
+            # Zero for point singularities; holes and their mesh leave up to a few hundredths.
             self.assertLess(abs(defect), 0.05)
         self.assertGreater(len(report["events"]), 0)
 
@@ -114,7 +114,7 @@ class Parts(AutomaticTest):
 
 
 class WithoutSingularities(ProgramTest):
-    """Where -s is left out, what is chosen is reported and written as if it had been given."""
+    """Without -s, the chosen singularities are reported and written as if they had been given."""
 
     def chosen(self, *arguments):
         return json.loads(self.succeed(*arguments, "--json", "-"))
@@ -218,7 +218,7 @@ class Streams(ProgramTest):
 
 class Boundaries(AutomaticTest):
     def test_a_trailing_edge_that_no_triangle_resolves(self):
-        """A thousand points that crowd at the ends, and a trailing edge of 1e-5."""
+        """A thousand points that are dense at the ends, and a trailing edge of 1e-5."""
         upper = engineering.profile(count=500)[:501]
         upper = [(x, y + 0.5e-5 * x) for x, y in upper]
         profile = upper + [(x, -y) for x, y in reversed(upper[:-1])]
@@ -232,15 +232,15 @@ class Boundaries(AutomaticTest):
         self.assertLess(report["boundary"]["points"], len(profile))
         self.assertGreaterEqual(report["boundary"]["moved"], 0.4e-5)
         self.assertLess(report["boundary"]["moved"], 0.02 * size)
-        # The domain is symmetric, and so are the singularities that were chosen for it.
+        # The domain is symmetric, and so are the chosen singularities.
         places = sorted((row["x"], row["y"]) for row in report["singularities"])
         mirrored = sorted((x, -y) for x, y in places)
         for place, other in zip(places, mirrored):
             self.assertLess(math.dist(place, other), 1e-9 * math.hypot(4, 2))
-        # Given, they lie on the boundary as it was, and as it becomes.
+        # Given singularities are on the boundary before and after it is simplified.
         report = json.loads(self.succeed("hfield", "domain.vtp", "-s", "chosen.csv", "-o", "field.vtu", "--json", "-"))
         self.assertEqual([name for name in report if name.startswith("boundary")], ["boundary"])
-        # The corners of the trailing edge, if one of them is given, become one there.
+        # If one corner of the trailing edge is given, both become one there.
         edge = upper[0]
         (self.folder / "edge.csv").write_text("x,y,quarter_index\n%.17g,%.17g,-2\n" % edge)
         for options, corners in (((), 5), (("--thin-boundary", "0"), 6)):

@@ -1,4 +1,4 @@
-"""What the program says to bad input: one sentence, and it leaves every file as it was."""
+"""Bad input: the program reports one sentence and changes no file."""
 
 import os
 import resource
@@ -60,7 +60,7 @@ class Domains(ProgramTest):
         self.refuse_domain("two.vtp", "several outer loops")
 
     def test_numbers_that_are_not_finite(self):
-        # 12345 stands for the bad number: a text that the writers use for nothing else.
+        # 12345 marks the number to replace; the writers use it for nothing else.
         points = [(-1.0, -1.0), (1.0, -1.0), (1.0, 12345.0), (-1.0, 1.0)]
         for ending in ("vtu", "vtk", "stl", "obj", "ply"):
             writer = getattr(domain_files, f"write_{ending}")
@@ -161,7 +161,7 @@ class Singularities(ProgramTest):
                 self.refuse_rows(FOUR[:3] + [(0.42, -0.42, 1, bad)], "not positive")
 
     def test_radius_below_the_rounding_of_the_coordinates(self):
-        # The points of such a hole are one point, or nearly.
+        # The points of such a hole nearly coincide.
         for tiny in ("1e-17", "1e-320"):
             with self.subTest(tiny):
                 write_configuration(self.folder / "tiny.csv", [(0.1, 0.3, 4, tiny)])
@@ -182,7 +182,7 @@ class Singularities(ProgramTest):
         write_configuration(self.folder / "three.csv", FOUR[:3])
         self.refuse_solve("builtin:disk", singularities="three.csv", status=1,
                           says=["add up to 3", "asks for 4"])
-        # A mesh can be made of it nevertheless.
+        # It can still be meshed.
         self.succeed("drill", "builtin:disk", "-s", "three.csv", "-o", "mesh.vtu")
 
 
@@ -243,7 +243,7 @@ class Outputs(ProgramTest):
     def test_a_folder_in_the_place_of_an_output(self):
         (self.folder / "taken.vtu").mkdir()
         self.refuse(*self.SOLVE, "-o", "taken.vtu", says=["taken.vtu"])
-        # Neither output may be written if one of them cannot.
+        # If one output cannot be written, none is.
         self.refuse(*self.SOLVE, "-o", "field.vtu", "--json", "taken.vtu", says=["taken.vtu"])
 
     def test_one_file_for_both_outputs(self):
@@ -257,14 +257,14 @@ class Outputs(ProgramTest):
         self.assertRegex(result.stderr, SENTENCE)
 
     def test_a_full_disk(self):
-        # A limit on the size of files stands for it; ignoring its signal makes it an error.
+        # Simulated by a limit on file size, which is an error if its signal is ignored.
         for name in ("field.vtu", "report.json"):
             (self.folder / name).write_text("from an earlier run\n")
             os.utime(self.folder / name, (1e9, 1e9))
         before = self.snapshot()
         result = self.run_program(
             *self.SOLVE, "-o", "field.vtu", "--json", "report.json", "--size", "0.02",
-            restore_signals=False,  # Python ignores the signal, and so does then the program
+            restore_signals=False,  # Python ignores the signal, and the program inherits this
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (65536, 65536)))
         self.assertEqual(result.returncode, 2, result)
         self.assertRegex(result.stderr, SENTENCE)

@@ -1,4 +1,4 @@
-"""Damaged files of every format: an answer or one sentence, never a signal, and nothing written."""
+"""Damaged files of every format: a result or one sentence, never a crash, and no file written."""
 
 import random
 import subprocess
@@ -11,13 +11,13 @@ from program import PROGRAM, SENTENCE, ProgramTest
 CIRCLE = [(x, y) for x, y in ((1, 0), (0.7, 0.7), (0, 1), (-0.7, 0.7), (-1, 0), (-0.7, -0.7),
                               (0, -1), (0.7, -0.7))]
 FAN = [(0, i, i + 1) for i in range(1, 7)]
-# What a number of a file is changed to.
+# Replacements for a number in a file.
 NUMBERS = [b"-1", b"0", b"7", b"255", b"65536", b"2147483648", b"-9223372036854775808",
            b"18446744073709551615", b"1e300"]
 
 
 def damage(content, random_numbers):
-    """A copy that is cut, has other bytes, other numbers, or a part of it twice."""
+    """Returns a copy that is cut, or has changed bytes, changed numbers, or a part repeated."""
     at = random_numbers.randrange(len(content))
     kind = random_numbers.randrange(4)
     if kind == 0:
@@ -42,7 +42,7 @@ class DamagedFiles(ProgramTest):
     def check(self, name):
         started = time.monotonic()
         before = self.snapshot()
-        # As on a file's list: nothing is written, and it is read like any other domain.
+        # `check` writes nothing and reads the file as any other domain.
         result = subprocess.run([PROGRAM, "check", name], cwd=self.folder, capture_output=True,
                                 timeout=60, check=False)
         said = result.stderr.decode(errors="replace")
@@ -96,7 +96,7 @@ class DamagedFiles(ProgramTest):
         self.damage_all("good.csv")
 
     def refuse_counts(self, good, count):
-        """A number that asks for terabytes ends in a sentence."""
+        """A number that requests terabytes ends in a sentence."""
         text = (self.folder / good).read_text()
         self.assertIn(count, text)
         for many in ("1600000000", "1600000000000"):

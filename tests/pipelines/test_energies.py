@@ -1,4 +1,4 @@
-"""`hfield`, `energy` and `optimize`: reports, files, exit statuses, and what they say to bad input."""
+"""`hfield`, `energy` and `optimize`: reports, files, exit statuses, and errors of bad input."""
 
 import json
 import math
@@ -101,7 +101,7 @@ class Energy(EnergiesTest):
         self.assertAlmostEqual(inner["renormalized_energy"], 2.0498, delta=0.02)
 
     def test_compares_different_sums_of_squares(self):
-        # W of two is less than that of four, which cost half as much at every core.
+        # Two have a lower W than four, but twice the energy at every core.
         write_configuration(self.folder / "two.csv", [(0.5, 0, 2, 0.1), (-0.5, 0, 2, 0.1)])
         write_configuration(self.folder / "four.csv",
                             [(x, y, 1, 0.1) for x in (0.42, -0.42) for y in (0.42, -0.42)])
@@ -157,7 +157,7 @@ class Optimize(EnergiesTest):
         self.assertEqual(lines[0], "x,y,quarter_index,radius")
         self.assertEqual([float(value) for value in lines[1].split(",")],
                          [*report["singularities"][0].values(), 0.05])
-        # The file is a start that is at rest, but for its mesh, which is fine at other places.
+        # Starting from the file it is converged, except that its mesh is fine at other places.
         again = self.report("optimize", "builtin:disk", "-s", "better.csv")
         self.assertAlmostEqual(again["renormalized_energy_after"],
                                report["renormalized_energy_after"], delta=0.01)
@@ -204,13 +204,13 @@ class Optimize(EnergiesTest):
                                 0.01 * (1 + abs(report["renormalized_energy_after"])))
 
     def test_parts_have_the_energy_of_finer_meshes(self):
-        # Lengths of the default size, 1/40 of the diagonal, which finer meshes need, and their boundary.
+        # Default size, 1/40 of the diagonal, which finer meshes and their boundaries refer to.
         for name, size in (("plate3", 3.60555), ("bracket", 2.82843), ("elbow", 0.141421), ("tjunction", 0.180278),
                            ("naca_blunt", 0.270416)):
             with self.subTest(name):
                 part = PARTS / f"{name}.vtp"
                 best = self.report("optimize", part, "-o", "best.csv")["renormalized_energy_after"]
-                given = ("-s", "best.csv") if name not in ("elbow", "tjunction") else ()  # these have none
+                given = ("-s", "best.csv") if name not in ("elbow", "tjunction") else ()  # these have no singularities
                 finer = ("--size", size / 4, "--thin-boundary", 0.02 * size)
                 for energy in (self.report("hfield", part, *given), self.report("hfield", part, *given, *finer),
                                self.report("energy", part, *given)["configurations"][0]):

@@ -1,4 +1,4 @@
-"""Pages whose numbers scripts make of this program: docs/exact.md, and the memory of docs/limits.md."""
+"""Pages whose numbers scripts compute with the program: docs/exact.md, and the memory in docs/limits.md."""
 
 import importlib.util
 import os
@@ -27,11 +27,11 @@ class Exact(ProgramTest):
         written = (ROOT / "docs/exact.md").read_text(encoding="utf-8")
         self.assertEqual(NUMBER.sub("", page), NUMBER.sub("", written))
         for new, old in zip(NUMBER.findall(page), NUMBER.findall(written)):
-            self.assertAlmostEqual(float(new), float(old), delta=1e-3)  # other kernels of BLAS round otherwise
+            self.assertAlmostEqual(float(new), float(old), delta=1e-3)  # kernels of BLAS round differently
         for what, _, _, errors in table:
             if "scales" in what or len(errors) == 1:
                 self.assertLess(max(errors), 0.01)
-            else:  # of second order, but for what is exact at once
+            else:  # second order, except values that are exact on every mesh
                 self.assertLess(errors[-1], max(0.4 * errors[0], 2e-4), what)
 
 

@@ -1,4 +1,4 @@
-"""`crossfield figures`: every figure of the paper is computed and is what the table says."""
+"""`crossfield figures`: every figure of the paper is computed and agrees with the table."""
 
 import csv
 import pathlib
@@ -10,10 +10,10 @@ from program import ProgramTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
-# What has to be found, holes and circles included.
+# Expected singularities, including holes and circles.
 FOUND = {
     "ring_040": "4 x +1, 4 x -1", "ring_046": "none", "disk_holes": "4 x +1",
-    # |u| vanishes twice besides: the paper does not say so.
+    # |u| also vanishes at two points that the paper does not mention.
     "disk_moved": "5 x +1, 1 x -1",
     "ellipse_reference": "4 x +1", "ellipse_holes": "4 x +1", "disk_triangles": "4 x +1",
     "quarter_disk": "2 x +1, 1 x -1", "disk_reference": "4 x +1",
@@ -29,7 +29,7 @@ class Figures(ProgramTest):
     def test_all_of_them(self):
         result = self.run_program("figures", "-o", "all")
         self.assertEqual(result.returncode, 0, result)
-        for line in result.stderr.splitlines():  # fields of the paper that vanish somewhere else, too
+        for line in result.stderr.splitlines():  # fields of the paper that vanish elsewhere, too
             self.assertTrue(line.startswith("Warning: The field has "), line)
         output = result.stdout
         rows = self.table("all")
@@ -39,13 +39,13 @@ class Figures(ProgramTest):
             self.assertTrue((self.folder / "all" / (name + ".vtu")).stat().st_size > 10000, name)
             self.assertIn(row["paper_says"], output)
         self.check_gallery()
-        # docs/method.md §9, and at most 30 iterations as the paper says.
+        # docs/method.md §9; at most 30 iterations, as in the paper.
         self.assertAlmostEqual(float(rows["disk_holes"]["energy"]), 20.71, delta=0.1)
         for name in ("disk_holes", "disk_moved"):
             self.assertLessEqual(int(rows[name]["iterations"]), 30)
 
     def check_gallery(self):
-        """The page is what scripts/gallery.py makes of the table, but for the last digits of energies."""
+        """The page equals the output of scripts/gallery.py, except for the last digits of energies."""
         page = subprocess.run(
             [sys.executable, ROOT / "scripts/gallery.py", self.folder / "all" / "summary.csv"],
             stdout=subprocess.PIPE, text=True, check=True).stdout

@@ -8,7 +8,7 @@ from program import ProgramTest
 
 class GinzburgLandau(ProgramTest):
     def reference(self, domain, *arguments):
-        """The report of the method as a dictionary."""
+        """Returns the report of the method as a dictionary."""
         return json.loads(self.succeed(
             "solve", domain, "--method", "ginzburg-landau", "--json", "-", *arguments))
 

@@ -1,4 +1,4 @@
-"""What the program does at the limits of memory, of threads and of what can be written."""
+"""The program at the limits of memory, threads and writable outputs."""
 
 import os
 import re
@@ -27,7 +27,7 @@ class Memory(ProgramTest):
         self.assertLess(time.monotonic() - begin, seconds)
 
     def test_a_size_that_would_take_all_memory(self):
-        # A file: builtin:disk has 600,000 segments at this size, which take long to read.
+        # From a file, because builtin:disk has 600,000 segments at this size, which take long to read.
         self.succeed("domain", "disk", "-o", "disk.vtp")
         for command in (("solve", "-o", "f.vtu"), ("solve", "--method", "unit-norm"),
                         ("drill", "-o", "f.vtu"), ("hfield", "-o", "f.vtu"), ("energy",),
@@ -38,14 +38,14 @@ class Memory(ProgramTest):
                 self.refuse_within(10, command[0], "disk.vtp", "-s", "four.csv", "--size", "1e-5",
                                    *command[1:])
 
-    def test_what_is_suggested_is_possible(self):
+    def test_the_suggested_size_is_possible(self):
         write_configuration(self.folder / "none.csv", [])
         limit = 700 * MEBIBYTE
         result = self.run_limited(limit, "drill", "builtin:square", "-s", "none.csv", "-o", "mesh.vtu",
                                   "--size", "1e-4")
         self.assertEqual(result.returncode, 2, result)
         size = float(re.search(r"edge length, about (\S+)\.\n", result.stderr).group(1))
-        # A tenth more, as what is in use already differs a little from run to run.
+        # A tenth more, because the memory already in use varies between runs.
         result = self.run_limited(limit, "drill", "builtin:square", "-s", "none.csv", "-o", "mesh.vtu",
                                   "--size", 1.1 * size)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
@@ -56,7 +56,7 @@ class Memory(ProgramTest):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
 
     def test_every_limit_of_memory_ends_in_a_field_or_in_one_sentence(self):
-        # From too little for the mesh to enough for all; where it fails in between is chance.
+        # From too little for the mesh to enough for everything; in between it fails at random places.
         arguments = ("solve", "builtin:disk", "-s", "four.csv", "--size", "0.005", "-o", "field.vtu",
                      "--json", "report.json")
         for name in ("field.vtu", "report.json"):
@@ -112,7 +112,7 @@ class Threads(ProgramTest):
 
 
 class Transactions(ProgramTest):
-    """All outputs of a command are put into place, or none of them."""
+    """All outputs of a command are put in place, or none."""
 
     # Every subcommand with two or more outputs: arguments, then options and names of outputs.
     COMMANDS = (
@@ -129,7 +129,7 @@ class Transactions(ProgramTest):
     )
 
     def snapshot(self):
-        # The time of a folder changes with what is written beside and removed.
+        # The time of a folder changes when files in it are written and removed.
         return {name: digest if digest == "folder" else (time, digest)
                 for name, (time, digest) in super().snapshot().items()}
 
@@ -193,7 +193,7 @@ class Transactions(ProgramTest):
                         preexec_fn=lambda: resource.setrlimit(
                             resource.RLIMIT_FSIZE, (limit, limit)))
                     with self.subTest(f"{arguments[0]}, {limit} bytes"):
-                        if result.returncode != 0:  # 4096 bytes are enough for some
+                        if result.returncode != 0:  # 4096 bytes are enough for some outputs
                             self.assertEqual(result.returncode, 2, result)
                             self.assertRegex(result.stderr, SENTENCE)
                             self.assertEqual(self.snapshot(), before)
@@ -225,7 +225,7 @@ class Transactions(ProgramTest):
         result = self.run_program(*arguments)
         self.assertEqual(result.returncode, 2, result)
         self.assertEqual(self.snapshot(), before)
-        # Folders that the program made are removed as well; what it prints comes before it fails.
+        # Folders that the program made are removed as well; it prints before it fails.
         with open("/dev/full", "w") as full:
             result = self.run_program("figures", "-o", "new/figures", "--only", "disk_holes",
                                       stdout=full)
@@ -233,7 +233,7 @@ class Transactions(ProgramTest):
         self.assertEqual(self.snapshot(), before)
 
     def test_a_signal_leaves_nothing_behind(self):
-        # A pipe that nobody reads stops the program when its other outputs are written beside.
+        # A pipe without a reader stops the program after the other outputs are written beside their places.
         os.mkfifo(self.folder / "pipe")
         before = self.snapshot_without("pipe")
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
@@ -285,7 +285,7 @@ class Transactions(ProgramTest):
         self.succeed("drill", "builtin:disk", "-s", "none.csv", "-o", "a.vtu")
         self.succeed("solve", "a.vtu", "-s", "four.csv", "-o", "b.vtu", "--method", "unit-norm")
         mesh = self.digest("a.vtu")
-        # What is refused leaves the input.
+        # A refused run keeps the input.
         self.refuse("solve", "a.vtu", "-s", "four.csv", "-o", "a.vtu", "--json", "/dev/full")
         self.assertEqual(self.digest("a.vtu"), mesh)
         self.succeed("solve", "a.vtu", "-s", "four.csv", "-o", "a.vtu", "--method", "unit-norm")

@@ -1,4 +1,4 @@
-"""The help, the examples it shows, the reports and the files of the program when all goes well."""
+"""Help, examples in the help, reports and files of successful runs."""
 
 import json
 import math
@@ -40,7 +40,7 @@ class Help(ProgramTest):
                 self.assertEqual(words[:2], ["crossfield", subcommand])
                 result = self.run_program(*words[1:])
                 self.assertEqual(result.returncode, 0, result.stderr)
-                # Among the figures of the paper are fields that vanish where nobody asked for it.
+                # Some figures of the paper have fields with unwanted zeros.
                 if subcommand not in ("compare", "figures"):
                     self.assertEqual(result.stderr, "")
                 if "-o" in words:
@@ -159,7 +159,7 @@ class Report(ProgramTest):
         self.assertLess(abs(fine["energy"] / coarse["energy"] - 1.0), 0.02)
 
     def test_strict_says_no_to_unwanted_singularities(self):
-        # The holes are far from where the field would like them, so it adds others.
+        # The holes are far from the optimal positions, so the field has further singularities.
         corners = [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (0.0, 4.0)]
         island = [(4.5 + 0.7 * math.cos(i * math.pi / 20), 2.0 + 0.7 * math.sin(i * math.pi / 20))
                   for i in range(40)]
@@ -176,12 +176,12 @@ class Report(ProgramTest):
             "solve", "island.vtp", "-s", "far.csv", "--json", "-", "--strict", *harmonic)
         self.assertEqual((result.returncode, result.stderr), (1, plain.stderr))
         self.solve("builtin:disk", "--strict")
-        # Unit norm, the default, has exactly those asked for.
+        # Unit norm, the default, has exactly the requested singularities.
         unit = self.solve("island.vtp", "--strict", singularities="far.csv")
         self.assertEqual(unit["unwanted_singularities"], 0)
 
     def test_a_square_with_a_pair(self):
-        # The cross of the sides fits everywhere: the field without holes is constant.
+        # The cross of the sides fits everywhere, so the field without holes is constant.
         for domain, y in (("builtin:square", 1.0), ("builtin:rectangle", 0.5)):
             with self.subTest(domain):
                 write_configuration(self.folder / "pair.csv",
@@ -196,7 +196,7 @@ class Report(ProgramTest):
             self.assertAlmostEqual(least, 1.0, 12)
             self.assertAlmostEqual(largest, 1.0, 12)
         constrained = self.solve("builtin:disk", "--method", "constrained")
-        # The plane holds the circle, so that its minimum is lower.
+        # Its admissible set contains the unit circle, so the minimum is lower.
         self.assertLess(constrained["energy"], unit["energy"])
         for start in ("harmonic", "unit-norm", "best"):
             energy = self.solve(
@@ -210,7 +210,7 @@ class Report(ProgramTest):
 
     def test_progress_on_a_terminal_only(self):
         arguments = ("solve", "builtin:disk", "-s", "four.csv", "-o", "field.vtu")
-        self.succeed(*arguments)  # a pipe: nothing
+        self.succeed(*arguments)  # no progress line in a pipe
         try:
             reader, terminal = pty.openpty()
         except OSError as error:  # a chroot without /dev/pts
@@ -253,7 +253,7 @@ class Planes(ProgramTest):
                 self.assertEqual(report["triangles"], flat["triangles"])
                 self.assertLess(abs(report["energy"] / flat["energy"] - 1.0), 1e-12)
 
-    def test_places_are_told_with_z(self):
+    def test_positions_are_printed_with_z(self):
         self.write(self.TURNS["yz"])
         for subcommand in ("check", "corners"):
             report = json.loads(self.succeed(subcommand, "square.csv", "--json", "-"))
@@ -272,7 +272,7 @@ class Planes(ProgramTest):
             report = self.solve("disk.csv", singularities="start.csv")
             self.assertEqual(report["hole_degree"], [1, 1, 1, 1])
 
-    def test_what_optimize_writes_is_in_the_plane(self):
+    def test_the_optimised_configuration_is_in_the_plane(self):
         self.write()
         self.run_program("optimize", "square.csv", "-s", "pair.csv", "-o", "flat.csv",
                          "--iterations", "1")
@@ -292,7 +292,7 @@ class Planes(ProgramTest):
                     self.assertAlmostEqual(value, expected, 9)
             self.succeed("check", "square.csv", "-s", "moved.csv")
 
-    def test_a_point_that_no_cell_uses_has_no_say(self):
+    def test_points_without_cells_are_ignored(self):
         self.write()
         corners = [place[:2] for place in self.SQUARE]
         stray = (9.0, -7.0, 5.0)
@@ -337,7 +337,7 @@ class Planes(ProgramTest):
         points = corners + [tilt(0.75, 1.25, 0.0)]
         triangles = [(i, (i + 1) % 4, 4) for i in range(4)]
         domain_files.write_loop(self.folder / "square.vtp", corners)
-        # Single precision decides ties in the mesh of a square, and so which mesh of many is made.
+        # Single precision decides ties in the mesh of a square, so the mesh may differ.
         tolerance = {"csv": 1e-12, "vtp": 1e-12, "vtu": 1e-12, "vtk": 1e-12, "stl": 1e-3,
                      "obj": 1e-3, "ply": 1e-3}
         for ending, allowed in tolerance.items():
@@ -405,7 +405,7 @@ class Files(ProgramTest):
         self.assertEqual(self.digest("tidy.vtu"), self.digest("untidy.vtu"))
 
     def check_formats(self, corners):
-        """All files of one quadrilateral, and its energy."""
+        """Solves on files of one quadrilateral in all formats."""
         points = corners + [(0.75, 1.25)]  # meshes have an inner point
         triangles = [(i, (i + 1) % 4, 4) for i in range(4)]
         for ending in ("vtu", "vtk", "stl", "obj", "ply"):
@@ -428,7 +428,7 @@ class Files(ProgramTest):
         self.assertLess(abs(energy / builtin - 1.0), 1e-6)
 
     def test_every_format_of_a_trapezium_gives_the_same_field(self):
-        # Corners that single precision, in which some formats are read, holds exactly.
+        # Corners that are exact in single precision, which some formats use.
         self.check_formats([(0.0, 0.0), (2.0, 0.0), (1.75, 2.0), (0.25, 2.0)])
 
     def test_loops_in_formats_of_meshes(self):
@@ -456,7 +456,7 @@ class Files(ProgramTest):
         fromFile = self.solve("ring.vtp", singularities="two.csv")
         self.assertEqual(fromFile["energy"],
                          self.solve("builtin:ring", singularities="two.csv")["energy"])
-        # A drilled mesh is a domain, too, and its holes are then inner loops.
+        # A drilled mesh is also a domain, whose holes are inner loops.
         self.succeed("drill", "builtin:disk", "-s", "four.csv", "-o", "mesh.vtu")
         write_configuration(self.folder / "none.csv", [])
         result = self.run_program("solve", "mesh.vtu", "-s", "none.csv", "--json", "-")
@@ -484,7 +484,7 @@ class Files(ProgramTest):
         lines = ["x,y,quarter_index"] + [",".join(map(str, row)) for row in rows]
         (self.folder / "bare.csv").write_text("\n".join(lines) + "\n")
         bare = self.solve("builtin:disk", "--size", "0.1", singularities="bare.csv")
-        # Without a radius a hole is as large as a triangle.
+        # Without a radius a hole has the size of a triangle.
         self.assertEqual(bare["energy"], self.solve("builtin:disk", "--size", "0.1")["energy"])
 
 

@@ -62,7 +62,7 @@ class Quads(ProgramTest):
         self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
 
     def test_corners_without_an_angle_are_capped(self):
-        """Five of index 2 take 1: Σ k = 4 - 5 - (5 of -1) = 4 inside, as many quads at each corner as 2 - k."""
+        """Five corners of index 2 get index 1: Σ k = 4 - 5 - (5 of -1) = 4 inside, and 2 - k quads at each corner."""
         report = self.report("builtin:star", "--quads", "1000")
         self.assertEqual(report["irregular"], report["asked"])
         self.assertEqual(sum((4 - int(v)) * n for v, n in report["irregular"].items()), 4)
@@ -70,8 +70,8 @@ class Quads(ProgramTest):
         self.refuse("quads", "builtin:star", "-o", "quads.vtu", "--no-cap-corners",
                     says=("quarter index 2", "cap corners"))
 
-    def test_pairs_even_the_sizes(self):
-        """A trapezium of which the small end is a quarter as long as the other: no node is needed."""
+    def test_pairs_make_sizes_more_uniform(self):
+        """A trapezium whose small end is a quarter as long as the other: no irregular node is needed."""
         (self.folder / "wedge.csv").write_text("x,y\n0,0\n4,1.5\n4,2.5\n0,4\n")
         needed = self.report("wedge.csv")
         self.assertEqual(needed["irregular"], {})

@@ -7,7 +7,7 @@ import unittest
 from program import ProgramTest, write_configuration
 
 PARTS = pathlib.Path(__file__).resolve().parents[1] / "data" / "parts"
-# Where the optimiser leaves the singularities that are chosen for them, rounded.
+# Positions of the chosen singularities after optimisation, rounded.
 PLATE = [(22.0946, 47.969), (22.0489, 32.0739), (38.2651, 32.4271), (38.2075, 47.6329),
          (51.8762, 47.719), (51.9077, 32.2416), (68.1898, 32.3447), (68.1555, 47.6892),
          (81.8021, 47.6477), (81.85, 32.3007), (97.922, 32.04), (97.9498, 47.9262)]
@@ -21,7 +21,7 @@ class Separatrices(ProgramTest):
         return json.loads(self.succeed("separatrices", domain, "--json", "-", *arguments))
 
     def test_the_report_has_its_numbers(self):
-        # Names by which Verify.Everything knows what belongs together.
+        # File names by which Verify.Everything finds files that belong together.
         report = self.report("builtin:disk", "-s", "four.csv", "-o", "disk.lines.vtp", "--faces",
                              "disk.faces.vtp", "--map", "disk.vtu")
         self.assertEqual(report["lines"], 12)
@@ -44,8 +44,8 @@ class Separatrices(ProgramTest):
                 self.assertEqual((report["faces"], report["arcs"], report["extra_lines"]),
                                  (faces, arcs, extra))
 
-    def test_parts_of_engineers(self):
-        # Those without singularities choose so themselves. Lines - N + χ faces, 2 lines + corners arcs. Both corners of a
+    def test_engineering_parts(self):
+        # The proposal for these has no singularities. Lines - N + χ faces, 2 lines + corners arcs. Both corners of a
         # trailing edge count, which by default are one: 3 lines instead of 4.
         for part, rows, lines, faces, arcs in (
                 ("plate3", [(*place, -1, 0.1) for place in PLATE], 60, 46, 124),
@@ -84,7 +84,7 @@ class Separatrices(ProgramTest):
         self.assertEqual([(one["x"], one["y"]) for one in report["singularities"]], places)
         farthest = max(math.dist(place, row[:2]) for place, row in zip(places, rows))
         self.assertAlmostEqual(farthest, report["repair"]["distance"], delta=1e-12)
-        # What was repaired has no defect worth a warning; what is too large to be mapped says how to.
+        # After the repair there is no warning; the error of a defect that is too large names the option.
         self.succeed("separatrices", "builtin:ring", "-s", "repaired.csv", "-o", "again.vtp")
         opposite = [(r * math.cos(turn + i * math.pi / 2), r * math.sin(turn + i * math.pi / 2), k, 0.05)
                     for r, turn, k in ((0.8, 0.0, 1), (0.55, 0.6, -1)) for i in range(4)]

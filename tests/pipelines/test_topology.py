@@ -1,4 +1,4 @@
-"""`check` and `corners`: reports, exit statuses, proposals, and what they say to bad input."""
+"""`check` and `corners`: reports, exit statuses, proposals, and errors of bad input."""
 
 import json
 import math
@@ -8,7 +8,7 @@ import unittest
 import domain_files
 from program import SENTENCE, ProgramTest, write_configuration
 
-# What interior singularities must add up to, corners counted by the smallest rotation.
+# Required sum of the interior singularities, with corners by the smallest rotation.
 REQUIRED = {"disk": 4, "ring": 0, "ellipse": 4, "quarter-disk": 1, "square": 0, "rectangle": 0,
             "l-shape": 0, "hexagonal": -2, "star": -1, "angular-balanced": 0,
             "angular-negative": -2, "angular-positive": 2, "angular-hole": -2}
@@ -23,7 +23,7 @@ CORNER_KEYS = {"x", "y", "angle", "quarter_index", "quarter_index_scarce",
 
 class TopologyTest(ProgramTest):
     def check(self, domain, *arguments, status=0):
-        """The report of `check`; with status 1 its reason is also on standard error."""
+        """Returns the report of `check`; with status 1 its reason is also on standard error."""
         result = self.run_program("check", domain, *arguments, "--json", "-")
         self.assertEqual(result.returncode, status, (result.args, result.stderr))
         report = json.loads(result.stdout)
@@ -94,7 +94,7 @@ class Check(TopologyTest):
         self.check("builtin:disk", "-s", "one.csv", status=1)
         self.succeed("solve", "builtin:disk", "-s", "one.csv", "--method", "ginzburg-landau",
                      "--size", "0.1", "-o", "field.vtu")
-        # Singularities of its own make up for the others.
+        # The field has further singularities that correct the sum.
         self.assertEqual(self.check("field.vtu")["given_interior_quarters"], 4)
 
     def test_holonomy(self):
@@ -171,7 +171,7 @@ class Check(TopologyTest):
                           singularities="pair.csv", says=["asks for -2"], status=1)
         self.solve("builtin:angular-negative", "--method", "unit-norm", "--strict", "--corners",
                    "corners.vtp", singularities="pair.csv")
-        # As a table, for one corner only.
+        # From a table, for one corner only.
         (self.folder / "flat.csv").write_text("x,y,quarter_index\n0,0,0\n")
         report = self.check("builtin:square", "--corners", "flat.csv", status=1)
         self.assertEqual(report["required_interior_quarters"], 1)

@@ -26,12 +26,12 @@ class Variants(ProgramTest):
                          [-1, 1, 1])
         self.assertEqual(sum(one["quarter_index"] for one in report["singularities"]),
                          report["required_interior_quarters"])
-        # The field can be checked, and nothing is wrong with its sum.
+        # The field passes the check of its sum.
         check = self.run_program("check", "field.vtu", "--json", "-")
         checked = json.loads(check.stdout)
         self.assertEqual(checked["given_interior_quarters"],
                          checked["required_interior_quarters"])
-        # Perforated, the same configuration is refused; strictly, two are too many.
+        # With --mode perforate the configuration is refused; with --strict two singularities are unwanted.
         self.refuse_solve("builtin:quarter-disk", singularities="minus.csv", status=1,
                           says=["add up to -1", "asks for 1"])
         strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--method",
@@ -189,7 +189,7 @@ class Compare(ProgramTest):
         write_configuration(self.folder / "outside.csv", [(3, 0, 1, 0.1)])
         self.refuse("compare", "builtin:disk", "-s", "outside.csv", "-o", "x.vtm",
                     "--methods", "constrained,ginzburg-landau", says=["outside the domain"])
-        # What only one method cannot do is a row.
+        # A refusal of a single method is a row.
         write_configuration(self.folder / "half.csv", [(0.3, 0, 2, 0.1), (-0.3, 0, 2, 0.1)])
         result = self.run_program("compare", "builtin:disk", "-s", "half.csv", "--methods",
                                   "triangle,unit-norm", "--json", "-")
@@ -200,7 +200,7 @@ class Compare(ProgramTest):
 
 
 class Page(ProgramTest):
-    """docs/variants.md says what the program gives: the energies of its tables, by the first cell of a row."""
+    """The energies in the tables of docs/variants.md, by the first cell of a row."""
 
     def setUp(self):
         super().setUp()
@@ -212,7 +212,7 @@ class Page(ProgramTest):
         self.printed = {words[0]: words for words in map(str.split, text.splitlines()) if len(words) == 7}
 
     def check(self, written, found):
-        """But for what other kernels of OpenBLAS round otherwise."""
+        """Equal up to the rounding of different kernels of OpenBLAS."""
         self.assertAlmostEqual(float(written) / found, 1, delta=0.005)
 
     def energy(self, domain, rows, *options, method="constrained", status=0):
