@@ -19,7 +19,7 @@
 namespace
 {
 using Json = nlohmann::ordered_json;
-using Value = std::optional<Json>; // without a value the key is left out
+using OptionalJson = std::optional<Json>; // without a value the key is left out
 
 const Json& Schema()
 {
@@ -80,10 +80,10 @@ public:
       }
       if (entry.is_array() && entry[0] == "if")
       {
-        const Value flag = this->Evaluate({ "flag", entry[1] }, place);
+        const OptionalJson flag = this->Evaluate({ "flag", entry[1] }, place);
         this->Fill(flag == true ? entry[2] : Json::object(), place, object);
       }
-      else if (const Value value = this->Evaluate(entry, place))
+      else if (const OptionalJson value = this->Evaluate(entry, place))
       {
         object[key] = *value;
       }
@@ -92,13 +92,13 @@ public:
 
   Place FieldData() const { return { this->Sources.data->GetFieldData() }; }
 
-  Value Evaluate(const Json& entry, const Place& place) const
+  OptionalJson Evaluate(const Json& entry, const Place& place) const
   {
     if (entry.is_object())
     {
       Json object = Json::object();
       this->Fill(entry, place, object);
-      return object.empty() ? Value() : object;
+      return object.empty() ? OptionalJson() : object;
     }
     const std::string kind = entry[0];
     if (kind.find("rows") != std::string::npos)
@@ -112,7 +112,8 @@ public:
     if (kind == "coordinate")
     {
       const int axis = entry[1];
-      return axis < 2 || this->HasHeight ? Json(place.points->GetPoint(place.row)[axis]) : Value();
+      return axis < 2 || this->HasHeight ? Json(place.points->GetPoint(place.row)[axis])
+                                         : OptionalJson();
     }
     if (kind == "triangles")
     {
@@ -148,7 +149,7 @@ private:
       : source->GetFieldData()->GetAbstractArray(name.substr(slash + 1).c_str());
   }
 
-  Value FromArray(const Json& entry, const Place& place) const
+  OptionalJson FromArray(const Json& entry, const Place& place) const
   {
     const std::string kind = entry[0];
     vtkAbstractArray* array = this->Array(entry[1], place);
@@ -158,7 +159,7 @@ private:
     }
     if (kind.back() == 's')
     {
-      return array == nullptr && entry.size() < 3 ? Value() : List(array, kind);
+      return array == nullptr && entry.size() < 3 ? OptionalJson() : List(array, kind);
     }
     if (array == nullptr)
     {
@@ -203,7 +204,7 @@ private:
     return object;
   }
 
-  Value Seconds(const Json& entry) const
+  OptionalJson Seconds(const Json& entry) const
   {
     if (entry[0] == "seconds")
     {
@@ -217,7 +218,7 @@ private:
     return object;
   }
 
-  Value Rows(const Json& entry, const Place& outer) const
+  OptionalJson Rows(const Json& entry, const Place& outer) const
   {
     const std::string kind = entry[0];
     vtkDataObject* source = this->Source(entry[1]);
@@ -253,7 +254,7 @@ private:
   }
 
   /** Rows of the arrays in the field data. */
-  Value Columns(const Json& entries, const Place& outer) const
+  OptionalJson Columns(const Json& entries, const Place& outer) const
   {
     vtkAbstractArray* first = this->Array((*entries.begin())[1], outer);
     if (first == nullptr)
@@ -294,7 +295,7 @@ std::string Write(const std::string& name, const Sources& sources)
 std::string Write(const std::string& name, const std::string& key, const Sources& sources)
 {
   const Reader reader(sources);
-  const Value value = reader.Evaluate(Schema()["reports"][name][key], reader.FieldData());
+  const OptionalJson value = reader.Evaluate(Schema()["reports"][name][key], reader.FieldData());
   return value.has_value() ? JsonText(*value, -1) : "";
 }
 }

@@ -1,9 +1,9 @@
-"""What the Python tests share: a check that cannot be compiled away, and what the pages of docs promise."""
+"""Checks of the Python tests, which `python -O` keeps, and the arrays that the documentation promises."""
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
 
 # Energy ½∫|∇u|² of the default chain, from an independent prototype.
-DISK_ENERGY = 30.3  # of norm one
+DISK_ENERGY = 30.3  # unit norm
 
 # Number of components of the arrays of the drilled mesh and of the field.
 MESH_CELL_ARRAYS = {"BoundaryKind": 1, "BoundaryId": 1, "QuarterIndex": 1}
@@ -26,14 +26,14 @@ def check_equal(found, expected, what):
 
 
 def value(data, name):
-    """The one value of a field data array."""
+    """Returns the value of a field data array with one value."""
     array = data.GetFieldData().GetArray(name)
     check(array is not None, "there is no field data '%s'" % name)
     return array.GetTuple1(0)
 
 
 def values(data, name):
-    """All values of a field data array."""
+    """Returns all values of a field data array."""
     return list(vtk_to_numpy(data.GetFieldData().GetArray(name)))
 
 
@@ -47,7 +47,7 @@ def check_arrays(attributes, expected, tuples, what):
 
 
 def check_default_field(field, disk_energy=DISK_ENERGY):
-    """Everything that can be said about the field of the default chain."""
+    """Checks arrays and numbers of the field of the default chain."""
     check_arrays(field.GetPointData(), FIELD_POINT_ARRAYS, field.GetNumberOfPoints(), "points")
     check_arrays(field.GetCellData(), FIELD_CELL_ARRAYS, field.GetNumberOfCells(), "cells")
     check_arrays(field.GetFieldData(), FIELD_DATA, None, "field data")
@@ -66,13 +66,13 @@ def check_default_field(field, disk_energy=DISK_ENERGY):
 
     cross = vtk_to_numpy(field.GetCellData().GetArray("Cross"))
     cross2 = vtk_to_numpy(field.GetCellData().GetArray("Cross2"))
-    # What follows from the exact field is in single precision.
+    # Arrays that follow from the exact field are in single precision.
     check(abs((cross**2).sum(axis=1) - 1).max() < 1e-6, "Cross is not of length 1")
     check(abs((cross * cross2).sum(axis=1)).max() < 1e-6, "Cross2 is not orthogonal to Cross")
 
 
 def fingerprint(data):
-    """All that a filter could change in its input, as a value that can be compared."""
+    """Returns everything that a filter could change in its input, for comparison."""
     def arrays(attributes):
         found = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
         return [(array.GetName(), array.GetNumberOfComponents(), vtk_to_numpy(array).tobytes())

@@ -1,4 +1,4 @@
-"""What the tests of the Python package share: a square with two singularities, nothing printed, errors of one sentence."""
+"""Base of the tests of the Python package: a square with two singularities, and checks of output and errors."""
 import contextlib
 import functools
 import os
@@ -19,7 +19,7 @@ PAIR = np.array([(1.5, 1.0, 1, 0.1), (0.5, 1.0, -1, 0.1)])
 
 
 def keeping(function):
-    """The function, with what it computes kept for the verifier."""
+    """Returns the function, whose results are also kept for the verifier."""
     @functools.wraps(function)
     def kept_function(*arguments, **options):
         result = function(*arguments, **options)
@@ -33,7 +33,7 @@ crossfield.drill, crossfield.solve = map(keeping, (crossfield.drill, crossfield.
 
 @contextlib.contextmanager
 def silence():
-    """What is written to standard output and error meanwhile, by Python or by VTK, is an error."""
+    """Fails if Python or VTK print something in this context."""
     with tempfile.TemporaryFile() as file:
         kept = [os.dup(descriptor) for descriptor in (1, 2)]
         for descriptor in (1, 2):

@@ -1,4 +1,4 @@
-"""Takes an example out of README.md, and runs it if asked to, so that no example can rot.
+"""Extracts an example from README.md, and optionally runs it, so that no example becomes outdated.
 
     python3 run_readme.py README.md LANGUAGE BUILD_DIRECTORY FILE [-- COMMAND...]
 

@@ -1,8 +1,8 @@
-"""compare_methods.py and draw_fields.py as a user starts them.
+"""Runs compare_methods.py and draw_fields.py as a user does.
 
     python3 test_compare.py SCRIPTS PLUGIN -- COMMAND...
 
-SCRIPTS is the folder pipelines/pvpython; COMMAND is what a script is given to, for example
+SCRIPTS is the folder pipelines/pvpython; COMMAND runs a script, for example
 `xvfb-run -a pvpython`.
 """
 import os
@@ -35,7 +35,7 @@ def written(name):
 
 
 def shares_of(picture):
-    """Shares of the pixels of a picture that are white, black and red, and its size."""
+    """Returns the fractions of white, black and red pixels of a picture, and its size."""
     reader = vtkPNGReader()
     reader.SetFileName(written(picture))
     reader.Update()

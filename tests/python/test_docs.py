@@ -1,18 +1,18 @@
-"""Runs the examples of a page of the documentation, so that none of them can rot.
+"""Runs the examples of a page of the documentation, so that none becomes outdated.
 
     python3 test_docs.py PAGE.md PROGRAM PLUGIN.so -- PVPYTHON...
 
-All blocks of the page run in one temporary folder, from the top down, the way a reader would.
+All blocks of the page run in one temporary folder, from top to bottom, as a reader would run them.
 
 - ```csv NAME: the block is written to the file NAME.
 - ```console: every line that begins with `crossfield` or `build/bin/crossfield`, after an optional
-  `$ `, runs with PROGRAM; a `\` continues a line. Its exit status has to be 0, or that of a comment
-  `# exit status 1` at its end; what stands in double quotes in the comment has to be in its output.
+  `$ `, runs with PROGRAM; a `\` continues a line. Its exit status must be 0, or that of a comment
+  `# exit status 1` at its end; the words in double quotes in the comment must be in its output.
   Other lines are not compared.
 - ```python: runs in pvpython with the plugin loaded and everything of paraview.simple imported.
   An error that a filter reports fails the test, as an exception does.
 
-All links of the page to files have to lead somewhere.
+All links of the page to files must have a target.
 """
 import os
 import re
@@ -33,7 +33,7 @@ PREAMBLE = """\
 from paraview.simple import *
 LoadPlugin(%r, ns=globals())
 """
-# What the example computes is kept for the verifier.
+# Results of the example are kept for the verifier.
 END = """
 import sys
 sys.path.insert(0, %r)
@@ -74,7 +74,7 @@ def run_python(block, directory):
         sys.exit("%s: this example reports an error:\n%s\n%s" % (page, block, output))
 
 
-# The page as a reader sees it: links count outside of code only.
+# Links in code blocks are ignored.
 prose = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
 for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", prose):
     if "://" not in target and not os.path.exists(os.path.join(os.path.dirname(page), target)):

@@ -1,6 +1,6 @@
 """The picture of H: python3 test_draw_h.py DRAW_H.py --plugin PLUGIN -- COMMAND...
 
-COMMAND is what the script is given to, for example `xvfb-run -a pvpython`.
+COMMAND runs the script, for example `xvfb-run -a pvpython`.
 """
 import os
 import subprocess
@@ -29,7 +29,7 @@ with tempfile.TemporaryDirectory() as directory:
               "blue crosses": (((blue > 120) & (red < 90) & (green < 130)).mean(), 0.01)}
     for what, (share, least) in shares.items():
         check(share > least, "the share of %s is %g" % (what, share))
-    # Without a domain there is no H, and the script says so.
+    # Without a domain there is no H, and the script reports it.
     done = subprocess.run([*command, script, *options, "--domain", "disk", "--picture", picture],
                           check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     check(done.returncode != 0, "singularities outside the disk's sum pass")

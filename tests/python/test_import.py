@@ -16,7 +16,7 @@ NO_ERROR = 0
 
 
 class Chain:
-    """Domain and singularities, drilled mesh, field and crosses, with the errors they report."""
+    """Pipeline of domain, singularities, drilled mesh, field and crosses, with the errors that it reports."""
 
     def __init__(self):
         self.errors = []
@@ -32,7 +32,7 @@ class Chain:
 
     def watched(self, algorithm):
         algorithm.AddObserver("ErrorEvent", self.remember)
-        # An error of a filter is followed by one of its executive, which only says that it failed.
+        # After an error of a filter its executive reports that the filter failed.
         algorithm.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
         return algorithm
 
@@ -65,7 +65,7 @@ def test_default_chain():
 
 
 def test_bad_input():
-    """The filter that is to blame, what is wrong, and a word that its sentence must have."""
+    """Returns filters, bad inputs, and a word that each error must contain."""
     cases = (
         ("drill", lambda c: c.singularities.AddSingularity(2, 0, 1, 0.1), "outside"),
         ("drill", lambda c: c.singularities.AddSingularity(0.95, 0, 1, 0.1), "cuts the boundary"),

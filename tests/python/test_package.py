@@ -1,6 +1,6 @@
 """The functions of the Python package: python3 test_package.py PROGRAM
 
-Their numbers are those of the program, and their arrays fit together, in every plane.
+Their numbers equal those of the program, and their arrays agree with each other, in every plane.
 """
 import json
 import os
@@ -30,7 +30,7 @@ def program(*arguments):
 
 
 def check_report(found, expected, what):
-    """Equal as JSON, where true is not 1 as it is in Python."""
+    """Compares as JSON, where true differs from 1, unlike in Python."""
     check_equal(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True), what)
 
 
@@ -87,7 +87,7 @@ def test_arrays():
     gradients = [sum(value * side[:, i] for value, side in zip(values, sides)) for i in (0, 1)]
     energy = sum((abs(gradient) ** 2 / double).sum() for gradient in gradients) / 4
     check(abs(energy / field.report["energy"] - 1) < 1e-12, "the energy of the arrays is %g" % energy)
-    # The boundary, and the lengths of the loops.
+    # Boundary edges and lengths of the loops.
     kinds = set(field.boundary_kind.tolist())
     check_equal(kinds, {1, 3}, "the kinds of edges")
     lengths = np.linalg.norm(np.diff(field.points[field.edges], axis=1)[:, 0], axis=1)
@@ -97,7 +97,7 @@ def test_arrays():
           "drill and solve have different meshes")
     holes = mesh.quarter_index[mesh.boundary_kind == 3]
     check_equal(sorted(set(holes.tolist())), [-1, 1], "the quarter indices of holes")
-    # What the grid has is a choice; what is taken from it follows.
+    # The arrays of the grid are a choice; results without an array are None.
     for arrays, names in (("exact", set()), ("display", {"Cross", "CrossNorm"})):
         other = crossfield.solve(SQUARE, PAIR, method="constrained", arrays=arrays)
         data = other.grid.GetCellData()
@@ -109,7 +109,7 @@ def test_arrays():
         check(other.point_angle is None, arrays + ": angles at points")
     sizes = crossfield.hfield("builtin:disk", [(0, 0, 4)], arrays="exact").size_map
     check(len(sizes) > 0 and sizes.min() > 0, "there is no size map")
-    # The result does not live from the filters, nor they from it.
+    # Results and filters can be destroyed in any order.
     field.points[:] = 0
     check(field.grid.GetBounds()[1] == 2, "points is not a copy")
 
@@ -155,7 +155,7 @@ def test_check_and_corners_are_the_program():
 
 
 def tilt():
-    """A rotation that takes z to a direction closer to z than to x and y, the shortest way."""
+    """Returns the shortest rotation from z to a direction that is closer to z than to x and y."""
     normal = np.array([0.3, -0.4, 0.8]) / np.linalg.norm([0.3, -0.4, 0.8])
     axis = np.cross([0, 0, 1], normal)
     skew = np.array([(0, -axis[2], axis[1]), (axis[2], 0, -axis[0]), (-axis[1], axis[0], 0)])
@@ -163,7 +163,7 @@ def tilt():
 
 
 def test_planes():
-    # Of norm one: the relaxed minimum of this pair is flat, and rounding moves it along.
+    # Unit norm, because the relaxed minimum of this pair is flat and rounding moves the result along it.
     flat = crossfield.solve(SQUARE, PAIR, method="unit-norm")
     loop = np.column_stack([SQUARE, np.zeros(4)])
     places = np.column_stack([PAIR[:, :2], np.zeros(2)])
@@ -176,7 +176,7 @@ def test_planes():
             field = crossfield.solve(loop @ rotation.T, singularities, method="unit-norm")
         change = abs(field.report["energy"] / flat.report["energy"] - 1)
         check(change < 1e-12, "%s: the energy changes by %g" % (name, change))
-        # Numbers of points may differ, so each is looked for.
+        # The order of points may differ, so each point is searched.
         distance = np.linalg.norm(
             field.points[:, None] - (flat.points @ rotation.T)[None], axis=2)
         nearest = distance.argmin(axis=1)
@@ -185,7 +185,7 @@ def test_planes():
         u = field.point_norm * np.exp(4j * field.point_angle)
         v = (flat.point_norm * np.exp(4j * flat.point_angle))[nearest]
         check(abs(u - v).max() < 1e-6, name + ": the field is another")
-        # A branch is one of four; the fourth power of the complex branch is the same.
+        # A branch is one of four, whose complex fourth powers are equal.
         branch = field.point_cross @ rotation
         check(abs(branch[:, 2]).max() < 1e-6, name + ": the crosses leave the plane")
         power = (branch[:, 0] + 1j * branch[:, 1]) ** 4
@@ -205,7 +205,7 @@ def test_a_file_is_replaced_when_the_new_one_is_complete():
     os.chmod(name, 0o640)
     os.symlink("field.vtu", link)
     limit = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limit[1]))  # a disk that is full after so many bytes
+    resource.setrlimit(resource.RLIMIT_FSIZE, (1000, limit[1]))  # simulates a full disk
     try:
         field.write(link)
     except OSError:

@@ -1,7 +1,7 @@
-"""What the functions of the Python package take: python3 test_package_input.py
+"""Inputs of the functions of the Python package: python3 test_package_input.py
 
-Every form of a domain and of singularities gives the same field, files are read, inputs are not touched, and errors and
-warnings are those of Python, of one sentence.
+Every form of a domain and of singularities gives the same field, files are read, inputs are not changed, and errors and
+warnings are Python exceptions and warnings of one sentence.
 """
 import os
 import pathlib
@@ -39,7 +39,7 @@ def test_forms_of_input():
     image.SetSpacing(2, 2, 1)
 
     class Subclass(vtkPolyData):
-        """As those of pyvista."""
+        """Data set of a subclass, as in pyvista."""
 
     subclass = Subclass()
     subclass.ShallowCopy(loop)
@@ -87,7 +87,7 @@ def test_files():
 
 
 def test_gmsh():
-    """A stand-in for meshio, so that this is tested where it is not installed."""
+    """Replacement of meshio, to test without an installation of it."""
     name = os.path.join(FOLDER, "square.msh")
     with open(name, "w", encoding="utf-8") as file:
         file.write("what the stand-in does not read\n")
@@ -133,7 +133,7 @@ def test_gmsh():
         file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n%s$EndNodes\n"
                    "$Elements\n5\n%s$EndElements\n" % (nodes, elements))
     check_equal(crossfield.solve(name, PAIR).report, expected, "a real mesh of Gmsh")
-    exec(command)  # what the messages say
+    exec(command)  # the suggestion of the messages
     check_equal(crossfield.solve(name[:-4] + ".vtu", PAIR).report, expected, "a converted mesh")
 
 

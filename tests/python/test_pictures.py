@@ -1,8 +1,8 @@
-"""Draws the pictures of the documentation again, so that the script that draws them cannot rot.
+"""Draws the pictures of the documentation again, so that the script does not become outdated.
 
     python3 test_pictures.py docs_pictures.py docs/pictures PLUGIN.so -- xvfb-run ... pvpython
 
-Every picture of the folder but the screenshots (tutorial_*.png) has to be drawn, and no others; a
+Every picture of the folder except the screenshots (tutorial_*.png) must be drawn, and no others; a
 picture is larger than an empty one, and not larger than 300 kB.
 """
 import os
@@ -20,6 +20,6 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
                  % (folder, sorted(drawn - kept), sorted(kept - drawn)))
     for name in sorted(drawn):
         size = os.path.getsize(os.path.join(directory, name))
-        # A view that is white but for its title has about 3 kB.
+        # A white view with a title has about 3 kB.
         if not 5000 < size <= 300 * 1024:
             sys.exit("%s has %d bytes." % (name, size))

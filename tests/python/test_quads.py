@@ -1,6 +1,6 @@
 """crossfield.quads: python3 test_quads.py PROGRAM
 
-Its numbers are those of the program, its arrays are a conforming mesh of quads with the asked valences, the
+Its numbers equal those of the program, its arrays are a conforming mesh of quads with the requested valences, the
 blocks are that mesh, and errors are exceptions.
 """
 import contextlib
@@ -104,7 +104,7 @@ class Quads(unittest.TestCase):
 
     @staticmethod
     def channel(width):
-        """A channel of length 3, with the sizes 0.1 at the left and 0.2 at the right."""
+        """Returns a channel of length 3 with size 0.1 at the left and 0.2 at the right."""
         channel = vtkPolyData()
         points, lines = vtkPoints(), vtkCellArray()
         for place in ((0, 0, 0), (3, 0, 0), (3, width, 0), (0, width, 0)):
@@ -124,7 +124,7 @@ class Quads(unittest.TestCase):
         found = crossfield.optimize(channel, [], pairs=1, size_array="Length")
         self.assertEqual(sorted(found.quarter_index.tolist()), [-1, 1])
         self.assertLess(found.report["size_spread_after"], 0.6 * found.report["size_spread_before"])
-        # The quads that follow it come nearer to the sizes than those without it.
+        # Sizes of quads are nearer to the array than without it.
         deviations = []
         for rows in (found, []):
             mesh = crossfield.quads(channel, rows, sizing="field", size_array="Length", count=500)
@@ -158,7 +158,7 @@ class Quads(unittest.TestCase):
         moves = np.linalg.norm(repaired.singularities.points[:, :2] - np.array(rows)[:, :2], axis=1)
         self.assertAlmostEqual(moves.max(), repaired.report["repair"]["distance"], places=12)
         self.assertAlmostEqual(abs(repaired.report["repair"]["defect_before"][0]), 0.6, delta=0.01)
-        # All turn by the least sum of squares of ways r_j δ_j with Σ k_j δ_j = 0.6.
+        # The rotations δ_j minimise the sum of squares of r_j δ_j subject to Σ k_j δ_j = 0.6.
         least = 0.15 * 4 / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2)
         most = least / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2) / 0.55
         self.assertAlmostEqual(repaired.report["repair"]["distance"], most, delta=0.03 * most)
@@ -214,7 +214,7 @@ class Quads(unittest.TestCase):
         self.refused("split it", "builtin:disk", [(0.4, 0, 3), (-0.4, 0, 1)])
 
     def test_examples(self):
-        printed = io.StringIO()  # doctest asks for its encoding, which that of pvpython has not
+        printed = io.StringIO()  # doctest reads its encoding, which standard output of pvpython does not have
         with contextlib.redirect_stdout(printed):
             result = doctest.testmod(_quads, optionflags=doctest.ELLIPSIS)
         self.assertEqual(result.failed, 0, printed.getvalue())

@@ -1,7 +1,7 @@
-"""What ParaView shows after a refusal: pvpython test_refusal.py PLUGIN, on a screen
+"""ParaView after an error: pvpython test_refusal.py PLUGIN, on a screen
 
-Nothing that was computed before stays in the view as if it were the answer; one sentence says what is
-wrong, and no more; and when it is mended, the picture is the one before.
+The view shows no earlier result, the error is one sentence, and after the input is fixed the picture is the same as
+before.
 """
 import os
 import sys
@@ -28,12 +28,12 @@ surface = Show(field, view)
 ColorBy(surface, ("POINTS", "CrossNorm"))
 Show(crosses, view)
 text = Show(OutputPort(poincare_check, 3), view)
-text.Color = [1, 1, 1]  # it is updated, and not seen
+text.Color = [1, 1, 1]  # updated but not visible
 ResetCamera(view)
 
 
 def draw():
-    """The pixels of the view, and the sentences that were said on the way."""
+    """Returns the pixels of the view, and the messages that were printed."""
     said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(said)
     Render(view)
@@ -45,7 +45,7 @@ def draw():
         reader.SetFileName(name)
         reader.Update()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
-    # With the sentence there are two lines for the place in the source.
+    # Two further lines name the line of the source.
     return pixels, [line for line in said.GetOutput().splitlines() if line and "ERROR: In" not in line]
 
 

@@ -1,9 +1,9 @@
-"""The scripts of pipelines/pvpython as a user starts them.
+"""Runs the scripts of pipelines/pvpython as a user does.
 
     python3 test_scripts.py SCRIPT.py [--plugin PLUGIN] -- COMMAND...
 
-COMMAND is what the script is given to, for example `xvfb-run -a pvpython`. With --plugin the script
-also has to draw a picture. Files go to a temporary directory.
+COMMAND runs the script, for example `xvfb-run -a pvpython`. With --plugin the script must also
+draw a picture. Files go to a temporary directory.
 """
 import argparse
 import os
@@ -25,7 +25,7 @@ FOUR = "x,y,quarter_index,radius\n" + "".join(
 
 
 def run(*options):
-    """Runs the script; its exit status, output and error."""
+    """Runs the script; returns its exit status, output and errors."""
     command = arguments.command + [arguments.script] + list(options)
     if arguments.plugin:
         command += ["--plugin", arguments.plugin, "--picture", "field.png"]

@@ -1,7 +1,7 @@
 """crossfield.separatrices: python3 test_separatrices.py
 
-Its faces are rectangles of the map that cover the domain once, its lines end where they say, singularities are
-chosen and moved as for the other functions.
+Its faces are rectangles of the map that cover the domain once, its lines end where `ends_at` indicates, and
+singularities are chosen and moved as for the other functions.
 """
 import sys
 import unittest
@@ -25,12 +25,12 @@ def on_circle(radius, first, quarters):
 class Separatrices(unittest.TestCase):
     def test_faces_cover_the_disk_once(self):
         found = crossfield.separatrices("builtin:disk", FOUR, size=0.05)
-        # A square in the middle and four strips, 9 less the lines that meet head-on.
+        # A square in the middle and four strips: 9 minus the lines that meet head-on.
         self.assertEqual(found.report["faces"], 9 - found.report["head_on"])
         self.assertEqual(found.report["faces"], len(found.faces))
         areas = [area(face) for face in found.faces]
         self.assertGreater(min(areas), 0)
-        boundary = 0.5 * 126 * np.sin(2 * np.pi / 126)  # about that of the polygon
+        boundary = 0.5 * 126 * np.sin(2 * np.pi / 126)  # approximately the area of the polygon
         self.assertAlmostEqual(sum(areas), boundary, delta=1e-3)
         self.assertAlmostEqual(np.prod(found.face_sizes, axis=1).sum(), sum(areas), delta=2e-3)
         self.assertLessEqual(set(found.ends_at.tolist()), {1, 2, 3})
@@ -49,7 +49,7 @@ class Separatrices(unittest.TestCase):
     def test_singularities_are_chosen(self):
         found = crossfield.separatrices("builtin:disk", size=0.1)
         self.assertEqual([row["quarter_index"] for row in found.report["singularities"]], [1] * 4)
-        # Where W is least: 45 degrees apart, 0.8 of the radius is 0.8255 by the exact W.
+        # Minimum of W: 45 degrees apart, 0.8 of the radius is 0.8255 by the exact W.
         radii = [np.hypot(row["x"], row["y"]) for row in found.report["singularities"]]
         np.testing.assert_allclose(radii, np.mean(radii), rtol=1e-3)
         self.assertTrue(found.report["events"])

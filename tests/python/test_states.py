@@ -38,7 +38,7 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
         reader.SetFileName(picture)
         reader.Update()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-        # A table takes its part of the layout and is not drawn.
+        # A table occupies a part of the layout and is not drawn.
         check_equal(reader.GetOutput().GetDimensions()[0], 600, "the width of the picture")
         check((pixels.min(axis=1) > 250).mean() > 0.1, "there is white background")
         check((pixels.max(axis=1) < 60).mean() > 0.001, "there are black crosses")

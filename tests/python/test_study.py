@@ -1,4 +1,4 @@
-"""Parameter studies: the table is the same for any number of ranks, and says why a row has no energy.
+"""Parameter studies: the table is the same for any number of ranks, and gives the reason for rows without energy.
 
     python3 test_study.py SCRIPT.py PROGRAM FOLDER_OF_THE_PACKAGE MPIRUN PVBATCH
 """
@@ -29,7 +29,7 @@ environment = dict(os.environ, PYTHONPATH=package, OMP_NUM_THREADS="1",
 
 
 def run(launcher, *options):
-    # mpirun would take the input of the terminal.
+    # mpirun would read the input of the terminal.
     done = subprocess.run(launcher + [script] + list(options), cwd=directory, env=environment,
                           stdin=subprocess.DEVNULL, text=True,
                           check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=200)

@@ -1,4 +1,4 @@
-"""What the program writes, compressed on all cores by libdeflate, is what VTK alone would write: the same elements and values.
+"""Files of the program, compressed on all cores by libdeflate, have the same elements and values as files of VTK.
 
     python3 test_writer.py PROGRAM
 """
@@ -21,7 +21,7 @@ import verified  # noqa: E402
 
 
 def elements(name):
-    """Tags and attributes without ranges, which readers do not need, and without what describes them."""
+    """Returns tags and attributes without ranges and their description, which readers do not need."""
     root = ElementTree.parse(os.path.join(directory, name)).getroot()
     return [(item.tag, {key: text for key, text in item.attrib.items() if not key.startswith("Range")
                          and (key, item.get("NumberOfTuples")) != ("format", "0")})
@@ -29,7 +29,7 @@ def elements(name):
 
 
 def check_file(name, reader, writer, fewest):
-    """Read by VTK, written by VTK and read without VTK it is the same as read without VTK at once."""
+    """Checks that a file read without VTK equals its copy that VTK has read and written."""
     reader.SetFileName(os.path.join(directory, name))
     reader.Update()
     check_equal(reader.GetErrorCode(), 0, "the error code of the reader")

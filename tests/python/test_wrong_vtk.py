@@ -1,8 +1,8 @@
-"""Importing the package into a Python with another VTK is an ImportError that says so, no crash.
+"""Importing the package into a Python with another VTK is an ImportError with the cause, not a crash.
 
     python3 test_wrong_vtk.py FOLDER_OF_THE_PACKAGE PYTHON...
 
-Takes those of the Pythons that are there; ends with status 77 (skipped) when none is.
+Uses those of the Pythons that exist; ends with status 77 (skipped) if there is none.
 """
 import os
 import re
