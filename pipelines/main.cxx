@@ -1,6 +1,6 @@
 /**
  * crossfield: all-quad meshes and cross fields of planar parts, with chosen irregular nodes. Each
- * subcommand has a file of its own, NAMECommand.cxx.
+ * subcommand has a file of its own.
  *
  *   crossfield quads builtin:disk -o quads.vtu
  *
