@@ -26,11 +26,11 @@ std::string Remedy(const SeamlessMap& map)
   {
     return "inner loop " + std::to_string(worst + 1) + " has a holonomy defect of " +
       std::to_string(0.25 * map.holonomyDefect[worst]) +
-      " radians of the cross, repair the holonomy (RepairHolonomy, --repair-holonomy): it moves the "
-      "singularities.";
+      " radians of the cross, repair the holonomy (RepairHolonomy, --repair-holonomy): it moves "
+      "the singularities.";
   }
-  return "use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities away from each other and "
-         "from the boundary.";
+  return "use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "
+         "away from each other and from the boundary.";
 }
 }
 

@@ -62,8 +62,8 @@ std::vector<Cone> FindCones(
     if (vertex < 0)
     {
       throw Error("The singularity at " + where +
-        " is at no vertex of the mesh; give the domain instead of the mesh, or a mesh with a vertex "
-        "there.");
+        " is at no vertex of the mesh; give the domain instead of the mesh, or a mesh with a "
+        "vertex there.");
     }
     cones.push_back({ vertex, singularity.quarterIndex, false, static_cast<int>(placed.rows[i]) });
   }

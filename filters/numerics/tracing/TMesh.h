@@ -7,9 +7,9 @@ namespace crossfield
 enum class NodeKind
 {
   Singularity,
-  Corner,     ///< Corner of the boundary with a nonzero quarter index.
-  OnBoundary, ///< End of a separatrix on the boundary, or start of an extra one.
-  OnLine      ///< End of a separatrix on another one.
+  Corner,      ///< Corner of the boundary with a nonzero quarter index.
+  OnBoundary,  ///< End of a separatrix on the boundary, or start of an extra one.
+  OnSeparatrix ///< End of a separatrix on another one.
 };
 
 struct TNode

@@ -126,7 +126,8 @@ void TMeshStops::AddEnd(std::size_t i)
   }
   else if (line.end == LineEnd::Line)
   {
-    end.node = this->AddNode({ NodeKind::OnLine, -1, 4, this->Walk.PlaneAt(last, line.length) });
+    end.node =
+      this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaneAt(last, line.length) });
     end.backward = (line.endDirection + 2 - line.otherDirection + 4) % 4;
     this->OnLines[i].push_back(end);
     this->OnLines[Index(line.other)].push_back({ line.otherLength, end.node, 0, 2, end.backward });

@@ -8,7 +8,7 @@
 
 namespace crossfield::test
 {
-/// χ of the mesh that is cut open: a disk has 1.
+/// Checks that the cut mesh has the Euler characteristic 1 of a disk.
 TEST(CutGraph, LeavesADiskWithSingularitiesOnItsBoundary)
 {
   for (const char* name : { "disk", "ring" })
@@ -22,7 +22,7 @@ TEST(CutGraph, LeavesADiskWithSingularitiesOnItsBoundary)
     {
       const auto& points = topology->mesh.points;
       const auto found = std::find(points.begin(), points.end(), singularity.position);
-      ASSERT_NE(found, points.end()); // exactly, as it was given
+      ASSERT_NE(found, points.end()); // exactly at the given position
       singular.push_back(static_cast<int>(found - points.begin()));
     }
     const CutGraph cut = CutOpen(*topology, singular);

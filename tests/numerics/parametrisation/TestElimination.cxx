@@ -11,14 +11,14 @@ TEST(Elimination, SolvesTheEquationsExactly)
   Elimination system({ 0, 0, 0, 0, 0 });
   system.Impose({ { 0, 1.0 }, { 1, -1.0 }, { 2, 1.0 } });
   system.Impose({ { 1, 1.0 }, { 3, 1.0 } });
-  system.Impose({ { 0, 1.0 }, { 2, 1.0 }, { 3, 1.0 } }); // follows from both
+  system.Impose({ { 0, 1.0 }, { 2, 1.0 }, { 3, 1.0 } }); // follows from the first two
   const Eigen::MatrixXd all = Eigen::MatrixXd(system.Prolongation());
   ASSERT_EQ(all.cols(), 3);
   EXPECT_EQ((all.row(0) - all.row(1) + all.row(2)).norm(), 0.0);
   EXPECT_EQ((all.row(1) + all.row(3)).norm(), 0.0);
 }
 
-TEST(Elimination, RandomSystemsOfSignsKeepTheirRank)
+TEST(Elimination, KeepsTheRankOfRandomSystems)
 {
   Random random(5);
   for (int round = 0; round < 50; ++round)
@@ -28,7 +28,7 @@ TEST(Elimination, RandomSystemsOfSignsKeepTheirRank)
     Eigen::MatrixXd imposed = Eigen::MatrixXd::Zero(6, Unknowns);
     for (int e = 0; e < 6; ++e)
     {
-      // Differences of two, as sides and seams make them.
+      // Sums and differences of two unknowns, as for sides and seams.
       const int a = random.Integer(0, Unknowns - 1);
       const int b = (a + random.Integer(1, Unknowns - 1)) % Unknowns;
       imposed(e, a) = 1.0;
@@ -41,7 +41,7 @@ TEST(Elimination, RandomSystemsOfSignsKeepTheirRank)
   }
 }
 
-TEST(Elimination, RefusesWhatHasNoPivot)
+TEST(Elimination, RefusesEquationsWithoutPivot)
 {
   Elimination system({ 0, 0 });
   EXPECT_TRUE(Refuses(

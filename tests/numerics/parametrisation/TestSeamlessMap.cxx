@@ -20,7 +20,8 @@ SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration
 
 const Configuration Four = OnCircle(4, 0.6, Pi / 4.0, 1, 0.0);
 
-/// Largest deviation of a seam or side from what it should be, relative to the extent.
+/// Returns the largest deviation from the equations of seams and boundary sides, relative to the
+/// extent.
 double SeamDefect(const SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;
@@ -80,10 +81,10 @@ TEST(SeamlessMap, ClosesAtSeamsAndSides)
   EXPECT_NEAR(area, MeshArea(map.topology->mesh), 1e-10);
 }
 
-TEST(SeamlessMap, OfTheSquareIsTheSquare)
+TEST(SeamlessMap, IsAnIsometryOnTheSquare)
 {
   const SeamlessMap map = MapOf(Builtin("square"), {}, 0.2);
-  EXPECT_LT(map.residual, 1e-7); // the root of a difference of numbers of size 1
+  EXPECT_LT(map.residual, 1e-7); // the root of a difference between numbers of order 1
   const Point first = map.points.front();
   const Point place = map.topology->PointAt(map.original.front());
   for (std::size_t p = 0; p < map.points.size(); ++p)
@@ -93,7 +94,7 @@ TEST(SeamlessMap, OfTheSquareIsTheSquare)
   }
 }
 
-TEST(SeamlessMap, BecomesConformal)
+TEST(SeamlessMap, ConvergesToAConformalMap)
 {
   std::vector<double> sizes;
   std::vector<double> residuals;
@@ -102,11 +103,12 @@ TEST(SeamlessMap, BecomesConformal)
     sizes.push_back(size);
     residuals.push_back(MapOf(Builtin("disk", size), Four, size).residual);
   }
-  // h √log(R / 6h): on meshes as coarse as these the logarithm still costs a third of the first order (docs/method.md §12.3).
+  // h √log(R / 6h): on meshes as coarse as these the logarithm reduces the order by a third
+  // (docs/method.md §12.3).
   EXPECT_GT(ConvergenceRate(sizes, residuals), 0.5);
 }
 
-TEST(SeamlessMap, CoarseMeshesAreInjective)
+TEST(SeamlessMap, IsInjectiveOnCoarseMeshes)
 {
   for (const double size : { 0.5, 0.3, 0.2 })
   {
@@ -114,7 +116,7 @@ TEST(SeamlessMap, CoarseMeshesAreInjective)
   }
 }
 
-TEST(SeamlessMap, TakesNodesOfValenceTwoAndMany)
+TEST(SeamlessMap, AcceptsIndicesTwoAndMinusThree)
 {
   const SeamlessMap two =
     MapOf(Builtin("disk", 0.05), { { { 0.5, 0.1 }, 2 }, { { -0.5, -0.1 }, 2 } }, 0.05);
@@ -124,9 +126,9 @@ TEST(SeamlessMap, TakesNodesOfValenceTwoAndMany)
   EXPECT_LT(SeamDefect(MapOf(Builtin("disk", 0.05), many, 0.05)), 1e-12);
 }
 
-/// Positive singularities on the left and negative ones on the right: sizes grow by more than 1e7 from one
-/// side to the other, and the weights span more than doubles have digits.
-TEST(SeamlessMap, OfSizesThatSpanManyOrdersOfMagnitude)
+/// Positive singularities on the left and negative ones on the right: sizes grow by more than 1e7
+/// from one side to the other, and the range of the weights exceeds the precision of doubles.
+TEST(SeamlessMap, IsInjectiveForSizesOverSevenOrdersOfMagnitude)
 {
   Configuration configuration = { { { -0.9, 0.0 }, 1 }, { { -0.7, 0.6 }, 1 }, { { -0.7, -0.6 }, 1 },
     { { -0.2, 0.9 }, 1 } };
@@ -157,9 +159,10 @@ TEST(SeamlessMap, OfSizesThatSpanManyOrdersOfMagnitude)
   EXPECT_LT(SeamDefect(map), 1e-12);
 }
 
-TEST(SeamlessMap, WithSmallHolonomyDefectIsInjective)
+TEST(SeamlessMap, IsInjectiveWithSmallHolonomyDefects)
 {
-  // The defect of a ring is Σ k_j arg b_j (docs/method.md §7.3), up to 0.1 radians of the cross here.
+  // The defect of a ring is Σ k_j arg b_j (docs/method.md §7.3), up to 0.1 radians of the cross
+  // here.
   const PlanarDomain ring = Builtin("ring", 0.05);
   for (const double turn : { 0.02, 0.05, 0.1 })
   {
@@ -174,7 +177,7 @@ TEST(SeamlessMap, WithSmallHolonomyDefectIsInjective)
   }
 }
 
-TEST(SeamlessMap, RefusesWhatHasNoMap)
+TEST(SeamlessMap, RefusesConfigurationsWithoutMap)
 {
   const PlanarDomain disk = Builtin("disk", 0.1);
   EXPECT_TRUE(Refuses(
@@ -192,11 +195,12 @@ TEST(SeamlessMap, RefusesWhatHasNoMap)
       MapOf(disk, Join(OnCircle(3, 0.6, 0.3, 1, 0.0), { { { 1.3, 0.2 }, 1 } }), 0.1);
     },
     { "outside the domain" }));
-  // A mesh without a vertex there.
+  // A mesh without vertices at the singularities.
   const TriangleMesh mesh = MeshForPoints(disk, {}, 0.3);
-  EXPECT_TRUE(Refuses([&] { SolveSeamlessMap(ShareTopology(mesh), OnCircle(4, 0.511, 0.3, 1, 0.0)); },
-    { "at no vertex", "give the domain" }));
-  // A corner of 20° makes the smallest rotation with index 2.
+  EXPECT_TRUE(
+    Refuses([&] { SolveSeamlessMap(ShareTopology(mesh), OnCircle(4, 0.511, 0.3, 1, 0.0)); },
+      { "at no vertex", "give the domain" }));
+  // The smallest rotation at a corner of 20° has index 2.
   const double height = std::tan(10.0 / 180.0 * Pi);
   const PlanarDomain wedge =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, -height }, { 1.0, height } } });

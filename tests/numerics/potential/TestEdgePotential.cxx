@@ -24,8 +24,7 @@ SharedTopology WithIslands(double size)
   return ShareTopology(DrillHoles(domain, {}, options));
 }
 
-/// Fluxes through boundary edges, those through the loops different from zero, which add up to
-/// zero.
+/// Returns fluxes through boundary edges that add up to zero; those through each loop do not.
 Eigen::VectorXd FluxesOn(const MeshTopology& topology)
 {
   Eigen::VectorXd fluxes(static_cast<Eigen::Index>(topology.mesh.boundary.size()));
@@ -37,7 +36,7 @@ Eigen::VectorXd FluxesOn(const MeshTopology& topology)
   return fluxes;
 }
 
-TEST(EdgePotential, IsTheSolutionOfCrouzeixAndRaviart)
+TEST(EdgePotential, AgreesWithTheCrouzeixRaviartSolution)
 {
   const SharedTopology topology = WithIslands(0.07);
   const PotentialSolver solver(topology);
@@ -61,7 +60,7 @@ TEST(EdgePotential, IsTheSolutionOfCrouzeixAndRaviart)
   }
 }
 
-TEST(EdgePotential, IsSymmetricAndOfMoreEnergyThanThatOfVertices)
+TEST(EdgePotential, IsSymmetricAndHasMoreEnergyThanThePotentialAtVertices)
 {
   const SharedTopology topology = WithIslands(0.1);
   const PotentialSolver solver(topology);

@@ -56,7 +56,7 @@ PlanarDomain WithIslands()
     RegularPolygon(9, 0.15, Point(-0.4, 0.1)) });
 }
 
-/// Random sources with sum zero over the vertices, and random periods.
+/// Returns random sources with sum zero over the vertices, and random sources at periods.
 Eigen::VectorXd RandomSources(Random& random, const Prepared& prepared)
 {
   Eigen::VectorXd sources =
@@ -84,7 +84,7 @@ TEST(PotentialSolver, SolvesTheLaplacianForAnySourcesOfSumZero)
   }
 }
 
-TEST(PotentialSolver, EnergyOfTheSolutionIsHalfItsWork)
+TEST(PotentialSolver, EnergyOfTheSolutionIsHalfTheWorkOfTheSources)
 {
   // ½ ∫ |∇Ψ + Σ q_k ∇η_k|² is the quadratic form of the matrix, and so ½ bᵀ x where A x = b.
   Random random(111);
@@ -99,7 +99,7 @@ TEST(PotentialSolver, EnergyOfTheSolutionIsHalfItsWork)
   }
 }
 
-TEST(PotentialSolver, ApplyGivesBackTheSources)
+TEST(PotentialSolver, ApplyReturnsTheSourcesOfASolution)
 {
   Random random(113);
   const Prepared prepared(WithIslands());
@@ -160,7 +160,7 @@ TEST(PotentialSolver, GradientOfALinearPotentialIsItsSlope)
   }
 }
 
-TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
+TEST(PotentialSolver, ConjugateHasTheJumpsPrescribedBySources)
 {
   // docs/method.md §2: sources at the vertices of boundary loops and periods, none inside and none
   // in sum around any loop, give a single-valued φ; its differences are the right-hand side.
@@ -218,9 +218,9 @@ TEST(PotentialSolver, TheConjugateHasTheJumpsThatTheSourcesPrescribe)
   EXPECT_LE(residual.lpNorm<Eigen::Infinity>(), 1e-10);
 }
 
-TEST(PotentialSolver, PeriodFactorBelongsToTheSchurComplement)
+TEST(PotentialSolver, PeriodFactorIsThatOfTheSchurComplement)
 {
-  // Unit sources at the periods: the inverse of the Schur complement is what they do there.
+  // The solutions at the periods for unit sources there are the inverse of the Schur complement.
   const Prepared prepared(WithIslands());
   for (const auto periods : { Islands, Everywhere })
   {
@@ -311,7 +311,7 @@ TEST(HoleResponse, AgreesWithSolutionsForSourcesOnHolesAndAtPeriods)
   }
 }
 
-/// Everything that a solver computes for one right-hand side, its lazy parts included.
+/// Returns all that a solver computes for one right-hand side, its lazy parts included.
 std::vector<Eigen::MatrixXd> AnswersOf(
   const PotentialSolver& solver, const Eigen::VectorXd& sources)
 {
@@ -355,7 +355,7 @@ TEST(PotentialSolver, AnswersTwoThreadsAtOnceAsOne)
       sources.push_back(RandomSources(random, prepared));
       expected.push_back(AnswersOf(prepared.solver, sources.back()));
     }
-    // A solver none of whose lazy parts exists yet.
+    // None of the lazy parts of this solver exists yet.
     const PotentialSolver shared(prepared.solver.ShareTopology());
     std::array<std::vector<std::vector<Eigen::MatrixXd>>, 2> answers;
     std::atomic<int> ready = 0;

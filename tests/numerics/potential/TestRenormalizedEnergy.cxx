@@ -37,7 +37,7 @@ PlanarDomain TwoIslands(double edgeLength)
     { { -0.5, -0.1 }, { -0.3, -0.1 }, { -0.3, 0.15 }, { -0.5, 0.15 } } });
 }
 
-TEST(RenormalizedEnergy, ExactValuesOnTheDisk)
+TEST(RenormalizedEnergy, ConvergesToExactValuesOnTheDisk)
 {
   const double optimum = std::pow(3.0 / 11.0, 0.125);
   EXPECT_NEAR(ExactEnergyOnDisk(OnCircle(4, 0.6, 0.3, 1, 0.0)), 2.0498, 1e-4);
@@ -72,7 +72,7 @@ const std::vector<Configuration> WithBoundary = { { OnTheCircle(0.3, 1), { { 0.1
   { OnTheCircle(0.3, 1), OnTheCircle(2.2, 1), OnTheCircle(3.6, 1), OnTheCircle(5.3, 1) },
   { OnTheCircle(0.3, 4) }, { OnTheCircle(0.3, -2), { { 0.1, -0.2 }, 6, 0.0 } } };
 
-/// W and the logarithm's coefficient on a polygon of a disk.
+/// Evaluates W and the coefficient of the logarithm on a polygon of a disk.
 RenormalizedEnergyValue OnPolygon(const OnPolygonOfDisk& at, double size)
 {
   const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
@@ -84,7 +84,7 @@ RenormalizedEnergyValue OnPolygon(const OnPolygonOfDisk& at, double size)
     placed.interior);
 }
 
-TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
+TEST(RenormalizedEnergy, ConvergesAtSecondOrderForSingularitiesOnTheBoundary)
 {
   for (std::size_t c = 0; c < WithBoundary.size(); ++c)
   {
@@ -122,7 +122,7 @@ TEST(RenormalizedEnergy, OfSingularitiesOnACircleIsExactToSecondOrder)
   }
 }
 
-TEST(RenormalizedEnergy, OnRingsItIsThatOfThetaFunctions)
+TEST(RenormalizedEnergy, AgreesWithThetaFunctionsOnRings)
 {
   const ExactRing ring;
   EXPECT_NEAR(ring.Energy({}), 16.0 * Pi * std::log(1.0 / ring.inner), 1e-12);
@@ -135,7 +135,7 @@ TEST(RenormalizedEnergy, OnRingsItIsThatOfThetaFunctions)
   std::vector<double> errors(sizes.size(), 0.0);
   for (std::size_t c = 0; c < cases.size(); ++c)
   {
-    double squares = 4.0; // for what the circles cost without any
+    double squares = 4.0; // for the energy of the circles alone
     for (const Singularity& singularity : cases[c])
     {
       squares += singularity.quarterIndex * singularity.quarterIndex;
@@ -208,7 +208,7 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
   }
 }
 
-TEST(RenormalizedEnergy, OfADefectIsTheMiddleOfItsBounds)
+TEST(RenormalizedEnergy, EnergyOfADefectIsBetterThanItsLowerBound)
 {
   // ½ δ² 2π / log(1 / a) in a ring of the inner radius a, which long triangles around a small
   // polygon miss by P1 alone.
@@ -227,15 +227,15 @@ TEST(RenormalizedEnergy, OfADefectIsTheMiddleOfItsBounds)
   const double radius = inner * 2.0 * std::sin(Pi * part) * std::tgamma(part) /
     (std::pow(2.0, 1.0 + 2.0 * part) * std::sqrt(Pi) * std::tgamma(0.5 + part));
   const double exact = Pi * offset * offset / std::log(1.0 / radius);
-  const double ofBoth = value.energy - value.singleValuedEnergy;
+  const double ofMean = value.energy - value.singleValuedEnergy;
   const double ofVertices = 0.5 * offset * solution.periods[0];
   EXPECT_LT(ofVertices, 0.995 * exact);
-  EXPECT_LT(std::abs(ofBoth - exact), 0.2 * (exact - ofVertices));
+  EXPECT_LT(std::abs(ofMean - exact), 0.2 * (exact - ofVertices));
 }
 
 TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
 {
-  // On the disk, and on a ring with a holonomy defect, whose harmonic field belongs to both.
+  // The disk, and a ring with a holonomy defect, whose harmonic field is part of both energies.
   struct Case
   {
     PlanarDomain domain;
@@ -267,11 +267,11 @@ TEST(RenormalizedEnergy, IsTheLimitOfTheEnergyWithHoles)
         std::abs(energy - value.logarithmCoefficient * std::log(1.0 / radius) - value.energy));
     }
     EXPECT_LT(differences[1], 0.5 * differences[0]);
-    EXPECT_LT(differences[2], 0.15); // of about 50
+    EXPECT_LT(differences[2], 0.15); // energies are about 50
   }
 }
 
-TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
+TEST(RenormalizedEnergy, CornerEnergyGrowsWithItsCoefficient)
 {
   // A wedge of angle α carrying k: the energy ½ ∫ |∇φ|² of the discrete field grows by
   // 16 e(α, k) log 2 when the triangles at the corner are halved.
@@ -308,7 +308,7 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
       double coefficient = 16.0 * CornerEnergy(angle, index);
       const double turn = angle / steps;
       coefficient += (steps - 1) * 16.0 * CornerEnergy(Pi - turn, 0);
-      // At the ends of the arc the angle is not quite right.
+      // The angle at the ends of the arc differs from a right angle.
       coefficient += 2.0 * 16.0 * CornerEnergy(0.5 * (Pi - turn), 1);
       const double slope = (energies[3] - energies[2]) / std::log(2.0);
       EXPECT_NEAR(slope, coefficient, 0.02 * coefficient + 0.06);
@@ -316,7 +316,7 @@ TEST(RenormalizedEnergy, CornersCostWhatTheirCoefficientSays)
   }
 }
 
-TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
+TEST(RenormalizedEnergy, OnlyCornersWithAJumpHaveALogarithm)
 {
   const auto corners =
     [](const PlanarDomain& domain, const std::vector<CornerChoice>& choices, int quarters)
@@ -330,14 +330,14 @@ TEST(RenormalizedEnergy, CornersThatTurnHaveALogarithm)
   EXPECT_NEAR(chosen[0].angle, 1.5 * Pi, 1e-12);
   EXPECT_NEAR(0.5 * chosen[0].angle * chosen[0].strength * chosen[0].strength,
     16.0 * CornerEnergy(1.5 * Pi, 0), 1e-12);
-  // Between a straight side and a curve: the jump of the polygon is the curve's.
+  // Between a straight side and a curve the jump of the polygon is that of the curve.
   for (const LogSource& corner : corners(Builtin("quarter-disk", 0.05), {}, 1))
   {
     EXPECT_LT(std::abs(corner.strength), 1e-12);
   }
 }
 
-TEST(RenormalizedEnergy, AQuarterDiskThatIsAllCornerHasNothingElse)
+TEST(RenormalizedEnergy, VanishesOnAQuarterDiskWithIndexTwoAtItsCentre)
 {
   // The centre carries 2: Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4, zero on the arc; inside of
   // it, on its chords, Φ is below zero by O(h²).
@@ -351,7 +351,7 @@ TEST(RenormalizedEnergy, AQuarterDiskThatIsAllCornerHasNothingElse)
   }
 }
 
-TEST(RenormalizedEnergy, HolesCostPiTimesTheSquareOfTheIndex)
+TEST(RenormalizedEnergy, EnergyOfHolesGrowsWithPiTimesTheSquareOfTheIndex)
 {
   for (const int index : { -2, -1, 1, 2, 3 })
   {

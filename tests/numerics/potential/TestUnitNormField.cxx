@@ -23,7 +23,7 @@ Configuration Joined(Configuration first, const Configuration& second)
   return first;
 }
 
-/// A ring with a pair that nothing keeps from having a holonomy defect.
+/// Two singularities on a ring that leave a holonomy defect.
 Configuration PairOnRing()
 {
   return { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } };
@@ -58,14 +58,14 @@ TEST(UnitNormField, IsUnitAlignedAndHasItsDegrees)
         EXPECT_EQ(ReadHole(loop, problem.Topology().edges, field.u).degree, loop.quarterIndex);
       }
     }
-    // And nothing else is singular.
+    // No triangle is singular.
     const FieldIndices indices = ReadIndices(MeshTopology(mesh), field.u);
     EXPECT_EQ(std::count(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0),
       static_cast<std::ptrdiff_t>(mesh.triangles.size()));
   }
 }
 
-TEST(UnitNormField, EnergiesOfTheReferenceConfigurations)
+TEST(UnitNormField, HasTheEnergiesOfReferenceConfigurations)
 {
   // docs/method.md §9, from the independent prototype.
   const auto expectEnergy = [](const Configuration& holes, double energy)
@@ -81,7 +81,7 @@ TEST(UnitNormField, EnergiesOfTheReferenceConfigurations)
   expectEnergy(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.01), 59.77);
 }
 
-TEST(UnitNormField, CentralHoleConvergesAtSecondOrderToTheLogarithm)
+TEST(UnitNormField, ConvergesAtSecondOrderToTheLogarithmOfACentralHole)
 {
   // docs/method.md §5: π d² log(1/ρ), and u = z⁴ / |z|⁴.
   constexpr double Radius = 0.3;
@@ -112,7 +112,7 @@ TEST(UnitNormField, CentralHoleConvergesAtSecondOrderToTheLogarithm)
   EXPECT_GE(ConvergenceRate(sizes, valueErrors), 1.7);
 }
 
-TEST(UnitNormField, RingWithoutHolesIsTheRadialField)
+TEST(UnitNormField, IsTheRadialFieldOnARing)
 {
   const TriangleMesh mesh = Drill(Builtin("ring", 0.02), {}, 0.02);
   const PotentialProblem problem = ProblemOn(mesh);
@@ -123,7 +123,7 @@ TEST(UnitNormField, RingWithoutHolesIsTheRadialField)
   EXPECT_NEAR(field.holonomyDefect[0], 0.0, 1e-6);
 }
 
-TEST(UnitNormField, TurningScalingAndRenumberingChangeNothing)
+TEST(UnitNormField, IsInvariantUnderSimilaritiesAndRenumbering)
 {
   Random random(120);
   const TriangleMesh mesh = Drill(Builtin("ring", 0.08), PairOnRing(), 0.08);
@@ -141,7 +141,7 @@ TEST(UnitNormField, TurningScalingAndRenumberingChangeNothing)
   }
 }
 
-TEST(UnitNormField, AMirrorReversesTheHolonomyDefect)
+TEST(UnitNormField, MirroringNegatesTheHolonomyDefect)
 {
   const TriangleMesh mesh = Drill(Builtin("ring", 0.08), PairOnRing(), 0.08);
   TriangleMesh mirrored = mesh;

@@ -57,7 +57,7 @@ void ExpectSound(const TMesh& mesh, int euler)
     }
     domain += SignedArea(loop);
   }
-  // The map has the area of the domain, and the faces are all of both.
+  // The map has the area of the domain, and the patches fill it.
   EXPECT_NEAR(area, domain, 1e-9 * domain);
 }
 

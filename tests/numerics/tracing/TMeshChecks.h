@@ -7,17 +7,18 @@
 
 namespace crossfield::test
 {
-/// The T-mesh of a domain, meshed with a vertex on every singularity.
+/// Returns the T-mesh of a domain, meshed with a vertex at every singularity.
 TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize,
   const SeamlessMapOptions& options = {});
 
-/// That on a mesh.
+/// Returns the T-mesh on a mesh.
 TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration);
 
-/// Area of all faces.
+/// Returns the area of all patches in the map.
 double MapArea(const TMesh& mesh);
 
-/// The counts of docs/method.md §13.3; opposite sides are equal; the faces fill the map and the domain.
+/// Checks the counts of docs/method.md §13.3, that opposite sides have equal lengths, and that the
+/// patches fill the map and the domain.
 void ExpectSound(const TMesh& mesh, int euler);
 
 inline int Count(std::size_t size)

@@ -37,7 +37,7 @@ std::vector<Case> ReferenceCases()
   };
 }
 
-TEST(TMesh, OfTheReferenceCases)
+TEST(TMesh, HasTheCountsOfReferenceCases)
 {
   for (const Case& reference : ReferenceCases())
   {
@@ -49,9 +49,9 @@ TEST(TMesh, OfTheReferenceCases)
   }
 }
 
-/// The paper's domains and one of its configurations, with singularities where W is least: rounded, so
-/// that nothing is symmetric.
-TEST(TMesh, OfThePapersDomains)
+/// The paper's domains and one of its configurations, with singularities at the minimum of W,
+/// rounded so that none is exactly symmetric.
+TEST(TMesh, HasTheCountsOfThePapersDomains)
 {
   BuiltinDomain ellipse;
   ellipse.name = "ellipse";
@@ -74,7 +74,7 @@ TEST(TMesh, OfThePapersDomains)
       { { { 0.15, 0.2 }, 1 }, { { 0.9, 0.15 }, 1 }, { { 0.7, 0.38 }, 1 }, { { 0.2, 0.8 }, 1 },
         { { 0.55, 0.15 }, -1 }, { { 0.2, 0.55 }, -1 }, { { 0.4, 0.36 }, -1 },
         { { 0.85, 0.5 }, -1 } },
-      25, 69 }, // the last one is on the boundary
+      25, 69 }, // the last singularity is on the boundary
   };
   for (const Case& paper : cases)
   {
@@ -106,8 +106,8 @@ TEST(TMesh, RingHasSidesInTheRatioOfLogarithms)
   EXPECT_NEAR(std::max(a, b) / std::min(a, b), 2.0 * Pi / std::log(2.5), 2e-3);
 }
 
-/// docs/method.md §13.4: the exact square s × s and its four strips s × t.
-TEST(TMesh, OfTheDiskConvergesAtSecondOrder)
+/// Compares with the exact T-mesh of docs/method.md §13.4: a square s × s and four strips s × t.
+TEST(TMesh, ConvergesAtSecondOrderOnTheDisk)
 {
   for (const auto& [radius, s, t] : { std::array<double, 3>{ 0.85, 1.358896, 0.238244 },
          std::array<double, 3>{ 0.6, 1.094482, 0.443977 } })
@@ -132,7 +132,7 @@ TEST(TMesh, OfTheDiskConvergesAtSecondOrder)
   }
 }
 
-/// A mesh and its mirror image across x = 0 (y = 0), joined there.
+/// Joins a mesh with its mirror image across x = 0 (y = 0).
 TriangleMesh JoinMirrored(const TriangleMesh& half, Eigen::Index axis)
 {
   TriangleMesh mesh = half;
@@ -171,7 +171,7 @@ TriangleMesh JoinMirrored(const TriangleMesh& half, Eigen::Index axis)
   return mesh;
 }
 
-TEST(TMesh, OfAnExactlySymmetricMeshHasLinesThatMeetHeadOn)
+TEST(TMesh, SeparatricesMeetHeadOnOnAnExactlySymmetricMesh)
 {
   Loop quarter;
   for (int i = 0; i <= 20; ++i)
@@ -210,7 +210,7 @@ TEST(TMesh, OfAnExactlySymmetricMeshHasLinesThatMeetHeadOn)
   }
 }
 
-/// Two reflex corners that face each other, and a third line through the middle between them.
+/// Two reflex corners that face each other, and a third separatrix through the middle between them.
 PlanarDomain Junction(double depth, const std::array<double, 3>& shift)
 {
   return MakePlanarDomain(
@@ -218,10 +218,10 @@ PlanarDomain Junction(double depth, const std::array<double, 3>& shift)
       { 2.0, shift[1] }, { 2.0, depth }, { shift[2], depth }, { shift[2], 1.5 }, { -2.0, 1.5 } } });
 }
 
-TEST(TMesh, OfCornersThatFaceEachOther)
+TEST(TMesh, SeparatricesOfFacingCornersMeetHeadOn)
 {
   const TMesh early = LinesOf(Junction(0.3, { 0.0, 0.0, 0.0 }), {}, 0.15);
-  EXPECT_EQ(early.headOn, 0); // the third line comes first
+  EXPECT_EQ(early.headOn, 0); // the third separatrix arrives first
   ExpectSound(early, 1);
   const TMesh late = LinesOf(Junction(0.8, { 0.0, 0.0, 0.0 }), {}, 0.15);
   EXPECT_EQ(late.headOn, 1);

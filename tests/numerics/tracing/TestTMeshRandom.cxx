@@ -13,7 +13,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// Singularities at random places of a random smooth domain, of sum 4.
+/// Singularities at random positions in a random smooth domain, with sum 4.
 struct RandomCase
 {
   PlanarDomain domain;
@@ -53,7 +53,8 @@ std::vector<double> ArcLengths(const TMesh& mesh, double scale)
   return lengths;
 }
 
-/// What depends neither on numbering nor on mirroring: of every face how many arcs its sides have.
+/// Returns an invariant under renumbering and mirroring: the numbers of arcs on the sides of every
+/// patch.
 std::vector<std::array<std::size_t, 4>> Signature(const TMesh& mesh)
 {
   std::vector<std::array<std::size_t, 4>> signature;
@@ -80,7 +81,7 @@ std::vector<std::array<std::size_t, 4>> Signature(const TMesh& mesh)
   return signature;
 }
 
-/// 200 of them, in portions that ctest can run side by side.
+/// 200 cases, in portions that ctest can run in parallel.
 class RandomTMesh : public testing::TestWithParam<int>
 {
 };
@@ -101,7 +102,7 @@ TEST_P(RandomTMesh, IsSound)
 
 INSTANTIATE_TEST_SUITE_P(TwoHundred, RandomTMesh, testing::Range(0, 8));
 
-TEST(TMesh, IsTheSameOfAMovedScaledAndMirroredMesh)
+TEST(TMesh, IsInvariantUnderSimilaritiesMirroringAndRenumbering)
 {
   for (int number = 0; number < 6; ++number)
   {
@@ -147,7 +148,8 @@ TEST(TMesh, IsTheSameOfAMovedScaledAndMirroredMesh)
   }
 }
 
-/// The cases whose T-mesh is another one on three meshes, each a near miss below what these resolve.
+/// The cases whose T-mesh differs between three meshes: each has a near miss that these do not
+/// resolve.
 int CountOfDifferent(int cases)
 {
   int different = 0;
@@ -178,7 +180,7 @@ int CountOfDifferent(int cases)
 
 TEST(TMesh, DoesNotDependOnTheMesh)
 {
-  // All 200 by hand.
+  // For checking all 200 by hand.
   const char* given = std::getenv("CROSSFIELD_TMESH_CASES");
   const int cases = given != nullptr ? std::atoi(given) : 10;
   EXPECT_LE(CountOfDifferent(cases), cases / 100);
@@ -186,7 +188,8 @@ TEST(TMesh, DoesNotDependOnTheMesh)
 
 TEST(TMesh, IsAccurateWhereSizesDifferByOrdersOfMagnitude)
 {
-  // One solve of the map is off by 3e-6 here; another numbering and position of the mesh are other roundings.
+  // A single solve of the map has an error of 3e-6 here; renumbering and moving the mesh changes
+  // the rounding.
   const RandomCase random = MakeRandomCase(548, 48, 0.06);
   const TriangleMesh mesh = MeshOnPoints(random.domain, random.configuration, 0.04);
   const Similarity move{ 0.7, 1.0, Point(0.3, -0.2) };
@@ -202,7 +205,7 @@ TEST(TMesh, IsAccurateWhereSizesDifferByOrdersOfMagnitude)
   }
 }
 
-TEST(TMesh, OfManySingularities)
+TEST(TMesh, HasTheCountsForManySingularities)
 {
   for (const auto& [pairs, apart, size] : { std::tuple<int, double, double>{ 13, 0.06, 0.04 },
          std::tuple<int, double, double>{ 48, 0.06, 0.04 },
