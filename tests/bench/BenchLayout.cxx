@@ -73,7 +73,7 @@ void DragLayout(benchmark::State& state)
     domain.MeshOn(Twelve(step + 1));
     inserted += stopwatch.Lap();
     const LayoutDesign design = DesignLayout(domain, Twelve(++step), options);
-    state.counters["faces"] = static_cast<double>(design.mesh.faces.size());
+    state.counters["faces"] = static_cast<double>(design.mesh.patches.size());
     if (design.quads)
     {
       state.counters["integers"] = design.quads->counts.seconds;

@@ -283,7 +283,7 @@ void MapAndLines(benchmark::State& state)
     state.counters["h"] = alone;
     state.counters["map"] = mapped;
     state.counters["trace"] = traced;
-    state.counters["faces"] = static_cast<double>(lines.faces.size());
+    state.counters["faces"] = static_cast<double>(lines.patches.size());
     state.counters["wrong"] = h.field.unwantedSingularities;
   }
 }

@@ -76,14 +76,14 @@ std::vector<NearMiss> FindNearMisses(const TraceGraph& graph, double tolerance)
 {
   std::vector<NearMiss> found;
   std::set<std::pair<int, int>> known; // a line, and the cone that it passes
-  for (std::size_t i = 0; i < graph.lines.size(); ++i)
+  for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
   {
-    const TracedLine& line = graph.lines[i];
+    const TracedLine& line = graph.separatrices[i];
     if (line.cone < 0 || line.other < 0)
     {
       continue;
     }
-    const TracedLine& other = graph.lines[Index(line.other)];
+    const TracedLine& other = graph.separatrices[Index(line.other)];
     NearMiss miss;
     miss.from = line.cone;
     miss.to = other.cone;

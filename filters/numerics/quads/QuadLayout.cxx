@@ -43,7 +43,7 @@ public:
   {
     this->Reserve();
     this->PlaceArcPoints();
-    for (std::size_t f = 0; f < this->Lines.faces.size(); ++f)
+    for (std::size_t f = 0; f < this->Lines.patches.size(); ++f)
     {
       this->LayFace(f);
     }
@@ -58,7 +58,7 @@ private:
   void Reserve()
   {
     std::size_t quads = 0;
-    for (const TPatch& face : this->Lines.faces)
+    for (const TPatch& face : this->Lines.patches)
     {
       quads += Index(this->Points.SideCount(face, 0)) * Index(this->Points.SideCount(face, 1));
     }
@@ -194,7 +194,7 @@ private:
 
   void LayFace(std::size_t f)
   {
-    const TPatch& face = this->Lines.faces[f];
+    const TPatch& face = this->Lines.patches[f];
     const int a = this->Points.SideCount(face, 0);
     const int b = this->Points.SideCount(face, 1);
     if (a == 0 || b == 0)

@@ -21,7 +21,7 @@ namespace
 double AreaOf(const TMesh& lines)
 {
   double area = 0.0;
-  for (const TPatch& face : lines.faces)
+  for (const TPatch& face : lines.patches)
   {
     area += lines.SideLength(face, 0) * lines.SideLength(face, 1);
   }

@@ -82,9 +82,9 @@ std::vector<PointLink> ArcPoints::Links() const
         static_cast<int>(a), -1, 0 });
     }
   }
-  for (std::size_t f = 0; f < this->Mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < this->Mesh.patches.size(); ++f)
   {
-    const TPatch& face = this->Mesh.faces[f];
+    const TPatch& face = this->Mesh.patches[f];
     for (std::size_t side = 0; side < 2; ++side)
     {
       if (this->SideCount(face, side) == 0)

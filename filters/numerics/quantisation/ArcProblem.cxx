@@ -46,7 +46,7 @@ ArcProblem MakeArcProblem(const TMesh& mesh, std::vector<double> wanted)
   problem.weight.assign(mesh.arcs.size(), 0.0);
   problem.lower.assign(mesh.arcs.size(), 0);
   problem.terms.resize(mesh.arcs.size());
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     std::array<double, 4> edges{};
     for (std::size_t side = 0; side < 4; ++side)

@@ -27,7 +27,7 @@ public:
   explicit Windows(const TMesh& mesh)
     : Mesh(mesh)
   {
-    for (const TPatch& face : mesh.faces)
+    for (const TPatch& face : mesh.patches)
     {
       std::vector<int> arcs;
       for (const auto& side : face.sides)
@@ -44,7 +44,7 @@ public:
   /// With at least `size` arcs, or all that there are.
   Window Around(int face, std::size_t size) const
   {
-    std::vector<char> seen(this->Mesh.faces.size(), 0);
+    std::vector<char> seen(this->Mesh.patches.size(), 0);
     std::vector<char> taken(this->Mesh.arcs.size(), 0);
     Window window;
     window.faces = { face };
@@ -61,7 +61,7 @@ public:
         }
         for (const int half : { 2 * arc, 2 * arc + 1 })
         {
-          const int other = this->Mesh.halfEdges[Index(half)].face;
+          const int other = this->Mesh.halfEdges[Index(half)].patch;
           if (other >= 0 && seen[Index(other)] == 0)
           {
             seen[Index(other)] = 1;

@@ -31,7 +31,7 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
     return edges;
   };
   UnionFind classes(Index(first.back()));
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     for (const std::size_t side : { std::size_t(0), std::size_t(1) })
     {

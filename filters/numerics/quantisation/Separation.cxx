@@ -133,7 +133,7 @@ private:
       arcs.push_back(link.arc);
       return;
     }
-    const TPatch& face = this->Mesh.faces[Index(link.face)];
+    const TPatch& face = this->Mesh.patches[Index(link.face)];
     for (const std::size_t side : { Index(link.side), Index(link.side) + 2 })
     {
       for (const int half : face.sides[side])

@@ -1,7 +1,7 @@
 #include "SeparationRow.h"
 
-#include "Unfolding.h"
 #include "Index.h"
+#include "Unfolding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ private:
   {
     if (link.arc >= 0)
     {
-      const bool inner = this->Mesh.halfEdges[Index(2 * link.arc)].face >= 0;
+      const bool inner = this->Mesh.halfEdges[Index(2 * link.arc)].patch >= 0;
       const int half = 2 * link.arc + (inner ? 0 : 1);
       LinkSpots spots = { { half, false }, { this->Developed.Next(half), false } };
       if (this->Mesh.halfEdges[Index(half)].node != link.from)
@@ -79,7 +79,7 @@ private:
       }
       return spots;
     }
-    const TPatch& face = this->Mesh.faces[Index(link.face)];
+    const TPatch& face = this->Mesh.patches[Index(link.face)];
     const std::size_t one = Index(link.side) + 1;
     const std::size_t other = (one + 2) % 4;
     const LinkSpots forward = { this->SpotOn(face, one, link.from),
@@ -131,7 +131,7 @@ private:
       boundary.half = 0;
       while (boundary.half < count &&
         (this->Mesh.halfEdges[Index(boundary.half)].node != point ||
-          this->Mesh.halfEdges[Index(boundary.half)].face < 0 ||
+          this->Mesh.halfEdges[Index(boundary.half)].patch < 0 ||
           !this->Mesh.arcs[Index(boundary.half / 2)].onBoundary))
       {
         ++boundary.half;

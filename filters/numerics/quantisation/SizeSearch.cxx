@@ -17,7 +17,7 @@ constexpr int FewSizes = 6;
 long long CountQuads(const TMesh& mesh, const std::vector<int>& counts)
 {
   long long quads = 0;
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     long long sides[2] = { 0, 0 };
     for (const std::size_t side : { std::size_t(0), std::size_t(1) })

@@ -39,7 +39,7 @@ Unfolding::Unfolding(const TMesh& mesh)
   : Mesh(mesh)
   , Places(mesh.halfEdges.size())
 {
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     for (std::size_t side = 0; side < 4; ++side)
     {
@@ -53,7 +53,7 @@ Unfolding::Unfolding(const TMesh& mesh)
   }
   for (std::size_t h = 0; h < mesh.halfEdges.size(); ++h)
   {
-    if (mesh.halfEdges[h].face >= 0)
+    if (mesh.halfEdges[h].patch >= 0)
     {
       this->Places[Index(mesh.halfEdges[h].next)].previous = static_cast<int>(h);
     }
@@ -70,7 +70,7 @@ void Unfolding::Begin(const FaceSpot& spot)
 ArcVector Unfolding::StartOf(int half) const
 {
   const Place& place = this->PlaceOf(half);
-  const TPatch& face = this->Mesh.faces[Index(this->FaceOf(half))];
+  const TPatch& face = this->Mesh.patches[Index(this->FaceOf(half))];
   ArcVector start = this->Origin;
   const auto walk = [&](std::size_t side, std::size_t count, int turns)
   {

@@ -66,7 +66,7 @@ private:
     int previous = -1; ///< Half-edge around the face.
   };
 
-  int FaceOf(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].face; }
+  int FaceOf(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].patch; }
   const Place& PlaceOf(int half) const { return this->Places[static_cast<std::size_t>(half)]; }
   int TurnsOf(int half) const
   {

@@ -18,7 +18,7 @@ double TMesh::SideLength(const TPatch& patch, std::size_t side) const
 double TMesh::Mismatch() const
 {
   double largest = 0.0;
-  for (const TPatch& patch : this->faces)
+  for (const TPatch& patch : this->patches)
   {
     for (std::size_t side = 0; side < 2; ++side)
     {

@@ -23,10 +23,10 @@ struct TNode
 /// One direction of an arc, with its patch on the left.
 struct THalfEdge
 {
-  int node = 0;  ///< Node where it starts.
-  int slot = 0;  ///< Direction at the node: quarter turns counter-clockwise from the node's first.
-  int next = -1; ///< Next half-edge around the patch.
-  int face = -1; ///< Patch on its left; −1 outside the domain.
+  int node = 0;   ///< Node where it starts.
+  int slot = 0;   ///< Direction at the node: quarter turns counter-clockwise from the node's first.
+  int next = -1;  ///< Next half-edge around the patch.
+  int patch = -1; ///< Patch on its left; −1 outside the domain.
 };
 
 /// The part of an arc in the chart of one triangle.
@@ -44,8 +44,8 @@ struct TArc
 {
   double length = 0.0; ///< Length in the map.
   bool onBoundary = false;
-  int line = -1; ///< Separatrix of an interior arc; the first of two that met head-on.
-  int loop = -1; ///< Loop in MeshTopology::loops of an arc on the boundary.
+  int separatrix = -1; ///< Separatrix of an interior arc; the first of two that met head-on.
+  int loop = -1;       ///< Loop in MeshTopology::loops of an arc on the boundary.
   std::vector<ChartPiece> pieces; ///< Its path in the map, along half-edge 2a; never empty.
   std::vector<Point> polyline;    ///< Its path in the plane, along half-edge 2a, ends included.
 };
@@ -63,7 +63,7 @@ struct TMesh
   std::vector<TNode> nodes;
   std::vector<THalfEdge> halfEdges;
   std::vector<TArc> arcs;
-  std::vector<TPatch> faces;
+  std::vector<TPatch> patches;
   int lineCount = 0;    ///< Number of separatrices.
   int extraLines = 0;   ///< Number of those that start on a boundary loop.
   int headOn = 0;       ///< Pairs of separatrices that meet head-on.

@@ -17,10 +17,10 @@ public:
     : Map(map)
     , Topology(*map.topology)
     , Walk(map)
-    , Lines(graph.lines)
+    , Lines(graph.separatrices)
     , Stops(map, graph)
   {
-    this->Mesh.lineCount = static_cast<int>(graph.lines.size());
+    this->Mesh.lineCount = static_cast<int>(graph.separatrices.size());
     this->Mesh.extraLines = graph.extraLines;
     this->Mesh.headOn = graph.headOn;
     this->Mesh.crossings = this->Stops.CrossingCount();
@@ -152,7 +152,7 @@ private:
     for (std::size_t j = 0; j + 1 < stops.size(); ++j)
     {
       TArc arc;
-      arc.line = static_cast<int>(i);
+      arc.separatrix = static_cast<int>(i);
       if (this->Stops.Joined(stops[j].node) == this->Stops.Joined(stops[j + 1].node))
       {
         continue; // its ends were joined

@@ -72,22 +72,22 @@ void CollectPatches(TMesh& mesh)
   const std::vector<int> angles = LinkHalfEdges(mesh);
   for (int first = 0; first < static_cast<int>(mesh.halfEdges.size()); ++first)
   {
-    if (mesh.halfEdges[Index(first)].face >= 0 || mesh.halfEdges[Index(first)].next < 0)
+    if (mesh.halfEdges[Index(first)].patch >= 0 || mesh.halfEdges[Index(first)].next < 0)
     {
       continue;
     }
     const Point& location = mesh.nodes[Index(mesh.halfEdges[Index(first)].node)].place;
-    const auto number = static_cast<int>(mesh.faces.size());
+    const auto number = static_cast<int>(mesh.patches.size());
     // The half-edges around the patch, then rotated to start after the first right angle.
     std::vector<int> around;
     int h = first;
     do
     {
-      if (h < 0 || mesh.halfEdges[Index(h)].face >= 0)
+      if (h < 0 || mesh.halfEdges[Index(h)].patch >= 0)
       {
         ThrowNoRectangles(location);
       }
-      mesh.halfEdges[Index(h)].face = number;
+      mesh.halfEdges[Index(h)].patch = number;
       around.push_back(h);
       h = mesh.halfEdges[Index(h)].next;
     } while (h != first);
@@ -113,7 +113,7 @@ void CollectPatches(TMesh& mesh)
     {
       ThrowNoRectangles(location);
     }
-    mesh.faces.push_back(std::move(patch));
+    mesh.patches.push_back(std::move(patch));
   }
 }
 }
@@ -124,7 +124,7 @@ TMesh MakeTMesh(const SeamlessMap& map, const TraceGraph& graph)
   CollectPatches(mesh);
   const auto count = [](std::size_t size) { return static_cast<int>(size); };
   const int euler = map.topology->edges.EulerCharacteristic(map.topology->mesh);
-  if (count(mesh.nodes.size()) - count(mesh.arcs.size()) + count(mesh.faces.size()) != euler)
+  if (count(mesh.nodes.size()) - count(mesh.arcs.size()) + count(mesh.patches.size()) != euler)
   {
     ThrowNoRectangles(mesh.nodes.empty() ? Point::Zero() : mesh.nodes.front().place);
   }

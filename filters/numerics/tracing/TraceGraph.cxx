@@ -99,15 +99,15 @@ private:
 
   void Add(TracedLine line)
   {
-    const auto number = static_cast<int>(this->Graph.lines.size());
+    const auto number = static_cast<int>(this->Graph.separatrices.size());
     line.delay += LargestDelay * this->Extent * std::fmod((number + 1) * GoldenRatio, 1.0);
-    this->Graph.lines.push_back(std::move(line));
+    this->Graph.separatrices.push_back(std::move(line));
     this->Enter(number);
   }
 
   double Time(int line, double length) const
   {
-    return length + this->Graph.lines[Index(line)].delay;
+    return length + this->Graph.separatrices[Index(line)].delay;
   }
 
   void Push(Event event)
@@ -123,7 +123,7 @@ private:
       const Event event = this->Events.top();
       this->Events.pop();
       this->Now = event.time;
-      if (this->Graph.lines[Index(event.line)].end != LineEnd::None)
+      if (this->Graph.separatrices[Index(event.line)].end != LineEnd::None)
       {
         continue;
       }
@@ -144,7 +144,7 @@ private:
 
   void Advance(int number)
   {
-    TracedLine& line = this->Graph.lines[Index(number)];
+    TracedLine& line = this->Graph.separatrices[Index(number)];
     const LineSegment& last = line.segments.back();
     if (this->Walk.Beyond(last) < 0)
     {
@@ -167,14 +167,14 @@ private:
   /// Finds the separatrices that one meets in the triangle that it has entered.
   void Enter(int number)
   {
-    const TracedLine& line = this->Graph.lines[Index(number)];
+    const TracedLine& line = this->Graph.separatrices[Index(number)];
     const auto segment = static_cast<int>(line.segments.size()) - 1;
     const LineSegment& mine = line.segments.back();
     for (int e = this->Latest[Index(mine.triangle)]; e >= 0; e = this->Entries[Index(e)].next)
     {
       const Entry& entry = this->Entries[Index(e)];
       const LineSegment& theirs =
-        this->Graph.lines[Index(entry.line)].segments[Index(entry.segment)];
+        this->Graph.separatrices[Index(entry.line)].segments[Index(entry.segment)];
       if ((mine.direction - theirs.direction) % 2 != 0)
       {
         if (this->Interleave(mine, number, theirs, entry.line))
@@ -230,8 +230,8 @@ private:
 
   void FindCrossing(int a, int segmentA, int b, int segmentB)
   {
-    const LineSegment& first = this->Graph.lines[Index(a)].segments[Index(segmentA)];
-    const LineSegment& second = this->Graph.lines[Index(b)].segments[Index(segmentB)];
+    const LineSegment& first = this->Graph.separatrices[Index(a)].segments[Index(segmentA)];
+    const LineSegment& second = this->Graph.separatrices[Index(b)].segments[Index(segmentB)];
     const double lengthA =
       std::clamp(first.LengthAt(second.level), first.entryLength, first.exitLength);
     const double lengthB =
@@ -260,8 +260,8 @@ private:
 
   void Cross(const Event& event)
   {
-    TracedLine& line = this->Graph.lines[Index(event.line)];
-    if (this->Reach(this->Graph.lines[Index(event.other)]) < event.otherLength)
+    TracedLine& line = this->Graph.separatrices[Index(event.line)];
+    if (this->Reach(this->Graph.separatrices[Index(event.other)]) < event.otherLength)
     {
       return; // the other one stops before this point
     }
@@ -286,14 +286,16 @@ private:
     event.other = b;
     event.length = together;
     event.time = std::max(this->Now,
-      0.5 * (together + this->Graph.lines[Index(a)].delay + this->Graph.lines[Index(b)].delay));
+      0.5 *
+        (together + this->Graph.separatrices[Index(a)].delay +
+          this->Graph.separatrices[Index(b)].delay));
     this->Push(event);
   }
 
   void Meet(const Event& event)
   {
-    TracedLine& line = this->Graph.lines[Index(event.line)];
-    TracedLine& other = this->Graph.lines[Index(event.other)];
+    TracedLine& line = this->Graph.separatrices[Index(event.line)];
+    TracedLine& other = this->Graph.separatrices[Index(event.other)];
     if (other.end != LineEnd::None)
     {
       return;
@@ -339,7 +341,7 @@ private:
     {
       corner[Index(cone.vertex)] = true;
     }
-    for (const TracedLine& line : this->Graph.lines)
+    for (const TracedLine& line : this->Graph.separatrices)
     {
       for (const int position : { line.startPosition, line.endPosition })
       {

@@ -43,7 +43,7 @@ struct TracedLine
 /// (docs/method.md §13).
 struct TraceGraph
 {
-  std::vector<TracedLine> lines;
+  std::vector<TracedLine> separatrices;
   int extraLines = 0; ///< Number of extra ones, at the end: for boundary loops that no other meets.
   int headOn = 0;     ///< Pairs that meet head-on.
 };

@@ -53,7 +53,7 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   }
   else
   {
-    text << design->mesh.faces.size() << " patches";
+    text << design->mesh.patches.size() << " patches";
   }
   text << std::setprecision(2) << "; energy W " << design->energy.energy << " (lower is better).";
   if (design->shortestArc < 0.5 * report.quadSize)
@@ -77,7 +77,7 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
     return;
   }
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
-  ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.faces.size()) });
+  ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   if (const std::optional<double> angle = MinimumAngle(*design))
   {

@@ -109,9 +109,9 @@ void WritePatches(
   std::vector<int> patchOfPoint;
   std::vector<int> patchOfCell;
   const ArcOutlines outlines(traced.map, mesh);
-  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
+  for (int f = 0; f < static_cast<int>(mesh.patches.size()); ++f)
   {
-    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.faces[Index(f)]);
+    const std::vector<OutlinePoint> outline = outlines.Outline(mesh.patches[Index(f)]);
     const vtkIdType first = points->GetNumberOfPoints();
     crossfield::Loop polygon;
     for (const OutlinePoint& point : outline)
@@ -147,7 +147,7 @@ void WritePatches(
   const auto addSize = [&](const char* name, std::size_t side)
   {
     ColumnWriting::AddColumn<vtkDoubleArray>(cellData, name, patchOfCell,
-      [&mesh, side](int f) { return mesh.SideLength(mesh.faces[Index(f)], side); });
+      [&mesh, side](int f) { return mesh.SideLength(mesh.patches[Index(f)], side); });
   };
   addSize(names::USize, 0);
   addSize(names::VSize, 1);

@@ -118,9 +118,9 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
   const crossfield::SeamlessMap& map = traced.map;
   const crossfield::LineWalk walk(map);
   LineWriter writer(traced.plane, output);
-  for (std::size_t i = 0; i < graph.lines.size(); ++i)
+  for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
   {
-    const crossfield::TracedLine& line = graph.lines[i];
+    const crossfield::TracedLine& line = graph.separatrices[i];
     const crossfield::LineSegment& first = line.segments.front();
     std::vector<Point> polyline = { walk.PlaneAt(first.triangle, first.entry) };
     for (int s = 0; s < line.lastSegment; ++s)
@@ -176,7 +176,7 @@ void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
 {
   const auto count = [](std::size_t size) { return static_cast<int>(size); };
   ColumnWriting::AddIntegers(field, names::Lines, { mesh.lineCount });
-  ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.faces.size()) });
+  ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.patches.size()) });
   ColumnWriting::AddIntegers(field, names::Arcs, { count(mesh.arcs.size()) });
   ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraLines });
   ColumnWriting::AddIntegers(field, names::HeadOn, { mesh.headOn });

@@ -41,7 +41,7 @@ TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
     const SeamlessMap map =
       SolveSeamlessMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
     const TMesh own = MakeTMesh(map, TraceLines(map));
-    EXPECT_EQ(live.mesh.faces.size(), own.faces.size()) << i;
+    EXPECT_EQ(live.mesh.patches.size(), own.patches.size()) << i;
     EXPECT_NEAR(live.mesh.longest, own.longest, 0.02) << i;
     EXPECT_LT(live.mesh.Mismatch(), 1e-12);
   }

@@ -48,7 +48,7 @@ TEST(LayoutSnap, MakesLinesMeetThatNearlyDid)
     const LayoutDesign after = DesignLayout(disk, snap.singularities);
     // The sides of the square in the middle.
     EXPECT_EQ(after.mesh.headOn, 4);
-    EXPECT_LT(after.mesh.faces.size(), before.mesh.faces.size());
+    EXPECT_LT(after.mesh.patches.size(), before.mesh.patches.size());
     EXPECT_GT(after.shortestArc, 0.2);
     // Snapped is snapped.
     const LayoutSnap again = SnapLayout(disk, snap.singularities, {}, 0.1);

@@ -18,7 +18,7 @@ TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, do
 double MapArea(const TMesh& mesh)
 {
   double area = 0.0;
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     area += mesh.SideLength(face, 0) * mesh.SideLength(face, 1);
   }
@@ -34,13 +34,13 @@ void ExpectSound(const TMesh& mesh, int euler)
     singularities += node.kind == NodeKind::Singularity ? 1 : 0;
     corners += node.kind == NodeKind::Corner ? 1 : 0;
   }
-  EXPECT_EQ(Count(mesh.faces.size()), mesh.lineCount - mesh.headOn - singularities + euler);
+  EXPECT_EQ(Count(mesh.patches.size()), mesh.lineCount - mesh.headOn - singularities + euler);
   EXPECT_EQ(Count(mesh.arcs.size()),
     2 * mesh.lineCount + corners + mesh.extraLines - 3 * mesh.headOn - mesh.crossings);
   EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
   const double area = MapArea(mesh);
   double domain = 0.0;
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     Loop loop;
     for (const auto& side : face.sides)

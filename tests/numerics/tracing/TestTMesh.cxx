@@ -43,7 +43,7 @@ TEST(TMesh, HasTheCountsOfReferenceCases)
   {
     SCOPED_TRACE(reference.name);
     const TMesh mesh = LinesOf(reference.domain, reference.configuration, 0.04);
-    EXPECT_EQ(Count(mesh.faces.size()), reference.faces);
+    EXPECT_EQ(Count(mesh.patches.size()), reference.faces);
     EXPECT_EQ(Count(mesh.arcs.size()), reference.arcs);
     ExpectSound(mesh, reference.domain.EulerCharacteristic());
   }
@@ -80,7 +80,7 @@ TEST(TMesh, HasTheCountsOfThePapersDomains)
   {
     SCOPED_TRACE(paper.name);
     const TMesh mesh = LinesOf(paper.domain, paper.configuration, 0.05);
-    EXPECT_EQ(Count(mesh.faces.size()), paper.faces);
+    EXPECT_EQ(Count(mesh.patches.size()), paper.faces);
     EXPECT_EQ(Count(mesh.arcs.size()), paper.arcs);
     ExpectSound(mesh, paper.domain.EulerCharacteristic());
   }
@@ -89,7 +89,7 @@ TEST(TMesh, HasTheCountsOfThePapersDomains)
 TEST(TMesh, LShapeIsThreeUnitSquares)
 {
   const TMesh mesh = LinesOf(LShape(), {}, 0.1);
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     EXPECT_NEAR(mesh.SideLength(face, 0), 1.0, 1e-10);
     EXPECT_NEAR(mesh.SideLength(face, 1), 1.0, 1e-10);
@@ -99,10 +99,10 @@ TEST(TMesh, LShapeIsThreeUnitSquares)
 TEST(TMesh, RingHasSidesInTheRatioOfLogarithms)
 {
   const TMesh mesh = LinesOf(RingOfEdges(0.02), {}, 0.02);
-  ASSERT_EQ(mesh.faces.size(), 1U);
+  ASSERT_EQ(mesh.patches.size(), 1U);
   EXPECT_EQ(mesh.extraLines, 1);
-  const double a = mesh.SideLength(mesh.faces[0], 0);
-  const double b = mesh.SideLength(mesh.faces[0], 1);
+  const double a = mesh.SideLength(mesh.patches[0], 0);
+  const double b = mesh.SideLength(mesh.patches[0], 1);
   EXPECT_NEAR(std::max(a, b) / std::min(a, b), 2.0 * Pi / std::log(2.5), 2e-3);
 }
 
@@ -119,7 +119,7 @@ TEST(TMesh, ConvergesAtSecondOrderOnTheDisk)
       const TMesh mesh = LinesOf(DiskOfEdges(size), OnCircle(4, radius, Pi / 4.0, 1, 0.0), size);
       ExpectSound(mesh, 1);
       std::vector<double> widths;
-      for (const TPatch& face : mesh.faces)
+      for (const TPatch& face : mesh.patches)
       {
         widths.push_back(std::min(mesh.SideLength(face, 0), mesh.SideLength(face, 1)));
       }
@@ -194,7 +194,7 @@ TEST(TMesh, SeparatricesMeetHeadOnOnAnExactlySymmetricMesh)
   }
   const TMesh symmetric = LinesOn(mesh, four);
   EXPECT_EQ(symmetric.headOn, 4);
-  EXPECT_EQ(symmetric.faces.size(), 5U);
+  EXPECT_EQ(symmetric.patches.size(), 5U);
   EXPECT_EQ(symmetric.arcs.size(), 12U);
   ExpectSound(symmetric, 1);
 

@@ -58,7 +58,7 @@ std::vector<double> ArcLengths(const TMesh& mesh, double scale)
 std::vector<std::array<std::size_t, 4>> Signature(const TMesh& mesh)
 {
   std::vector<std::array<std::size_t, 4>> signature;
-  for (const TPatch& face : mesh.faces)
+  for (const TPatch& face : mesh.patches)
   {
     std::array<std::size_t, 4> counts{};
     for (std::size_t i = 0; i < 4; ++i)
