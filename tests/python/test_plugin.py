@@ -82,7 +82,7 @@ def test_proxies():
         for part in ("Example", "glossary"):
             check(part in documentation.GetDescription(), "the help of %s has no %s" % (name, part))
         # Python names come from labels, so a label must be the name with spaces.
-        check_equal(prototype.GetXMLLabel().replace(" ", ""), name, "the label")
+        check_equal(prototype.GetXMLLabel(), re.sub("(?<!^)(?=[A-Z])", " ", name), "the label")
         if name != "PlanarDomainReader":  # which File, Open creates
             menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
             # A category here would come before menus.xml, and in another order.
