@@ -47,12 +47,12 @@ void ExpectSound(const TMesh& mesh, int euler)
     {
       for (const int h : side)
       {
-        std::vector<Point> way = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
+        std::vector<Point> path = mesh.arcs[static_cast<std::size_t>(h / 2)].polyline;
         if (h % 2 == 1)
         {
-          std::reverse(way.begin(), way.end());
+          std::reverse(path.begin(), path.end());
         }
-        loop.insert(loop.end(), way.begin(), way.end() - 1);
+        loop.insert(loop.end(), path.begin(), path.end() - 1);
       }
     }
     domain += SignedArea(loop);

@@ -65,17 +65,17 @@ std::vector<std::array<std::size_t, 4>> Signature(const TMesh& mesh)
     {
       counts[i] = face.sides[i].size();
     }
-    std::array<std::size_t, 4> least = counts;
+    std::array<std::size_t, 4> smallest = counts;
     for (int image = 0; image < 2; ++image)
     {
       for (int turn = 0; turn < 4; ++turn)
       {
         std::rotate(counts.begin(), counts.begin() + 1, counts.end());
-        least = std::min(least, counts);
+        smallest = std::min(smallest, counts);
       }
       std::reverse(counts.begin(), counts.end());
     }
-    signature.push_back(least);
+    signature.push_back(smallest);
   }
   std::sort(signature.begin(), signature.end());
   return signature;
