@@ -1,6 +1,6 @@
 // Quantisation of random configurations on the unit disk: time of the search and gap to the optimum.
 
-#include "ArcCounts.h"
+#include "Quantisation.h"
 
 #include "BuiltinDomains.h"
 #include "MakePlanarDomain.h"
@@ -54,15 +54,15 @@ void Integers(benchmark::State& state)
       MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), configuration, disk.edgeLength)),
     configuration);
   const TMesh mesh = MakeTMesh(map, TraceLines(map));
-  const ArcProblem problem = MakeArcProblem(mesh, 0.1);
-  ArcCounts counts;
+  const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.1);
+  EdgeCounts counts;
   for (auto _ : state)
   {
-    counts = CountArcs(mesh, problem, ArcSearch::Thorough);
+    counts = Quantise(mesh, problem, SearchEffort::Thorough);
   }
   state.counters["arcs"] = static_cast<double>(problem.Count());
   state.counters["cost"] = counts.cost;
-  state.counters["gap"] = counts.gap;
+  state.counters["gap"] = counts.Gap();
   state.counters["nodes"] = counts.nodes;
 }
 BENCHMARK(Integers)

@@ -5,39 +5,40 @@
 
 namespace crossfield
 {
-/// A place on a boundary loop: the length along its polyline.
+/// A point on a boundary loop, given by its arc length.
 struct CurvePlace
 {
-  int loop = -1; ///< −1: not on the boundary.
-  double at = 0.0;
+  int loop = -1;   ///< −1: not on the boundary.
+  double at = 0.0; ///< Length along the polyline.
 };
 
-/// The boundary loops of a mesh as curves by their length, in the plane.
+/// The boundary loops of a mesh as curves in the plane, parametrised by arc length.
 class BoundaryCurves
 {
 public:
   explicit BoundaryCurves(const MeshTopology& topology);
 
-  /// The place at a fraction of an entry of mesh.boundary.
+  /// Returns the place at a fraction of an entry of mesh.boundary.
   CurvePlace Place(int boundaryPosition, double fraction) const;
+  /// Returns the point of the plane at a place.
   Point At(const CurvePlace& place) const;
-  /// The place of a loop that is nearest to a point; the vertex between two edges that are equally near. Linear in the
-  /// loop's vertices.
+  /// Returns the place of a loop nearest to a point; the vertex if two adjacent edges are equally
+  /// near. Cost: linear in the vertices of the loop.
   CurvePlace Nearest(int loop, const Point& point) const;
-  /// Unit vector along the polyline there; at a vertex that of the edge after it.
+  /// Returns the unit tangent of the polyline; at a vertex, that of the edge after it.
   Point Tangent(const CurvePlace& place) const;
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
-  /// Places of the vertices that are corners (MeshTopology::corners).
+  /// Returns the places of corner vertices (MeshTopology::corners).
   std::vector<CurvePlace> Corners() const;
-  /// The entry of mesh.boundary at a place.
+  /// Returns the entry of mesh.boundary at a place.
   int PositionAt(const CurvePlace& place) const;
 
 private:
   const LoopArc& ArcOf(int loop) const { return this->Arcs[static_cast<std::size_t>(loop)]; }
 
   const MeshTopology& Topology;
-  std::vector<LoopArc> Arcs;               ///< Of the aligned loops.
+  std::vector<LoopArc> Arcs;               ///< The aligned loops.
   std::vector<std::vector<int>> Positions; ///< Entries of mesh.boundary, per loop and side.
-  std::vector<std::pair<int, std::size_t>> LoopAndEdge; ///< Of every entry.
+  std::vector<std::pair<int, std::size_t>> LoopAndEdge; ///< Per entry of mesh.boundary.
 };
 }

@@ -10,7 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// Twice the area that a point spans with each side of a triangle: barycentric coordinates but for a factor.
+/// Returns twice the area that a point spans with each side of a triangle: barycentric coordinates
+/// up to a factor.
 std::array<double, 3> AreasAt(const SeamlessMap& map, int triangle, const Point& w)
 {
   std::array<double, 3> areas{};
@@ -23,12 +24,12 @@ std::array<double, 3> AreasAt(const SeamlessMap& map, int triangle, const Point&
 }
 }
 
-ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& way)
+ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& displacement)
 {
   const EdgeNumbering& edges = map.topology->edges;
-  Point target = place.w + TurnByQuarters(way, place.rotation);
+  Point target = place.w + TurnByQuarters(displacement, place.rotation);
   int entered = -1;
-  // A straight way meets every triangle a few times at most.
+  // A straight path meets every triangle a few times at most.
   for (std::size_t step = 0; step <= 4 * map.corners.size(); ++step)
   {
     const std::array<double, 3> start = AreasAt(map, place.triangle, place.w);
@@ -68,7 +69,7 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& w
     const auto& sides = edges.ofTriangle[Index(next)];
     entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   }
-  throw Error("A straight way in the flat map does not end near " +
+  throw Error("A straight path in the flat map does not end near " +
     Describe(PlanePoint(map, place)) + "; use a finer mesh.");
 }
 

@@ -4,21 +4,23 @@
 
 namespace crossfield
 {
-/// A point of the flat surface, with the chart's direction of a rectangle's first axis.
+/// A point of the seamless map in the chart of a triangle, with the direction of the first axis of
+/// a patch.
 struct ChartPlace
 {
   int triangle = 0;
   Point w = Point::Zero();
-  int rotation = 0; ///< The rectangle's +x is i^rotation in the chart.
+  int rotation = 0; ///< +x of the patch is i^rotation in the chart.
 };
 
-/// The end of a straight way that starts at a place, in the axes of its rectangle: from triangle to triangle, each
-/// left through the side that the way meets first. Ends at the boundary at the latest.
-ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& way);
+/// Returns the end of a straight path from a place, with `displacement` in the axes of the patch.
+/// Walks from triangle to triangle, through the side that the path meets first. Stops in the last
+/// triangle if the path leaves the domain. Throws Error if it does not end.
+ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& displacement);
 
-/// The point of the plane at a place.
+/// Returns the point of the plane at a place.
 Point PlanePoint(const SeamlessMap& map, const ChartPlace& place);
 
-/// √(area in the plane / area in the map) of a triangle: e^H in it.
+/// Returns √(area in the plane / area in the map) of a triangle, which is e^H.
 double PlaneScale(const SeamlessMap& map, int triangle);
 }

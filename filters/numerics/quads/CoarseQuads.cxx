@@ -9,13 +9,14 @@ namespace crossfield
 {
 namespace
 {
-/// Number of a point, or cell, of a lattice with so many in a row.
+/// Returns the index of a point or cell of a lattice with `row` of them per row.
 std::size_t At(int i, int j, int row)
 {
   return Index(j) * Index(row) + Index(i);
 }
 
-/// Of every line the kept one before it, by its number among them, and how far it is to the next.
+/// The position of a line between two kept ones: the index of the one before it, and the fraction
+/// of the distance to the next.
 struct LinePlace
 {
   int before;
@@ -40,7 +41,7 @@ std::vector<LinePlace> PlacesBetween(const std::vector<int>& kept)
 
 std::vector<int> KeptLines(int count)
 {
-  // With fewer quads across, a block would not know any more how its sides are curved.
+  // Coarser blocks would not resolve the curvature of their sides.
   constexpr int Few = 8;
   std::vector<int> kept;
   if (count < Few)
@@ -51,7 +52,7 @@ std::vector<int> KeptLines(int count)
     }
     return kept;
   }
-  // Steps of two from both ends; what is left in the middle is 1, 2 or 3.
+  // Steps of two from both ends; the step in the middle is 1, 2 or 3.
   for (int line = 0; 2 * line <= count; line += 2)
   {
     kept.push_back(line);
@@ -85,8 +86,8 @@ std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& bloc
     const auto& points = mesh.quads[q];
     const auto side =
       static_cast<std::size_t>(std::find(points.begin(), points.end(), corner) - points.begin());
-    lattice.wanted[At(i, j, lattice.width)] = { mesh.wanted[q][side % 2],
-      mesh.wanted[q][(side + 1) % 2] };
+    lattice.targetLengths[At(i, j, lattice.width)] = { mesh.targetLengths[q][side % 2],
+      mesh.targetLengths[q][(side + 1) % 2] };
   }
   return lattices;
 }
@@ -121,26 +122,27 @@ CoarseQuads::CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice
     {
       for (std::size_t i = 1; i < columns.size(); ++i)
       {
-        // The mean over the rows of the sums along them, and likewise of columns.
-        std::array<double, 2> wanted{};
+        // Lengths along i: the mean over the rows of the sum along each row. Along j: the same for
+        // columns.
+        std::array<double, 2> lengths{};
         double weight = 0.0;
         for (int y = rows[j - 1]; y < rows[j]; ++y)
         {
           for (int x = columns[i - 1]; x < columns[i]; ++x)
           {
-            const std::array<double, 2>& cell = from.wanted[At(x, y, from.width)];
+            const std::array<double, 2>& cell = from.targetLengths[At(x, y, from.width)];
             weight += from.weights[At(x, y, from.width)];
-            wanted[0] += cell[0] / (rows[j] - rows[j - 1]);
-            wanted[1] += cell[1] / (columns[i] - columns[i - 1]);
+            lengths[0] += cell[0] / (rows[j] - rows[j - 1]);
+            lengths[1] += cell[1] / (columns[i] - columns[i - 1]);
           }
         }
-        to.wanted.push_back(wanted);
+        to.targetLengths.push_back(lengths);
         to.weights.push_back(weight);
         const auto point = [&](std::size_t k, std::size_t l)
         { return to.points[l * columns.size() + k]; };
         this->mesh.quads.push_back(
           { point(i - 1, j - 1), point(i, j - 1), point(i, j), point(i - 1, j) });
-        this->mesh.wanted.push_back(wanted);
+        this->mesh.targetLengths.push_back(lengths);
         this->weights.push_back(weight);
       }
     }
@@ -231,12 +233,12 @@ Eigen::VectorXd CoarseQuads::Interpolate(
       {
         return;
       }
-      Point way = -point.place;
+      Point displacement = -point.place;
       for (std::size_t k = 0; k < 4; ++k)
       {
-        way += link.parts[k] * this->mesh.points[Index(link.coarse[k])].place;
+        displacement += link.parts[k] * this->mesh.points[Index(link.coarse[k])].place;
       }
-      result.segment<2>(FirstUnknown(link.fine)) = way;
+      result.segment<2>(FirstUnknown(link.fine)) = displacement;
     });
   return result;
 }
@@ -250,13 +252,13 @@ Eigen::VectorXd CoarseQuads::Restrict(
     [&](const Link& link)
     {
       const bool inside = this->Fine.points[Index(link.fine)].curve.loop < 0;
-      const Point force = gradient.segment<2>(FirstUnknown(link.fine));
+      const Point part = gradient.segment<2>(FirstUnknown(link.fine));
       for (std::size_t k = 0; k < 4; ++k)
       {
         const Eigen::Index first = FirstUnknown(link.coarse[k]);
         const bool onBoundary = this->mesh.points[Index(link.coarse[k])].curve.loop >= 0;
         result.segment<2>(first) += link.parts[k] *
-          (inside && onBoundary ? Point(force.dot(tangents.segment<2>(first)), 0.0) : force);
+          (inside && onBoundary ? Point(part.dot(tangents.segment<2>(first)), 0.0) : part);
       }
     });
   return result;

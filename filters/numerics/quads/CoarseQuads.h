@@ -7,57 +7,65 @@
 
 namespace crossfield
 {
-/// A block's points with the lengths wanted in its cells.
+/// The points of a block, with the target lengths of its cells.
 struct QuadLattice
 {
   int width = 0;
   int height = 0;
-  std::vector<int> points;                   ///< (width + 1) (height + 1), i fastest.
-  std::vector<std::array<double, 2>> wanted; ///< Along i and j, per cell,
-  std::vector<double> weights;               ///< and how many quads it is.
+  std::vector<int> points;                          ///< (width + 1) (height + 1), i fastest.
+  std::vector<std::array<double, 2>> targetLengths; ///< Per cell, along i and j.
+  std::vector<double>
+    weights; ///< Per cell, the number of quads of the finest mesh that it represents.
 };
 
+/// Returns the lattices of all blocks, with weight 1 for each cell.
 std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& blocks);
 
-/// About every second line of a mesh's blocks, with the points that the mesh has there (docs/method.md §14.5). Which lines of
-/// a side are kept depends on their number alone and is the same from both ends, so blocks agree about the sides
-/// that they share.
+/// A coarser mesh of about every second grid line of the blocks, with the points of the finer mesh
+/// (docs/method.md §14.5). The lines kept depend on their number alone and are the same from both
+/// ends, so blocks agree on the sides that they share.
 ///
-/// Moves of points are two numbers each as in QuadEnergy. From the coarser to the finer mesh they are interpolated
-/// bilinearly in the lattices, places inside and lengths on the boundary; gradients go the other way by the transpose.
+/// Displacements are two numbers per point, as in QuadEnergy. They are prolonged from the coarser
+/// to the finer mesh by bilinear interpolation in the lattices, of positions inside and of arc
+/// lengths on the boundary. Gradients are restricted by the transpose.
 class CoarseQuads
 {
 public:
   CoarseQuads(const QuadMesh& fineMesh, const std::vector<QuadLattice>& fineLattices);
 
-  QuadMesh mesh;                     ///< To be moved.
-  std::vector<double> weights;       ///< How many quads each of its quads is.
-  std::vector<QuadLattice> lattices; ///< Of it.
+  QuadMesh mesh;                     ///< The coarser mesh, whose points may be moved.
+  std::vector<double> weights;       ///< Per quad, the number of quads of the finest mesh.
+  std::vector<QuadLattice> lattices; ///< Lattices of the coarser mesh.
 
-  /// By half at least: else it is not worth while.
+  /// Returns whether the number of quads is at most half, so that the coarser mesh is worth its
+  /// cost.
   bool IsSmaller() const { return 2 * this->mesh.quads.size() <= this->Fine.quads.size(); }
+  /// Interpolates displacements of the coarser mesh.
   Eigen::VectorXd Prolong(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
-  /// The way of every point inside to the place between the corners of its cell, and on the boundary of `moves` as by Prolong.
+  /// Returns the displacement of every inner point to the interpolated position in its coarse cell;
+  /// on the boundary, the displacement of Prolong.
   Eigen::VectorXd Interpolate(const BoundaryCurves& curves, const Eigen::VectorXd& moves) const;
+  /// Applies the transpose of Prolong to a gradient of the finer mesh.
   Eigen::VectorXd Restrict(const BoundaryCurves& curves, const Eigen::VectorXd& gradient) const;
 
 private:
-  /// Of a point of the finer mesh the corners of its cell, with their parts.
+  /// The interpolation of a point of the finer mesh: the corners of its coarse cell and their
+  /// weights.
   struct Link
   {
     int fine;
     std::array<int, 4> coarse;
-    std::array<double, 4> parts;
+    std::array<double, 4> parts; ///< They add up to 1.
   };
   template <typename Function>
   void ForEachLink(const Function& function) const;
-  /// The direction in which a point of the boundary moves, by number.
+  /// Returns the tangents at the coarser mesh's boundary points, 0 inside.
   Eigen::VectorXd Tangents(const BoundaryCurves& curves) const;
 
   const QuadMesh& Fine;
   const std::vector<QuadLattice>& FineLattices;
 };
 
-/// The lines of n that are kept, 0 and n among them; all where they are few.
+/// Returns the lines kept of 0, ..., count, including both ends; all of them if there are few.
 std::vector<int> KeptLines(int count);
 }

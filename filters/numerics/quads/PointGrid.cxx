@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-/// Part of a point's shortest edge within which there is no other point.
+/// Search radius over the shortest edge of a point.
 constexpr double ReachPart = 0.4;
 }
 
@@ -48,7 +48,7 @@ int PointGrid::Find(const Point& place, int p) const
 {
   const std::array<long long, 2> cell = this->CellOf(place);
   int best = -1;
-  double least = this->Reach[Index(p)];
+  double nearest = this->Reach[Index(p)];
   for (long long i = cell[0] - 1; i <= cell[0] + 1; ++i)
   {
     const Entry first = { { i, cell[1] - 1 }, -1 };
@@ -56,9 +56,9 @@ int PointGrid::Find(const Point& place, int p) const
          at != this->Cells.end() && at->first[0] == i && at->first[1] <= cell[1] + 1; ++at)
     {
       const double distance = (this->Mesh.points[Index(at->second)].place - place).norm();
-      if (distance < least)
+      if (distance < nearest)
       {
-        least = distance;
+        nearest = distance;
         best = at->second;
       }
     }

@@ -6,16 +6,16 @@
 
 namespace crossfield
 {
-/// The points of a quad mesh in square cells, to find the one at a place.
+/// A grid of square cells that finds points of a quad mesh by position.
 class PointGrid
 {
 public:
   explicit PointGrid(const QuadMesh& mesh);
 
-  /// The point within the reach of point `p` from a place; −1: none. Its reach is 0.4 of its shortest edge: nearer there is
-  /// no other point.
+  /// Returns the point nearest to a place within the search radius of point `p`, −1 if there is
+  /// none. The radius is 0.4 of the shortest edge at `p`.
   int Find(const Point& place, int p) const;
-  /// Distance of a place from a point in shortest edges there.
+  /// Returns the distance of a place from a point, in units of the shortest edge there.
   double EdgesBetween(const Point& place, int p) const;
 
 private:
@@ -24,8 +24,8 @@ private:
   std::array<long long, 2> CellOf(const Point& place) const;
 
   const QuadMesh& Mesh;
-  std::vector<double> Reach;
+  std::vector<double> Reach; ///< Search radius per point.
   double Cell = 1.0;
-  std::vector<Entry> Cells; ///< Ordered.
+  std::vector<Entry> Cells; ///< Points by cell, sorted.
 };
 }

@@ -15,8 +15,8 @@ struct BlockSide
   std::vector<int> points;
 };
 
-/// The same for both directions of a side: its ends with the points next to them. Ends alone do not tell two sides
-/// between the same two corners apart.
+/// Returns a key that is the same for both directions of a side: its ends and the points next to
+/// them. The ends alone do not distinguish two sides between the same two corners.
 std::array<int, 4> KeyOf(const std::vector<int>& points)
 {
   const std::array<int, 4> forward = { points.front(), points[1], points[points.size() - 2],

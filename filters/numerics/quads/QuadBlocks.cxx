@@ -9,7 +9,8 @@ namespace crossfield
 {
 namespace
 {
-/// Sides are numbered as in QuadMesh::Twins.
+/// Divides a mesh by walls: sides of quads that separate blocks. Sides are numbered as in
+/// QuadMesh::Twins.
 class Cutter
 {
 public:
@@ -60,7 +61,8 @@ private:
   int EndOf(int side) const { return this->Mesh.quads[Index(side / 4)][Index((side + 1) % 4)]; }
   static int Next(int side) { return side / 4 * 4 + (side + 1) % 4; }
 
-  /// Walls from a side on, straight through regular points, up to another wall on the way.
+  /// Marks walls from a side on, straight through regular points, up to another wall along the
+  /// line.
   void MarkLine(int side)
   {
     while (!this->Walls[Index(side)])
@@ -76,8 +78,8 @@ private:
     }
   }
 
-  /// Numbers the quads that no wall separates from one. Where they close around, draws one more wall and
-  /// returns false.
+  /// Numbers the quads that no wall separates from one, as a new block. If they form an annulus,
+  /// adds a wall across it and returns false.
   bool Fill(int first, QuadBlocks& result)
   {
     const auto block = static_cast<int>(result.blocks.size());
@@ -101,7 +103,7 @@ private:
         }
         const int twin = this->Twins[Index(side)];
         const int other = twin / 4;
-        // Direction 0 to 3 of the side in the block: below, right, above, left.
+        // Direction of the side in the block, 0 to 3: below, right, above, left.
         const int direction = (s + this->Turns[Index(quad)]) % 4;
         const int i = result.i[Index(quad)] + Steps[Index(direction)][0];
         const int j = result.j[Index(quad)] + Steps[Index(direction)][1];
@@ -132,7 +134,7 @@ private:
     return true;
   }
 
-  /// A wall across: from one that all of the annulus has along its sides.
+  /// Adds a wall across an annulus, starting at one of the walls along its sides.
   void CutAnnulus(const std::vector<int>& members)
   {
     for (const int quad : members)
@@ -149,7 +151,7 @@ private:
     }
   }
 
-  /// As MarkLine, but it stops where a wall passes.
+  /// Marks walls as MarkLine does, but stops at a crossing wall.
   void MarkAcross(int side)
   {
     while (!this->Walls[Index(side)])
@@ -201,7 +203,7 @@ private:
   std::vector<bool> Walls;
   std::vector<bool> Regular;
   std::vector<bool> Inside;
-  std::vector<int> Turns; ///< Side 0 of a quad is side `turn` of its cell in the block.
+  std::vector<int> Turns; ///< Per quad: its side 0 is side `turn` of its cell in the block.
 };
 }
 

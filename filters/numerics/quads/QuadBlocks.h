@@ -5,17 +5,18 @@
 
 namespace crossfield
 {
-/// The blocks of a mesh, and where every quad is in them.
+/// The blocks of a mesh, and the position of every quad in them.
 struct QuadBlocks
 {
   std::vector<QuadBlock> blocks;
-  std::vector<int> block; ///< Per quad, and its
-  std::vector<int> i;     ///< column
-  std::vector<int> j;     ///< and row there.
+  std::vector<int> block; ///< Per quad.
+  std::vector<int> i;     ///< Column in the block, per quad.
+  std::vector<int> j;     ///< Row in the block, per quad.
 };
 
-/// Cuts a mesh along the lines of edges that leave its irregular points, each as far as the boundary or
-/// another irregular point (docs/method.md §14.7). What is left is rectangles, and annuli, which one more line
-/// cuts. So every side of a block is one of another block, or of the boundary. Blocks and their lattices depend on the quads alone, not on how they were made.
+/// Divides a mesh into blocks along the lines of edges that leave its irregular points, each up to
+/// the boundary or another irregular point (docs/method.md §14.7). The pieces are rectangles, and
+/// annuli, which one more line cuts. So every side of a block is a full side of another block or
+/// part of the boundary. The result depends on the connectivity alone.
 QuadBlocks FindBlocks(const QuadMesh& mesh);
 }

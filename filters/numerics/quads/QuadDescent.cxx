@@ -10,10 +10,10 @@ namespace crossfield
 {
 namespace
 {
-/// Corrections that the limited memory method remembers.
-constexpr std::size_t MostCorrections = 8;
+/// Number of corrections that L-BFGS stores.
+constexpr std::size_t MaximumCorrections = 8;
 
-/// Unknowns from which on two threads share vectors, as QuadEnergy does quads.
+/// Minimum number of unknowns for two threads, as for quads in QuadEnergy.
 constexpr Eigen::Index MinimumUnknownsForTwoThreads = 40000;
 }
 
@@ -23,7 +23,7 @@ QuadDescent::QuadDescent(QuadEnergy& energy)
 {
 }
 
-/// Of function(begin, count) over one part, or over both halves.
+/// Returns the sum of function(begin, count) over all unknowns at once, or over both halves.
 template <typename Function>
 double QuadDescent::Sum(const Function& function) const
 {
@@ -39,10 +39,10 @@ double QuadDescent::Sum(const Function& function) const
   return sums[0] + sums[1];
 }
 
-double QuadDescent::Direct(const Eigen::VectorXd& curvature)
+double QuadDescent::ComputeDirection(const Eigen::VectorXd& curvature)
 {
-  // The two-loop recursion, with the inverse of the curvature as first guess. Every pass over the vectors ends with the product
-  // that the next one needs.
+  // The two-loop recursion, with the inverse curvature as initial Hessian. Every pass over the
+  // vectors ends with the product that the next one needs.
   const std::size_t count = this->Memory.size();
   std::vector<double> factors(count);
   Eigen::VectorXd& direction = this->Direction;
@@ -94,9 +94,9 @@ double QuadDescent::Direct(const Eigen::VectorXd& curvature)
   return product;
 }
 
-void QuadDescent::Remember(const Eigen::VectorXd& curvature, const Eigen::VectorXd& unknowns)
+void QuadDescent::AddCorrection(const Eigen::VectorXd& curvature, const Eigen::VectorXd& unknowns)
 {
-  if (this->Memory.size() == MostCorrections)
+  if (this->Memory.size() == MaximumCorrections)
   {
     this->Spare.push_back(std::move(this->Memory.front()));
     this->Memory.pop_front();
@@ -134,7 +134,7 @@ void QuadDescent::Remember(const Eigen::VectorXd& curvature, const Eigen::Vector
   this->Memory.push_back(std::move(correction));
 }
 
-void QuadDescent::Forget()
+void QuadDescent::ClearCorrections()
 {
   for (Correction& correction : this->Memory)
   {
@@ -146,25 +146,25 @@ void QuadDescent::Forget()
 int QuadDescent::Descend(
   double epsilon, const DescentLimits& limits, Eigen::VectorXd& unknowns, const Progress& progress)
 {
-  this->Forget();
+  this->ClearCorrections();
   const Eigen::VectorXd& curvature = this->Energy.Curvature();
   double value = this->Energy.Value(unknowns, epsilon, &this->Gradient);
   int step = 0;
   for (; step<limits.steps&& this->Size> 0; ++step)
   {
     progress.Report(static_cast<double>(step) / limits.steps);
-    double slope = this->Direct(curvature);
+    double slope = this->ComputeDirection(curvature);
     if (!(slope < 0.0))
     {
-      this->Forget();
-      slope = this->Direct(curvature);
+      this->ClearCorrections();
+      slope = this->ComputeDirection(curvature);
     }
     if (!(-slope > limits.partOfValue * value) ||
       !(-slope > limits.partOfExcess * (value - this->Energy.IdealValue())))
     {
       break;
     }
-    // Armijo's rule, halving. Infinite where a corner would turn over.
+    // Armijo rule by halving. The energy is infinite if a corner would be inverted.
     double length = 1.0;
     double nextValue = value;
     const auto decreases = [&] { return nextValue <= value + 1e-4 * length * slope; };
@@ -183,10 +183,10 @@ int QuadDescent::Descend(
       {
         break;
       }
-      this->Forget();
+      this->ClearCorrections();
       continue;
     }
-    this->Remember(curvature, unknowns);
+    this->AddCorrection(curvature, unknowns);
     unknowns.swap(this->Next);
     this->Gradient.swap(this->NextGradient);
     value = nextValue;

@@ -7,22 +7,24 @@
 
 namespace crossfield
 {
-/// When a descent ends.
+/// Stopping criteria of a descent.
 struct DescentLimits
 {
   int steps = 0;
-  /// The decrease that a step promises, over the energy above IdealValue or over the energy.
+  /// Predicted decrease of a step relative to the energy above IdealValue, and relative to the
+  /// energy: the descent ends when it is not above both.
   double partOfExcess = 0.0;
   double partOfValue = 0.0;
 };
 
-/// L-BFGS with Armijo's rule for an energy. Long vectors in two threads, the same to the last bit however many there are.
+/// Minimises a QuadEnergy by L-BFGS with the Armijo rule. Long vectors are processed in two
+/// threads; the result is bitwise the same for any number of threads.
 class QuadDescent
 {
 public:
   explicit QuadDescent(QuadEnergy& energy);
 
-  /// From `unknowns`, which become the result. Returns the number of steps.
+  /// Descends from `unknowns`, which receive the result. Returns the number of steps.
   int Descend(double epsilon, const DescentLimits& limits, Eigen::VectorXd& unknowns,
     const Progress& progress = {});
 
@@ -35,10 +37,10 @@ private:
     double scale = 0.0;   ///< step · change over change · change / curvature
   };
 
-  /// Sets Direction; returns its product with the gradient.
-  double Direct(const Eigen::VectorXd& curvature);
-  void Remember(const Eigen::VectorXd& curvature, const Eigen::VectorXd& unknowns);
-  void Forget();
+  /// Sets Direction and returns its product with the gradient.
+  double ComputeDirection(const Eigen::VectorXd& curvature);
+  void AddCorrection(const Eigen::VectorXd& curvature, const Eigen::VectorXd& unknowns);
+  void ClearCorrections();
   template <typename Function>
   double Sum(const Function& function) const;
 

@@ -12,10 +12,11 @@ namespace crossfield
 {
 namespace
 {
-/// Quads from which on two threads pay: their energy takes a millisecond then.
+/// Minimum number of quads for two threads: their energy takes a millisecond.
 constexpr std::size_t MinimumQuadsForTwoThreads = 20000;
 
-/// The sides of a quad over the wanted lengths: two of either direction. Corner (i, j) is between a_i and b_j.
+/// The sides of a quad divided by their target lengths, two in each direction. Corner (i, j) is
+/// between a_i and b_j.
 struct QuadFrame
 {
   std::array<Point, 2> a;
@@ -26,20 +27,21 @@ struct QuadFrame
   double Determinant(std::size_t i, std::size_t j) const { return Cross(this->a[i], this->b[j]); }
 };
 
-QuadFrame FrameOf(const QuadMesh& mesh, const Eigen::VectorXd& places, std::size_t quad)
+QuadFrame FrameOf(const QuadMesh& mesh, const Eigen::VectorXd& positions, std::size_t quad)
 {
   const std::array<int, 4>& points = mesh.quads[quad];
-  const auto at = [&places](int point) -> Point { return places.segment<2>(FirstUnknown(point)); };
+  const auto at = [&positions](int point) -> Point
+  { return positions.segment<2>(FirstUnknown(point)); };
   const std::array<Point, 4> p = { at(points[0]), at(points[1]), at(points[2]), at(points[3]) };
   QuadFrame frame;
-  frame.inverseA = 1.0 / mesh.wanted[quad][0];
-  frame.inverseB = 1.0 / mesh.wanted[quad][1];
+  frame.inverseA = 1.0 / mesh.targetLengths[quad][0];
+  frame.inverseB = 1.0 / mesh.targetLengths[quad][1];
   frame.a = { Point(frame.inverseA * (p[1] - p[0])), Point(frame.inverseA * (p[2] - p[3])) };
   frame.b = { Point(frame.inverseB * (p[3] - p[0])), Point(frame.inverseB * (p[2] - p[1])) };
   return frame;
 }
 
-/// χ = (D + root) / 2 with root = √(D² + ε²), without cancellation.
+/// Returns χ = (D + root) / 2 with root = √(D² + ε²), without cancellation.
 double Regularised(double determinant, double root, double epsilon)
 {
   return determinant >= 0.0 ? 0.5 * (determinant + root)
@@ -59,8 +61,8 @@ QuadEnergy::QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves,
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
     this->Ideal += 8.0 * this->Weights[q];
-    const double curvature =
-      1.0 / (mesh.wanted[q][0] * mesh.wanted[q][0]) + 1.0 / (mesh.wanted[q][1] * mesh.wanted[q][1]);
+    const double curvature = 1.0 / (mesh.targetLengths[q][0] * mesh.targetLengths[q][0]) +
+      1.0 / (mesh.targetLengths[q][1] * mesh.targetLengths[q][1]);
     for (const int p : mesh.quads[q])
     {
       this->Diagonal.segment<2>(FirstUnknown(p)).array() += 4.0 * this->Weights[q] * curvature;
@@ -130,28 +132,28 @@ void QuadEnergy::Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const
   }
 }
 
-void QuadEnergy::Place(const Eigen::VectorXd& unknowns)
+void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
 {
-  this->Places = unknowns;
+  this->Positions = unknowns;
   for (const int p : this->OnBoundary)
   {
-    this->Places.segment<2>(FirstUnknown(p)) =
+    this->Positions.segment<2>(FirstUnknown(p)) =
       this->Curves.At({ this->Mesh.points[Index(p)].curve.loop, unknowns[FirstUnknown(p)] });
   }
 }
 
-double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
+double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient)
 {
   const auto [begin, end] = HalfOf(static_cast<int>(this->Mesh.quads.size()), half);
-  Eigen::VectorXd& force = this->Forces[half];
-  if (forces)
+  Eigen::VectorXd& gradient = this->Gradients[half];
+  if (withGradient)
   {
-    force.setZero(this->Places.size());
+    gradient.setZero(this->Positions.size());
   }
   double energy = 0.0;
   for (std::size_t q = Index(begin); q < Index(end); ++q)
   {
-    const QuadFrame frame = FrameOf(this->Mesh, this->Places, q);
+    const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
     const double weight = this->Weights[q];
     std::array<Point, 2> byA = { Point::Zero(), Point::Zero() };
     std::array<Point, 2> byB = { Point::Zero(), Point::Zero() };
@@ -180,16 +182,16 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
         byB[j] += byNorm * b + byDeterminant * Point(-a.y(), a.x());
       }
     }
-    if (forces)
+    if (withGradient)
     {
       const std::array<int, 4>& points = this->Mesh.quads[q];
-      force.segment<2>(FirstUnknown(points[0])) -=
+      gradient.segment<2>(FirstUnknown(points[0])) -=
         frame.inverseA * byA[0] + frame.inverseB * byB[0];
-      force.segment<2>(FirstUnknown(points[1])) +=
+      gradient.segment<2>(FirstUnknown(points[1])) +=
         frame.inverseA * byA[0] - frame.inverseB * byB[1];
-      force.segment<2>(FirstUnknown(points[2])) +=
+      gradient.segment<2>(FirstUnknown(points[2])) +=
         frame.inverseA * byA[1] + frame.inverseB * byB[1];
-      force.segment<2>(FirstUnknown(points[3])) +=
+      gradient.segment<2>(FirstUnknown(points[3])) +=
         frame.inverseB * byB[0] - frame.inverseA * byA[1];
     }
   }
@@ -198,7 +200,7 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool forces)
 
 double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient)
 {
-  this->Place(unknowns);
+  this->SetPositions(unknowns);
   std::array<double, 2> energies{};
   ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
     [&](std::size_t half)
@@ -212,7 +214,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   {
     return energy;
   }
-  const Eigen::Index size = this->Places.size();
+  const Eigen::Index size = this->Positions.size();
   gradient->resize(size);
   ForBothHalves(this->Mesh.quads.size() >= MinimumQuadsForTwoThreads,
     [&](std::size_t half)
@@ -220,14 +222,14 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
       const Eigen::Index begin = half == 0 ? 0 : size / 2;
       const Eigen::Index count = half == 0 ? size / 2 : size - size / 2;
       gradient->segment(begin, count) =
-        this->Forces[0].segment(begin, count) + this->Forces[1].segment(begin, count);
+        this->Gradients[0].segment(begin, count) + this->Gradients[1].segment(begin, count);
     });
   for (const int p : this->OnBoundary)
   {
-    const Point force = gradient->segment<2>(FirstUnknown(p));
+    const Point inPlane = gradient->segment<2>(FirstUnknown(p));
     const int loop = this->Mesh.points[Index(p)].curve.loop;
     gradient->segment<2>(FirstUnknown(p))
-      << force.dot(this->Curves.Tangent({ loop, unknowns[FirstUnknown(p)] })),
+      << inPlane.dot(this->Curves.Tangent({ loop, unknowns[FirstUnknown(p)] })),
       0.0;
   }
   if (this->Slope.size() > 0)
@@ -241,16 +243,16 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   return energy;
 }
 
-double QuadEnergy::LeastDeterminant(const Eigen::VectorXd& unknowns)
+double QuadEnergy::MinimumDeterminant(const Eigen::VectorXd& unknowns)
 {
-  this->Place(unknowns);
-  double least = std::numeric_limits<double>::infinity();
+  this->SetPositions(unknowns);
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t q = 0; q < this->Mesh.quads.size(); ++q)
   {
-    const QuadFrame frame = FrameOf(this->Mesh, this->Places, q);
-    least = std::min({ least, frame.Determinant(0, 0), frame.Determinant(0, 1),
+    const QuadFrame frame = FrameOf(this->Mesh, this->Positions, q);
+    minimum = std::min({ minimum, frame.Determinant(0, 0), frame.Determinant(0, 1),
       frame.Determinant(1, 0), frame.Determinant(1, 1) });
   }
-  return least;
+  return minimum;
 }
 }

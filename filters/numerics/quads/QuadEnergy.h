@@ -8,60 +8,63 @@
 
 namespace crossfield
 {
-/// Where the two unknowns of a point begin.
+/// Returns the index of the first of the two unknowns of a point.
 inline Eigen::Index FirstUnknown(int point)
 {
   return 2 * static_cast<Eigen::Index>(point);
 }
 
-/// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of each quad, with
-/// J the map from the wanted rectangle and D = det J,
+/// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of
+/// each quad, with J the map from the target rectangle and D = det J,
 ///   f = (1 − a) |J|² / χ + a (D² + 1) / χ,  χ = (D + √(D² + ε²)) / 2.
-/// Least where J is a rotation: 2.
+/// The minimum is 2, where J is a rotation.
 ///
-/// Unknowns are two per point: its place inside; on the boundary the length along its polyline, and 0. Those of points
-/// that are fixed are among them, with no gradient.
+/// There are two unknowns per point: inside, its position; on the boundary, the length along the
+/// polyline, and 0. Fixed points have unknowns as well, with zero gradient.
 class QuadEnergy
 {
 public:
-  /// `moves`: which points do. `sizePart`: a. `weights`: as how many every quad counts.
+  /// `moves` marks the points that are not fixed, `sizePart` is a, `weights` are factors of the
+  /// quads.
   QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves, const std::vector<bool>& moves,
     double sizePart, std::vector<double> weights);
 
-  /// Of the mesh.
+  /// Returns the unknowns of the mesh as it is.
   Eigen::VectorXd Unknowns() const;
-  /// Takes tilt · (unknowns − origin) away from the value, so that the origin has the gradient that is wanted there.
+  /// Subtracts tilt · (unknowns − origin) from the energy, to prescribe the gradient at the origin.
   void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
-  /// Moves without those of points that do not move.
+  /// Returns displacements with those of fixed points set to 0.
   Eigen::VectorXd Masked(Eigen::VectorXd moves) const;
-  /// Puts the points of the mesh where unknowns say.
+  /// Moves the points of a mesh to the given unknowns.
   void Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
-  /// That of quads as wanted, the least possible.
+  /// Returns the energy if all quads are their target rectangles, the minimum possible.
   double IdealValue() const { return this->Ideal; }
-  /// Infinite with ε = 0 where a corner is not positive; the gradient is then not set. The same to the last bit however
-  /// many threads there are.
+  /// Returns the energy, and its gradient if requested. With ε = 0 it is infinite if a corner is
+  /// not positive; then the gradient is not set. Bitwise the same for any number of threads.
   double Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient);
-  /// Least D.
-  double LeastDeterminant(const Eigen::VectorXd& unknowns);
-  /// Per unknown the inverse square of the lengths that it acts on, the size of the Hessian's diagonal; 1 where nothing
-  /// moves.
+  /// Returns the minimum of D over all corners.
+  double MinimumDeterminant(const Eigen::VectorXd& unknowns);
+  /// Returns an approximate diagonal of the Hessian: per unknown, the inverse squares of the
+  /// lengths that it changes; 1 for fixed unknowns.
   const Eigen::VectorXd& Curvature() const { return this->Diagonal; }
 
 private:
-  void Place(const Eigen::VectorXd& unknowns);
-  double HalfValue(std::size_t half, double epsilon, bool forces);
+  /// Sets Positions.
+  void SetPositions(const Eigen::VectorXd& unknowns);
+  /// Returns the energy of one half of the quads, and adds up its gradient if requested.
+  double HalfValue(std::size_t half, double epsilon, bool withGradient);
 
   const QuadMesh& Mesh;
   const BoundaryCurves& Curves;
   const double SizePart;
   const std::vector<double> Weights;
   double Ideal = 0.0;
-  std::vector<int> Fixed;      ///< Points that do not move.
-  std::vector<int> OnBoundary; ///< Those that move along the boundary.
+  std::vector<int> Fixed;      ///< Fixed points.
+  std::vector<int> OnBoundary; ///< Points that move along the boundary.
   Eigen::VectorXd Diagonal;
-  Eigen::VectorXd Slope;                 ///< Of the tilt, if any,
-  Eigen::VectorXd Origin;                ///< and from where.
-  Eigen::VectorXd Places;                ///< Of all points.
-  std::array<Eigen::VectorXd, 2> Forces; ///< By the quads of either half.
+  Eigen::VectorXd Slope;                    ///< The tilt, empty if there is none.
+  Eigen::VectorXd Origin;                   ///< Unknowns at which the tilt vanishes.
+  Eigen::VectorXd Positions;                ///< Positions of all points.
+  std::array<Eigen::VectorXd, 2> Gradients; ///< Contributions of both halves of the quads.
 };
 }

@@ -10,7 +10,7 @@ namespace crossfield
 std::vector<int> QuadMesh::Twins() const
 {
   const auto index = [](int i) { return static_cast<std::size_t>(i); };
-  // 1. Sides by their smaller point: few have the same.
+  // 1. Sort sides by their smaller point: few sides share it.
   std::vector<int> starts(this->points.size() + 1, 0);
   for (const std::array<int, 4>& quad : this->quads)
   {
@@ -42,7 +42,7 @@ std::vector<int> QuadMesh::Twins() const
     const auto [smaller, larger] = std::minmax({ startOf(side), endOf(side) });
     sides[index(ends[index(smaller)]++)] = { larger, side };
   }
-  // 2. Two of one edge run against each other.
+  // 2. Match sides of the same edge, which have opposite directions.
   std::vector<int> twins(sides.size(), -1);
   for (std::size_t p = 0; p + 1 < starts.size(); ++p)
   {

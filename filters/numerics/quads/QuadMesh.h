@@ -10,16 +10,17 @@ namespace crossfield
 /// A point of a quad mesh.
 struct QuadPoint
 {
-  Point place = Point::Zero();
-  CurvePlace curve;   ///< On the boundary, where.
-  bool fixed = false; ///< A corner of the boundary, or a singularity.
-  int cone = -1;      ///< In SeamlessMap::cones.
-  int asked = 0;      ///< Quarter index of the cone, else 0.
-  double scale = 1.0; ///< Wanted size there, over the mesh's: e^H but for WantSizes.
-  int valence = 0;    ///< Number of quads.
+  Point place = Point::Zero(); ///< Position in the plane.
+  CurvePlace curve;            ///< Position on the boundary, if the point is there.
+  bool fixed = false;          ///< Set for corners of the boundary and singularities.
+  int cone = -1;               ///< Index in SeamlessMap::cones, −1 if it is none.
+  int quarterIndex = 0;        ///< Requested quarter index: that of the cone, else 0.
+  double scale =
+    1.0;           ///< Target size over that of the mesh: e^H unless SetTargetLengths changes it.
+  int valence = 0; ///< Number of quads.
 };
 
-/// An edge of the boundary, with the domain on its left.
+/// A boundary edge, with the domain on its left.
 struct QuadBoundaryEdge
 {
   std::array<int, 2> points{};
@@ -27,21 +28,21 @@ struct QuadBoundaryEdge
   int id = 0;
 };
 
-/// An all-quad mesh, quads counter-clockwise.
+/// An all-quad mesh. Quads are counter-clockwise.
 struct QuadMesh
 {
   std::vector<QuadPoint> points;
   std::vector<std::array<int, 4>> quads;
-  /// Per quad the lengths wanted of its sides 01 (and 23) and 12 (and 30).
-  std::vector<std::array<double, 2>> wanted;
-  std::vector<int> face; ///< Of the T-mesh, per quad.
+  /// Per quad, the target lengths of its sides 01 (and 23) and 12 (and 30).
+  std::vector<std::array<double, 2>> targetLengths;
+  std::vector<int> patch; ///< Patch of the T-mesh, per quad.
   std::vector<QuadBoundaryEdge> boundary;
 
-  /// Side s of quad q, number 4 q + s, leads from corner s to corner s + 1 with the quad on its left. Of every side the
-  /// number of that which runs against it; −1 on the boundary. Throws Error when an edge has more than two quads, or a
-  /// quad a point twice. Cost: linear in quads.
+  /// Returns for every side the opposite side of the same edge, −1 on the boundary. Side s of quad
+  /// q has number 4 q + s and leads from corner s to corner s + 1 with the quad on its left. Throws
+  /// Error if an edge has more than two quads, or a quad has a point twice. Cost: linear in quads.
   std::vector<int> Twins() const;
-  /// Points − edges + quads. Throws Error as Twins.
+  /// Returns points − edges + quads. Throws Error as Twins does.
   int EulerCharacteristic() const;
 };
 }

@@ -3,8 +3,9 @@
 #include "Chords.h"
 #include "Error.h"
 #include "MemoryBudget.h"
-#include "QuadLayout.h"
+#include "QuadBuilder.h"
 #include "QuadSymmetry.h"
+#include "Quantisation.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
 
@@ -17,18 +18,18 @@ namespace crossfield
 {
 namespace
 {
-/// Area of the map, which is the domain's.
-double AreaOf(const TMesh& lines)
+/// Returns the area of the map, which is the domain's.
+double AreaOf(const TMesh& tMesh)
 {
   double area = 0.0;
-  for (const TPatch& face : lines.patches)
+  for (const TPatch& patch : tMesh.patches)
   {
-    area += lines.SideLength(face, 0) * lines.SideLength(face, 1);
+    area += tMesh.SideLength(patch, 0) * tMesh.SideLength(patch, 1);
   }
   return area;
 }
 
-/// The outer loop first.
+/// Returns the domain of a mesh, with the outer loop first.
 PlanarDomain DomainOf(const MeshTopology& topology)
 {
   PlanarDomain domain;
@@ -39,17 +40,7 @@ PlanarDomain DomainOf(const MeshTopology& topology)
   return domain;
 }
 
-/// The problem of a size, of lengths for size 1.
-ArcProblem ProblemOf(const TMesh& lines, std::vector<double> lengths, double size)
-{
-  for (double& length : lengths)
-  {
-    length /= size;
-  }
-  return MakeArcProblem(lines, std::move(lengths));
-}
-
-/// Lays, smooths and measures meshes of one T-mesh.
+/// Builds, smooths and measures meshes of one T-mesh.
 class Mesher
 {
 public:
@@ -59,159 +50,182 @@ public:
     , Result(result)
     , Curves(*map.topology)
     , Domain(DomainOf(*map.topology))
-    , Lengths(TargetLengths(result.lines, options.sizes))
-    , Area(AreaOf(result.lines))
+    , Lengths(TargetLengths(result.tMesh, options.sizes))
+    , Area(AreaOf(result.tMesh))
   {
   }
 
-  /// Counts of the wanted size, or of one that gives the wanted number: that is searched for quickly.
-  void Count(const Progress& progress)
+  /// Computes the edge counts for the given size, or for a size that gives the requested number of
+  /// quads. That size is searched for with quick solutions.
+  void ComputeCounts(const Progress& progress)
   {
-    const auto countsOf = [this](double size, ArcSearch search)
-    {
-      return CountArcs(
-        this->Result.lines, ProblemOf(this->Result.lines, this->Lengths, size), search);
-    };
     const bool given = this->Options.quadSize > 0.0;
-    SizedCounts found = this->ForSize([&](double size)
-      { return countsOf(size, given ? ArcSearch::Thorough : ArcSearch::Quick); },
+    EdgeCounts found = this->CountsForSize([&](double size)
+      { return this->QuantiseFor(size, given ? SearchEffort::Thorough : SearchEffort::Quick); },
       progress);
-    if (!given && !found.counts.optimal)
+    if (!given && !found.optimal)
     {
-      ArcCounts best = countsOf(found.size, ArcSearch::Thorough);
-      const double off = this->Off(best);
-      if (off <= CountTolerance || off <= this->Off(found.counts))
+      EdgeCounts best = this->QuantiseFor(found.size, SearchEffort::Thorough);
+      const double error = this->CountError(best);
+      if (error <= CountTolerance || error <= this->CountError(found))
       {
-        found.counts = std::move(best);
+        best.size = found.size;
+        found = std::move(best);
       }
     }
-    this->Take(found, this->Result);
+    SetCounts(std::move(found), this->Result);
   }
 
-  void Lay(QuadResult& result) const
+  void Build(QuadResult& result) const
   {
     Stopwatch stopwatch;
     RequireMemory(
-      static_cast<double>(CountQuads(result.lines, result.counts.counts)) * BytesPerQuad,
+      static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "So many quads", "use a larger size or fewer quads");
-    result.mesh = LayQuads(this->Map, result.lines, result.counts.counts, result.size);
-    WantSizes(result.mesh, this->Options.sizes, this->Area);
+    result.mesh = BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size);
+    SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     result.layoutSeconds += stopwatch.Lap();
   }
 
   void Smooth(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
-    const bool even = this->Options.sizes.sizing != Sizing::Conformal;
-    result.blocks = FindBlocks(result.mesh); // of the quads alone, wherever the points go
+    const bool uniform = this->Options.sizes.sizing != Sizing::Conformal;
+    result.blocks = FindBlocks(result.mesh); // depends on the connectivity alone
     if (!this->Options.smooth)
     {
       result.quality = MeasureQuads(result.mesh, result.size);
       return;
     }
-    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, even, progress);
+    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, uniform, progress);
     result.smoothing.symmetries =
       MakeSymmetric(result.mesh, this->Curves, this->Domain, result.smoothing.released);
     result.smoothSeconds += stopwatch.Lap();
     result.quality = MeasureQuads(result.mesh, result.size);
   }
 
-  /// Replaces the result by one with fewer blocks, the fewest that are sound.
+  /// Replaces the result by the one with the fewest blocks whose quads are acceptable, if it has
+  /// fewer.
   void Coarsen(const Progress& progress)
   {
-    std::vector<QuadResult> tried = this->CoarseResults();
-    std::stable_sort(tried.begin(), tried.end(),
+    std::vector<QuadResult> candidates = this->CoarseCandidates();
+    std::stable_sort(candidates.begin(), candidates.end(),
       [](const QuadResult& a, const QuadResult& b)
       { return a.blocks.blocks.size() < b.blocks.blocks.size(); });
-    const double least = SoundPart * this->Result.quality.jacobian.min;
-    for (std::size_t i = 0; i < tried.size(); ++i)
+    const double minimum = AcceptedFraction * this->Result.quality.jacobian.min;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      if (tried[i].blocks.blocks.size() >= this->Result.blocks.blocks.size())
+      QuadResult& candidate = candidates[i];
+      if (candidate.blocks.blocks.size() >= this->Result.blocks.blocks.size())
       {
         return;
       }
-      const auto count = static_cast<double>(tried.size());
-      this->Lay(tried[i]);
-      this->Smooth(tried[i],
+      const auto count = static_cast<double>(candidates.size());
+      this->Build(candidate);
+      this->Smooth(candidate,
         progress.Part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
-      if (tried[i].quality.inverted == 0 && tried[i].quality.jacobian.min >= least)
+      if (candidate.quality.inverted == 0 && candidate.quality.jacobian.min >= minimum)
       {
-        this->Result = std::move(tried[i]);
+        this->Result = std::move(candidate);
         return;
       }
     }
   }
 
 private:
-  /// A mesh is sound where its worst quad has this part of the scaled Jacobian of that with all blocks.
-  static constexpr double SoundPart = 0.5;
-  /// Points, quads, lattices, energy, corrections of four numbers a point: at a million quads 770 were measured, with even
-  /// sizes 930.
+  /// A coarse mesh is accepted if its minimum scaled Jacobian is this fraction of that with all
+  /// blocks.
+  static constexpr double AcceptedFraction = 0.5;
+  /// Points, quads, lattices, energy, and corrections of four numbers per point: 770 bytes per quad
+  /// were measured with a million quads, 930 with uniform sizes.
   static constexpr double BytesPerQuad = 1000.0;
 
-  SizedCounts ForSize(
-    const std::function<ArcCounts(double)>& countsOf, const Progress& progress) const
+  /// Makes the problem for a size.
+  QuantisationProblem ProblemFor(double size) const
+  {
+    std::vector<double> target = this->Lengths;
+    for (double& length : target)
+    {
+      length /= size;
+    }
+    return MakeQuantisationProblem(this->Result.tMesh, std::move(target));
+  }
+
+  EdgeCounts QuantiseFor(double size, SearchEffort effort) const
+  {
+    return Quantise(this->Result.tMesh, this->ProblemFor(size), effort);
+  }
+
+  /// Returns the counts for the given size, or for the one that SearchSize finds.
+  EdgeCounts CountsForSize(
+    const std::function<EdgeCounts(double)>& countsOf, const Progress& progress) const
   {
     if (this->Options.quadSize > 0.0)
     {
       progress.Report(0.0);
-      return { this->Options.quadSize, countsOf(this->Options.quadSize), 0 };
+      EdgeCounts counts = countsOf(this->Options.quadSize);
+      counts.size = this->Options.quadSize;
+      return counts;
     }
-    return SearchSize(this->Result.lines, this->Options.quadCount,
+    return SearchSize(this->Result.tMesh, this->Options.quadCount,
       std::sqrt(this->Area / this->Options.quadCount), countsOf, progress);
   }
 
-  /// The part by which a number of quads misses the wanted one.
-  double Off(const ArcCounts& counts) const
+  /// Returns the relative error of the number of quads.
+  double CountError(const EdgeCounts& counts) const
   {
-    const auto count = static_cast<double>(CountQuads(this->Result.lines, counts.counts));
+    const auto count = static_cast<double>(CountQuads(this->Result.tMesh, counts.counts));
     return std::abs(count / this->Options.quadCount - 1.0);
   }
 
-  static void Take(const SizedCounts& found, QuadResult& result)
+  static void SetCounts(EdgeCounts counts, QuadResult& result)
   {
-    result.size = found.size;
-    result.counts = found.counts;
+    result.size = counts.size;
+    result.counts = std::move(counts);
   }
 
-  /// Those of sizes from the wanted one to that of the domain, as far as they differ; with blocks, not smoothed.
-  std::vector<QuadResult> CoarseResults() const
+  /// Returns results with counts and blocks, but no mesh, for the different coarse solutions: those
+  /// of sizes from the target size up to that of the domain.
+  std::vector<QuadResult> CoarseCandidates() const
   {
     std::vector<QuadResult> results;
     std::vector<int> last;
     const double largest = std::sqrt(this->Area);
     for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
     {
-      const TMesh& lines = this->Result.lines;
-      const ArcCounts coarse =
-        CountArcs(lines, ProblemOf(lines, this->Lengths, size), ArcSearch::Quick);
+      const EdgeCounts coarse = this->QuantiseFor(size, SearchEffort::Quick);
       if (coarse.counts == last)
       {
         continue;
       }
       last = coarse.counts;
-      const Chords chords(lines, coarse.counts);
-      const SizedCounts found = this->ForSize(
-        [&](double wanted)
-        {
-          const ArcProblem problem = ProblemOf(lines, this->Lengths, wanted);
-          ArcCounts counts = coarse;
-          counts.counts = chords.Refine(problem);
-          counts.cost = problem.Cost(counts.counts);
-          counts.bound = this->Result.counts.bound;
-          counts.gap = std::max(0.0, (counts.cost - counts.bound) / (1.0 + counts.bound));
-          counts.optimal = false;
-          counts.seconds = this->Result.counts.seconds;
-          return counts;
-        },
-        {});
       QuadResult result;
-      result.lines = lines;
-      this->Take(found, result);
-      result.blocks = FindBlocks(LayQuads(this->Map, lines, result.counts.counts, result.size));
+      result.tMesh = this->Result.tMesh;
+      SetCounts(this->RefineCounts(coarse), result);
+      result.blocks =
+        FindBlocks(BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size));
       results.push_back(std::move(result));
     }
     return results;
+  }
+
+  /// Returns counts of the target size that keep the blocks of a coarse solution.
+  EdgeCounts RefineCounts(const EdgeCounts& coarse) const
+  {
+    const Chords chords(this->Result.tMesh, coarse.counts);
+    return this->CountsForSize(
+      [&](double size)
+      {
+        const QuantisationProblem problem = this->ProblemFor(size);
+        EdgeCounts counts = coarse;
+        counts.counts = chords.Refine(problem);
+        counts.cost = problem.Cost(counts.counts);
+        counts.bound = this->Result.counts.bound;
+        counts.optimal = false;
+        counts.seconds = this->Result.counts.seconds;
+        return counts;
+      },
+      {});
   }
 
   const SeamlessMap& Map;
@@ -219,13 +233,13 @@ private:
   QuadResult& Result;
   const BoundaryCurves Curves;
   const PlanarDomain Domain;
-  const std::vector<double> Lengths;
+  const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
 };
 }
 
 QuadResult MakeQuads(
-  const SeamlessMap& map, TMesh lines, const QuadOptions& options, const Progress& progress)
+  const SeamlessMap& map, TMesh tMesh, const QuadOptions& options, const Progress& progress)
 {
   if (!(options.quadSize >= 0.0) || !std::isfinite(options.quadSize) ||
     (options.quadSize == 0.0 && options.quadCount < 1))
@@ -233,10 +247,10 @@ QuadResult MakeQuads(
     throw Error("The size of quads must be a positive number, or their count at least 1.");
   }
   QuadResult result;
-  result.lines = std::move(lines);
+  result.tMesh = std::move(tMesh);
   Mesher mesher(map, options, result);
-  mesher.Count(progress.Part(0.0, 0.3));
-  mesher.Lay(result);
+  mesher.ComputeCounts(progress.Part(0.0, 0.3));
+  mesher.Build(result);
   progress.Report(0.4);
   const double smoothed = options.coarse ? 0.7 : 1.0;
   mesher.Smooth(result, progress.Part(0.4, smoothed));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ArcCounts.h"
+#include "EdgeCounts.h"
 #include "QuadBlocks.h"
 #include "QuadQuality.h"
 #include "QuadSizes.h"
@@ -12,31 +12,34 @@ namespace crossfield
 {
 struct QuadOptions
 {
-  /// Target side length of quads in the map, whose area is the domain's; 0: by quadCount.
+  /// Target side length of quads in the map, whose area is the domain's; 0: set by quadCount.
   double quadSize = 0.0;
-  int quadCount = 1000; ///< Target number of quads where quadSize is 0.
+  int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   TargetSizes sizes;    ///< Variation of the size over the domain.
-  bool smooth = true;   ///< Otherwise points are left where the map has them, which is for drafts.
-  bool coarse = false; ///< The fewest blocks that are sound, instead of those nearest to the sizes.
+  bool smooth = true;   ///< If false, points stay where the map has them, for drafts.
+  /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
+  bool coarse = false;
 };
 
-/// An all-quad mesh with exactly the cones of a map as irregular points, and how it came about.
+/// An all-quad mesh whose irregular points are exactly the cones of a map, with reports of the
+/// stages.
 struct QuadResult
 {
   QuadMesh mesh;
-  TMesh lines;
-  double size = 0.0;
-  ArcCounts counts;
+  TMesh tMesh;
+  double size = 0.0; ///< Edge length of quads in the map.
+  EdgeCounts counts;
   SmoothingReport smoothing;
   QuadQuality quality;
   QuadBlocks blocks;
-  double layoutSeconds = 0.0;
+  double layoutSeconds = 0.0; ///< Time to place the quads in the map.
   double smoothSeconds = 0.0;
 };
 
-/// Builds a quad mesh of the T-mesh of a map: edge counts, quads, smoothing (docs/method.md §14). The T-mesh is that of
-/// MakeTMesh for the same map. Throws Error as CountArcs and LayQuads do, and before more quads are built than fit into
-/// memory.
+/// Makes a quad mesh from the T-mesh of a seamless map (docs/method.md §14): edge counts, quads,
+/// smoothing. `tMesh` is the result of MakeTMesh for the same map. Throws Error if the size or
+/// count is not positive, if more quads would be built than fit into memory, and as Quantise and
+/// BuildQuads do.
 QuadResult MakeQuads(
-  const SeamlessMap& map, TMesh lines, const QuadOptions& options, const Progress& progress = {});
+  const SeamlessMap& map, TMesh tMesh, const QuadOptions& options, const Progress& progress = {});
 }

@@ -9,13 +9,14 @@ namespace crossfield
 {
 namespace
 {
-/// Rings of quads between every point and the nearest cone or inverted quad; `rings` where there are as many.
+/// Returns the number of rings of quads between every point and the nearest cone or inverted quad,
+/// at most `rings`.
 std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 {
   std::vector<int> ringOf(mesh.points.size(), rings);
   for (std::size_t p = 0; p < ringOf.size(); ++p)
   {
-    ringOf[p] = mesh.points[p].asked != 0 ? 0 : rings;
+    ringOf[p] = mesh.points[p].quarterIndex != 0 ? 0 : rings;
   }
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
@@ -40,14 +41,14 @@ std::vector<int> RingsOf(const QuadMesh& mesh, int rings)
 }
 }
 
-QuadPart::QuadPart(const QuadMesh& whole, const std::vector<bool>& wholeMoves, int rings)
+QuadPart::QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int rings)
 {
-  const std::vector<int> ringOf = RingsOf(whole, rings);
-  const auto isFree = [&](int p) { return ringOf[Index(p)] < rings && wholeMoves[Index(p)]; };
-  std::vector<int> number(whole.points.size(), -1);
-  for (std::size_t q = 0; q < whole.quads.size(); ++q)
+  const std::vector<int> ringOf = RingsOf(full, rings);
+  const auto isFree = [&](int p) { return ringOf[Index(p)] < rings && fullMoves[Index(p)]; };
+  std::vector<int> number(full.points.size(), -1);
+  for (std::size_t q = 0; q < full.quads.size(); ++q)
   {
-    std::array<int, 4> quad = whole.quads[q];
+    std::array<int, 4> quad = full.quads[q];
     if (std::none_of(quad.begin(), quad.end(), isFree))
     {
       continue;
@@ -59,21 +60,21 @@ QuadPart::QuadPart(const QuadMesh& whole, const std::vector<bool>& wholeMoves, i
       {
         mine = static_cast<int>(this->points.size());
         this->points.push_back(Index(p));
-        this->mesh.points.push_back(whole.points[Index(p)]);
+        this->mesh.points.push_back(full.points[Index(p)]);
         this->moves.push_back(isFree(p));
       }
       p = mine;
     }
     this->mesh.quads.push_back(quad);
-    this->mesh.wanted.push_back(whole.wanted[q]);
+    this->mesh.targetLengths.push_back(full.targetLengths[q]);
   }
 }
 
-void QuadPart::PutBack(QuadMesh& whole) const
+void QuadPart::CopyPoints(QuadMesh& full) const
 {
   for (std::size_t p = 0; p < this->points.size(); ++p)
   {
-    whole.points[this->points[p]] = this->mesh.points[p];
+    full.points[this->points[p]] = this->mesh.points[p];
   }
 }
 }

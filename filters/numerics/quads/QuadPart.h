@@ -4,17 +4,17 @@
 
 namespace crossfield
 {
-/// The quads within some rings around the singularities and irregular corners of a mesh, and around its inverted quads, as a mesh of
-/// their own.
+/// A submesh: the quads within some rings around the singularities, irregular corners and inverted
+/// quads of a mesh.
 struct QuadPart
 {
   QuadMesh mesh;
-  std::vector<bool> moves;         ///< Those of the whole, but on the rim.
-  std::vector<std::size_t> points; ///< Of the whole.
+  std::vector<bool> moves;         ///< As in the full mesh, but false on the rim.
+  std::vector<std::size_t> points; ///< Points of the full mesh.
 
-  /// `moves`: which points of the whole do.
-  QuadPart(const QuadMesh& whole, const std::vector<bool>& wholeMoves, int rings);
-  /// Puts the points of the whole where those of the part are.
-  void PutBack(QuadMesh& whole) const;
+  /// `fullMoves` marks the points of the full mesh that may move.
+  QuadPart(const QuadMesh& full, const std::vector<bool>& fullMoves, int rings);
+  /// Copies the points of the submesh to the full mesh.
+  void CopyPoints(QuadMesh& full) const;
 };
 }

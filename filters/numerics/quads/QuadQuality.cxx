@@ -34,7 +34,8 @@ Range RangeOf(const std::vector<double>& values)
 
 double Eta(const QuadMesh& mesh, std::size_t quad)
 {
-  // Of a convex corner the sine of |π/2 − angle| is |cos angle|: one arc sine for the largest.
+  // At a convex corner the sine of |π/2 − angle| is |cos angle|, so one arc sine of the largest
+  // suffices.
   double largestCosine = 0.0;
   double worst = 0.0;
   for (std::size_t c = 0; c < 4; ++c)
@@ -64,7 +65,8 @@ bool IsCorner(const QuadPoint& point)
   return point.curve.loop >= 0 && point.fixed;
 }
 
-/// The sine of the angles of equal quads around every point that is not regular, at best.
+/// Returns the minimum over all irregular points and corners of the sine of equal angles around
+/// them.
 double AttainableBound(const QuadMesh& mesh)
 {
   double bound = 1.0;
@@ -97,15 +99,15 @@ double AttainableBound(const QuadMesh& mesh)
 
 double ScaledJacobian(const QuadMesh& mesh, std::size_t quad)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   for (std::size_t c = 0; c < 4; ++c)
   {
     const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
     const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
     const double lengths = next.norm() * previous.norm();
-    least = std::min(least, lengths > 0.0 ? Cross(next, previous) / lengths : 0.0);
+    minimum = std::min(minimum, lengths > 0.0 ? Cross(next, previous) / lengths : 0.0);
   }
-  return least;
+  return minimum;
 }
 
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size)

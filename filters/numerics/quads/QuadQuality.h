@@ -4,6 +4,7 @@
 
 namespace crossfield
 {
+/// Minimum, mean and maximum.
 struct Range
 {
   double min = 0.0;
@@ -11,24 +12,26 @@ struct Range
   double max = 0.0;
 };
 
-/// Shapes and sizes of quads (docs/method.md §14.6).
+/// Quality measures of a quad mesh (docs/method.md §14.6).
 struct QuadQuality
 {
-  std::vector<double> scaledJacobian; ///< Per quad the least over its corners, in [−1, 1].
-  std::vector<double> sizeRatio;      ///< √area over the size wanted there.
-  Range jacobian;
-  /// Attainable: sin(2π / valence) at points inside, sin(α / m) at a corner of angle α with m quads.
+  std::vector<double> scaledJacobian; ///< Per quad, the minimum over its corners, in [−1, 1].
+  std::vector<double> sizeRatio;      ///< Per quad, √area over the target size.
+  Range jacobian;                     ///< Scaled Jacobian.
+  /// Attainable minimum scaled Jacobian: that of sin(2π / valence) at inner points and sin(α / m)
+  /// at corners of angle α with m quads.
   double bound = 1.0;
   Range eta;                   ///< 1 − (2/π) max |π/2 − angle|.
   Range size;                  ///< √area.
   double variation = 0.0;      ///< Standard deviation of √area over its mean.
-  int inverted = 0;            ///< Quads whose least scaled Jacobian is not positive,
-  Point where = Point::Zero(); ///< and the place of the worst quad.
+  int inverted = 0;            ///< Number of quads whose scaled Jacobian is not positive.
+  Point where = Point::Zero(); ///< Centre of the quad with the minimum scaled Jacobian.
 };
 
-/// The least scaled Jacobian of one quad: the sine of the angle at every corner, with its sign.
+/// Returns the scaled Jacobian of a quad: the minimum over its corners of the signed sine of the
+/// angle.
 double ScaledJacobian(const QuadMesh& mesh, std::size_t quad);
 
-/// `size`: of quads in the map.
+/// Measures a mesh of quads of edge length `size` in the map.
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size);
 }

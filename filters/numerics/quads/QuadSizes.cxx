@@ -11,7 +11,8 @@ std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes)
   for (const TArc& arc : mesh.arcs)
   {
     double length = sizes.sizing == Sizing::Conformal ? arc.length : 0.0;
-    // Segments are as short as the triangles that they pass: the midpoint rule is exact enough.
+    // Segments are as short as the triangles that they cross, so the midpoint rule is accurate
+    // enough.
     for (std::size_t i = 1; sizes.sizing != Sizing::Conformal && i < arc.polyline.size(); ++i)
     {
       const Point& from = arc.polyline[i - 1];
@@ -23,7 +24,7 @@ std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes)
   return lengths;
 }
 
-void WantSizes(QuadMesh& mesh, const TargetSizes& sizes, double area)
+void SetTargetLengths(QuadMesh& mesh, const TargetSizes& sizes, double area)
 {
   if (sizes.sizing == Sizing::Conformal)
   {
@@ -45,7 +46,7 @@ void WantSizes(QuadMesh& mesh, const TargetSizes& sizes, double area)
   const double factor = std::sqrt(area / squares);
   for (std::size_t q = 0; q < relative.size(); ++q)
   {
-    mesh.wanted[q] = { factor * relative[q], factor * relative[q] };
+    mesh.targetLengths[q] = { factor * relative[q], factor * relative[q] };
   }
   const double mean = std::sqrt(squares / static_cast<double>(relative.size()));
   for (QuadPoint& point : mesh.points)

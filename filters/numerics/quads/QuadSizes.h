@@ -6,11 +6,12 @@
 
 namespace crossfield
 {
-/// Length of every arc in units of the wanted size (docs/method.md §14.8), for size 1: in the map for Conformal,
-/// ∫ ds / h in the plane else. Throws Error when h is not positive.
+/// Returns the length of every arc in units of the target size, for size 1 (docs/method.md §14.8):
+/// the length in the map for Conformal, otherwise ∫ ds / h in the plane. Throws Error if h is not
+/// positive.
 std::vector<double> TargetLengths(const TMesh& mesh, const TargetSizes& sizes);
 
-/// What the points and quads of a mesh want: for Conformal as they are; else squares of size h, with the mean area of
-/// its quads.
-void WantSizes(QuadMesh& mesh, const TargetSizes& sizes, double area);
+/// Sets the target lengths and scales of a mesh: for Conformal they stay as they are; otherwise the
+/// targets are squares of size h, scaled so that their total area is `area`.
+void SetTargetLengths(QuadMesh& mesh, const TargetSizes& sizes, double area);
 }

@@ -12,20 +12,21 @@ namespace crossfield
 {
 namespace
 {
-/// Meshes with more quads are smoothed beside coarser ones.
-constexpr std::size_t MostAlone = 5000;
+/// Maximum number of quads that are smoothed without coarser meshes.
+constexpr std::size_t MaximumAlone = 5000;
 
-/// The part of the determinant against the shape: shape matters, but sizes must not drift. Where even sizes are
-/// wanted both count.
+/// Weight of size against shape: shape matters most, but sizes must not drift. For uniform sizes
+/// both count equally.
 constexpr double SizePart = 0.2;
 constexpr double UniformSizePart = 0.5;
 
-/// Until a step brings far less than can be seen in a picture, 1e-7 of the energy.
+/// Limits without a coarser mesh: until a step gains 1e-7 of the energy, far below what is visible.
 constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
-/// Beside a coarser mesh, which does what is far apart: until a step brings a hundredth of what is above perfect quads.
+/// Limits beside a coarser mesh, which corrects long wavelengths: until a step gains a hundredth of
+/// the energy above the ideal value.
 constexpr DescentLimits BesideCoarser = { 5, 1e-2, 1e-7 };
 
-/// A mesh with what its quads count and its lattices, of itself or of a coarser one.
+/// A mesh of the hierarchy with its weights and lattices.
 struct Level
 {
   QuadMesh& mesh;
@@ -48,15 +49,16 @@ public:
     return { mesh, this->Curves, this->Moves(mesh), this->SizePart, weights };
   }
 
-  /// Moves a mesh to the least of its energy, less a tilt if there is one. Returns the number of steps on the mesh itself.
+  /// Minimises the energy of a mesh, with a tilt if it is not empty. Returns the number of steps on
+  /// the mesh itself.
   int Smooth(const Level& level, const Eigen::VectorXd& tilt, const Progress& progress) const
   {
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
-    const bool large = level.mesh.quads.size() > MostAlone;
+    const bool large = level.mesh.quads.size() > MaximumAlone;
     int steps = this->Untangle(energy, descent, unknowns, progress);
-    if (energy.LeastDeterminant(unknowns) > 0.0)
+    if (energy.MinimumDeterminant(unknowns) > 0.0)
     {
       energy.Tilt(tilt, unknowns);
       if (large)
@@ -72,38 +74,40 @@ public:
     return steps;
   }
 
-  /// Smooths some rings around every singularity, and every inverted quad, to the end: there the places of quads change most from one to the
-  /// next, and a coarser mesh says least.
+  /// Smooths some rings around every singularity and every inverted quad until convergence: there
+  /// quads vary most, and a coarser mesh is least accurate.
   void SmoothNearCones(QuadMesh& mesh) const
   {
-    constexpr int Rings = 12; // six of a coarser mesh
+    constexpr int Rings = 12; // six rings of a coarser mesh
     QuadPart part(mesh, this->Moves(mesh), Rings);
     QuadEnergy energy(part.mesh, this->Curves, part.moves, this->SizePart,
       std::vector<double>(part.mesh.quads.size(), 1.0));
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
     this->Untangle(energy, descent, unknowns, {});
-    if (energy.LeastDeterminant(unknowns) > 0.0)
+    if (energy.MinimumDeterminant(unknowns) > 0.0)
     {
       descent.Descend(0.0, Alone, unknowns);
       energy.Store(unknowns, part.mesh);
-      part.PutBack(mesh);
+      part.CopyPoints(mesh);
     }
   }
 
-  /// Moves the points of a mesh that do move. What turns over is untangled with what is around it.
-  void Move(const Level& level, const Eigen::VectorXd& way) const
+  /// Displaces the points of a mesh that are not fixed, and untangles quads that this inverts
+  /// together with their surroundings.
+  void Displace(const Level& level, const Eigen::VectorXd& displacement) const
   {
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
-    const Eigen::VectorXd moved = energy.Unknowns() + energy.Masked(way);
+    const Eigen::VectorXd moved = energy.Unknowns() + energy.Masked(displacement);
     energy.Store(moved, level.mesh);
-    if (energy.LeastDeterminant(moved) <= 0.0)
+    if (energy.MinimumDeterminant(moved) <= 0.0)
     {
       this->SmoothNearCones(level.mesh);
     }
   }
 
 private:
+  /// Returns which points are not fixed.
   std::vector<bool> Moves(const QuadMesh& mesh) const
   {
     std::vector<bool> moves;
@@ -115,26 +119,28 @@ private:
     return moves;
   }
 
-  /// ε follows the worst corner down, by half of it at a time (Garanzha et al. 2021).
+  /// Makes all corners positive, if possible: ε follows the minimum determinant, half of it in each
+  /// round (Garanzha et al. 2021). Returns the number of steps.
   int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
     constexpr int Rounds = 8;
     int steps = 0;
-    double least = energy.LeastDeterminant(unknowns);
-    for (int round = 0; round < Rounds && least <= 0.0; ++round)
+    double minimum = energy.MinimumDeterminant(unknowns);
+    for (int round = 0; round < Rounds && minimum <= 0.0; ++round)
     {
-      const double epsilon = std::sqrt(1e-4 + 0.25 * least * least);
+      const double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);
       DescentLimits limits = Alone;
       limits.steps /= 3;
       steps += descent.Descend(epsilon, limits, unknowns, progress);
-      least = energy.LeastDeterminant(unknowns);
+      minimum = energy.MinimumDeterminant(unknowns);
     }
     return steps;
   }
 
-  /// A step along the way of a coarser mesh whose energy is tilted so that it has the gradient of this one: at the
-  /// least of this mesh's energy it would stay where it is.
+  /// Applies a coarse correction: minimises the energy of the coarser mesh, tilted so that it has
+  /// the restricted gradient of this one and stays in place at a minimum, and takes a step along
+  /// the prolonged displacement.
   void Correct(QuadEnergy& energy, const Level& level, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
@@ -154,11 +160,11 @@ private:
     }
     this->Smooth({ coarse.mesh, coarse.weights, coarse.lattices },
       coarseGradient - coarse.Restrict(this->Curves, gradient), progress);
-    const Eigen::VectorXd way =
+    const Eigen::VectorXd displacement =
       energy.Masked(coarse.Prolong(this->Curves, coarseEnergy.Unknowns() - start));
     for (double length = 1.0; length > 0.1; length *= 0.5)
     {
-      const Eigen::VectorXd next = unknowns + length * way;
+      const Eigen::VectorXd next = unknowns + length * displacement;
       if (energy.Value(next, 0.0, nullptr) < value)
       {
         unknowns = next;
@@ -172,7 +178,7 @@ private:
   const double SizePart;
 };
 
-double LeastJacobian(const QuadMesh& mesh)
+double MinimumJacobian(const QuadMesh& mesh)
 {
   double worst = 1.0;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
@@ -182,24 +188,26 @@ double LeastJacobian(const QuadMesh& mesh)
   return worst;
 }
 
-/// With even sizes the way is long: a coarser mesh goes it first, with singularities fixed and then free.
+/// Smooths for uniform sizes. Displacements are large, so a coarser mesh is smoothed first, with
+/// singularities fixed and then free. Returns the number of steps on the mesh itself.
 int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progress& progress)
 {
   const Smoother fixed(curves, false, UniformSizePart);
   const Smoother released(curves, true, UniformSizePart);
-  if (level.mesh.quads.size() > MostAlone)
+  if (level.mesh.quads.size() > MaximumAlone)
   {
     CoarseQuads coarse(level.mesh, level.lattices);
     if (coarse.IsSmaller())
     {
       const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
-      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
+      SmoothUniform(
+        { coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
-      released.Move(level, coarse.Interpolate(curves, after - before));
+      released.Displace(level, coarse.Interpolate(curves, after - before));
       const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
-      if (LeastJacobian(level.mesh) > 0.0)
+      if (MinimumJacobian(level.mesh) > 0.0)
       {
         return steps;
       }
@@ -212,17 +220,17 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progre
 }
 
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  bool even, const Progress& progress)
+  bool uniform, const Progress& progress)
 {
   SmoothingReport report;
-  const bool large = mesh.quads.size() > MostAlone;
+  const bool large = mesh.quads.size() > MaximumAlone;
   const std::vector<QuadLattice> lattices =
     large ? LatticesOf(mesh, blocks) : std::vector<QuadLattice>();
   const std::vector<double> weights(mesh.quads.size(), 1.0);
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
-  const double leastAtStart = LeastJacobian(mesh);
-  if (even)
+  const double minimumAtStart = MinimumJacobian(mesh);
+  if (uniform)
   {
     report.iterations = SmoothUniform(level, curves, progress);
     report.released = true;
@@ -235,15 +243,15 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
     {
       fixed.SmoothNearCones(mesh);
     }
-    if (leastAtStart <= 0.0 && LeastJacobian(mesh) <= 0.0)
+    if (minimumAtStart <= 0.0 && MinimumJacobian(mesh) <= 0.0)
     {
       const Smoother released(curves, true, SizePart);
       report.iterations += released.Smooth(level, {}, progress.Part(0.6, 1.0));
       report.released = true;
     }
   }
-  const double least = LeastJacobian(mesh);
-  if (leastAtStart > least && (!even || least <= 0.0))
+  const double minimum = MinimumJacobian(mesh);
+  if (minimumAtStart > minimum && (!uniform || minimum <= 0.0))
   {
     mesh.points = start;
     report.keptStart = true;

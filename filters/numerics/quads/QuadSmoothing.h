@@ -5,22 +5,25 @@
 
 namespace crossfield
 {
+/// Report of SmoothQuads and MakeSymmetric.
 struct SmoothingReport
 {
-  int iterations = 0;     ///< On the mesh itself, without those on coarser ones.
-  bool keptStart = false; ///< The start was better.
-  bool released = false;  ///< Singularities had to move to make all quads positive,
-  double moved = 0.0;     ///< by this at most.
-  int symmetries = 1;     ///< That the mesh shares with its domain, the identity included.
+  int iterations = 0;     ///< Steps on the mesh itself, without those on coarser meshes.
+  bool keptStart = false; ///< The mesh was not changed, as its start was better.
+  bool released = false;  ///< Singularities were free to move.
+  double moved = 0.0;     ///< Maximum displacement of a cone if they were.
+  int symmetries = 1; ///< Number of symmetries of the domain that the mesh has, with the identity.
 };
 
-/// Moves the points of a mesh with its topology fixed (docs/method.md §14.5): the least of QuadEnergy by L-BFGS, with ε
-/// going to zero where the start has corners that are not positive. A large mesh starts from what became of every second
-/// line of its blocks, and takes a few steps: cost linear in quads. Singularities inside are fixed, unless with
-/// them fixed a quad is not positive. Keeps the start where that has the larger least scaled Jacobian.
+/// Smooths a mesh with fixed connectivity (docs/method.md §14.5): minimises QuadEnergy by L-BFGS,
+/// with ε decreasing to zero if the start has corners that are not positive. A large mesh takes a
+/// few steps, with corrections from coarser meshes of every second line of its blocks, so the cost
+/// is linear in quads. Inner singularities are fixed, unless a quad is not positive with them
+/// fixed. Keeps the start if its minimum scaled Jacobian is larger.
 ///
-/// `even`: for wanted sizes that are not those of the map. Singularities are free, sizes count as much as shapes, and the
-/// start is kept only where it is positive and the smoothed mesh is not.
+/// `uniform` is set for target sizes other than those of the map. Then singularities are free,
+/// sizes count as much as shapes, and the start is kept only if its quads are positive and those of
+/// the smoothed mesh are not.
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  bool even, const Progress& progress = {});
+  bool uniform, const Progress& progress = {});
 }

@@ -12,6 +12,7 @@ namespace crossfield
 {
 namespace
 {
+/// The image of every point.
 using Permutation = std::vector<int>;
 
 class Symmetriser
@@ -32,8 +33,9 @@ public:
     }
   }
 
-  /// What a symmetry does to the points; empty where it is none of the mesh, or images are farther from points than
-  /// `worst` edges, which becomes the largest distance.
+  /// Returns the permutation of points by a symmetry. It is empty if the mesh does not have the
+  /// symmetry, or images are farther from points than `worst` edges, which receives the largest
+  /// distance.
   Permutation Match(const Isometry& symmetry, double& worst)
   {
     if (!this->MatchesFixed(symmetry))
@@ -77,7 +79,7 @@ public:
     return images;
   }
 
-  /// Adds what the inverse of a symmetry makes of the images of all points.
+  /// Adds the images of all points under a symmetry, mapped back by its inverse, to `sums`.
   void Add(const Isometry& inverse, const Permutation& images, std::vector<Point>& sums) const
   {
     for (std::size_t p = 0; p < sums.size(); ++p)
@@ -86,7 +88,8 @@ public:
     }
   }
 
-  void Place(const std::vector<Point>& sums, double count)
+  /// Moves all points that are not fixed to the mean sums / count.
+  void MovePoints(const std::vector<Point>& sums, double count)
   {
     for (std::size_t p = 0; p < sums.size(); ++p)
     {
@@ -110,7 +113,7 @@ private:
     return point.fixed && !(this->Released && point.curve.loop < 0);
   }
 
-  /// Fixed points decide most cases at once; there are few.
+  /// Returns whether fixed points map to fixed points: a fast test that excludes most symmetries.
   bool MatchesFixed(const Isometry& symmetry) const
   {
     return std::all_of(this->Fixed.begin(), this->Fixed.end(),
@@ -125,7 +128,8 @@ private:
 
   bool Fits(const QuadPoint& point, const QuadPoint& image, const Point& place) const
   {
-    return point.asked == image.asked && (point.curve.loop < 0) == (image.curve.loop < 0) &&
+    return point.quarterIndex == image.quarterIndex &&
+      (point.curve.loop < 0) == (image.curve.loop < 0) &&
       this->IsFixed(point) == this->IsFixed(image) &&
       (!this->IsFixed(point) || (image.place - place).norm() <= this->Tolerance);
   }
@@ -150,8 +154,8 @@ private:
   const double Tolerance;
   const bool Released;
   std::vector<std::size_t> Fixed;
-  std::optional<PointGrid> Grid; ///< Once it is needed, as what follows: few symmetries get so far.
-  std::vector<std::array<int, 4>> Quads;
+  std::optional<PointGrid> Grid;         ///< Made on demand: few symmetries need it.
+  std::vector<std::array<int, 4>> Quads; ///< Sorted quads, made on demand.
 };
 
 bool IsIdentity(const Permutation& images)
@@ -166,7 +170,7 @@ bool IsIdentity(const Permutation& images)
   return true;
 }
 
-/// First `first`, then `second`.
+/// Returns the permutation that applies `first`, then `second`.
 Permutation Chain(const Permutation& first, const Permutation& second)
 {
   Permutation both;
@@ -199,8 +203,8 @@ int MakeSymmetric(
     return 1;
   }
   Symmetriser symmetriser(mesh, curves, Tolerance * domain.Diagonal(), released);
-  // Of a polygon of many sides neighbouring symmetries are nearly alike: those of the mesh are nearer than this part
-  // of an edge, of reflections the nearest counts, and powers must close.
+  // Neighbouring symmetries of a polygon with many sides are nearly equal. Those of the mesh match
+  // within this fraction of an edge, the best reflection is taken, and powers must be the identity.
   constexpr double Near = 0.25;
   Permutation turn;
   double angle = 0.0;
@@ -244,12 +248,12 @@ int MakeSymmetric(
   }
   for (int i = 0; i < order; ++i)
   {
-    // images: after i turns.
+    // `images` are those after i turns.
     const Isometry back = { group.centre, -i * angle, false };
     symmetriser.Add(back, images, sums);
     if (!mirror.empty())
     {
-      // Mirrored after i turns; the mirror image of the mirror image is the point itself.
+      // Reflected after i turns. A reflection is its own inverse.
       const Permutation mirrored = Chain(images, mirror);
       std::vector<Point> once(sums.size(), Point::Zero());
       symmetriser.Add(reflection.Inverse(), mirrored, once);
@@ -264,7 +268,7 @@ int MakeSymmetric(
     }
   }
   const int count = order * (mirror.empty() ? 1 : 2);
-  symmetriser.Place(sums, count);
+  symmetriser.MovePoints(sums, count);
   return count;
 }
 }

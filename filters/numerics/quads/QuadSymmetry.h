@@ -6,12 +6,14 @@
 
 namespace crossfield
 {
-/// Makes a mesh as symmetric as its domain (docs/method.md §14.5): of the symmetries of the boundary those are kept that
-/// take fixed points to fixed points of the same index within 1e-9 of the diagonal and quads to quads, and every
-/// other point goes to the mean of what they make of it, on the boundary to the nearest place of the polyline. So it moves
-/// by as much as the triangles of the map were not symmetric. Cost: linear in points, times the number of symmetries.
+/// Makes a mesh as symmetric as its domain (docs/method.md §14.5). Uses those symmetries of the
+/// boundary that take quads to quads, and fixed points to fixed points of the same index within
+/// 1e-9 of the diagonal. Every other point moves to the mean of its images, on the boundary to the
+/// nearest place of the polyline: by as much as the triangles of the map were not symmetric. Cost:
+/// linear in points, times the number of symmetries.
 ///
-/// `released`: singularities inside are not fixed. Returns the number of symmetries, 1 for none.
+/// `released` means that inner singularities are not fixed. Returns the number of symmetries, 1 if
+/// there is none but the identity.
 int MakeSymmetric(
   QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released);
 }

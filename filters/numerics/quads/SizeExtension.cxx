@@ -23,7 +23,7 @@ Eigen::VectorXd ExtendSizes(const MeshTopology& topology, const Eigen::VectorXd&
   boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
   const Eigen::SparseMatrix<double> stiffness = P1Stiffness(topology.mesh, topology.edges);
   const DissectedCholesky factor(stiffness, topology.mesh.points, {}, boundary);
-  // 0 for vertices left out: those of the boundary keep what they have.
+  // The correction is 0 at boundary vertices, which are not eliminated.
   logarithms += factor.Substitute(factor.Eliminate(-(stiffness * logarithms)));
   Eigen::VectorXd extended = logarithms.array().exp();
   for (const int vertex : boundary)

@@ -48,20 +48,20 @@ int ArcPoints::At(int halfEdge, int j) const
   return this->Offsets[Index(halfEdge / 2)] + (halfEdge % 2 == 0 ? j : count - j) - 1;
 }
 
-int ArcPoints::SideCount(const TPatch& face, std::size_t side) const
+int ArcPoints::SideCount(const TPatch& patch, std::size_t side) const
 {
   int count = 0;
-  for (const int half : face.sides[side])
+  for (const int half : patch.sides[side])
   {
     count += this->Counts[Index(half / 2)];
   }
   return count;
 }
 
-std::vector<int> ArcPoints::AlongSide(const TPatch& face, std::size_t side) const
+std::vector<int> ArcPoints::AlongSide(const TPatch& patch, std::size_t side) const
 {
-  std::vector<int> points = { this->Mesh.halfEdges[Index(face.sides[side].front())].node };
-  for (const int half : face.sides[side])
+  std::vector<int> points = { this->Mesh.halfEdges[Index(patch.sides[side].front())].node };
+  for (const int half : patch.sides[side])
   {
     for (int j = 1; j <= this->Counts[Index(half / 2)]; ++j)
     {
@@ -84,13 +84,13 @@ std::vector<PointLink> ArcPoints::Links() const
   }
   for (std::size_t f = 0; f < this->Mesh.patches.size(); ++f)
   {
-    const TPatch& face = this->Mesh.patches[f];
+    const TPatch& patch = this->Mesh.patches[f];
     for (std::size_t side = 0; side < 2; ++side)
     {
-      if (this->SideCount(face, side) == 0)
+      if (this->SideCount(patch, side) == 0)
       {
-        const std::vector<int> one = this->AlongSide(face, side + 1);
-        const std::vector<int> other = this->AlongSide(face, (side + 3) % 4);
+        const std::vector<int> one = this->AlongSide(patch, side + 1);
+        const std::vector<int> other = this->AlongSide(patch, (side + 3) % 4);
         for (std::size_t j = 0; j < one.size(); ++j)
         {
           links.push_back(

@@ -17,10 +17,10 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
   {
     first.push_back(first.back() + count);
   }
-  const auto along = [&](const TPatch& face, std::size_t side)
+  const auto along = [&](const TPatch& patch, std::size_t side)
   {
     std::vector<int> edges;
-    for (const int half : face.sides[side])
+    for (const int half : patch.sides[side])
     {
       const int count = this->Coarse[Index(half / 2)];
       for (int j = 0; j < count; ++j)
@@ -31,12 +31,12 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
     return edges;
   };
   UnionFind classes(Index(first.back()));
-  for (const TPatch& face : mesh.patches)
+  for (const TPatch& patch : mesh.patches)
   {
     for (const std::size_t side : { std::size_t(0), std::size_t(1) })
     {
-      const std::vector<int> one = along(face, side);
-      const std::vector<int> other = along(face, side + 2);
+      const std::vector<int> one = along(patch, side);
+      const std::vector<int> other = along(patch, side + 2);
       for (std::size_t j = 0; j < one.size(); ++j)
       {
         classes.Join(one[j], other[one.size() - 1 - j]);
@@ -56,15 +56,15 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
   }
 }
 
-std::vector<int> Chords::Refine(const ArcProblem& problem) const
+std::vector<int> Chords::Refine(const QuantisationProblem& problem) const
 {
-  std::vector<double> wanted(Index(this->Total), 0.0);
+  std::vector<double> target(Index(this->Total), 0.0);
   std::vector<double> weight(Index(this->Total), 0.0);
   for (std::size_t a = 0; a < this->OfArc.size(); ++a)
   {
     for (const int chord : this->OfArc[a])
     {
-      wanted[Index(chord)] += problem.weight[a] * problem.wanted[a] / this->Coarse[a];
+      target[Index(chord)] += problem.weight[a] * problem.target[a] / this->Coarse[a];
       weight[Index(chord)] += problem.weight[a];
     }
   }
@@ -75,7 +75,7 @@ std::vector<int> Chords::Refine(const ArcProblem& problem) const
     for (const int chord : chords)
     {
       count +=
-        std::max(1, static_cast<int>(std::lround(wanted[Index(chord)] / weight[Index(chord)])));
+        std::max(1, static_cast<int>(std::lround(target[Index(chord)] / weight[Index(chord)])));
     }
     counts.push_back(count);
   }

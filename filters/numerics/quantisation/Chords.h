@@ -1,23 +1,25 @@
 #pragma once
 
-#include "ArcProblem.h"
+#include "QuantisationProblem.h"
 
 namespace crossfield
 {
-/// Counts that make blocks of a coarse solution: opposite edges of its quads belong to one chord, and every chord gets one
-/// number m ≥ 1, so that arc a gets Σ m over its coarse edges and arcs of no edges keep none. m is the mean of what its
-/// edges want, ℓ_a / n_a, by their weights, rounded (docs/method.md §14.9).
+/// The chords of a coarse solution: rows of quads from boundary to boundary, or closed. A
+/// refinement gives each chord one number m ≥ 1 of edges, so arc a gets Σ m over its coarse edges,
+/// arcs without edges keep none, and the blocks are those of the coarse solution. m is the weighted
+/// mean of ℓ_a / n_a over the edges of the chord, rounded (docs/method.md §14.9).
 class Chords
 {
 public:
   Chords(const TMesh& mesh, std::vector<int> coarse);
 
   int Count() const { return this->Total; }
-  std::vector<int> Refine(const ArcProblem& problem) const;
+  /// Returns the refined counts for the targets of a problem.
+  std::vector<int> Refine(const QuantisationProblem& problem) const;
 
 private:
   std::vector<int> Coarse;
-  std::vector<std::vector<int>> OfArc; ///< The chords of its edges, along half-edge 2a.
+  std::vector<std::vector<int>> OfArc; ///< Chords of the edges of each arc, along half-edge 2a.
   int Total = 0;
 };
 }

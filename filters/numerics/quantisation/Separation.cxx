@@ -66,7 +66,7 @@ public:
       if (std::any_of(members.begin(), members.end(),
             [this, first](int p) { return this->Conflict(first, p); }))
       {
-        violations.push_back(this->Way(first));
+        violations.push_back(this->ShortestPath(first));
       }
     }
     this->AddShortLoops(violations);
@@ -79,6 +79,7 @@ private:
     return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[Index(p)].cone >= 0;
   }
 
+  /// Returns whether two coincident points must be apart.
   bool Conflict(int a, int b)
   {
     const bool both = this->IsCone(a) && this->IsCone(b);
@@ -86,8 +87,9 @@ private:
     return a != b && terminal && (both || this->Sides.Find(a) != this->Sides.Find(b));
   }
 
-  /// The arcs on the way with the fewest links from a point to one that it is in conflict with.
-  Violation Way(int start)
+  /// Returns the path with the fewest links from a point to one that it conflicts with, and the
+  /// arcs on it.
+  Violation ShortestPath(int start)
   {
     std::map<int, std::size_t> via;
     std::vector<int> queue = { start };
@@ -105,10 +107,10 @@ private:
           {
             std::swap(link.from, link.to);
           }
-          violation.way.push_back(link);
+          violation.path.push_back(link);
           q = link.from;
         }
-        std::reverse(violation.way.begin(), violation.way.end());
+        std::reverse(violation.path.begin(), violation.path.end());
         break;
       }
       for (const std::size_t l : this->LinksAt[Index(p)])
@@ -133,10 +135,10 @@ private:
       arcs.push_back(link.arc);
       return;
     }
-    const TPatch& face = this->Mesh.patches[Index(link.face)];
+    const TPatch& patch = this->Mesh.patches[Index(link.patch)];
     for (const std::size_t side : { Index(link.side), Index(link.side) + 2 })
     {
-      for (const int half : face.sides[side])
+      for (const int half : patch.sides[side])
       {
         arcs.push_back(half / 2);
       }
@@ -157,7 +159,7 @@ private:
     }
     for (const auto& [loop, sumAndArcs] : loops)
     {
-      if (sumAndArcs.first < LeastLoop)
+      if (sumAndArcs.first < MinimumLoop)
       {
         violations.push_back(sumAndArcs.second);
       }
@@ -169,14 +171,15 @@ private:
   const ArcPoints Points;
   const std::vector<PointLink> Links;
   UnionFind Classes;
-  UnionFind Sides; ///< Joined by boundary arcs alone.
+  UnionFind Sides; ///< Classes that boundary arcs alone join.
   std::vector<bool> OnBoundary;
   std::vector<std::vector<std::size_t>> LinksAt;
 };
 
-ArcRow AnyOf(const Violation& violation)
+/// Returns the row that at least one of the arcs has an edge.
+SeparationRow AnyArc(const Violation& violation)
 {
-  ArcRow row;
+  SeparationRow row;
   for (const int arc : violation.arcs)
   {
     row.terms.emplace_back(arc, 1);
@@ -185,24 +188,24 @@ ArcRow AnyOf(const Violation& violation)
 }
 }
 
-ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
-  const std::vector<double>& wanted)
+SeparationRow MakeSeparationRow(const Violation& violation, const TMesh& mesh,
+  const std::vector<int>& counts, const std::vector<double>& target)
 {
-  if (!violation.way.empty())
+  if (!violation.path.empty())
   {
-    return SeparateEnds(mesh, counts, wanted, violation.way);
+    return SeparateEnds(mesh, counts, target, violation.path);
   }
-  ArcRow row = AnyOf(violation);
-  row.least = LeastLoop;
+  SeparationRow row = AnyArc(violation);
+  row.minimum = MinimumLoop;
   return row;
 }
 
-ArcRow RowAllowing(const std::vector<int>& best, const Violation& violation, const TMesh& mesh,
-  const std::vector<int>& counts, const std::vector<double>& wanted)
+SeparationRow MakeSeparationRowFor(const std::vector<int>& best, const Violation& violation,
+  const TMesh& mesh, const std::vector<int>& counts, const std::vector<double>& target)
 {
-  ArcRow row = RowOf(violation, mesh, counts, wanted);
-  const bool serves = !row.terms.empty() && row.Holds(best) && !row.Holds(counts);
-  return serves ? row : AnyOf(violation);
+  SeparationRow row = MakeSeparationRow(violation, mesh, counts, target);
+  const bool isUseful = !row.terms.empty() && row.Holds(best) && !row.Holds(counts);
+  return isUseful ? row : AnyArc(violation);
 }
 
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts)

@@ -4,27 +4,30 @@
 
 namespace crossfield
 {
-/// A loop of a mesh has three edges at least, as a boundary of less is no polygon.
-constexpr int LeastLoop = 3;
+/// Minimum number of edges of a boundary loop of a mesh: with fewer it is no polygon.
+constexpr int MinimumLoop = 3;
 
-/// Arcs of which one at least must get more edges.
+/// A set of arcs at least one of which needs more edges.
 struct Violation
 {
   std::vector<int> arcs;
-  std::vector<PointLink> way; ///< Between the two points; empty for a loop.
+  std::vector<PointLink> path; ///< Between the two points that coincide; empty for a short loop.
 };
 
-/// What keeps a violation from happening again, of arcs of wanted lengths: a row without terms where that is none.
-ArcRow RowOf(const Violation& violation, const TMesh& mesh, const std::vector<int>& counts,
-  const std::vector<double>& wanted);
+/// Returns the row that excludes a violation, for arcs of the given target counts. The row has no
+/// terms if SeparateEnds gives none.
+SeparationRow MakeSeparationRow(const Violation& violation, const TMesh& mesh,
+  const std::vector<int>& counts, const std::vector<double>& target);
 
-/// The same if it holds for the best numbers known, which need not have the signs of the map, else a weaker row that holds for all that
-/// keep the points apart: one arc of the way, at least, has an edge.
-ArcRow RowAllowing(const std::vector<int>& best, const Violation& violation, const TMesh& mesh,
-  const std::vector<int>& counts, const std::vector<double>& wanted);
+/// Returns the row of MakeSeparationRow if it excludes `counts` and holds for `best`, the best
+/// counts known, whose displacements need not have the signs of the map. Otherwise returns a weaker
+/// row, valid for all counts that keep the points apart: at least one arc of the path has an edge.
+SeparationRow MakeSeparationRowFor(const std::vector<int>& best, const Violation& violation,
+  const TMesh& mesh, const std::vector<int>& counts, const std::vector<double>& target);
 
-/// What must not be one point but is (docs/method.md §14.3): two cones, a singularity and the boundary, points of the
-/// boundary that no boundary arcs without edges join; one violation per class of points, with the arcs on the
-/// shortest way in between. And boundary loops with less than three edges.
+/// Finds points that coincide but must not (docs/method.md §14.3): two cones, a singularity and the
+/// boundary, or points of the boundary that boundary arcs without edges do not join. There is one
+/// violation per class of coincident points, with the arcs on the shortest path between two of
+/// them, and one per boundary loop with fewer than three edges.
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts);
 }

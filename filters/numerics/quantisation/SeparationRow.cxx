@@ -11,50 +11,52 @@ namespace crossfield
 {
 namespace
 {
-/// The spots where a link begins and ends, both of one face.
-struct LinkSpots
+/// The ends of a link, both on the outline of one patch.
+struct LinkEnds
 {
-  FaceSpot from;
-  FaceSpot to;
+  PatchPoint from;
+  PatchPoint to;
 };
 
-class Way
+/// Follows a path of links in the unfolded patches.
+class PathUnfolder
 {
 public:
-  Way(const TMesh& mesh, const std::vector<int>& counts)
+  PathUnfolder(const TMesh& mesh, const std::vector<int>& counts)
     : Mesh(mesh)
     , Points(mesh, counts)
-    , Developed(mesh)
+    , Unfolded(mesh)
   {
   }
 
-  /// The displacement along links; `across` gets the axis that a boundary at the ends allows, none for cones.
-  /// Nothing where it cannot be followed or the ends ask for different axes.
-  std::optional<ArcVector> Walk(
+  /// Returns the displacement along links. `across` receives the axis across the boundary if an end
+  /// is on one. Returns nothing if the path cannot be unfolded, or the boundaries at its ends are
+  /// not parallel.
+  std::optional<ArcVector> Displacement(
     const std::vector<PointLink>& links, std::optional<std::size_t>& across)
   {
-    FaceSpot begin = this->SpotsOf(links.front()).from;
-    this->Developed.Begin(begin);
-    if (!this->Bound(links.front().from, begin, across))
+    PatchPoint begin = this->EndsOf(links.front()).from;
+    this->Unfolded.Begin(begin);
+    if (!this->TurnToBoundary(links.front().from, begin, across))
     {
       return std::nullopt;
     }
-    const ArcVector start = this->Developed.StartOf(begin.half);
-    FaceSpot here = begin;
+    const ArcVector start = this->Unfolded.StartOf(begin.half);
+    PatchPoint here = begin;
     for (const PointLink& link : links)
     {
-      const LinkSpots spots = this->SpotsOf(link);
-      if (!this->Developed.Turn(here, spots.from))
+      const LinkEnds ends = this->EndsOf(link);
+      if (!this->Unfolded.Turn(here, ends.from))
       {
         return std::nullopt;
       }
-      here = spots.to;
+      here = ends.to;
     }
-    if (!this->Bound(links.back().to, here, across))
+    if (!this->TurnToBoundary(links.back().to, here, across))
     {
       return std::nullopt;
     }
-    ArcVector displacement = this->Developed.StartOf(here.half);
+    ArcVector displacement = this->Unfolded.StartOf(here.half);
     displacement.Subtract(start);
     return displacement;
   }
@@ -66,45 +68,46 @@ private:
       this->Mesh.nodes[Index(point)].cone >= 0;
   }
 
-  LinkSpots SpotsOf(const PointLink& link) const
+  LinkEnds EndsOf(const PointLink& link) const
   {
     if (link.arc >= 0)
     {
       const bool inner = this->Mesh.halfEdges[Index(2 * link.arc)].patch >= 0;
       const int half = 2 * link.arc + (inner ? 0 : 1);
-      LinkSpots spots = { { half, false }, { this->Developed.Next(half), false } };
+      LinkEnds ends = { { half, false }, { this->Unfolded.Next(half), false } };
       if (this->Mesh.halfEdges[Index(half)].node != link.from)
       {
-        std::swap(spots.from, spots.to);
+        std::swap(ends.from, ends.to);
       }
-      return spots;
+      return ends;
     }
-    const TPatch& face = this->Mesh.patches[Index(link.face)];
+    const TPatch& patch = this->Mesh.patches[Index(link.patch)];
     const std::size_t one = Index(link.side) + 1;
     const std::size_t other = (one + 2) % 4;
-    const LinkSpots forward = { this->SpotOn(face, one, link.from),
-      this->SpotOn(face, other, link.to) };
+    const LinkEnds forward = { this->PointOnSide(patch, one, link.from),
+      this->PointOnSide(patch, other, link.to) };
     return forward.from.half >= 0 && forward.to.half >= 0
       ? forward
-      : LinkSpots{ this->SpotOn(face, other, link.from), this->SpotOn(face, one, link.to) };
+      : LinkEnds{ this->PointOnSide(patch, other, link.from),
+          this->PointOnSide(patch, one, link.to) };
   }
 
-  /// −1 where a point is not on a side.
-  FaceSpot SpotOn(const TPatch& face, std::size_t side, int point) const
+  /// Returns the position of a point on a side; its half-edge is −1 if the point is not there.
+  PatchPoint PointOnSide(const TPatch& patch, std::size_t side, int point) const
   {
-    for (const int half : face.sides[side])
+    for (const int half : patch.sides[side])
     {
       if (this->Mesh.halfEdges[Index(half)].node == point)
       {
         return { half, false };
       }
     }
-    const int last = face.sides[side].back();
+    const int last = patch.sides[side].back();
     if (this->Mesh.halfEdges[Index(TMesh::Twin(last))].node == point)
     {
-      return { this->Developed.Next(last), false };
+      return { this->Unfolded.Next(last), false };
     }
-    for (const int half : face.sides[side])
+    for (const int half : patch.sides[side])
     {
       for (int j = 1; j < this->Points.CountOf(half); ++j)
       {
@@ -117,15 +120,16 @@ private:
     return {};
   }
 
-  /// Turns to the boundary at an end that is no cone, and takes the axis across it.
-  bool Bound(int point, FaceSpot& spot, std::optional<std::size_t>& across)
+  /// Turns to the boundary at an end that is not a cone, and stores the axis across it. Returns
+  /// false if there is none, or another one was stored before.
+  bool TurnToBoundary(int point, PatchPoint& position, std::optional<std::size_t>& across)
   {
     if (this->IsCone(point))
     {
       return true;
     }
-    FaceSpot boundary = spot;
-    if (!spot.inside)
+    PatchPoint boundary = position;
+    if (!position.inside)
     {
       const auto count = static_cast<int>(this->Mesh.halfEdges.size());
       boundary.half = 0;
@@ -136,13 +140,13 @@ private:
       {
         ++boundary.half;
       }
-      if (boundary.half == count || !this->Developed.Turn(spot, boundary))
+      if (boundary.half == count || !this->Unfolded.Turn(position, boundary))
       {
         return false;
       }
     }
-    const std::size_t axis = 1 - this->Developed.AxisOf(boundary.half);
-    spot = boundary;
+    const std::size_t axis = 1 - this->Unfolded.AxisOf(boundary.half);
+    position = boundary;
     const bool agrees = !across || *across == axis;
     across = axis;
     return agrees;
@@ -150,41 +154,42 @@ private:
 
   const TMesh& Mesh;
   const ArcPoints Points;
-  Unfolding Developed;
+  Unfolding Unfolded;
 };
 }
 
-bool ArcRow::Holds(const std::vector<int>& counts) const
+bool SeparationRow::Holds(const std::vector<int>& counts) const
 {
   int sum = 0;
   for (const auto& [arc, factor] : this->terms)
   {
     sum += factor * counts[Index(arc)];
   }
-  return sum >= this->least;
+  return sum >= this->minimum;
 }
 
-ArcRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
-  const std::vector<double>& wanted, const std::vector<PointLink>& way)
+SeparationRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& target, const std::vector<PointLink>& path)
 {
-  ArcRow row;
+  SeparationRow row;
   std::optional<std::size_t> across;
-  const std::optional<ArcVector> displacement = Way(mesh, counts).Walk(way, across);
+  const std::optional<ArcVector> displacement =
+    PathUnfolder(mesh, counts).Displacement(path, across);
   if (!displacement)
   {
     return row;
   }
-  // Coordinates that are 0 by symmetry have no sign: far below the 1e-12 to which opposite sides agree in the map.
+  // Coordinates that are 0 by symmetry have no sign. Opposite sides agree to 1e-12 in the map.
   constexpr double NoSign = 1e-9;
   double longest = 0.0;
-  for (const double length : wanted)
+  for (const double length : target)
   {
     longest = std::max(longest, length);
   }
   std::array<int, 2> signs = { 0, 0 };
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    const double along = displacement->Along(axis, wanted);
+    const double along = displacement->Along(axis, target);
     if ((!across || *across == axis) && std::abs(along) > NoSign * longest)
     {
       signs[axis] = along > 0.0 ? 1 : -1;

@@ -7,22 +7,23 @@
 
 namespace crossfield
 {
-/// Σ factor n_arc ≥ least.
-struct ArcRow
+/// The inequality Σ factor · n_arc ≥ minimum, which keeps two points of a T-mesh apart.
+struct SeparationRow
 {
   std::vector<std::pair<int, int>> terms; ///< Arc and factor.
-  int least = 1;
+  int minimum = 1;
 
   bool Holds(const std::vector<int>& counts) const;
-  bool operator==(const ArcRow& other) const
+  bool operator==(const SeparationRow& other) const
   {
-    return this->terms == other.terms && this->least == other.least;
+    return this->terms == other.terms && this->minimum == other.minimum;
   }
 };
 
-/// The row that keeps the ends of a way of links apart: that a displacement in the signs of the real one, whose sides are
-/// `wanted`, is 1 at least; towards a boundary only across it (docs/method.md §14.3). Without terms where the way has
-/// none: between two sides of the boundary that are not parallel, or ends that are not apart in the map.
-ArcRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
-  const std::vector<double>& wanted, const std::vector<PointLink>& way);
+/// Returns the row that keeps the ends of a path of links apart: their displacement, with the signs
+/// that it has for the target counts, is at least 1; towards a boundary only its component across
+/// counts (docs/method.md §14.3). The row has no terms if the path gives none: between two boundary
+/// sides that are not parallel, or where the ends coincide in the map.
+SeparationRow SeparateEnds(const TMesh& mesh, const std::vector<int>& counts,
+  const std::vector<double>& target, const std::vector<PointLink>& path);
 }

@@ -1,28 +1,23 @@
 #pragma once
 
-#include "ArcCounts.h"
+#include "EdgeCounts.h"
+#include "Progress.h"
+#include "TMesh.h"
 
 #include <functional>
 
 namespace crossfield
 {
-/// Quads that faces of so many edges have.
+/// Returns the number of quads of a T-mesh with edge counts.
 long long CountQuads(const TMesh& mesh, const std::vector<int>& counts);
 
-/// A size, its counts and how many quads they give.
-struct SizedCounts
-{
-  double size = 0.0;
-  ArcCounts counts;
-  long long quads = 0;
-};
-
-/// The part by which a number of quads may miss the wanted one.
+/// Relative tolerance of a requested number of quads.
 constexpr double CountTolerance = 0.05;
 
-/// The size whose number of quads is nearest to the wanted one, of at most `MostSizes`: first along the square root law,
-/// then by halving between one that gives too many and one that gives too few. A count jumps with the size where a
-/// whole row of quads comes in at once, so within a jump there is none.
-SizedCounts SearchSize(const TMesh& mesh, int wanted, double first,
-  const std::function<ArcCounts(double)>& countsOf, const Progress& progress = {});
+/// Searches for the size whose number of quads is nearest to the requested one, starting at
+/// `first`: by the square root law, then by bisection between a size that gives too many and one
+/// that gives too few. The number jumps where a row of quads comes in, so no size may give a number
+/// within the jump. `countsOf` returns the edge counts for a size, at most 20 times.
+EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
+  const std::function<EdgeCounts(double)>& countsOf, const Progress& progress = {});
 }

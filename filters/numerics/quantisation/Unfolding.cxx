@@ -39,13 +39,13 @@ Unfolding::Unfolding(const TMesh& mesh)
   : Mesh(mesh)
   , Places(mesh.halfEdges.size())
 {
-  for (const TPatch& face : mesh.patches)
+  for (const TPatch& patch : mesh.patches)
   {
     for (std::size_t side = 0; side < 4; ++side)
     {
-      for (std::size_t i = 0; i < face.sides[side].size(); ++i)
+      for (std::size_t i = 0; i < patch.sides[side].size(); ++i)
       {
-        Place& place = this->Places[Index(face.sides[side][i])];
+        Place& place = this->Places[Index(patch.sides[side][i])];
         place.side = side;
         place.index = i;
       }
@@ -60,34 +60,34 @@ Unfolding::Unfolding(const TMesh& mesh)
   }
 }
 
-void Unfolding::Begin(const FaceSpot& spot)
+void Unfolding::Begin(const PatchPoint& point)
 {
   this->Turns = 0;
   this->Origin = {};
-  this->Origin.Subtract(this->StartOf(spot.half));
+  this->Origin.Subtract(this->StartOf(point.half));
 }
 
 ArcVector Unfolding::StartOf(int half) const
 {
   const Place& place = this->PlaceOf(half);
-  const TPatch& face = this->Mesh.patches[Index(this->FaceOf(half))];
+  const TPatch& patch = this->Mesh.patches[Index(this->PatchOf(half))];
   ArcVector start = this->Origin;
   const auto walk = [&](std::size_t side, std::size_t count, int turns)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      start.Add(face.sides[side][i] / 2, Direction(this->Turns + turns));
+      start.Add(patch.sides[side][i] / 2, Direction(this->Turns + turns));
     }
   };
-  if (place.side == 3) // from the first corner along side 3, backwards
+  if (place.side == 3) // backwards along side 3 from the first corner
   {
-    walk(3, face.sides[3].size(), 1);
+    walk(3, patch.sides[3].size(), 1);
     walk(3, place.index, 3);
     return start;
   }
   for (std::size_t side = 0; side <= place.side; ++side)
   {
-    walk(side, side < place.side ? face.sides[side].size() : place.index, static_cast<int>(side));
+    walk(side, side < place.side ? patch.sides[side].size() : place.index, static_cast<int>(side));
   }
   return start;
 }
@@ -95,7 +95,7 @@ ArcVector Unfolding::StartOf(int half) const
 void Unfolding::Cross(int half)
 {
   const int twin = TMesh::Twin(half);
-  ArcVector end = this->StartOf(half); // where the twin ends
+  ArcVector end = this->StartOf(half);
   const int turns = this->TurnsOf(half) + 2;
   // The twin starts where the half-edge ends.
   end.Add(half / 2, Direction(turns + 2));
@@ -106,7 +106,7 @@ void Unfolding::Cross(int half)
   this->Origin.Subtract(local);
 }
 
-bool Unfolding::Turn(const FaceSpot& from, const FaceSpot& to)
+bool Unfolding::Turn(const PatchPoint& from, const PatchPoint& to)
 {
   if (from.inside || to.inside)
   {
@@ -120,19 +120,20 @@ bool Unfolding::Turn(const FaceSpot& from, const FaceSpot& to)
     }
     return true;
   }
-  // Around the point, half-edges that start there: clockwise over the half-edge itself, counter-clockwise over the one
-  // before. Where both ways are open they agree, as it is no cone.
+  // Visits the half-edges that start at the point: clockwise across the half-edge itself,
+  // counter-clockwise across the one before it. If both directions lead to `to` they agree, since
+  // the point is not a cone.
   for (const bool clockwise : { true, false })
   {
     std::vector<int> crossed;
     int half = from.half;
-    const std::size_t most = this->Mesh.halfEdges.size();
-    while (half >= 0 && half != to.half && crossed.size() < most)
+    const std::size_t maximum = this->Mesh.halfEdges.size();
+    while (half >= 0 && half != to.half && crossed.size() < maximum)
     {
       const int over = clockwise ? half : this->PlaceOf(half).previous;
       crossed.push_back(over);
       const int twin = TMesh::Twin(over);
-      half = this->FaceOf(twin) < 0 ? -1 : (clockwise ? this->Next(twin) : twin);
+      half = this->PatchOf(twin) < 0 ? -1 : (clockwise ? this->Next(twin) : twin);
       if (half == from.half)
       {
         half = -1;

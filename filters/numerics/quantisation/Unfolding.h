@@ -7,14 +7,15 @@
 
 namespace crossfield
 {
-/// A vector of the plane whose coordinates are sums of the numbers of arcs: per arc its factors of x and y.
+/// A vector of the plane whose coordinates are sums of edge counts: for each arc its factors in x
+/// and y.
 class ArcVector
 {
 public:
   void Add(int arc, const std::array<int, 2>& factor);
   void Subtract(const ArcVector& other);
 
-  /// Σ factor of one axis (0 x, 1 y) times the value of each arc.
+  /// Returns Σ factor · value over the arcs, for one axis (0: x, 1: y).
   template <class Values>
   double Along(std::size_t axis, const Values& values) const
   {
@@ -31,53 +32,55 @@ private:
   std::map<int, std::array<int, 2>> Factors;
 };
 
-/// Where a way touches the outline of a face: at the start of a half-edge, or inside of it.
-struct FaceSpot
+/// A point on the outline of a patch: the start of a half-edge, or a point in its interior.
+struct PatchPoint
 {
   int half = -1;
   bool inside = false;
 };
 
-/// Lays faces of a T-mesh into one plane, one after the other along a way (docs/method.md §14.3). Sides are sums of the
-/// numbers of their arcs, so that places are ArcVectors; opposite sides are equal by the equations.
+/// Unfolds patches of a T-mesh into one plane, one after the other along a path (docs/method.md
+/// §14.3). The length of a side is the sum of the edge counts of its arcs, so positions are
+/// ArcVectors; opposite sides are equal by the equations.
 class Unfolding
 {
 public:
   explicit Unfolding(const TMesh& mesh);
 
-  /// Begins with the face of a spot.
-  void Begin(const FaceSpot& spot);
-  /// Goes on to the face of `to`, around the point that both spots are. False if that is not possible: they are not at
-  /// one point, or the boundary is in between.
-  bool Turn(const FaceSpot& from, const FaceSpot& to);
-  /// Where the half-edge of a spot of the present face starts.
+  /// Starts with the patch of a point, which is the origin.
+  void Begin(const PatchPoint& point);
+  /// Moves to the patch of `to` by a turn around the point, which is the same as `from`. Returns
+  /// false if that is not possible: they are different points, or the boundary is in between.
+  bool Turn(const PatchPoint& from, const PatchPoint& to);
+  /// Returns the start of a half-edge of the present patch.
   ArcVector StartOf(int half) const;
-  /// The axis that a half-edge of the present face runs along.
+  /// Returns the axis that a half-edge of the present patch is parallel to.
   std::size_t AxisOf(int half) const { return static_cast<std::size_t>(this->TurnsOf(half) % 2); }
 
-  /// A half-edge that starts where another one of the same face ends.
+  /// Returns the next half-edge around the patch.
   int Next(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].next; }
 
 private:
+  /// The position of a half-edge in its patch.
   struct Place
   {
     std::size_t side = 0;
     std::size_t index = 0;
-    int previous = -1; ///< Half-edge around the face.
+    int previous = -1; ///< The half-edge before it around the patch.
   };
 
-  int FaceOf(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].patch; }
+  int PatchOf(int half) const { return this->Mesh.halfEdges[static_cast<std::size_t>(half)].patch; }
   const Place& PlaceOf(int half) const { return this->Places[static_cast<std::size_t>(half)]; }
   int TurnsOf(int half) const
   {
     return (this->Turns + static_cast<int>(this->PlaceOf(half).side)) % 4;
   }
-  /// To the other side of a half-edge of the present face.
+  /// Moves to the patch on the other side of a half-edge of the present one.
   void Cross(int half);
 
   const TMesh& Mesh;
   std::vector<Place> Places;
-  int Turns = 0;    ///< Of the present face.
-  ArcVector Origin; ///< Its first corner.
+  int Turns = 0;    ///< Quarter turns from the patch to the plane.
+  ArcVector Origin; ///< First corner of the present patch.
 };
 }

@@ -56,7 +56,7 @@ void WritePointData(const QuadMesh& mesh, vtkPointData* data)
   ColumnWriting::AddColumn<vtkIntArray>(
     data, names::Valence, mesh.points, [](const QuadPoint& point) { return point.valence; });
   ColumnWriting::AddColumn<vtkIntArray>(
-    data, names::Irregular, mesh.points, [](const QuadPoint& point) { return point.asked; });
+    data, names::Irregular, mesh.points, [](const QuadPoint& point) { return point.quarterIndex; });
   ColumnWriting::AddColumn<vtkIntArray>(data, names::BoundarySide, mesh.points,
     [](const QuadPoint& point) { return point.curve.loop; });
 }
@@ -71,9 +71,9 @@ void WriteIrregular(const QuadMesh& mesh, vtkFieldData* data)
     {
       ++counts[point.valence][0];
     }
-    if (point.curve.loop < 0 && point.asked != 0)
+    if (point.curve.loop < 0 && point.quarterIndex != 0)
     {
-      ++counts[4 - point.asked][1];
+      ++counts[4 - point.quarterIndex][1];
     }
   }
   std::array<std::vector<int>, 3> columns;
@@ -106,9 +106,9 @@ void WriteReport(const QuadResult& result, const crossfield::DomainPlane& plane,
     data, names::SizeRange, { quality.size.min, quality.size.mean, quality.size.max });
   ColumnWriting::AddNumbers(data, names::SizeVariation, { quality.variation });
   ColumnWriting::AddNumbers(data, names::Size, { result.size });
-  ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.zeroArcs });
+  ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.ZeroArcs() });
   addCount(names::IntegerVariables, result.counts.counts.size());
-  ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.gap });
+  ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.Gap() });
   addFlag(names::IntegerOptimal, result.counts.optimal);
   ColumnWriting::AddIntegers(data, names::Inverted, { quality.inverted });
   const Eigen::Vector3d where = plane.ToSpace(quality.where);
@@ -188,7 +188,7 @@ void WriteLayout(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  for (const crossfield::TArc& arc : result.lines.arcs)
+  for (const crossfield::TArc& arc : result.tMesh.arcs)
   {
     lines->InsertNextCell(static_cast<int>(arc.polyline.size()));
     for (const crossfield::Point& point : arc.polyline)

@@ -253,8 +253,8 @@ TEST(QuadProperties, OfRandomDomains)
             "released %d moved %.2g s %.3f %.3f\n",
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
-            result.quality.inverted, FarApart(map, options.quadSize), result.counts.zeroArcs,
-            result.counts.nodes, result.counts.gap, result.smoothing.released,
+            result.quality.inverted, FarApart(map, options.quadSize), result.counts.ZeroArcs(),
+            result.counts.nodes, result.counts.Gap(), result.smoothing.released,
             result.smoothing.moved / options.quadSize, result.counts.seconds, result.smoothSeconds);
         }
       }

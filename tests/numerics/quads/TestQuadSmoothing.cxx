@@ -90,10 +90,10 @@ TEST(QuadEnergy, OfQuadsAsWantedIsIdeal)
   square.points[2].place = { -3.0, 2.0 };
   square.points[3].place = { -3.0, 0.0 };
   square.quads = { { 0, 1, 2, 3 } };
-  square.wanted = { { 2.0, 3.0 } };
+  square.targetLengths = { { 2.0, 3.0 } };
   QuadEnergy one(square, curves, AllButFixed(square), 0.2, { 1.0 });
   EXPECT_NEAR(one.Value(one.Unknowns(), 0.0, nullptr), 8.0, 1e-14);
-  EXPECT_NEAR(one.LeastDeterminant(one.Unknowns()), 1.0, 1e-15);
+  EXPECT_NEAR(one.MinimumDeterminant(one.Unknowns()), 1.0, 1e-15);
 }
 
 TEST(CoarseQuads, KeepTheSameLinesFromBothEnds)

@@ -39,7 +39,7 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double least)
   for (const QuadPoint& point : mesh.points)
   {
     const bool inside = point.curve.loop < 0;
-    EXPECT_EQ(point.valence, (inside ? 4 : 2) - point.asked);
+    EXPECT_EQ(point.valence, (inside ? 4 : 2) - point.quarterIndex);
     cones += point.cone >= 0 ? 1 : 0;
     if (!inside)
     {
@@ -71,9 +71,9 @@ std::string Tell(const QuadResult& r)
   std::snprintf(text, sizeof text,
     "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f "
     "iter %d kept %d released %d moved %.3g  s: int %.4f lay %.3f smooth %.3f ratio",
-    r.mesh.quads.size(), r.blocks.blocks.size(), r.lines.patches.size(), r.lines.arcs.size(),
+    r.mesh.quads.size(), r.blocks.blocks.size(), r.tMesh.patches.size(), r.tMesh.arcs.size(),
     r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
-    r.counts.zeroArcs, r.counts.nodes, r.counts.optimal, r.counts.gap, r.smoothing.iterations,
+    r.counts.ZeroArcs(), r.counts.nodes, r.counts.optimal, r.counts.Gap(), r.smoothing.iterations,
     r.smoothing.keptStart, r.smoothing.released, r.smoothing.moved, r.counts.seconds,
     r.layoutSeconds, r.smoothSeconds);
   return text;
@@ -129,7 +129,7 @@ TEST(Quads, OfTheRingAreOneFace)
   const SeamlessMap map = MapOf(RingOfEdges(0.04), {}, 0.05);
   const QuadResult result = QuadsOf(map, 0.1);
   Print("ring", 0.1, result);
-  EXPECT_EQ(result.lines.patches.size(), 1U);
+  EXPECT_EQ(result.tMesh.patches.size(), 1U);
   ExpectSound(result, map, 0.99);
 }
 

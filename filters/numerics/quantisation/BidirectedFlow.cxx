@@ -1,4 +1,4 @@
-#include "ArcFlow.h"
+#include "BidirectedFlow.h"
 
 #include "Error.h"
 
@@ -18,7 +18,7 @@ using Graph = lemon::SmartDigraph;
 using Amount = long long;
 using Simplex = lemon::NetworkSimplex<Graph, Amount, Amount>;
 
-/// One of the parallel edges that the convex cost of an arc is made of.
+/// One of the parallel edges that make up the convex cost of an arc.
 struct FlowEdge
 {
   Graph::Arc arc;
@@ -28,21 +28,23 @@ struct FlowEdge
   Amount cost;
 };
 
-/// The double cover of the rows, and one ground for the boundary.
+/// The minimum cost flow in the double cover of the equations, with one ground node for the
+/// boundary (docs/method.md §14.2).
 class DoubleCover
 {
 public:
-  DoubleCover(
-    const ArcProblem& problem, const std::vector<int>& lower, const std::vector<int>& upper)
+  DoubleCover(const QuantisationProblem& problem, const std::vector<int>& lower,
+    const std::vector<int>& upper)
     : Problem(problem)
-    , Ground(2 * problem.rows)
+    , Ground(2 * problem.equations)
   {
     for (int i = 0; i <= this->Ground; ++i)
     {
       this->Nodes.addNode();
     }
     const double largest = *std::max_element(problem.weight.begin(), problem.weight.end());
-    // Costs are integers: six digits of the largest weight, far below what the wanted lengths are worth.
+    // Costs are integers: six digits of the largest weight, far finer than the target counts are
+    // meaningful.
     this->CostScale = 1e6 / largest;
     for (std::size_t a = 0; a < problem.Count(); ++a)
     {
@@ -53,6 +55,8 @@ public:
     }
   }
 
+  /// Adds the flow on both copies of each arc, twice its relaxed count, to `doubled`. Returns false
+  /// if there is none.
   bool Solve(std::vector<int>& doubled)
   {
     Simplex simplex(this->Nodes);
@@ -82,38 +86,43 @@ public:
   }
 
 private:
-  Graph::Node NodeOf(int row, bool plus) { return Graph::nodeFromId(2 * row + (plus ? 0 : 1)); }
-
-  /// From where to where the first copy of a variable flows; the second one runs between the others.
-  std::pair<Graph::Node, Graph::Node> WayOf(const std::vector<ArcTerm>& terms, bool first)
+  Graph::Node NodeOf(int equation, bool plus)
   {
-    const ArcTerm& one = terms[0];
-    // At a node of the + cover + leaves and − arrives; at one of the − cover the other way round.
-    const Graph::Node from = first ? NodeOf(one.row, one.sign > 0) : NodeOf(one.row, one.sign < 0);
+    return Graph::nodeFromId(2 * equation + (plus ? 0 : 1));
+  }
+
+  /// Returns the source and target of the first or the second copy of an arc.
+  std::pair<Graph::Node, Graph::Node> EndsOf(const std::vector<EquationTerm>& terms, bool first)
+  {
+    const EquationTerm& one = terms[0];
+    // At a node of the + sheet a + term leaves and a − term arrives; at one of the − sheet
+    // conversely.
+    const Graph::Node from =
+      first ? NodeOf(one.equation, one.sign > 0) : NodeOf(one.equation, one.sign < 0);
     Graph::Node to = Graph::nodeFromId(this->Ground);
     if (terms.size() == 2)
     {
-      const ArcTerm& two = terms[1];
-      to = first ? NodeOf(two.row, two.sign < 0) : NodeOf(two.row, two.sign > 0);
+      const EquationTerm& two = terms[1];
+      to = first ? NodeOf(two.equation, two.sign < 0) : NodeOf(two.equation, two.sign > 0);
     }
     return first ? std::make_pair(from, to) : std::make_pair(to, from);
   }
 
   void AddVariable(std::size_t a, int lower, int upper)
   {
-    const double wanted = this->Problem.wanted[a];
-    const auto below = static_cast<Amount>(std::floor(wanted));
-    const double fraction = wanted - static_cast<double>(below);
+    const double target = this->Problem.target[a];
+    const auto below = static_cast<Amount>(std::floor(target));
+    const double fraction = target - static_cast<double>(below);
     const double weight = this->CostScale * this->Problem.weight[a];
-    const Amount least = lower;
-    const Amount most = upper < 0 ? std::numeric_limits<Amount>::max() : upper;
+    const Amount minimum = lower;
+    const Amount maximum = upper < 0 ? std::numeric_limits<Amount>::max() : upper;
     const Amount unbounded = std::numeric_limits<Amount>::max();
-    // Slopes −w up to ⌊ℓ⌋, w (1 − 2f) in the next unit, w beyond; the bounds cut pieces off.
-    const Amount knee = std::clamp(below, least, most);
-    const Amount second = std::clamp(below + 1, least, most);
+    // Slopes −w up to ⌊ℓ⌋, w (1 − 2f) in the next unit, w beyond, clipped to the bounds.
+    const Amount knee = std::clamp(below, minimum, maximum);
+    const Amount second = std::clamp(below + 1, minimum, maximum);
     for (const bool first : { true, false })
     {
-      const auto [from, to] = this->WayOf(this->Problem.terms[a], first);
+      const auto [from, to] = this->EndsOf(this->Problem.terms[a], first);
       const auto add = [&, from = from, to = to](Amount low, Amount high, double slope)
       {
         if (high > 0)
@@ -122,20 +131,20 @@ private:
             { this->Nodes.addArc(from, to), a, low, high, std::llround(slope) });
         }
       };
-      add(least, knee, -weight);
+      add(minimum, knee, -weight);
       add(0, second - knee, weight * (1.0 - 2.0 * fraction));
-      add(0, most == unbounded ? unbounded : most - second, weight);
+      add(0, maximum == unbounded ? unbounded : maximum - second, weight);
     }
   }
 
-  const ArcProblem& Problem;
+  const QuantisationProblem& Problem;
   const int Ground;
   Graph Nodes;
   double CostScale = 1.0;
   std::vector<FlowEdge> Edges;
 };
 
-/// What is left to search.
+/// An open node of branch and bound: bounds of all arcs; −1 in `upper` stands for no bound.
 struct Branch
 {
   std::vector<int> lower;
@@ -151,7 +160,7 @@ std::vector<int> Halve(std::vector<int> doubled)
   return doubled;
 }
 
-/// The optimum of an ArcProblem over half-integers, which is that over the reals.
+/// The optimum over the half-integers, which is that over the reals.
 struct RelaxedCounts
 {
   bool feasible = false;
@@ -159,9 +168,9 @@ struct RelaxedCounts
   double cost = 0.0;
 };
 
-/// One minimum cost flow in the double cover (docs/method.md §14.2). `upper` −1 stands for no bound.
+/// Solves the relaxation by one minimum cost flow in the double cover.
 RelaxedCounts SolveRelaxedCounts(
-  const ArcProblem& problem, const std::vector<int>& lower, const std::vector<int>& upper)
+  const QuantisationProblem& problem, const std::vector<int>& lower, const std::vector<int>& upper)
 {
   RelaxedCounts result;
   result.doubled.assign(problem.Count(), 0);
@@ -175,9 +184,9 @@ RelaxedCounts SolveRelaxedCounts(
   {
     if (problem.terms[a].empty())
     {
-      const int most = upper[a] < 0 ? std::numeric_limits<int>::max() : upper[a];
+      const int maximum = upper[a] < 0 ? std::numeric_limits<int>::max() : upper[a];
       result.doubled[a] =
-        2 * std::clamp(static_cast<int>(std::lround(problem.wanted[a])), lower[a], most);
+        2 * std::clamp(static_cast<int>(std::lround(problem.target[a])), lower[a], maximum);
     }
     const int half = result.doubled[a] / 2;
     result.cost += 0.5 * (problem.Cost(a, half) + problem.Cost(a, result.doubled[a] - half));
@@ -186,29 +195,29 @@ RelaxedCounts SolveRelaxedCounts(
 }
 }
 
-IntegerCounts SolveArcFlow(const ArcProblem& problem)
+EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
 {
-  IntegerCounts best;
-  // In all cases tried a few suffice; each costs milliseconds at hundreds of arcs.
-  constexpr int MostFlows = 200;
+  EdgeCounts best;
+  // A few flows suffice in all cases tried; each takes milliseconds with hundreds of arcs.
+  constexpr int MaximumFlows = 200;
   std::vector<Branch> open = { { problem.lower, std::vector<int>(problem.Count(), -1) } };
   std::vector<int> fallback;
-  while (!open.empty() && best.flows < MostFlows)
+  while (!open.empty() && best.nodes < MaximumFlows)
   {
     Branch branch = std::move(open.back());
     open.pop_back();
     const RelaxedCounts relaxed = SolveRelaxedCounts(problem, branch.lower, branch.upper);
-    if (++best.flows == 1)
+    if (++best.nodes == 1)
     {
       if (!relaxed.feasible)
       {
-        throw Error("No numbers of quads fit the lines; use a finer mesh.");
+        throw Error("No edge counts fit the separatrices; use a finer mesh.");
       }
       best.bound = relaxed.cost;
       fallback = relaxed.doubled;
     }
-    const double rounding = 1e-9 * (1.0 + best.bound);
-    if (!relaxed.feasible || (!best.counts.empty() && relaxed.cost >= best.cost - rounding))
+    if (!relaxed.feasible ||
+      (!best.counts.empty() && relaxed.cost >= best.cost - CostRounding(best.bound)))
     {
       continue;
     }
@@ -221,18 +230,22 @@ IntegerCounts SolveArcFlow(const ArcProblem& problem)
       continue;
     }
     const auto arc = static_cast<std::size_t>(odd - relaxed.doubled.begin());
-    Branch less = branch;
-    less.upper[arc] = *odd / 2;
-    open.push_back(std::move(less));
+    Branch down = branch;
+    down.upper[arc] = *odd / 2;
+    open.push_back(std::move(down));
     branch.lower[arc] = *odd / 2 + 1;
-    open.push_back(std::move(branch)); // first, as more is always possible
+    open.push_back(std::move(branch)); // searched first: more edges are always feasible
   }
   best.optimal = open.empty();
   if (best.counts.empty())
   {
-    // Twice a solution solves the equations; lower bounds hold all the more.
+    // Twice a solution satisfies the equations, and lower bounds as well.
     best.counts = fallback;
     best.cost = problem.Cost(fallback);
+  }
+  if (best.optimal)
+  {
+    best.bound = best.cost;
   }
   return best;
 }

@@ -1,8 +1,9 @@
-#include "ArcWindows.h"
+#include "WindowSearch.h"
 
-#include "ArcImprovement.h"
+#include "BidirectedFlow.h"
 #include "Index.h"
 #include "Separation.h"
+#include "Subproblem.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +15,10 @@ namespace crossfield
 {
 namespace
 {
-/// Some faces of a T-mesh, the nearest to the first of them first, and their arcs.
+/// Neighbouring patches of a T-mesh in breadth-first order from the first one, and their arcs.
 struct Window
 {
-  std::vector<int> faces;
+  std::vector<int> patches;
   std::vector<int> arcs;
 };
 
@@ -27,10 +28,10 @@ public:
   explicit Windows(const TMesh& mesh)
     : Mesh(mesh)
   {
-    for (const TPatch& face : mesh.patches)
+    for (const TPatch& patch : mesh.patches)
     {
       std::vector<int> arcs;
-      for (const auto& side : face.sides)
+      for (const auto& side : patch.sides)
       {
         for (const int half : side)
         {
@@ -41,18 +42,18 @@ public:
     }
   }
 
-  /// With at least `size` arcs, or all that there are.
-  Window Around(int face, std::size_t size) const
+  /// Returns the window around a patch, of at least `size` arcs if there are as many.
+  Window Around(int patch, std::size_t size) const
   {
     std::vector<char> seen(this->Mesh.patches.size(), 0);
     std::vector<char> taken(this->Mesh.arcs.size(), 0);
     Window window;
-    window.faces = { face };
-    seen[Index(face)] = 1;
+    window.patches = { patch };
+    seen[Index(patch)] = 1;
     std::size_t next = 0;
-    for (; next < window.faces.size() && window.arcs.size() < size; ++next)
+    for (; next < window.patches.size() && window.arcs.size() < size; ++next)
     {
-      for (const int arc : this->ArcsOf[Index(window.faces[next])])
+      for (const int arc : this->ArcsOf[Index(window.patches[next])])
       {
         if (taken[Index(arc)] == 0)
         {
@@ -65,19 +66,20 @@ public:
           if (other >= 0 && seen[Index(other)] == 0)
           {
             seen[Index(other)] = 1;
-            window.faces.push_back(other);
+            window.patches.push_back(other);
           }
         }
       }
     }
-    window.faces.resize(next);
+    window.patches.resize(next);
     return window;
   }
 
-  /// Windows that cover the domain: each is around the face with the highest cost, beyond that of the nearest integers, of those
-  /// that are not in the nearer half of an earlier one.
+  /// Returns windows that cover the domain. Each is around the patch with the highest excess cost,
+  /// above that of the nearest integers, among those that are not in the first quarter of an
+  /// earlier window.
   std::vector<Window> Cover(
-    const ArcProblem& problem, const std::vector<int>& counts, std::size_t size) const
+    const QuantisationProblem& problem, const std::vector<int>& counts, std::size_t size) const
   {
     std::vector<double> excess;
     for (const std::vector<int>& arcs : this->ArcsOf)
@@ -85,7 +87,7 @@ public:
       excess.push_back(std::accumulate(arcs.begin(), arcs.end(), 0.0,
         [&](double sum, int arc)
         {
-          const auto nearest = static_cast<int>(std::lround(problem.wanted[Index(arc)]));
+          const auto nearest = static_cast<int>(std::lround(problem.target[Index(arc)]));
           return sum + problem.Cost(Index(arc), counts[Index(arc)]) -
             problem.Cost(Index(arc), nearest);
         }));
@@ -96,15 +98,15 @@ public:
       [&](int a, int b) { return excess[Index(a)] > excess[Index(b)]; });
     std::vector<char> covered(order.size(), 0);
     std::vector<Window> windows;
-    for (const int face : order)
+    for (const int patch : order)
     {
-      if (covered[Index(face)] == 0)
+      if (covered[Index(patch)] == 0)
       {
-        windows.push_back(this->Around(face, size));
-        const std::vector<int>& faces = windows.back().faces;
-        for (std::size_t i = 0; i < (faces.size() + 3) / 4; ++i)
+        windows.push_back(this->Around(patch, size));
+        const std::vector<int>& patches = windows.back().patches;
+        for (std::size_t i = 0; i < (patches.size() + 3) / 4; ++i)
         {
-          covered[Index(faces[i])] = 1;
+          covered[Index(patches[i])] = 1;
         }
       }
     }
@@ -113,33 +115,33 @@ public:
 
 private:
   const TMesh& Mesh;
-  std::vector<std::vector<int>> ArcsOf;
+  std::vector<std::vector<int>> ArcsOf; ///< Per patch.
 };
 
-/// The optimum in which no arc loses its last edge, where that joins nothing: beside a face of no width other points may meet.
-void Rebalance(const TMesh& mesh, const ArcProblem& problem, IntegerCounts& best)
+/// Rebalances all counts by one flow in which no arc loses its last edge. The result is dropped if
+/// points coincide in it, which can happen beside a patch of zero width.
+void Rebalance(const TMesh& mesh, const QuantisationProblem& problem, EdgeCounts& best)
 {
-  ArcProblem kept = problem;
+  QuantisationProblem kept = problem;
   std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
     [](int count) { return std::min(count, 1); });
-  IntegerCounts found = SolveArcFlow(kept);
-  if (found.cost < best.cost - CostRounding(best.cost) &&
-    FindViolations(mesh, found.counts).empty())
+  EdgeCounts found = SolveBidirectedFlow(kept);
+  if (best.IsImprovedBy(found) && FindViolations(mesh, found.counts).empty())
   {
-    best.counts = std::move(found.counts);
-    best.cost = found.cost;
+    ReplaceIfCheaper(best, std::move(found));
   }
 }
 }
 
-void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t largest,
-  IntegerCounts& best, std::vector<ArcRow>& rows, const Progress& progress)
+void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std::size_t largest,
+  EdgeCounts& best, std::vector<SeparationRow>& rows, const Progress& progress)
 {
   const Windows windows(mesh);
   // Few windows need more.
-  constexpr int MostNodes = 50;
-  // A window of 100 arcs takes a millisecond, one of 200 ten; larger ones find no more than the whole problem does. What small ones
-  // improve is not left to large ones, and what is more than a third of everything to the whole problem.
+  constexpr int MaximumNodes = 50;
+  // A window of 100 arcs takes a millisecond, one of 200 takes ten; larger ones find no more than
+  // the full problem does. Small windows come first, as they are cheaper. Windows of more than a
+  // third of all arcs are left to the full problem.
   constexpr std::array<std::size_t, 5> sizes = { 60, 100, 100, 200, 200 };
   for (std::size_t pass = 0; pass < sizes.size(); ++pass)
   {
@@ -150,7 +152,7 @@ void ImproveInWindows(const TMesh& mesh, const ArcProblem& problem, std::size_t 
     for (const Window& window : windows.Cover(problem, best.counts, sizes[pass]))
     {
       progress.Report(static_cast<double>(pass) / static_cast<double>(sizes.size()));
-      ImproveCounts(mesh, problem, window.arcs, MostNodes, best, rows);
+      ReplaceIfCheaper(best, SolveSubproblem(mesh, problem, window.arcs, MaximumNodes, best, rows));
     }
     Rebalance(mesh, problem, best);
   }

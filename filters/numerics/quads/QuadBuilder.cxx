@@ -1,0 +1,408 @@
+#include "QuadBuilder.h"
+
+#include "ArcPoints.h"
+#include "ChartWalk.h"
+#include "Error.h"
+#include "Index.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// A point on a side of a patch.
+struct SidePoint
+{
+  double along = 0.0; ///< Distance from the start of the side.
+  int point = 0;
+  int half = 0;
+  double within = 0.0; ///< Distance from the start of the half-edge.
+};
+
+/// A lattice of points that covers a patch.
+struct PatchLattice
+{
+  int columns = 0;              ///< Quads along side 0.
+  int rows = 0;                 ///< Quads along side 1.
+  std::vector<int> points;      ///< In the mesh, (columns + 1) (rows + 1), columns fastest.
+  std::vector<Point> positions; ///< In the patch, side 0 along the x axis.
+
+  std::size_t At(int i, int j) const { return Index(j) * Index(this->columns + 1) + Index(i); }
+};
+
+class QuadBuilder
+{
+public:
+  QuadBuilder(
+    const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+    : Map(map)
+    , Separatrices(mesh)
+    , Counts(counts)
+    , Points(mesh, counts)
+    , Classes(Index(this->Points.Count()))
+    , Curves(*map.topology)
+    , Size(size)
+  {
+    for (const PointLink& link : this->Points.Links())
+    {
+      this->Classes.Join(link.from, link.to);
+    }
+  }
+
+  QuadMesh Build()
+  {
+    this->Reserve();
+    this->PlaceArcPoints();
+    for (std::size_t f = 0; f < this->Separatrices.patches.size(); ++f)
+    {
+      this->BuildPatch(f);
+    }
+    this->AddBoundary();
+    this->CountValences();
+    this->FixCorners();
+    return std::move(this->Mesh);
+  }
+
+private:
+  /// Reserves memory for all quads, and for as many inner points.
+  void Reserve()
+  {
+    std::size_t quads = 0;
+    for (const TPatch& patch : this->Separatrices.patches)
+    {
+      quads += Index(this->Points.SideCount(patch, 0)) * Index(this->Points.SideCount(patch, 1));
+    }
+    this->Mesh.points.reserve(quads + Index(this->Points.Count()));
+    this->Mesh.quads.reserve(quads);
+    this->Mesh.targetLengths.reserve(quads);
+    this->Mesh.patch.reserve(quads);
+  }
+
+  /// Returns the place at a distance along a half-edge. Its rotation is the direction of the
+  /// half-edge; `position` receives the boundary entry.
+  ChartPlace PlaceOn(int half, double within, int* position = nullptr) const
+  {
+    const TArc& arc = this->Separatrices.arcs[Index(half / 2)];
+    double remaining = half % 2 == 0 ? within : arc.length - within;
+    const ChartPiece* at = &arc.pieces.front();
+    for (const ChartPiece& piece : arc.pieces)
+    {
+      at = &piece;
+      const double length = (piece.to - piece.from).norm();
+      if (remaining <= length)
+      {
+        break;
+      }
+      remaining -= &piece == &arc.pieces.back() ? 0.0 : length;
+    }
+    const double length = (at->to - at->from).norm();
+    const double fraction = length > 0.0 ? std::clamp(remaining / length, 0.0, 1.0) : 0.0;
+    if (position != nullptr)
+    {
+      *position = at->position;
+    }
+    return { at->triangle, at->from + fraction * (at->to - at->from),
+      (at->direction + (half % 2 == 0 ? 0 : 2)) % 4 };
+  }
+
+  CurvePlace CurveOn(int half, double within) const
+  {
+    int position = -1;
+    const ChartPlace place = this->PlaceOn(half, within, &position);
+    const MeshTopology& topology = *this->Map.topology;
+    const auto& sides = topology.edges.ofTriangle[Index(place.triangle)];
+    const auto side = static_cast<int>(
+      std::find(sides.begin(), sides.end(), topology.EdgeOfBoundary(position)) - sides.begin());
+    const Point& from = this->Map.At(place.triangle, side);
+    const double length = (this->Map.At(place.triangle, (side + 1) % 3) - from).norm();
+    return this->Curves.Place(position, std::clamp((place.w - from).norm() / length, 0.0, 1.0));
+  }
+
+  /// Returns the rank by which coincident points take their position: cones, then the boundary,
+  /// then the first.
+  int RankOf(const QuadPoint& point) const
+  {
+    return point.cone >= 0 ? 3 : point.curve.loop >= 0 ? 2 : 1;
+  }
+
+  /// Stores a candidate for the point of a class if it is the first, or of higher rank than the one
+  /// stored.
+  void AddCandidate(int point, const QuadPoint& candidate)
+  {
+    const int representative = this->Classes.Find(point);
+    int& number = this->Numbers[Index(representative)];
+    if (number < 0)
+    {
+      number = static_cast<int>(this->Mesh.points.size());
+      this->Mesh.points.push_back(candidate);
+    }
+    else if (this->RankOf(candidate) > this->RankOf(this->Mesh.points[Index(number)]))
+    {
+      this->Mesh.points[Index(number)] = candidate;
+    }
+  }
+
+  void PlaceArcPoints()
+  {
+    this->Numbers.assign(Index(this->Points.Count()), -1);
+    for (std::size_t a = 0; a < this->Counts.size(); ++a)
+    {
+      const TArc& arc = this->Separatrices.arcs[a];
+      const auto half = static_cast<int>(2 * a);
+      const int count = std::max(1, this->Counts[a]);
+      for (int j = 0; j <= count; ++j)
+      {
+        const int point = j == 0 || j == count ? this->Points.At(half + (j == 0 ? 0 : 1), 0)
+                                               : this->Points.At(half, j);
+        this->AddCandidate(point, this->ArcPoint(arc, half, j, count, point));
+      }
+    }
+  }
+
+  QuadPoint ArcPoint(const TArc& arc, int half, int j, int count, int number) const
+  {
+    QuadPoint point;
+    const double within = arc.length * j / count;
+    const ChartPlace place = this->PlaceOn(half, within);
+    point.scale = PlaneScale(this->Map, place.triangle);
+    if (arc.onBoundary)
+    {
+      point.curve = this->CurveOn(half, within);
+      point.place = this->Curves.At(point.curve);
+    }
+    else
+    {
+      point.place = PlanePoint(this->Map, place);
+    }
+    const bool node = j == 0 || j == count;
+    const int cone = node ? this->Separatrices.nodes[Index(number)].cone : -1;
+    // A corner takes its position from a boundary arc, which knows its place on the boundary.
+    const bool isCone = cone >= 0 && (arc.onBoundary || !this->Map.cones[Index(cone)].onBoundary);
+    if (isCone)
+    {
+      point.cone = cone;
+      point.quarterIndex = this->Map.cones[Index(cone)].quarterIndex;
+      point.place = this->Separatrices.nodes[Index(number)].place;
+      point.fixed = true;
+    }
+    return point;
+  }
+
+  /// Returns the points along a side.
+  std::vector<SidePoint> SideOf(const TPatch& patch, std::size_t side) const
+  {
+    std::vector<SidePoint> points;
+    double start = 0.0;
+    for (const int half : patch.sides[side])
+    {
+      const double length = this->Separatrices.arcs[Index(half / 2)].length;
+      const int count = this->Counts[Index(half / 2)];
+      for (int j = points.empty() ? 0 : 1; j <= count && count > 0; ++j)
+      {
+        const double within = length * j / count;
+        points.push_back({ start + within, this->Points.At(half, j), half, within });
+      }
+      start += length;
+    }
+    return points;
+  }
+
+  /// Adds the quads of a patch, and its inner points.
+  void BuildPatch(std::size_t f)
+  {
+    const TPatch& patch = this->Separatrices.patches[f];
+    PatchLattice lattice;
+    lattice.columns = this->Points.SideCount(patch, 0);
+    lattice.rows = this->Points.SideCount(patch, 1);
+    if (lattice.columns == 0 || lattice.rows == 0)
+    {
+      return;
+    }
+    lattice.points.resize(Index(lattice.columns + 1) * Index(lattice.rows + 1));
+    lattice.positions.resize(lattice.points.size());
+    const std::vector<SidePoint> first = this->SideOf(patch, 0);
+    this->PlaceSides(patch, first, lattice);
+    this->PlaceInnerPoints(first, lattice);
+    this->AddQuads(lattice, static_cast<int>(f));
+  }
+
+  /// Sets the points on the sides of a lattice; `first` are those of side 0.
+  void PlaceSides(const TPatch& patch, const std::vector<SidePoint>& first, PatchLattice& lattice)
+  {
+    const int a = lattice.columns;
+    const int b = lattice.rows;
+    const double width = this->Separatrices.SideLength(patch, 0);
+    const double height = this->Separatrices.SideLength(patch, 1);
+    const std::vector<SidePoint> second = this->SideOf(patch, 1);
+    const std::vector<SidePoint> third = this->SideOf(patch, 2);
+    const std::vector<SidePoint> fourth = this->SideOf(patch, 3);
+    const auto set = [&](int i, int j, const SidePoint& point, const Point& position)
+    {
+      lattice.points[lattice.At(i, j)] = this->Numbers[Index(this->Classes.Find(point.point))];
+      lattice.positions[lattice.At(i, j)] = position;
+    };
+    for (int i = 0; i <= a; ++i)
+    {
+      const SidePoint& low = first[Index(i)];
+      const SidePoint& high = third[Index(a - i)];
+      set(i, 0, low, { low.along, 0.0 });
+      set(i, b, high, { width - high.along, height });
+    }
+    for (int j = 0; j <= b; ++j)
+    {
+      const SidePoint& right = second[Index(j)];
+      const SidePoint& left = fourth[Index(b - j)];
+      set(a, j, right, { width, right.along });
+      set(0, j, left, { 0.0, height - left.along });
+    }
+  }
+
+  /// Adds the inner points of a lattice by Coons' formula. Each column starts at its point `first`
+  /// on side 0.
+  void PlaceInnerPoints(const std::vector<SidePoint>& first, PatchLattice& lattice)
+  {
+    const int a = lattice.columns;
+    const int b = lattice.rows;
+    std::vector<Point>& positions = lattice.positions;
+    for (int i = 1; i < a; ++i)
+    {
+      const double s = static_cast<double>(i) / a;
+      ChartPlace place = this->PlaceOn(first[Index(i)].half, first[Index(i)].within);
+      for (int j = 1; j < b; ++j)
+      {
+        const double t = static_cast<double>(j) / b;
+        // Opposite sides agree with the corners, so each coordinate is one blend.
+        Point& position = positions[lattice.At(i, j)];
+        position = { (1.0 - t) * positions[lattice.At(i, 0)].x() +
+            t * positions[lattice.At(i, b)].x(),
+          (1.0 - s) * positions[lattice.At(0, j)].y() + s * positions[lattice.At(a, j)].y() };
+        place = WalkStraight(this->Map, place, position - positions[lattice.At(i, j - 1)]);
+        QuadPoint point;
+        point.place = PlanePoint(this->Map, place);
+        point.scale = PlaneScale(this->Map, place.triangle);
+        lattice.points[lattice.At(i, j)] = static_cast<int>(this->Mesh.points.size());
+        this->Mesh.points.push_back(point);
+      }
+    }
+  }
+
+  /// Adds the quads of a lattice with their target lengths.
+  void AddQuads(const PatchLattice& lattice, int patch)
+  {
+    // A side of nearly zero length gets a target of a quarter of the size.
+    const double minimum = 0.25 * this->Size;
+    for (int j = 0; j < lattice.rows; ++j)
+    {
+      for (int i = 0; i < lattice.columns; ++i)
+      {
+        const std::array<std::size_t, 4> c = { lattice.At(i, j), lattice.At(i + 1, j),
+          lattice.At(i + 1, j + 1), lattice.At(i, j + 1) };
+        double scale = 0.0;
+        std::array<Point, 4> p;
+        std::array<int, 4> quad{};
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          quad[k] = lattice.points[c[k]];
+          p[k] = lattice.positions[c[k]];
+          scale += 0.25 * this->Mesh.points[Index(quad[k])].scale;
+        }
+        const double wide = 0.5 * (p[1].x() - p[0].x() + p[2].x() - p[3].x());
+        const double high = 0.5 * (p[3].y() - p[0].y() + p[2].y() - p[1].y());
+        this->Mesh.quads.push_back(quad);
+        this->Mesh.targetLengths.push_back(
+          { scale * std::max(minimum, wide), scale * std::max(minimum, high) });
+        this->Mesh.patch.push_back(patch);
+      }
+    }
+  }
+
+  void AddBoundary()
+  {
+    for (std::size_t a = 0; a < this->Counts.size(); ++a)
+    {
+      const TArc& arc = this->Separatrices.arcs[a];
+      if (!arc.onBoundary)
+      {
+        continue;
+      }
+      const BoundaryEdge& edge = this->Map.topology->BoundaryAt(arc.pieces.front().position);
+      for (int j = 0; j < this->Counts[a]; ++j)
+      {
+        const auto half = static_cast<int>(2 * a);
+        const auto number = [this, half](int k)
+        { return this->Numbers[Index(this->Classes.Find(this->Points.At(half, k)))]; };
+        this->Mesh.boundary.push_back({ { number(j), number(j + 1) }, edge.kind, edge.id });
+      }
+    }
+  }
+
+  void CountValences()
+  {
+    for (const auto& quad : this->Mesh.quads)
+    {
+      for (const int point : quad)
+      {
+        ++this->Mesh.points[Index(point)].valence;
+      }
+    }
+    const MeshTopology& topology = *this->Map.topology;
+    if (this->Mesh.EulerCharacteristic() != topology.edges.EulerCharacteristic(topology.mesh))
+    {
+      throw Error("The quads do not cover the domain; use a smaller size.");
+    }
+    for (const QuadPoint& point : this->Mesh.points)
+    {
+      if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
+      {
+        throw Error("The point at " + Describe(point.place) + " got " +
+          std::to_string(point.valence) + " quads; use a smaller size.");
+      }
+    }
+  }
+
+  /// Moves the nearest boundary point to every corner that is not a cone.
+  void FixCorners()
+  {
+    for (const CurvePlace& corner : this->Curves.Corners())
+    {
+      const Point place = this->Curves.At(corner);
+      QuadPoint* nearest = nullptr;
+      double distance = 2.0 * this->Curves.Length(corner.loop);
+      for (QuadPoint& point : this->Mesh.points)
+      {
+        if (point.curve.loop == corner.loop && (point.place - place).norm() < distance)
+        {
+          distance = (point.place - place).norm();
+          nearest = &point;
+        }
+      }
+      if (nearest != nullptr && !nearest->fixed)
+      {
+        nearest->curve = corner;
+        nearest->place = place;
+        nearest->fixed = true;
+      }
+    }
+  }
+
+  const SeamlessMap& Map;
+  const TMesh& Separatrices;
+  const std::vector<int>& Counts;
+  const ArcPoints Points;
+  UnionFind Classes;
+  const BoundaryCurves Curves;
+  const double Size;
+  std::vector<int>
+    Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
+  QuadMesh Mesh;
+};
+}
+
+QuadMesh BuildQuads(
+  const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+{
+  return QuadBuilder(map, mesh, counts, size).Build();
+}
+}

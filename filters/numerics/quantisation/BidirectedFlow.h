@@ -1,0 +1,13 @@
+#pragma once
+
+#include "EdgeCounts.h"
+#include "QuantisationProblem.h"
+
+namespace crossfield
+{
+/// Solves a problem without separation rows by minimum cost flows, and branch and bound on arcs
+/// with half-integral counts (docs/method.md §14.2). After a maximum number of flows it returns the
+/// best counts found, at worst twice the relaxed solution, which is always feasible. Throws Error
+/// if the equations are infeasible.
+EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem);
+}

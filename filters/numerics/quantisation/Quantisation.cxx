@@ -1,0 +1,179 @@
+#include "Quantisation.h"
+
+#include "BidirectedFlow.h"
+#include "Index.h"
+#include "Separation.h"
+#include "Stopwatch.h"
+#include "Subproblem.h"
+#include "WindowSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Returns counts of at least one edge everywhere, and at least three around every loop, so that no
+/// points coincide.
+EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
+{
+  problem.lower.assign(problem.Count(), 1);
+  EdgeCounts result = SolveBidirectedFlow(problem);
+  const std::vector<Violation> shortLoops = FindViolations(mesh, result.counts);
+  for (const Violation& loop : shortLoops)
+  {
+    for (const int arc : loop.arcs)
+    {
+      problem.lower[Index(arc)] = MinimumLoop;
+    }
+  }
+  return shortLoops.empty() ? result : SolveBidirectedFlow(problem);
+}
+
+/// Limits of a search.
+struct SearchLimits
+{
+  std::size_t window = 0; ///< Arcs of the largest windows.
+  int nodes = 0;          ///< Nodes of each search of the full problem.
+  int rounds = 0;
+};
+
+SearchLimits LimitsFor(const QuantisationProblem& problem, SearchEffort effort)
+{
+  // A thorough round takes a second or two. Nodes are limited instead of seconds, so that the
+  // result is the same on every machine.
+  constexpr int ArcsTimesNodes = 250000;
+  constexpr int MinimumNodes = 300;
+  constexpr int QuickFraction = 20;
+  const int nodes = std::max(MinimumNodes, ArcsTimesNodes / static_cast<int>(problem.Count()));
+  return effort == SearchEffort::Quick ? SearchLimits{ 100, nodes / QuickFraction, 1 }
+                                       : SearchLimits{ 200, nodes, 3 };
+}
+
+/// Searches windows, the full problem, and the arcs in which the two differ, in rounds until
+/// nothing improves the counts.
+class RoundSearch
+{
+public:
+  RoundSearch(const TMesh& mesh, const QuantisationProblem& problem, const SearchLimits& limits)
+    : Mesh(mesh)
+    , Problem(problem)
+    , Limits(limits)
+    , AllArcs(problem.Count())
+  {
+    std::iota(this->AllArcs.begin(), this->AllArcs.end(), 0);
+  }
+
+  /// Improves counts that satisfy the separation constraints. `best.bound` is that of the flow, and
+  /// is improved as well.
+  void Run(EdgeCounts& best, const Progress& progress)
+  {
+    const double flowBound = best.bound;
+    for (int round = 0; round < this->Limits.rounds; ++round)
+    {
+      const Progress part = progress.Part(
+        static_cast<double>(round) / this->Limits.rounds, (round + 1.0) / this->Limits.rounds);
+      const double before = best.cost;
+      this->SearchWindows(best, part.Part(0.0, 0.5));
+      if (this->DropViolatedRows(best.counts))
+      {
+        best.bound = flowBound;
+      }
+      const bool isProved = best.cost <= best.bound + CostRounding(best.bound);
+      if (isProved && best.cost >= before)
+      {
+        return;
+      }
+      part.Report(0.5);
+      std::vector<double> relaxed;
+      EdgeCounts full = SolveSubproblem(
+        this->Mesh, this->Problem, this->AllArcs, this->Limits.nodes, best, this->Rows, &relaxed);
+      best.bound = std::max(best.bound, full.bound);
+      best.nodes += full.nodes;
+      ReplaceIfCheaper(best, std::move(full));
+      this->SearchDifferences(relaxed, best);
+    }
+  }
+
+private:
+  /// Starts without the rows known, so that counts that violate them are found as well.
+  void SearchWindows(EdgeCounts& best, const Progress& progress)
+  {
+    std::vector<SeparationRow> generated;
+    ImproveInWindows(this->Mesh, this->Problem, this->Limits.window, best, generated, progress);
+    for (SeparationRow& row : generated)
+    {
+      if (std::find(this->Rows.begin(), this->Rows.end(), row) == this->Rows.end())
+      {
+        this->Rows.push_back(std::move(row));
+      }
+    }
+  }
+
+  /// Removes rows that the best counts violate, and returns whether there were any: bounds proved
+  /// with them are void.
+  bool DropViolatedRows(const std::vector<int>& best)
+  {
+    const auto violated = std::remove_if(this->Rows.begin(), this->Rows.end(),
+      [&best](const SeparationRow& row) { return !row.Holds(best); });
+    const bool any = violated != this->Rows.end();
+    this->Rows.erase(violated, this->Rows.end());
+    return any;
+  }
+
+  /// Searches with those arcs free whose relaxed count is not the best one (Danna, Rothberg, Le
+  /// Pape 2005).
+  void SearchDifferences(const std::vector<double>& relaxed, EdgeCounts& best)
+  {
+    // Most of these subproblems need fewer.
+    constexpr int MaximumNodes = 100;
+    bool isImproved = !relaxed.empty();
+    while (isImproved)
+    {
+      std::vector<int> free;
+      std::copy_if(this->AllArcs.begin(), this->AllArcs.end(), std::back_inserter(free),
+        [&](int arc)
+        {
+          // Far above the accuracy of the simplex method.
+          constexpr double Same = 1e-6;
+          return std::abs(relaxed[Index(arc)] - best.counts[Index(arc)]) > Same;
+        });
+      isImproved = !free.empty() &&
+        ReplaceIfCheaper(
+          best, SolveSubproblem(this->Mesh, this->Problem, free, MaximumNodes, best, this->Rows));
+    }
+  }
+
+  const TMesh& Mesh;
+  const QuantisationProblem& Problem;
+  const SearchLimits Limits;
+  std::vector<int> AllArcs;
+  std::vector<SeparationRow> Rows;
+};
+}
+
+EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
+  const Progress& progress)
+{
+  Stopwatch stopwatch;
+  EdgeCounts best = SolveBidirectedFlow(problem);
+  best.nodes = 0; // counts those of branch and cut
+  if (!FindViolations(mesh, best.counts).empty())
+  {
+    const EdgeCounts separated = CountAllArcs(mesh, problem);
+    best.counts = separated.counts;
+    best.cost = separated.cost;
+  }
+  if (best.cost > best.bound + CostRounding(best.bound))
+  {
+    RoundSearch(mesh, problem, LimitsFor(problem, effort)).Run(best, progress);
+  }
+  best.optimal = best.cost <= best.bound + CostRounding(best.bound);
+  best.seconds = stopwatch.Lap();
+  return best;
+}
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "EdgeCounts.h"
+#include "Progress.h"
+#include "QuantisationProblem.h"
+
+namespace crossfield
+{
+/// Effort of a search for optimal edge counts. Quick is for counts that are compared with others.
+enum class SearchEffort
+{
+  Quick,
+  Thorough
+};
+
+/// Solves a quantisation problem with separation constraints (docs/method.md §14.3). Returns the
+/// optimal flow if no points coincide in it. Otherwise counts n ≥ 1, which always keep points
+/// apart, are improved in windows (WindowSearch.h) and by branch and cut of the full problem
+/// (BranchAndCut.h), within a number of nodes. Throws Error if the equations are infeasible.
+EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
+  const Progress& progress = {});
+}

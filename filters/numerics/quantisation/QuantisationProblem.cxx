@@ -1,0 +1,101 @@
+#include "QuantisationProblem.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+double QuantisationProblem::Cost(std::size_t arc, int count) const
+{
+  return this->weight[arc] * std::abs(count - this->target[arc]);
+}
+
+double QuantisationProblem::Cost(const std::vector<int>& counts) const
+{
+  double cost = 0.0;
+  for (std::size_t a = 0; a < counts.size(); ++a)
+  {
+    cost += this->Cost(a, counts[a]);
+  }
+  return cost;
+}
+
+bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
+{
+  std::vector<int> sums(static_cast<std::size_t>(this->equations), 0);
+  for (std::size_t a = 0; a < counts.size(); ++a)
+  {
+    if (counts[a] < this->lower[a])
+    {
+      return false;
+    }
+    for (const EquationTerm& term : this->terms[a])
+    {
+      sums[static_cast<std::size_t>(term.equation)] += term.sign * counts[a];
+    }
+  }
+  return std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; });
+}
+
+QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target)
+{
+  QuantisationProblem problem;
+  problem.target = std::move(target);
+  problem.weight.assign(mesh.arcs.size(), 0.0);
+  problem.lower.assign(mesh.arcs.size(), 0);
+  problem.terms.resize(mesh.arcs.size());
+  for (const TPatch& patch : mesh.patches)
+  {
+    std::array<double, 4> lengths{};
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      for (const int half : patch.sides[side])
+      {
+        lengths[side] += problem.target[static_cast<std::size_t>(half / 2)];
+      }
+    }
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      const double width = 0.5 * (lengths[(side + 1) % 4] + lengths[(side + 3) % 4]);
+      const EquationTerm term = { problem.equations + static_cast<int>(side % 2),
+        side < 2 ? 1 : -1 };
+      for (const int half : patch.sides[side])
+      {
+        const auto arc = static_cast<std::size_t>(half / 2);
+        problem.weight[arc] += 0.5 * width;
+        std::vector<EquationTerm>& terms = problem.terms[arc];
+        if (terms.size() == 1 && terms[0].equation == term.equation && terms[0].sign == -term.sign)
+        {
+          terms.clear();
+        }
+        else
+        {
+          terms.push_back(term);
+        }
+      }
+    }
+    problem.equations += 2;
+  }
+  // An arc between patches without width keeps its target count by this weight, far below any other
+  // one.
+  constexpr double MinimumWeight = 1e-3;
+  for (double& weight : problem.weight)
+  {
+    weight = std::max(weight, MinimumWeight);
+  }
+  return problem;
+}
+
+QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, double size)
+{
+  std::vector<double> target;
+  target.reserve(mesh.arcs.size());
+  for (const TArc& arc : mesh.arcs)
+  {
+    target.push_back(arc.length / size);
+  }
+  return MakeQuantisationProblem(mesh, std::move(target));
+}
+}

@@ -1,0 +1,273 @@
+#include "Quantisation.h"
+
+#include "BidirectedFlow.h"
+#include "BranchAndCut.h"
+#include "MakePlanarDomain.h"
+#include "MeshForPoints.h"
+#include "Relaxation.h"
+#include "SeamlessMapSolve.h"
+#include "Separation.h"
+#include "Subproblem.h"
+#include "Support.h"
+#include "TMeshPatches.h"
+#include "WindowSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace crossfield::test
+{
+namespace
+{
+TMesh TMeshOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
+{
+  const SeamlessMap map =
+    SolveSeamlessMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
+  return MakeTMesh(map, TraceLines(map));
+}
+
+/// Returns the minimum cost, at most `limit`, over all integer counts up to `largest`, with
+/// separation constraints if `separate` is set.
+double BruteForce(
+  const TMesh& mesh, const QuantisationProblem& problem, int largest, bool separate, double limit)
+{
+  double best = limit + 1e-6; // larger costs are not searched
+  std::vector<int> counts(problem.Count(), 0);
+  std::vector<double> rest(problem.Count() + 1, 0.0); // minimum cost of the arcs from one on
+  for (std::size_t arc = problem.Count(); arc > 0; --arc)
+  {
+    const auto nearest = static_cast<int>(std::lround(problem.target[arc - 1]));
+    rest[arc - 1] = rest[arc] + problem.Cost(arc - 1, nearest);
+  }
+  const std::function<void(std::size_t, double)> search = [&](std::size_t arc, double cost)
+  {
+    if (cost + rest[arc] >= best)
+    {
+      return;
+    }
+    if (arc == counts.size())
+    {
+      if (problem.IsFeasible(counts) && (!separate || FindViolations(mesh, counts).empty()))
+      {
+        best = cost;
+      }
+      return;
+    }
+    for (int n = 0; n <= largest; ++n)
+    {
+      counts[arc] = n;
+      search(arc + 1, cost + problem.Cost(arc, n));
+    }
+    counts[arc] = 0;
+  };
+  search(0, 0.0);
+  return best;
+}
+
+/// Returns the flow with at least `minimum` edges on every arc.
+EdgeCounts FlowFrom(QuantisationProblem problem, int minimum)
+{
+  problem.lower.assign(problem.Count(), minimum);
+  return SolveBidirectedFlow(problem);
+}
+
+std::vector<int> AllArcs(const QuantisationProblem& problem)
+{
+  std::vector<int> all(problem.Count());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Returns four singularities of index 1 and random pairs of ±1 in the unit disk.
+Configuration RandomPairs(Random& random, int pairs)
+{
+  Configuration configuration =
+    OnCircle(4, random.Uniform(0.3, 0.5), random.Uniform(0.0, Pi), 1, 0.0);
+  while (pairs > 0)
+  {
+    const Point place(random.Uniform(-0.8, 0.8), random.Uniform(-0.8, 0.8));
+    const bool far = std::all_of(configuration.begin(), configuration.end(),
+      [&place](const Singularity& other) { return (other.position - place).norm() > 0.15; });
+    if (far && place.norm() < 0.85)
+    {
+      configuration.push_back({ place, configuration.size() % 2 == 0 ? 1 : -1 });
+      pairs -= configuration.size() % 2 == 0 ? 1 : 0;
+    }
+  }
+  return configuration;
+}
+}
+
+TEST(Quantisation, AgreesWithBruteForce)
+{
+  const std::vector<std::pair<PlanarDomain, Configuration>> cases = {
+    { LShape(), {} },
+    { RingOfEdges(0.2), {} },
+    { MakePlanarDomain({ { { 0.0, 0.0 }, { 2.0, 0.0 }, { 0.8, 1.8 } } }), { { { 0.9, 0.6 }, 1 } } },
+    { MakePlanarDomain({ RegularPolygon(5) }), { { { 0.05, 0.02 }, -1 } } },
+  };
+  for (const auto& [domain, configuration] : cases)
+  {
+    const TMesh mesh = TMeshOf(domain, configuration, 0.1);
+    for (const double size : { 1.9, 1.3, 0.83 })
+    {
+      const QuantisationProblem problem = MakeQuantisationProblem(mesh, size);
+      const EdgeCounts found = SolveBidirectedFlow(problem);
+      const int largest =
+        2 + static_cast<int>(*std::max_element(problem.target.begin(), problem.target.end()));
+      EXPECT_TRUE(problem.IsFeasible(found.counts));
+      EXPECT_TRUE(found.optimal);
+      EXPECT_NEAR(found.cost, BruteForce(mesh, problem, largest, false, found.cost), 1e-9);
+      const EdgeCounts counts = Quantise(mesh, problem, SearchEffort::Thorough);
+      const double separated = BruteForce(mesh, problem, largest + 1, true, counts.cost);
+      EXPECT_TRUE(FindViolations(mesh, counts.counts).empty());
+      EXPECT_NEAR(counts.cost, separated, 1e-9);
+      EXPECT_NEAR(counts.bound, separated, 1e-9);
+      EXPECT_TRUE(counts.optimal);
+    }
+  }
+}
+
+/// A separation row excludes the counts for which points coincide, and holds for the target counts.
+/// With these rows the optimum is proved, and not cheaper than the flow.
+TEST(Quantisation, SeparatesPointsThatAreDistinctInTheMap)
+{
+  Random random(4711);
+  int rows = 0;
+  for (int sample = 0; sample < 6; ++sample)
+  {
+    const Configuration configuration = RandomPairs(random, 2 + sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), configuration, 0.06);
+    for (const double size : { 0.4, 0.2, 0.1 })
+    {
+      SCOPED_TRACE(std::to_string(sample) + " " + std::to_string(size));
+      const QuantisationProblem problem = MakeQuantisationProblem(mesh, size);
+      const EdgeCounts joined = SolveBidirectedFlow(problem);
+      for (const Violation& violation : FindViolations(mesh, joined.counts))
+      {
+        const SeparationRow row = MakeSeparationRow(violation, mesh, joined.counts, problem.target);
+        ASSERT_FALSE(row.terms.empty());
+        EXPECT_FALSE(row.Holds(joined.counts));
+        double apart = 0.0;
+        for (const auto& [arc, factor] : row.terms)
+        {
+          apart += factor * problem.target[static_cast<std::size_t>(arc)];
+        }
+        EXPECT_GT(apart, 0.0);
+        ++rows;
+      }
+      const EdgeCounts counts = Quantise(mesh, problem, SearchEffort::Thorough);
+      EXPECT_TRUE(problem.IsFeasible(counts.counts));
+      EXPECT_TRUE(FindViolations(mesh, counts.counts).empty());
+      EXPECT_TRUE(counts.optimal);
+      EXPECT_GE(counts.bound, joined.bound - 1e-9);
+      EXPECT_NEAR(counts.cost, problem.Cost(counts.counts), 1e-9 * (1.0 + counts.cost));
+      const EdgeCounts quick = Quantise(mesh, problem, SearchEffort::Quick);
+      EXPECT_TRUE(FindViolations(mesh, quick.counts).empty());
+      EXPECT_GE(quick.cost, counts.cost - 1e-9 * (1.0 + counts.cost));
+      EXPECT_LE(quick.bound, counts.cost + 1e-9 * (1.0 + counts.cost));
+    }
+  }
+  EXPECT_GT(rows, 20);
+}
+
+/// Counts stay feasible after every window, never cost more, and come near to the proved optimum.
+TEST(WindowSearch, ApproachesTheOptimum)
+{
+  Random random(1234);
+  double optima = 0.0;
+  double windows = 0.0;
+  double first = 0.0;
+  std::size_t kept = 0;
+  for (int sample = 0; sample < 2; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 20), 0.06);
+    const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.12);
+    EdgeCounts found = FlowFrom(problem, 1);
+    std::vector<SeparationRow> rows;
+    double cost = found.cost;
+    first += cost;
+    for (const std::size_t largest : { 0, 60, 100 })
+    {
+      ImproveInWindows(mesh, problem, largest, found, rows);
+      EXPECT_TRUE(problem.IsFeasible(found.counts));
+      EXPECT_TRUE(FindViolations(mesh, found.counts).empty());
+      EXPECT_NEAR(found.cost, problem.Cost(found.counts), CostRounding(cost));
+      EXPECT_LE(found.cost, cost);
+      cost = found.cost;
+    }
+    kept += rows.size();
+    const EdgeCounts best = Quantise(mesh, problem, SearchEffort::Thorough);
+    EXPECT_TRUE(best.optimal);
+    optima += best.cost;
+    windows += cost;
+  }
+  EXPECT_GT(kept, 0u);
+  EXPECT_GE(windows, optima);
+  EXPECT_LT(windows, 2.0 * optima);
+  EXPECT_GT(first, 2.0 * windows);
+}
+
+/// Cuts raise the bound, but never above the cost of integer counts that satisfy the rows.
+TEST(Relaxation, CutsKeepIntegerSolutions)
+{
+  Random random(99);
+  double raised = 0.0;
+  for (int sample = 0; sample < 3; ++sample)
+  {
+    SCOPED_TRACE(sample);
+    const TMesh mesh = TMeshOf(DiskOfEdges(0.1), RandomPairs(random, 14), 0.06);
+    const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.12);
+    EdgeCounts found = FlowFrom(problem, 1);
+    std::vector<SeparationRow> rows;
+    ImproveInWindows(mesh, problem, 100, found, rows);
+    const std::vector<int> all = AllArcs(problem);
+    ReplaceIfCheaper(found, SolveSubproblem(mesh, problem, all, 1000, found, rows));
+    Relaxation relaxation(problem, all, found.counts);
+    for (const SeparationRow& row : rows)
+    {
+      if (row.Holds(found.counts))
+      {
+        relaxation.AddRow(row);
+      }
+    }
+    ASSERT_EQ(relaxation.Solve(), SolveStatus::Optimal);
+    const double first = relaxation.GetCost();
+    double cost = first;
+    for (int round = 0; round < 10 && relaxation.AddCuts(); ++round)
+    {
+      ASSERT_EQ(relaxation.Solve(), SolveStatus::Optimal);
+      EXPECT_GE(relaxation.GetCost(), cost - CostRounding(cost));
+      cost = relaxation.GetCost();
+      EXPECT_LE(cost, found.cost + CostRounding(found.cost));
+    }
+    raised += cost - first;
+  }
+  EXPECT_GT(raised, 1.0);
+}
+
+/// Arcs that are not free keep their counts, and the equations hold. With all arcs free the result
+/// is the flow.
+TEST(BranchAndCut, KeepsArcsThatAreNotFree)
+{
+  const TMesh mesh = TMeshOf(LShape(), { { { 0.5, 0.5 }, 1 }, { { 1.4, 0.4 }, -1 } }, 0.1);
+  const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.31);
+  const std::vector<int> start = FlowFrom(problem, 2).counts;
+  const std::vector<int> all = AllArcs(problem);
+  const std::vector<int> some(
+    all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
+  const auto isSeparated = [](const std::vector<int>&) { return std::vector<SeparationRow>(); };
+  const EdgeCounts inHalf = BranchAndCut(problem, some, start).Solve(1000, isSeparated);
+  EXPECT_TRUE(problem.IsFeasible(inHalf.counts));
+  EXPECT_TRUE(std::equal(inHalf.counts.begin() + static_cast<std::ptrdiff_t>(some.size()),
+    inHalf.counts.end(), start.begin() + static_cast<std::ptrdiff_t>(some.size())));
+  EXPECT_LE(inHalf.cost, problem.Cost(start) + CostRounding(inHalf.cost));
+  EXPECT_NEAR(inHalf.cost, problem.Cost(inHalf.counts), CostRounding(inHalf.cost));
+  const EdgeCounts inAll = BranchAndCut(problem, all, start).Solve(1000, isSeparated);
+  EXPECT_NEAR(inAll.cost, SolveBidirectedFlow(problem).cost, CostRounding(inAll.cost));
+  EXPECT_LE(inAll.cost, inHalf.cost + CostRounding(inHalf.cost));
+}
+}
