@@ -26,7 +26,8 @@ struct RandomCase
   Configuration configuration;
 };
 
-/// Singularities at random places at some distance from each other and the boundary; `sum` is that of their indices.
+/// Returns singularities at random positions with a minimum distance from each other and the
+/// boundary. `sum` is the sum of their indices.
 Configuration Scatter(Random& random, const PlanarDomain& domain, int pairs, int sum, double apart)
 {
   Configuration configuration;
@@ -45,12 +46,12 @@ Configuration Scatter(Random& random, const PlanarDomain& domain, int pairs, int
       configuration.push_back({ place, positive > 0 ? 1 : -1 });
       --(positive > 0 ? positive : negative);
     }
-    apart *= 0.9999; // ends even where the first distance asks too much
+    apart *= 0.9999; // terminates even if the first distance is too large
   }
   return configuration;
 }
 
-/// Columns of random heights on one line: corners of +1 and −1 that add up to 4.
+/// Returns adjacent columns of random heights: corners of index +1 and −1 that add up to 4.
 PlanarDomain RandomColumns(Random& random)
 {
   Loop loop = { { 0.0, 0.0 } };
@@ -67,7 +68,8 @@ PlanarDomain RandomColumns(Random& random)
   return MakePlanarDomain({ loop });
 }
 
-/// A ring that is symmetric about four lines, with orbits of singularities: the holonomy defect is zero by symmetry.
+/// Returns a ring with fourfold symmetry and symmetric singularities, so that the holonomy defect
+/// is zero.
 RandomCase SymmetricRing(Random& random)
 {
   const double wave = random.Uniform(-0.1, 0.1);
@@ -109,7 +111,7 @@ RandomCase MakeRandomCase(int number)
     return SymmetricRing(random);
   default:
   {
-    // Up to thirty.
+    // Up to thirty singularities.
     const PlanarDomain domain = RandomSmoothDomain(random);
     return { "many", domain, Scatter(random, domain, random.Integer(4, 13), 4, 0.12) };
   }
@@ -124,7 +126,8 @@ SeamlessMap MapOf(const RandomCase& random)
     random.configuration);
 }
 
-/// Whether all singularities and corners, and singularities and the boundary, are farther apart than 2 h.
+/// Returns whether all distances between cones, and from singularities to the boundary, are larger
+/// than 2 h.
 bool FarApart(const SeamlessMap& map, double size)
 {
   for (std::size_t i = 0; i < map.cones.size(); ++i)
@@ -151,7 +154,7 @@ bool FarApart(const SeamlessMap& map, double size)
 void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
 {
   const QuadMesh& mesh = result.mesh;
-  // Conforming and manifold, and no quad with a point twice: else this throws.
+  // Throws unless the mesh is conforming and manifold, and no quad has a point twice.
   EXPECT_EQ(
     mesh.EulerCharacteristic(), map.topology->edges.EulerCharacteristic(map.topology->mesh));
   std::vector<int> valences(mesh.points.size(), 0);
@@ -163,11 +166,11 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
       ++valences[static_cast<std::size_t>(point)];
     }
   }
-  std::map<int, int> asked;
-  std::map<int, int> got;
+  std::map<int, int> requested;
+  std::map<int, int> obtained;
   for (const Cone& cone : map.cones)
   {
-    ++asked[cone.onBoundary ? 100 + cone.quarterIndex : cone.quarterIndex];
+    ++requested[cone.onBoundary ? 100 + cone.quarterIndex : cone.quarterIndex];
   }
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
@@ -175,16 +178,16 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
     const int index = (inside ? 4 : 2) - valences[p];
     if (index != 0)
     {
-      ++got[inside ? index : 100 + index];
+      ++obtained[inside ? index : 100 + index];
     }
   }
-  EXPECT_EQ(got, asked);
+  EXPECT_EQ(obtained, requested);
   if (FarApart(map, size))
   {
     EXPECT_EQ(result.quality.inverted, 0)
       << result.quality.jacobian.min << " at " << Describe(result.quality.where);
   }
-  // Blocks: every side is one of another block as a whole, or on the boundary.
+  // Every side of a block is a full side of another block, or on the boundary.
   std::size_t boundary = 0;
   for (std::size_t b = 0; b < result.blocks.blocks.size(); ++b)
   {
@@ -217,13 +220,14 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
   EXPECT_EQ(boundary, mesh.boundary.size());
 }
 
-/// CROSSFIELD_QUAD_CASES sets how many domains; five meshes each.
-TEST(QuadProperties, OfRandomDomains)
+/// Five meshes for each random domain. CROSSFIELD_QUAD_CASES sets the number of domains,
+/// CROSSFIELD_QUAD_FIRST the first one.
+TEST(QuadProperties, HoldOnRandomDomains)
 {
-  const char* asked = std::getenv("CROSSFIELD_QUAD_CASES");
-  const int cases = asked == nullptr ? 12 : std::atoi(asked);
+  const char* requested = std::getenv("CROSSFIELD_QUAD_CASES");
+  const int cases = requested == nullptr ? 12 : std::atoi(requested);
   const char* from = std::getenv("CROSSFIELD_QUAD_FIRST");
-  const bool tell = asked != nullptr;
+  const bool print = requested != nullptr;
   int meshes = 0;
   int far = 0;
   for (int number = from == nullptr ? 0 : std::atoi(from); number < cases; ++number)
@@ -232,7 +236,7 @@ TEST(QuadProperties, OfRandomDomains)
     const SeamlessMap map = MapOf(random);
     for (const double defect : map.holonomyDefect)
     {
-      EXPECT_LT(std::abs(defect), 1e-3) << number; // the mesh is not symmetric
+      EXPECT_LT(std::abs(defect), 1e-3) << number; // not exactly 0, as the mesh is not symmetric
     }
     const double extent = std::sqrt(random.domain.Area() / Pi);
     for (const double part : { 0.04, 0.09, 0.2, 0.45, 1.0 })
@@ -246,10 +250,10 @@ TEST(QuadProperties, OfRandomDomains)
         ExpectSound(result, map, options.quadSize);
         ++meshes;
         far += FarApart(map, options.quadSize) ? 1 : 0;
-        if (tell)
+        if (print)
         {
           std::printf(
-            "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d forced %d gap %.3f "
+            "%d %s %zu at %.2f: %zu quads %zu blocks %.3f (%d inverted) far %d zero %d nodes %d gap %.3f "
             "released %d moved %.2g s %.3f %.3f\n",
             number, random.name.c_str(), random.configuration.size(), part,
             result.mesh.quads.size(), result.blocks.blocks.size(), result.quality.jacobian.min,
@@ -264,10 +268,10 @@ TEST(QuadProperties, OfRandomDomains)
       }
     }
   }
-  EXPECT_GE(far, meshes / 4); // most fine ones
+  EXPECT_GE(far, meshes / 4); // mostly fine meshes
 }
 
-/// How far images of points under an isometry are from points, at worst.
+/// Returns the maximum distance of images of points under an isometry from the nearest points.
 double Asymmetry(const QuadMesh& mesh, const Isometry& isometry)
 {
   double worst = 0.0;
@@ -311,7 +315,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
       {
         EXPECT_LT(Asymmetry(result.mesh, isometry), 1e-9 * extent) << symmetric.name;
       }
-      // And no more: a turn by 0.3 is none.
+      // A turn by 0.3 is not a symmetry.
       EXPECT_GT(Asymmetry(result.mesh, { Point::Zero(), 0.3, false }), 1e-3 * extent);
     }
   }

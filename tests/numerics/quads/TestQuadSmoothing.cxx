@@ -46,7 +46,7 @@ Eigen::VectorXd RandomVector(Eigen::Index size, unsigned seed)
   return Eigen::VectorXd::NullaryExpr(size, [&] { return uniform(random); });
 }
 
-TEST(QuadEnergy, HasTheGradientOfItsDifferences)
+TEST(QuadEnergy, GradientMatchesFiniteDifferences)
 {
   const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 300);
@@ -61,29 +61,30 @@ TEST(QuadEnergy, HasTheGradientOfItsDifferences)
     QuadEnergy energy(result.mesh, curves, AllButFixed(result.mesh), 0.3, weights);
     const Eigen::VectorXd at = energy.Unknowns();
     energy.Tilt(RandomVector(at.size(), 1), at);
-    const Eigen::VectorXd way = energy.Masked(RandomVector(at.size(), 2));
+    const Eigen::VectorXd direction = energy.Masked(RandomVector(at.size(), 2));
     Eigen::VectorXd gradient;
     energy.Value(at, epsilon, &gradient);
-    // Far below the quads' size, and below the edges of the boundary.
+    // Far below the size of quads and of boundary edges.
     const double step = 1e-7;
-    const double difference = (energy.Value(at + step * way, epsilon, nullptr) -
-                                energy.Value(at - step * way, epsilon, nullptr)) /
+    const double difference = (energy.Value(at + step * direction, epsilon, nullptr) -
+                                energy.Value(at - step * direction, epsilon, nullptr)) /
       (2.0 * step);
-    EXPECT_NEAR(gradient.dot(way), difference, 1e-5 * gradient.norm() * way.norm()) << epsilon;
+    EXPECT_NEAR(gradient.dot(direction), difference, 1e-5 * gradient.norm() * direction.norm())
+      << epsilon;
     EXPECT_EQ(energy.Masked(gradient), gradient);
   }
 }
 
-TEST(QuadEnergy, OfQuadsAsWantedIsIdeal)
+TEST(QuadEnergy, IsIdealForTargetRectangles)
 {
   const SeamlessMap map = MapOfSix();
   QuadMesh mesh = QuadsOf(map, 300).mesh;
   const BoundaryCurves curves(*map.topology);
   const std::vector<double> weights(mesh.quads.size(), 1.0);
-  // Every real quad has more.
+  // Distorted quads have more.
   QuadEnergy energy(mesh, curves, AllButFixed(mesh), 0.2, weights);
   EXPECT_GT(energy.Value(energy.Unknowns(), 0.0, nullptr), energy.IdealValue());
-  // One square alone has that.
+  // A single target rectangle has exactly that.
   QuadMesh square;
   square.points.resize(4);
   square.points[1].place = { 0.0, 2.0 };
@@ -96,7 +97,7 @@ TEST(QuadEnergy, OfQuadsAsWantedIsIdeal)
   EXPECT_NEAR(one.MinimumDeterminant(one.Unknowns()), 1.0, 1e-15);
 }
 
-TEST(CoarseQuads, KeepTheSameLinesFromBothEnds)
+TEST(CoarseQuads, KeepsTheSameLinesFromBothEnds)
 {
   for (int count = 1; count < 200; ++count)
   {
@@ -112,7 +113,7 @@ TEST(CoarseQuads, KeepTheSameLinesFromBothEnds)
   }
 }
 
-TEST(CoarseQuads, InterpolateMovesAndRestrictGradientsByTheTranspose)
+TEST(CoarseQuads, RestrictionIsTheTransposeOfProlongation)
 {
   const SeamlessMap map = MapOfSix();
   const QuadResult result = QuadsOf(map, 3000);
@@ -131,7 +132,7 @@ TEST(CoarseQuads, InterpolateMovesAndRestrictGradientsByTheTranspose)
   const auto coarseSize = 2 * static_cast<Eigen::Index>(coarse.mesh.points.size());
   Eigen::VectorXd moves = RandomVector(coarseSize, 3);
   Eigen::VectorXd gradient = RandomVector(fineSize, 4);
-  const auto onlyLengths = [](const QuadMesh& mesh, Eigen::VectorXd& vector)
+  const auto clearUnused = [](const QuadMesh& mesh, Eigen::VectorXd& vector)
   {
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
     {
@@ -139,11 +140,11 @@ TEST(CoarseQuads, InterpolateMovesAndRestrictGradientsByTheTranspose)
       vector[second] = mesh.points[p].curve.loop < 0 ? vector[second] : 0.0;
     }
   };
-  onlyLengths(coarse.mesh, moves);
-  onlyLengths(result.mesh, gradient);
+  clearUnused(coarse.mesh, moves);
+  clearUnused(result.mesh, gradient);
   EXPECT_NEAR(coarse.Prolong(curves, moves).dot(gradient),
     moves.dot(coarse.Restrict(curves, gradient)), 1e-12 * moves.norm() * gradient.norm());
-  // Where all turn along the boundary by one length, so do all points between.
+  // If all points move along the boundary by the same length, so do the points between them.
   Eigen::VectorXd along = Eigen::VectorXd::Zero(coarseSize);
   for (std::size_t p = 0; p < coarse.mesh.points.size(); ++p)
   {
@@ -182,8 +183,9 @@ TEST(QuadMesh, FindsTheTwinOfEverySide)
   EXPECT_EQ(onBoundary, mesh.boundary.size());
 }
 
-/// Smoothing beside coarser meshes: as few steps for many quads as for few, and no worse.
-TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
+/// With coarser meshes the number of steps does not grow with the number of quads, and quality does
+/// not suffer.
+TEST(QuadSmoothing, TakesFewStepsForManyQuads)
 {
   const SeamlessMap map = MapOfSix();
   const QuadResult few = QuadsOf(map, 4500);
@@ -197,11 +199,12 @@ TEST(QuadSmoothing, OfManyQuadsTakesFewSteps)
   }
 }
 
-TEST(QuadSmoothing, OfManyEvenQuadsIsAsEvenAsOfFewAndAsWellShaped)
+TEST(QuadSmoothing, KeepsUniformSizesUniformForManyQuads)
 {
   const SeamlessMap map = MapOfSix();
   const QuadQuality few = QuadsOf(map, 2000, Sizing::Uniform).quality;
-  // With these numbers lines that nearly meet are apart by one quad: the map's quads are sheared there.
+  // With these numbers separatrices that nearly meet are one quad apart: quads of the map are
+  // sheared there.
   for (const int count : { 16000, 20000, 24000 })
   {
     SCOPED_TRACE(count);

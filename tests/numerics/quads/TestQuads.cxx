@@ -28,8 +28,9 @@ QuadResult QuadsOf(const SeamlessMap& map, double size)
   return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
 }
 
-/// Exactly the asked irregular points, the domain's topology, and points of the boundary on its polyline.
-void ExpectSound(const QuadResult& result, const SeamlessMap& map, double least)
+/// Expects the requested irregular points, the topology of the domain, boundary points on the
+/// polyline, and full blocks.
+void ExpectSound(const QuadResult& result, const SeamlessMap& map, double minimum)
 {
   const QuadMesh& mesh = result.mesh;
   EXPECT_EQ(
@@ -53,7 +54,7 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double least)
     }
   }
   EXPECT_EQ(cones, map.cones.size());
-  // Every block is full, and its cells are the quads.
+  // Every block is a full lattice, and its cells are the quads.
   std::size_t cells = 0;
   for (const QuadBlock& block : result.blocks.blocks)
   {
@@ -61,16 +62,16 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double least)
     EXPECT_EQ(std::count(block.points.begin(), block.points.end(), -1), 0);
   }
   EXPECT_EQ(cells, mesh.quads.size());
-  EXPECT_GE(result.quality.jacobian.min, least);
+  EXPECT_GE(result.quality.jacobian.min, minimum);
   EXPECT_LE(result.quality.jacobian.min, result.quality.bound + 1e-9);
 }
 
-std::string Tell(const QuadResult& r)
+std::string Format(const QuadResult& r)
 {
   char text[400];
   std::snprintf(text, sizeof text,
-    "quads %zu blocks %zu faces %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d forced %d optimal %d gap %.3f "
-    "iter %d kept %d released %d moved %.3g  s: int %.4f lay %.3f smooth %.3f ratio",
+    "quads %zu blocks %zu patches %zu arcs %zu SJ %.3f %.4f bound %.3f eta %.3f zero %d nodes %d optimal %d gap %.3f "
+    "iter %d kept %d released %d moved %.3g  s: integers %.4f layout %.3f smooth %.3f",
     r.mesh.quads.size(), r.blocks.blocks.size(), r.tMesh.patches.size(), r.tMesh.arcs.size(),
     r.quality.jacobian.min, r.quality.jacobian.mean, r.quality.bound, r.quality.eta.min,
     r.counts.ZeroArcs(), r.counts.nodes, r.counts.optimal, r.counts.Gap(), r.smoothing.iterations,
@@ -83,11 +84,11 @@ void Print(const std::string& name, double h, const QuadResult& r)
 {
   if (std::getenv("CROSSFIELD_TELL") != nullptr)
   {
-    std::printf("%s h %g: %s\n", name.c_str(), h, Tell(r).c_str());
+    std::printf("%s h %g: %s\n", name.c_str(), h, Format(r).c_str());
   }
 }
 
-TEST(Quads, OfTheDiskAreExactlyThoseOfTheReference)
+TEST(Quads, OfTheDiskMatchTheReferenceCounts)
 {
   struct Row
   {
@@ -124,7 +125,7 @@ TEST(Quads, OfTheLShapeAreSquares)
   }
 }
 
-TEST(Quads, OfTheRingAreOneFace)
+TEST(Quads, OfTheRingAreOnePatch)
 {
   const SeamlessMap map = MapOf(RingOfEdges(0.04), {}, 0.05);
   const QuadResult result = QuadsOf(map, 0.1);
@@ -138,18 +139,18 @@ struct Case
   std::string name;
   PlanarDomain domain;
   Configuration configuration;
-  std::vector<double> quads; ///< At 0.2, 0.1, 0.05.
-  double least = 0.85;       ///< Scaled Jacobian at 0.1 and 0.05.
+  std::vector<double> quads; ///< Expected numbers at sizes 0.2, 0.1, 0.05.
+  double minimum = 0.85;     ///< Minimum scaled Jacobian at sizes 0.1 and 0.05.
 };
 
-TEST(Quads, OfTheOtherReferenceCases)
+TEST(Quads, OfOtherCasesAreNearTheReferenceCounts)
 {
   const std::vector<Case> cases = {
     { "five around one", DiskOfEdges(0.04),
       Join(OnCircle(5, 0.7, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } }), { 86, 325, 1200 } },
     { "six around two", DiskOfEdges(0.04),
       Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } }),
-      { 98, 322, 1218 }, 0.82 }, // two opposite ones near each other cost a little at 0.1
+      { 98, 322, 1218 }, 0.82 }, // two opposite singularities near each other reduce quality at 0.1
     { "L-shape with a pair", LShape(), { { { 0.45, 0.55 }, 1 }, { { 1.3, 0.5 }, -1 } },
       { 79, 294, 1191 } },
     { "ring with eight", RingOfEdges(0.04),
@@ -168,12 +169,12 @@ TEST(Quads, OfTheOtherReferenceCases)
       Print(reference.name, sizes[i], result);
       EXPECT_NEAR(static_cast<double>(result.mesh.quads.size()), reference.quads[i],
         0.05 * reference.quads[i]);
-      ExpectSound(result, map, i == 0 ? 0.0 : reference.least);
+      ExpectSound(result, map, i == 0 ? 0.0 : reference.minimum);
     }
   }
 }
 
-TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
+TEST(Quads, OfRandomDomainsHaveTheRequestedIrregularPoints)
 {
   Random random(20260);
   for (int sample = 0; sample < 12; ++sample)
@@ -181,13 +182,13 @@ TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
     const PlanarDomain domain = RandomSmoothDomain(random);
     Configuration configuration =
       OnCircle(4, random.Uniform(0.3, 0.5), random.Uniform(0.0, Pi), 1, 0.0);
-    // Pairs on other circles.
+    // Pairs of opposite sign on smaller circles.
     for (int pair = random.Integer(0, 3); pair > 0; --pair)
     {
       const double angle = random.Uniform(0.0, 2.0 * Pi);
-      const Point way(std::cos(angle), std::sin(angle));
-      configuration.push_back({ (0.05 + 0.06 * pair) * way, 1 });
-      configuration.push_back({ -(0.05 + 0.06 * pair) * way, -1 });
+      const Point direction(std::cos(angle), std::sin(angle));
+      configuration.push_back({ (0.05 + 0.06 * pair) * direction, 1 });
+      configuration.push_back({ -(0.05 + 0.06 * pair) * direction, -1 });
     }
     const SeamlessMap map = MapOf(domain, configuration, 0.04);
     for (const double size : { 0.4, 0.15, 0.06, 0.03 })
@@ -200,7 +201,7 @@ TEST(Quads, OfRandomDomainsHaveExactlyTheAskedPoints)
   }
 }
 
-TEST(Quads, OfACountAreNearlyAsMany)
+TEST(Quads, AreNearTheRequestedCount)
 {
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), OnCircle(4, 0.7, 0.3, 1, 0.0), 0.05);
   for (const int count : { 100, 700, 5000 })
@@ -217,9 +218,9 @@ TEST(Quads, OfACountAreNearlyAsMany)
     [&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), none); }, { "size", "positive" }));
 }
 
-TEST(Quads, OfUniformSizingAreNearlyEqual)
+TEST(Quads, OfUniformSizingHaveNearlyEqualSizes)
 {
-  // Five around one of index −1: sizes of the map differ by factors.
+  // Five around one of index −1: sizes vary widely in the map.
   const Configuration configuration =
     Join(OnCircle(5, 0.55, 0.1, 1, 0.0), { { { 0.0, 0.0 }, -1 } });
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
@@ -232,7 +233,7 @@ TEST(Quads, OfUniformSizingAreNearlyEqual)
   EXPECT_LT(uniform.quality.variation, 0.12);
   EXPECT_GE(uniform.quality.jacobian.min, 0.5);
   EXPECT_NEAR(static_cast<double>(uniform.mesh.quads.size()), 600.0, 30.0);
-  // Their mean area is the wanted one.
+  // The mean size is that of the requested count.
   EXPECT_NEAR(uniform.quality.size.mean, std::sqrt(DiskOfEdges(0.04).Area() / 600.0), 0.05);
 }
 
@@ -260,14 +261,15 @@ TEST(Quads, FollowASizeField)
     left += x < 0.5 ? 1.0 : 0.0;
     right += x > 2.5 ? 1.0 : 0.0;
   }
-  // Columns alone can follow: rows go through. (1 + x/3) has means 1.08 and 1.92 there.
+  // Only columns can follow the size, as rows cross the plate. The means of 1 + x/3 are 1.08 and
+  // 1.92.
   EXPECT_NEAR(left / right, 1.92 / 1.08, 0.35);
   options.sizes.field = [](const Point& place) { return place.x() - 1.0; };
   EXPECT_TRUE(Refuses([&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), options); },
     { "size", "not a positive number" }));
 }
 
-TEST(Quads, CoarseOnesHaveFewerBlocks)
+TEST(Quads, OfCoarseLayoutsHaveFewerBlocks)
 {
   Random random(77);
   const PlanarDomain domain = RandomSmoothDomain(random);

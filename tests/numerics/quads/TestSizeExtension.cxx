@@ -18,18 +18,18 @@ SharedTopology Plate()
   return ShareTopology(MeshOnPoints(plate, {}, 0.1));
 }
 
-/// exp(0.4 x − 0.7 y), whose logarithm is a P1 function that is harmonic.
+/// Returns exp(0.4 x − 0.7 y), whose logarithm is linear, hence a harmonic P1 function.
 double Size(const Point& place)
 {
   return std::exp(0.4 * place.x() - 0.7 * place.y());
 }
 }
 
-TEST(SizeExtension, IsExactWhereItsLogarithmIsLinear)
+TEST(SizeExtension, IsExactIfTheLogarithmIsLinear)
 {
   const SharedTopology topology = Plate();
   const auto count = static_cast<Eigen::Index>(topology->mesh.points.size());
-  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(count, -1.0); // inside they are ignored
+  Eigen::VectorXd sizes = Eigen::VectorXd::Constant(count, -1.0); // inner values are ignored
   for (const BoundaryEdge& edge : topology->mesh.boundary)
   {
     sizes[edge.vertices[0]] = Size(topology->PointAt(edge.vertices[0]));
@@ -41,7 +41,7 @@ TEST(SizeExtension, IsExactWhereItsLogarithmIsLinear)
   }
 }
 
-TEST(SizeExtension, EquivalentSizeMakesAsManyQuads)
+TEST(SizeExtension, EquivalentSizeGivesTheSameNumberOfQuads)
 {
   const SharedTopology topology = Plate();
   const auto count = static_cast<Eigen::Index>(topology->mesh.points.size());
