@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -28,7 +26,7 @@ constexpr int FewestToHalve = 20000;
 
 /// Calls function(begin, end) for both halves of `count` items that are independent of each other.
 template <typename Function>
-void ForHalvesOf(Eigen::Index count, const Function& function)
+void ForHalvesOf(std::ptrdiff_t count, const Function& function)
 {
   ForBothHalves(count >= FewestToHalve,
     [&](std::size_t half)
