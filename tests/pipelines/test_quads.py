@@ -46,7 +46,7 @@ class Quads(ProgramTest):
                 self.assertEqual(again[name], report[name])
 
     def test_positions_are_those_after_repair(self):
-        rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.0)
+        rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.02)
                 for r, t, k in ((0.8, 0.25, 1), (0.55, 0.1, -1)) for n in range(4)]
         write_configuration(self.folder / "eight.csv", rows)
         report = self.report("builtin:ring", "-s", "eight.csv", "--size", "0.1", "--repair-holonomy")

@@ -325,8 +325,8 @@ TEST_F(QuadMesher, OutputsPositionsAfterRepair)
   for (int i = 0; i < 4; ++i)
   {
     const double turn = 0.5 * vtkMath::Pi() * i;
-    rows.push_back({ 0.8 * std::cos(turn + 0.25), 0.8 * std::sin(turn + 0.25), 1.0, 0.0 });
-    rows.push_back({ 0.55 * std::cos(turn + 0.1), 0.55 * std::sin(turn + 0.1), -1.0, 0.0 });
+    rows.push_back({ 0.8 * std::cos(turn + 0.25), 0.8 * std::sin(turn + 0.25), 1.0, 0.02 });
+    rows.push_back({ 0.55 * std::cos(turn + 0.1), 0.55 * std::sin(turn + 0.1), -1.0, 0.02 });
   }
   this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
   this->Filter->RepairHolonomyOn();
