@@ -28,7 +28,7 @@ def parse_arguments():
     parser.add_argument("--domain", required=True, help="a file that ParaView reads")
     parser.add_argument("--output", required=True, help="the .vtu file to write")
     parser.add_argument("--picture", required=True, help="the .png file to write")
-    parser.add_argument("--quads", type=int, default=1000, help="wanted number of quads")
+    parser.add_argument("--quads", type=int, default=1000, help="target number of quads")
     parser.add_argument("--singularities", help="a .csv file; default: chosen for the domain")
     return parser.parse_args()
 

@@ -52,7 +52,7 @@ def check(field):
 arguments = parse_arguments()
 LoadPlugin(arguments.plugin, ns=globals())
 
-# 1. The domain, and the singularities wanted in it. The circle has segments as long as the edges of
+# 1. The domain, and its singularities. The circle has segments as long as the edges of
 #    the mesh: a finer mesh would see the corners of a coarse polygon instead of a circle.
 edge_length = 0.02
 domain = PlanarDomainSource(DomainName="disk", EdgeLength=edge_length)

@@ -41,7 +41,7 @@ def update(*filters):
 
 arguments = parse_arguments()
 
-# 1. The domain, and the singularities wanted in it. The circle has segments as long as the edges of
+# 1. The domain, and its singularities. The circle has segments as long as the edges of
 #    the mesh: a finer mesh would see the corners of a coarse polygon instead of a circle.
 edge_length = 0.02
 domain = crossfield.vtkPlanarDomainSource()

@@ -273,7 +273,7 @@ def layout_designer():
     views = []
     places = [row[:3] for row in on_circle(6, 0.7, first=6)] + [(0.2, 0.02, -1), (-0.2, -0.02, -1)]
     start = [value for place in places for value in (*place, 0.1)]
-    for title, snaps in (("as the hand has them", False), ("after Snap", True)):
+    for title, snaps in (("as dragged", False), ("after Snap", True)):
         designer = LayoutDesigner(Input=disk(), QuadCount=600, Singularities=start)
         if snaps:
             designer.InvokeCommand("Snap")

@@ -1,5 +1,5 @@
 /**
- * Seconds of one step of a person who drags a singularity: twelve singularities on the unit disk, of which one moves
+ * Seconds of one step of dragging a singularity: twelve singularities on the unit disk, of which one moves
  * with every iteration; the domain is meshed and factored once.
  *
  *   build/bin/benchStages --benchmark_filter=Drag
@@ -77,7 +77,7 @@ void DragLayout(benchmark::State& state)
     if (design.quads)
     {
       state.counters["integers"] = design.quads->counts.seconds;
-      state.counters["lay"] = design.quads->layoutSeconds;
+      state.counters["layout"] = design.quads->layoutSeconds;
       state.counters["smooth"] = design.quads->smoothSeconds;
     }
   }

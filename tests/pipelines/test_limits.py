@@ -85,7 +85,7 @@ class Memory(ProgramTest):
     def test_more_quads_than_memory(self):
         sentence = self.refuse("quads", "builtin:disk", "-s", "four.csv", "--quads", "2000000000",
                                "-o", "quads.vtu")
-        self.assertRegex(sentence, r"So many quads would need about \S+ GiB of memory, more than the \S+ GiB "
+        self.assertRegex(sentence, r"This number of quads would need about \S+ GiB of memory, more than the \S+ GiB "
                          r"available; use a larger size or fewer quads\.\n")
 
 

@@ -6,7 +6,7 @@
 - A relative link of a .md page has its file, and its #anchor a heading.
 - A source or a page that is named in a comment or a page is in the tree.
 - Documents that are not in the tree are not cited.
-- The README is a page that is read at one go; what needs more room belongs into docs.
+- The README is a page that is read in one sitting; longer explanations belong into docs.
 
 The tree is what git tracks and what is new in it; where there is no git, all files.
 """

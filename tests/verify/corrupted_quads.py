@@ -39,7 +39,7 @@ def quad_point_on_another(file):
 
 
 @of("quads", "quads agree in their orientation", SIDES, "Inverted", "quads fill the loops",
-    "neighbours in a lattice share their side", "no quad is turned over but those that are told", *SHAPES)
+    "neighbours in a lattice share their side", "no quad is turned over except the reported ones", *SHAPES)
 def quad_turned_over(file):
     first = 4 * _inner_quad(file)
     file.corners[first:first + 4] = file.corners[first:first + 4][::-1].copy()
@@ -120,7 +120,7 @@ def quad_lines_turned(file):
 @of("quads", "quads have four points", "no edge has more than two quads", "quads agree in their orientation", SIDES,
     "Valence counts the quads", VALENCE, "IrregularObtained", "irregular nodes as asked",
     "neighbours in a lattice share their side", "Inverted", "quads fill the loops",
-    "no quad is turned over but those that are told", *SHAPES)
+    "no quad is turned over except the reported ones", *SHAPES)
 def quad_with_a_point_twice(file):
     first = 4 * _inner_quad(file)
     file.corners[first] = file.corners[first + 2]

@@ -99,7 +99,7 @@ def check_beside(name, data, report):
     stem = str(pathlib.Path(name).with_suffix(""))
     if not pathlib.Path(stem + ".lines.vtp").exists() or np.ptp(data.points[:, 2]) != 0.0:
         return
-    report.kind = "flat map with lines and faces"
+    report.kind = "seamless map with lines and faces"
     charts = Charts(data)
     lines, faces = Poly(stem + ".lines.vtp"), Poly(stem + ".faces.vtp")
     check_lines(charts, lines, report)

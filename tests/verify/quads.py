@@ -130,4 +130,4 @@ def _check_shapes(data, frame, report):
     ends = frame.coordinates[data.lines]
     inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
     report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
-    report.true("no quad is turned over but those that are told", data.value("Inverted") > 0 or (area > 0).all())
+    report.true("no quad is turned over except the reported ones", data.value("Inverted") > 0 or (area > 0).all())

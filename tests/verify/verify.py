@@ -39,7 +39,7 @@ def verify(name):
     try:
         data = Data(name)
         if "UV" in data.at_points and len(data.points) > 0:
-            report.kind = "flat map"
+            report.kind = "seamless map"
             seamless_map.check_map(data, report)
             lines.check_beside(name, data, report)
             return report

@@ -271,7 +271,7 @@ TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
   this->Filter->SetQuadSize(1e-6);
   EXPECT_EQ(
     FilterChecks::CaptureError(this->Filter,
-      { "So many quads would need about", "GiB available; use a larger size or fewer quads." }),
+      { "This number of quads would need about", "GiB available; use a larger size or fewer quads." }),
     vtkCrossFieldErrorCodes::BadInput);
   this->Filter->SetQuadSize(0.1);
   FilterChecks::UpdateWithoutError(this->Filter);

@@ -69,7 +69,7 @@ ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& d
     const auto& sides = edges.ofTriangle[Index(next)];
     entered = static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
   }
-  throw Error("A straight path in the flat map does not end near " +
+  throw Error("A straight path in the seamless map does not end near " +
     Describe(PlanePoint(map, place)) + "; use a finer mesh.");
 }
 

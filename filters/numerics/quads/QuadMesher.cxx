@@ -81,7 +81,7 @@ public:
     Stopwatch stopwatch;
     RequireMemory(
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
-      "So many quads", "use a larger size or fewer quads");
+      "This number of quads", "use a larger size or fewer quads");
     result.mesh = BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size);
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     result.layoutSeconds += stopwatch.Lap();

@@ -159,12 +159,12 @@ TEST(DrillHoles, RespectsBoundsOfAnglesAndLengths)
     for (const auto& [a, b] : NumberEdges(drilled.mesh).vertices)
     {
       const Point middle = 0.5 * (drilled.mesh.points[a] + drilled.mesh.points[b]);
-      double wanted = meshSize;
+      double target = meshSize;
       for (const auto& [place, side] : sources)
       {
-        wanted = std::min(wanted, side + drilled.options.gradation * (middle - place).norm());
+        target = std::min(target, side + drilled.options.gradation * (middle - place).norm());
       }
-      ASSERT_LE((drilled.mesh.points[a] - drilled.mesh.points[b]).norm(), 1.8 * wanted);
+      ASSERT_LE((drilled.mesh.points[a] - drilled.mesh.points[b]).norm(), 1.8 * target);
     }
   }
 }

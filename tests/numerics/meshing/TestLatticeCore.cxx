@@ -132,13 +132,13 @@ TEST(LatticeCore, TrianglesAreEquilateralAndBorderEdgesHaveOne)
         border.push_back(edge);
       }
     }
-    std::vector<Edge> told;
+    std::vector<Edge> found;
     for (const auto& edge : core.GetBorder())
     {
-      told.emplace_back(edge[0], edge[1]);
+      found.emplace_back(edge[0], edge[1]);
     }
-    std::sort(told.begin(), told.end());
-    EXPECT_EQ(told, border);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, border);
     for (int row = 0; row < scattered.lattice.rows; ++row)
     {
       for (int column = 0; column < scattered.lattice.columns; ++column)

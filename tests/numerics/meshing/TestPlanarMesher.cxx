@@ -152,13 +152,13 @@ TEST(PlanarMesher, RespectsBoundsOfAngleSizeAndCount)
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       {
         const auto& [a, b, c] = mesh.triangles[t];
-        const double wanted = size((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0);
+        const double target = size((mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0);
         for (const double edge : { (mesh.points[a] - mesh.points[b]).norm(),
                (mesh.points[b] - mesh.points[c]).norm(), (mesh.points[c] - mesh.points[a]).norm() })
         {
-          ASSERT_LE(edge, LongestRatio * wanted);
+          ASSERT_LE(edge, LongestRatio * target);
         }
-        ideal += TriangleArea(mesh, t) / (0.25 * std::sqrt(3.0) * wanted * wanted);
+        ideal += TriangleArea(mesh, t) / (0.25 * std::sqrt(3.0) * target * target);
       }
       // `ideal` is the number of equilateral triangles of the target size.
       EXPECT_GE(static_cast<double>(mesh.triangles.size()), 0.8 * ideal);

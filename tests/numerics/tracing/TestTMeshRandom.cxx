@@ -180,7 +180,7 @@ int CountOfDifferent(int cases)
 
 TEST(TMesh, DoesNotDependOnTheMesh)
 {
-  // For checking all 200 by hand.
+  // Set CROSSFIELD_TMESH_CASES to 200 to check all cases manually.
   const char* given = std::getenv("CROSSFIELD_TMESH_CASES");
   const int cases = given != nullptr ? std::atoi(given) : 10;
   EXPECT_LE(CountOfDifferent(cases), cases / 100);
