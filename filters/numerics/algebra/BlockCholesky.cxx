@@ -118,11 +118,11 @@ typename BlockCholesky<Scalar>::Matrix BlockCholesky<Scalar>::Forms(const Vector
 }
 
 template <typename Scalar>
-typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
+typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
   const std::vector<Matrix>& changes, const Vector& vector) const
 {
-  // (M⁻¹)_ij is T_i G_ij T_jᴴ, G the inverse on the coupled unknowns and T_i = [ −L⁻ᴴ acrossᴴ ; 1 ], beside what the
-  // inner unknowns of a block have by themselves.
+  // (M⁻¹)_ij = T_i G_ij T_jᴴ, where G is the inverse on the coupled unknowns and T_i = [ −L⁻ᴴ
+  // acrossᴴ ; 1 ]. A diagonal block has the inverse on its inner unknowns in addition.
   const auto count = static_cast<Eigen::Index>(this->Blocks.size());
   const Matrix inverse = this->Coupled.Inverse();
   Matrix product(inverse.rows(), inverse.cols()); // G_ij Tᴴ A_j T
@@ -159,7 +159,7 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::TracesOf(
     }
     traces.forms(j, j) += separate.squares[j];
   };
-  ForBothHalves(inverse.rows() >= FewestRowsForHalves,
+  ForBothHalves(inverse.rows() >= MinimumRowsForHalves,
     [&](std::size_t half)
     {
       const auto [begin, end] = HalfOf(static_cast<int>(count), half);

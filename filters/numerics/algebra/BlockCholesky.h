@@ -6,9 +6,10 @@
 
 namespace crossfield
 {
-/// Cholesky factorisation M = L Lᴴ of a Hermitian matrix of blocks that are coupled by their last unknowns only
-/// (BlockMatrix): the others of every block are eliminated by themselves, and a dense matrix is left on those that
-/// are coupled. So it costs the cube of their number, not of the number of rows.
+/// Cholesky factorisation M = L Lᴴ of a Hermitian block matrix whose blocks are coupled through
+/// their last unknowns only (BlockMatrix). The inner unknowns of each block are eliminated
+/// separately, which leaves a dense Schur complement on the coupled unknowns. The cost is the cube
+/// of the number of coupled unknowns, not of the number of rows.
 ///
 /// Scalar is double or std::complex<double>.
 template <typename Scalar>
@@ -18,53 +19,56 @@ public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// Of an empty matrix.
+  /// Constructs the factor of an empty matrix.
   BlockCholesky() = default;
 
-  /// `blocks` are Hermitian, the last `coupled[i]` unknowns of block i are coupled, by `coupling`, of which the lower
-  /// half is read.
+  /// Factors the matrix. `blocks` are Hermitian. The last `coupled[i]` unknowns of block i are
+  /// coupled through `coupling`, of which only the lower triangle is read.
   BlockCholesky(
     const std::vector<Matrix>& blocks, const std::vector<Eigen::Index>& coupled, Matrix coupling);
 
-  /// Without this the rest is undefined.
+  /// Returns whether M is positive definite; all other functions require it.
   bool IsPositiveDefinite() const { return this->PositiveDefinite; }
 
-  /// log det M.
+  /// Returns log det M.
   double LogDeterminant() const;
 
-  /// M⁻¹ B.
+  /// Returns M⁻¹ B.
   Matrix Solve(const Matrix& rightHandSides) const;
 
-  /// v_iᴴ (M⁻¹)_ij v_j for all blocks i and j, v_i the part of v in block i.
+  /// Returns v_iᴴ (M⁻¹)_ij v_j for all blocks i and j, where v_i is the part of v in block i.
   Matrix Forms(const Vector& vector) const;
 
-  /// What a change of M by t_i A_i in every block i does to log det M: its first derivatives tr((M⁻¹)_ii A_i), and
-  /// minus its second ones, tr((M⁻¹)_ij A_j (M⁻¹)_ji A_i). And the forms of a vector, which cost nothing beside them.
+  /// Derivatives of log det M with respect to t_i when t_i A_i is added to every block i: the first
+  /// ones, tr((M⁻¹)_ii A_i), and minus the second ones, tr((M⁻¹)_ij A_j (M⁻¹)_ji A_i). `forms` are
+  /// the Forms of a vector, which come at no extra cost.
   struct Traces
   {
     Eigen::VectorXd first;
     Eigen::MatrixXd second;
     Matrix forms;
   };
-  Traces TracesOf(const std::vector<Matrix>& changes, const Vector& vector) const;
+  Traces ComputeTraces(const std::vector<Matrix>& changes, const Vector& vector) const;
 
 private:
-  /// L of one block: [ inner 0 ; across . ]; the coupled unknowns come with those of the others.
+  /// Factor of one block, [ inner 0 ; across . ]. The coupled unknowns of all blocks are factored
+  /// together.
   struct Block
   {
     Matrix inner;
     Matrix across;
-    Eigen::Index row = 0;   ///< Of the first inner unknown in M,
-    Eigen::Index place = 0; ///< and of the first coupled one among all that are coupled.
+    Eigen::Index row = 0;   ///< Row of the first inner unknown in M.
+    Eigen::Index place = 0; ///< Index of the first coupled unknown among all coupled unknowns.
   };
 
-  /// The part of the columns that belongs to the coupled unknowns after the others are eliminated, and in `inner` what
-  /// is left of these: L⁻¹ B without its last step.
+  /// Eliminates the inner unknowns. Replaces their rows of `columns` by those of L⁻¹ B and returns
+  /// the reduced right-hand side on the coupled unknowns, to which the factor of the latter is not
+  /// applied.
   template <typename Columns>
   Columns Eliminate(Columns& columns) const;
 
-  /// The parts of a vector, each as if it were alone: what is left of it on the coupled unknowns of its block, and the sum
-  /// of the squares on the others.
+  /// Result of eliminating the part of a vector in each block separately: the reduced vector on the
+  /// coupled unknowns of the block, and the sum of squares on its inner unknowns.
   struct Separate
   {
     Vector ofCoupled;

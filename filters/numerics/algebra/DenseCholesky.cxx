@@ -16,10 +16,10 @@ DenseCholesky<Scalar>::DenseCholesky(Matrix matrix)
 {
   if (this->Lower.size() == 0)
   {
-    return; // LAPACK calls a leading dimension of 0 an error
+    return; // LAPACK rejects a leading dimension of 0
   }
   const SerialBlas serial;
-  if (this->Lower.rows() >= FewestRowsForHalves)
+  if (this->Lower.rows() >= MinimumRowsForHalves)
   {
     this->PositiveDefinite = FactorInHalves<Scalar>(this->Lower);
   }
@@ -41,7 +41,7 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix column
     const SerialBlas serial;
     const auto size = static_cast<int>(columns.rows());
     const Scalar one = 1.0;
-    ForBothHalves(size >= FewestRowsForHalves,
+    ForBothHalves(size >= MinimumRowsForHalves,
       [&](std::size_t half)
       {
         const auto [begin, end] = HalfOf(static_cast<int>(columns.cols()), half);
@@ -60,14 +60,14 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Inverse() const
   if (inverse.size() > 0)
   {
     const SerialBlas serial;
-    if (inverse.rows() >= FewestRowsForHalves)
+    if (inverse.rows() >= MinimumRowsForHalves)
     {
       InvertInHalves<Scalar>(inverse);
     }
     else
     {
       const auto size = static_cast<int>(inverse.rows());
-      int info = 0; // not 0 only for a zero on the diagonal, which L has not
+      int info = 0; // non-zero only for a zero on the diagonal, which L does not have
       Lapack<Scalar>::InvertFactored("L", &size, inverse.data(), &size, &info, 1);
     }
     inverse.template triangularView<Eigen::StrictlyUpper>() = inverse.adjoint();

@@ -7,7 +7,7 @@
 namespace crossfield
 {
 /// Cholesky factorisation A = L Lᴴ of a dense Hermitian matrix by LAPACK (?potrf), which is ten
-/// times faster than Eigen's at the few hundred unknowns of holes and separators.
+/// times faster than Eigen for the few hundred unknowns on holes and separators.
 ///
 /// Scalar is double or std::complex<double>.
 template <typename Scalar>
@@ -16,29 +16,29 @@ class DenseCholesky
 public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-  /// Of an empty matrix.
+  /// Constructs the factor of an empty matrix.
   DenseCholesky() = default;
 
-  /// Reads the lower half of the matrix.
+  /// Factors the matrix, of which only the lower triangle is read.
   explicit DenseCholesky(Matrix matrix);
 
-  /// Without this the rest is undefined.
+  /// Returns whether the matrix is positive definite; all other functions require it.
   bool IsPositiveDefinite() const { return this->PositiveDefinite; }
 
-  /// L, zero above the diagonal.
+  /// Returns L, with zeros above the diagonal.
   const Matrix& GetLower() const { return this->Lower; }
 
-  /// A⁻¹ B.
+  /// Returns A⁻¹ B.
   Matrix Solve(const Matrix& rightHandSides) const
   {
     const auto lower = this->Lower.template triangularView<Eigen::Lower>();
     return lower.adjoint().solve(lower.solve(rightHandSides));
   }
 
-  /// Bᴴ A⁻¹ B, by BLAS (?trsm, ?gemm).
+  /// Returns Bᴴ A⁻¹ B, computed by BLAS (?trsm, ?gemm).
   Matrix Form(Matrix columns) const;
 
-  /// A⁻¹ (?potri), in half the time of solving for the unit matrix.
+  /// Returns A⁻¹ (?potri), in half the time of a solve with the identity matrix.
   Matrix Inverse() const;
 
 private:

@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-/// A part of a matrix.
+/// View of a rectangular part of a matrix.
 template <typename Scalar>
 struct Part
 {
@@ -32,7 +32,7 @@ struct Part
 constexpr double MinusOne = -1.0;
 constexpr double One = 1.0;
 
-/// B becomes B L⁻ᴴ.
+/// Replaces B by B L⁻ᴴ.
 template <typename Scalar>
 void SolveFromRight(const Part<Scalar>& lower, const Part<Scalar>& b)
 {
@@ -41,27 +41,28 @@ void SolveFromRight(const Part<Scalar>& lower, const Part<Scalar>& b)
     &lower.leading, b.data, &b.leading, 1, 1, 1, 1);
 }
 
-/// B becomes factor × T B ("L"), Tᴴ B or B T ("R") with a lower triangle T.
+/// Replaces B by factor × T B (side "L"), factor × Tᴴ B, or factor × B T (side "R"), where T is a
+/// lower triangle.
 template <typename Scalar>
-void TimesTriangle(const char* side, const char* turned, double factor, const Part<Scalar>& lower,
-  const Part<Scalar>& b)
+void MultiplyByTriangle(const char* side, const char* turned, double factor,
+  const Part<Scalar>& lower, const Part<Scalar>& b)
 {
   const Scalar scale = factor;
   Lapack<Scalar>::MultiplyTriangle(side, "L", turned, "N", &b.rows, &b.columns, &scale, lower.data,
     &lower.leading, b.data, &b.leading, 1, 1, 1, 1);
 }
 
-/// The lower half of C loses B Bᴴ.
+/// Subtracts B Bᴴ from the lower triangle of C.
 template <typename Scalar>
-void LoseSquare(const Part<Scalar>& b, const Part<Scalar>& c)
+void SubtractSquare(const Part<Scalar>& b, const Part<Scalar>& c)
 {
   Lapack<Scalar>::Square(
     "L", "N", &b.rows, &b.columns, &MinusOne, b.data, &b.leading, &One, c.data, &c.leading, 1, 1);
 }
 
-/// C loses A Bᴴ.
+/// Subtracts A Bᴴ from C.
 template <typename Scalar>
-void LoseProduct(const Part<Scalar>& a, const Part<Scalar>& b, const Part<Scalar>& c)
+void SubtractProduct(const Part<Scalar>& a, const Part<Scalar>& b, const Part<Scalar>& c)
 {
   const Scalar minus = MinusOne;
   const Scalar one = One;
@@ -73,7 +74,7 @@ void LoseProduct(const Part<Scalar>& a, const Part<Scalar>& b, const Part<Scalar
 template <typename Scalar>
 bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matrix)
 {
-  constexpr int Panel = 192; // their own triangles are some hundredths of the work
+  constexpr int Panel = 192; // the diagonal blocks take a few per cent of the work
   const auto size = static_cast<int>(matrix.rows());
   for (int first = 0; first < size; first += Panel)
   {
@@ -93,7 +94,8 @@ bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matri
         const auto [begin, end] = HalfOf(rest, half);
         SolveFromRight(triangle, Part<Scalar>(matrix, next + begin, first, end - begin, width));
       });
-    // A triangle is left; the columns of one half of it, and then the others.
+    // The remaining triangle: one task updates its first columns, the other one the remaining
+    // columns.
     const int columns = static_cast<int>(rest * (1.0 - std::sqrt(0.5)));
     const Part<Scalar> above(matrix, next, first, columns, width);
     const Part<Scalar> below(matrix, next + columns, first, rest - columns, width);
@@ -102,13 +104,13 @@ bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matri
       {
         if (half == 0)
         {
-          LoseSquare(above, Part<Scalar>(matrix, next, next, columns, columns));
-          LoseProduct(
+          SubtractSquare(above, Part<Scalar>(matrix, next, next, columns, columns));
+          SubtractProduct(
             below, above, Part<Scalar>(matrix, next + columns, next, rest - columns, columns));
         }
         else
         {
-          LoseSquare(below,
+          SubtractSquare(below,
             Part<Scalar>(matrix, next + columns, next + columns, rest - columns, rest - columns));
         }
       });
@@ -125,12 +127,12 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
   const Part<Scalar> first(lower, 0, 0, upper, upper);
   const Part<Scalar> second(lower, upper, upper, rest, rest);
   const Part<Scalar> across(lower, upper, 0, rest, upper);
-  // 1. X.
+  // 1. Compute X.
   ForBothHalves(true,
     [&](std::size_t half)
     {
       const Part<Scalar>& triangle = half == 0 ? first : second;
-      int info = 0; // not 0 only for a zero on the diagonal, which L has not
+      int info = 0; // non-zero only for a zero on the diagonal, which L does not have
       Lapack<Scalar>::InvertTriangle(
         "L", "N", &triangle.rows, triangle.data, &triangle.leading, &info, 1, 1);
     });
@@ -138,17 +140,17 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
     [&](std::size_t half)
     {
       const auto [begin, end] = HalfOf(upper, half);
-      TimesTriangle(
+      MultiplyByTriangle(
         "L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
     });
   ForBothHalves(true,
     [&](std::size_t half)
     {
       const auto [begin, end] = HalfOf(rest, half);
-      TimesTriangle(
+      MultiplyByTriangle(
         "R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
     });
-  // 2. XᴴX: both halves read what is across.
+  // 2. Compute XᴴX. Both tasks read the off-diagonal block.
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> product =
     lower.bottomLeftCorner(rest, upper);
   ForBothHalves(true,
@@ -163,7 +165,7 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
       }
       else
       {
-        TimesTriangle("L", "C", One, second, Part<Scalar>(product, 0, 0, rest, upper));
+        MultiplyByTriangle("L", "C", One, second, Part<Scalar>(product, 0, 0, rest, upper));
         Lapack<Scalar>::SquareTriangle("L", &rest, second.data, &second.leading, &info, 1);
       }
     });

@@ -6,20 +6,22 @@
 
 namespace crossfield
 {
-/// Below this number of rows a dense matrix is left to LAPACK in one thread: it takes some milliseconds.
-constexpr Eigen::Index FewestRowsForHalves = 512;
+/// Number of rows below which dense matrices are handled by LAPACK in one thread, in a few
+/// milliseconds.
+constexpr Eigen::Index MinimumRowsForHalves = 512;
 
-/// L of a Hermitian matrix of which the lower half is read and replaced by L; false when it is not positive definite.
-/// Panel by panel, and all but the panels' own triangles in two halves at the same time (BothHalves.h), so
-/// the result does not depend on the number of threads.
+/// Replaces the lower triangle of a Hermitian matrix by its Cholesky factor L; returns false when
+/// the matrix is not positive definite. Proceeds panel by panel. All work except the diagonal
+/// blocks of the panels is divided into two concurrent tasks (BothHalves.h), so the result does not
+/// depend on the number of threads.
 ///
 /// Scalar is double or std::complex<double>, as in DenseCholesky.
 template <typename Scalar>
 bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matrix);
 
-/// The lower half of (L Lᴴ)⁻¹ = XᴴX in the place of that of L, with X = L⁻¹ by blocks,
-///   X = [ X₁ 0 ; −X₂ L₂₁ X₁, X₂ ],  X₁ = L₁₁⁻¹,  X₂ = L₂₂⁻¹,
-/// in two halves at the same time as well.
+/// Replaces the lower triangle L by the lower triangle of (L Lᴴ)⁻¹ = XᴴX, with X = L⁻¹ in blocks,
+/// X = [ X₁ 0 ; −X₂ L₂₁ X₁, X₂ ], X₁ = L₁₁⁻¹, X₂ = L₂₂⁻¹,
+/// also in two concurrent tasks.
 template <typename Scalar>
 void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower);
 

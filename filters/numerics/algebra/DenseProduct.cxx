@@ -7,7 +7,7 @@ namespace crossfield
 {
 namespace
 {
-/// With "N" or "C" for A or its adjoint.
+/// Multiplies A, or its adjoint, by B; `ofLeft` is "N" for A and "C" for its adjoint.
 template <typename Matrix>
 Matrix Multiply(
   const char* ofLeft, const Eigen::Ref<const Matrix>& left, const Eigen::Ref<const Matrix>& right)

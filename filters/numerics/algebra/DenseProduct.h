@@ -6,21 +6,22 @@
 
 namespace crossfield
 {
-/// A B by BLAS (dgemm): several times as fast as Eigen's product, which may use only what every processor has.
+/// Returns A B, computed by BLAS (dgemm). BLAS is several times as fast as Eigen, which is compiled
+/// for the instructions that every processor has.
 Eigen::MatrixXd DenseProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 
-/// Aᴴ B, likewise.
+/// Returns Aᴴ B, computed by BLAS as well.
 Eigen::MatrixXd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 Eigen::MatrixXcd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXcd>& left, const Eigen::Ref<const Eigen::MatrixXcd>& right);
 
-/// y becomes y + factor × x (zaxpy).
+/// Replaces y by y + factor × x (zaxpy).
 void AddMultiple(std::complex<double> factor, const Eigen::Ref<const Eigen::VectorXcd>& x,
   Eigen::Ref<Eigen::VectorXcd> y);
 
-/// B becomes L⁻¹ B, by BLAS (dtrsm); only the lower half of L is read.
+/// Replaces B by L⁻¹ B, computed by BLAS (dtrsm). Only the lower triangle of L is read.
 void SolveLowerInPlace(
   const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> columns);
 }

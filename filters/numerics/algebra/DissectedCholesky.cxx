@@ -13,7 +13,7 @@ namespace crossfield
 {
 namespace
 {
-/// L Lᵀ, its lower half, by BLAS.
+/// Returns the lower triangle of L Lᵀ, computed by BLAS.
 Eigen::MatrixXd TimesTranspose(const Eigen::MatrixXd& lower)
 {
   Eigen::MatrixXd product = Eigen::MatrixXd::Zero(lower.rows(), lower.rows());
@@ -27,9 +27,10 @@ Eigen::MatrixXd TimesTranspose(const Eigen::MatrixXd& lower)
   return product;
 }
 
-/// Values of right-hand sides from which on a substitution takes two threads. Below, the threads wait for each other longer
-/// than they compute where other programs want the processors, too: an optimiser that solves ten thousand times on a coarse mesh.
-constexpr Eigen::Index FewestForTwoThreads = 20000;
+/// Minimum number of right-hand side values for a substitution in two threads. Below it the threads
+/// would wait for each other longer than they compute when other programs use the processors too;
+/// an example is an optimiser that solves ten thousand times on a coarse mesh.
+constexpr Eigen::Index MinimumValuesForTwoThreads = 20000;
 
 Eigen::Index Count(const std::vector<int>& list)
 {
@@ -48,8 +49,8 @@ void AddTo(const std::vector<int>& positions, const Eigen::MatrixXd& part, Eigen
   }
 }
 
-/// How many unknowns of the border are next to a half.
-Eigen::Index NextTo(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& half,
+/// Returns the number of border unknowns that are coupled to a half.
+Eigen::Index CountCoupled(const Eigen::SparseMatrix<double>& matrix, const std::vector<int>& half,
   const std::vector<int>& border)
 {
   std::vector<char> inHalf(static_cast<std::size_t>(matrix.rows()), 0);
@@ -71,15 +72,17 @@ Eigen::Index NextTo(const Eigen::SparseMatrix<double>& matrix, const std::vector
     });
 }
 
-/// Throws Error when the factor of both halves and the dense matrices on their borders do not fit.
+/// Throws Error when the factors of both halves and the dense matrices on their borders do not fit
+/// into memory.
 void RequireMemoryForFactor(const Eigen::SparseMatrix<double>& matrix, const Dissection& dissection)
 {
   const auto square = [](std::size_t n) { return static_cast<double>(n) * static_cast<double>(n); };
   double entries = square(dissection.border.size());
   for (const std::vector<int>* half : { &dissection.left, &dissection.right })
   {
-    const Eigen::Index border = NextTo(matrix, *half, dissection.border);
-    // The last block of the half's factor, a copy of it, its square, and what is subtracted.
+    const Eigen::Index border = CountCoupled(matrix, *half, dissection.border);
+    // The last block of the half's factor, a copy of it, its square, and the matrix that is
+    // subtracted.
     entries += DissectionFill(static_cast<double>(half->size())) +
       4.0 * square(static_cast<std::size_t>(border));
   }
@@ -151,12 +154,11 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
 {
   if (half.unknowns.empty())
   {
-    return {}; // of a matrix so small that there is nothing beside the border
+    return {}; // the matrix is so small that it consists of the border only
   }
 
-  // 1. The part of the border next to the half, in the border's order.
-  std::vector<int> local(
-    static_cast<std::size_t>(this->Size), -1); // positions in elimination order
+  // 1. Find the border unknowns coupled to the half, in the order of the border.
+  std::vector<int> local(static_cast<std::size_t>(this->Size), -1); // position in elimination order
   for (std::size_t i = 0; i < half.unknowns.size(); ++i)
   {
     local[static_cast<std::size_t>(half.unknowns[i])] = static_cast<int>(i);
@@ -173,7 +175,7 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
     }
   }
 
-  // 2. The lower half of the matrix on both, in elimination order.
+  // 2. Extract the lower triangle of the matrix on both sets, in elimination order.
   const auto innerSize = static_cast<int>(half.unknowns.size());
   const auto borderSize = static_cast<int>(half.border.size());
   for (int i = 0; i < borderSize; ++i)
@@ -215,12 +217,12 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   }
   part.finalize();
 
-  // 3. Its factor; what is left on the border beyond the border's own entries.
+  // 3. Factor it; return the Schur complement on the border without the border's own entries.
   std::vector<int> order(static_cast<std::size_t>(innerSize + borderSize));
   std::iota(order.begin(), order.end(), 0);
   half.factor = std::make_unique<SparseCholesky>(part, order);
   half.borderFactor = half.factor->TrailingFactor(borderSize);
-  // Only the lower half, which is all that is read of it: the border keeps its order.
+  // Only the lower triangle, which is all that is read of it: the order of the border is kept.
   return TimesTranspose(half.borderFactor) - before;
 }
 
@@ -229,7 +231,7 @@ DissectedCholesky::Eliminated DissectedCholesky::Eliminate(
 {
   Eliminated eliminated;
   std::array<Eigen::MatrixXd, 2> ofBorder;
-  ForBothHalves(rightHandSides.size() >= FewestForTwoThreads,
+  ForBothHalves(rightHandSides.size() >= MinimumValuesForTwoThreads,
     [&](std::size_t h)
     {
       const Half& half = this->Halves[h];
@@ -276,7 +278,7 @@ Eigen::MatrixXd DissectedCholesky::Substitute(const Eliminated& eliminated) cons
   {
     solution.row(this->Border[static_cast<std::size_t>(i)]) = border.row(i);
   }
-  ForBothHalves(solution.size() >= FewestForTwoThreads,
+  ForBothHalves(solution.size() >= MinimumValuesForTwoThreads,
     [&](std::size_t h)
     {
       const Half& half = this->Halves[h];

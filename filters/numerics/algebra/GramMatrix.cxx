@@ -250,7 +250,7 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
     squares.segment(this->First(block), this->Size(block)) += before.rowwise().squaredNorm();
     squares.head(this->First(block)) += before.colwise().squaredNorm().transpose();
   };
-  // Two halves of the pairs.
+  // Two tasks with about the same number of pairs of blocks.
   const SerialBlas serial;
   const int count = this->BlockCount();
   const std::array<int, 3> ends = { 0, static_cast<int>(count * std::sqrt(0.5)), count };
@@ -259,7 +259,7 @@ Eigen::VectorXd GramMatrix::SquaredCouplings() const
     [&](std::size_t half)
     {
       squares[half] = Eigen::VectorXd::Zero(this->Rows());
-      Eigen::MatrixXd before; // the rows of a block in the columns of those before it
+      Eigen::MatrixXd before; // rows of a block in the columns of all blocks before it
       for (int block = ends[half]; block < ends[half + 1]; ++block)
       {
         add(block, before, squares[half]);

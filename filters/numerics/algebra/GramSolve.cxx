@@ -43,40 +43,41 @@ private:
   bool PositiveDefinite = true;
 };
 
-/// The products of the columns of one matrix with those of another.
+/// Returns the dot products of corresponding columns of two matrices.
 Eigen::RowVectorXd Products(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
 {
   return a.cwiseProduct(b).colwise().sum();
 }
 
-/// a / b where b is not zero, else zero: a column that is solved stays as it is.
+/// Returns a / b, or 0 where b is zero, so that columns that have converged stay unchanged.
 Eigen::RowVectorXd Ratios(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b)
 {
   return (b.array() != 0.0).select(a.array() / b.array(), 0.0);
 }
 }
 
-// Eigen's own method takes one column at a time; products of all are several times as fast.
+// Eigen's conjugate gradients solve for one column at a time; products with all columns at once are
+// several times as fast.
 Eigen::MatrixXd SolveGram(const GramMatrix& matrix, const Eigen::MatrixXd& rightHandSides)
 {
-  // In units of the right-hand side; what is left there is below the rounding of the products.
+  // Relative to the right-hand side; smaller residuals are below the rounding of the products.
   constexpr double Rounding = 1e-15;
-  constexpr int Most = 1000;
+  constexpr int MaximumIterations = 1000;
   const BlockDiagonal blocks(matrix);
   Eigen::MatrixXd solution = Eigen::MatrixXd::Zero(rightHandSides.rows(), rightHandSides.cols());
-  Eigen::MatrixXd missing = rightHandSides;
-  const Eigen::RowVectorXd wanted = Rounding * missing.colwise().norm();
-  const auto done = [&] { return (missing.colwise().norm().array() <= wanted.array()).all(); };
+  Eigen::MatrixXd residual = rightHandSides;
+  const Eigen::RowVectorXd tolerance = Rounding * residual.colwise().norm();
+  const auto done = [&] { return (residual.colwise().norm().array() <= tolerance.array()).all(); };
   Eigen::MatrixXd direction;
   Eigen::RowVectorXd before;
-  for (int step = 0; blocks.IsPositiveDefinite() && step < Most; ++step)
+  for (int step = 0; blocks.IsPositiveDefinite() && step < MaximumIterations; ++step)
   {
     if (done())
     {
       return solution;
     }
-    const Eigen::MatrixXd preconditioned = blocks.Solve(missing);
-    const Eigen::RowVectorXd now = Products(missing, preconditioned);
+    const Eigen::MatrixXd preconditioned = blocks.Solve(residual);
+    const Eigen::RowVectorXd now = Products(residual, preconditioned);
     direction = step == 0
       ? preconditioned
       : Eigen::MatrixXd(preconditioned + direction * Ratios(now, before).asDiagonal());
@@ -84,7 +85,7 @@ Eigen::MatrixXd SolveGram(const GramMatrix& matrix, const Eigen::MatrixXd& right
     const Eigen::MatrixXd product = matrix * direction;
     const Eigen::RowVectorXd length = Ratios(now, Products(direction, product));
     solution += direction * length.asDiagonal();
-    missing -= product * length.asDiagonal();
+    residual -= product * length.asDiagonal();
   }
   throw Error(
     "The equations on the edges of holes cannot be solved; holes may touch each other or the "

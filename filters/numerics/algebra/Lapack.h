@@ -6,19 +6,20 @@
 
 namespace crossfield
 {
-/// The Fortran interface of BLAS and LAPACK; their C headers are other packages. The last arguments are the lengths of
-/// the strings, as Fortran compilers pass them.
+/// Function types of the Fortran interface of BLAS and LAPACK, whose C headers are in other
+/// packages. The last arguments are the lengths of the strings, as Fortran compilers pass them.
 template <typename Scalar>
 struct LapackTypes
 {
-  using OfMatrix = void(const char* half, const int* size, Scalar* matrix, const int* leading,
+  using MatrixFunction = void(const char* half, const int* size, Scalar* matrix, const int* leading,
     int* info, std::size_t halfLength);
-  using OfTriangle = void(const char* half, const char* unit, const int* size, Scalar* matrix,
+  using TriangleFunction = void(const char* half, const char* unit, const int* size, Scalar* matrix,
     const int* leading, int* info, std::size_t halfLength, std::size_t unitLength);
-  using ByTriangle = void(const char* side, const char* half, const char* turned, const char* unit,
-    const int* rows, const int* columns, const Scalar* factor, const Scalar* triangle,
-    const int* leadingOfTriangle, Scalar* matrix, const int* leading, std::size_t sideLength,
-    std::size_t halfLength, std::size_t turnedLength, std::size_t unitLength);
+  using TriangleProduct = void(const char* side, const char* half, const char* turned,
+    const char* unit, const int* rows, const int* columns, const Scalar* factor,
+    const Scalar* triangle, const int* leadingOfTriangle, Scalar* matrix, const int* leading,
+    std::size_t sideLength, std::size_t halfLength, std::size_t turnedLength,
+    std::size_t unitLength);
   using Square = void(const char* half, const char* turned, const int* size, const int* inner,
     const double* factor, const Scalar* matrix, const int* leading, const double* factorOfResult,
     Scalar* result, const int* leadingOfResult, std::size_t halfLength, std::size_t turnedLength);
@@ -33,20 +34,20 @@ struct LapackTypes
 
 extern "C"
 {
-  LapackTypes<double>::OfMatrix dpotrf_, dpotri_, dlauum_;
-  LapackTypes<double>::OfTriangle dtrtri_;
-  LapackTypes<double>::ByTriangle dtrsm_, dtrmm_;
+  LapackTypes<double>::MatrixFunction dpotrf_, dpotri_, dlauum_;
+  LapackTypes<double>::TriangleFunction dtrtri_;
+  LapackTypes<double>::TriangleProduct dtrsm_, dtrmm_;
   LapackTypes<double>::Square dsyrk_;
   LapackTypes<double>::Multiply dgemm_;
-  LapackTypes<std::complex<double>>::OfMatrix zpotrf_, zpotri_, zlauum_;
-  LapackTypes<std::complex<double>>::OfTriangle ztrtri_;
-  LapackTypes<std::complex<double>>::ByTriangle ztrsm_, ztrmm_;
+  LapackTypes<std::complex<double>>::MatrixFunction zpotrf_, zpotri_, zlauum_;
+  LapackTypes<std::complex<double>>::TriangleFunction ztrtri_;
+  LapackTypes<std::complex<double>>::TriangleProduct ztrsm_, ztrmm_;
   LapackTypes<std::complex<double>>::Square zherk_;
   LapackTypes<std::complex<double>>::Multiply zgemm_;
   LapackTypes<std::complex<double>>::AddMultiple zaxpy_;
 }
 
-/// The function for a scalar.
+/// Returns the function for the given scalar type.
 template <typename Scalar, typename Real, typename Complex>
 constexpr auto* LapackOf(Real* real, Complex* complex)
 {
@@ -60,7 +61,7 @@ constexpr auto* LapackOf(Real* real, Complex* complex)
   }
 }
 
-/// The same functions by what they do, for either scalar.
+/// BLAS and LAPACK functions by their purpose, for either scalar type.
 template <typename Scalar>
 struct Lapack
 {

@@ -10,7 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// Below this many unknowns a part is numbered as it stands: its block is dense to CHOLMOD anyway.
+/// Number of unknowns below which a part is not split further: CHOLMOD treats its block as dense
+/// anyway.
 constexpr std::ptrdiff_t SmallestPart = 16;
 
 class Dissector
@@ -25,15 +26,15 @@ public:
   {
   }
 
-  /// Marks an unknown as numbered elsewhere.
+  /// Excludes an unknown, which is numbered elsewhere.
   void Exclude(int unknown) { this->PartOf[static_cast<std::size_t>(unknown)] = Excluded; }
   bool IsExcluded(int unknown) const
   {
     return this->PartOf[static_cast<std::size_t>(unknown)] == Excluded;
   }
 
-  /// Measures how many unknowns a cut meets per length, in either direction: the rows of a lattice
-  /// are closer to each other than the points in a row.
+  /// Measures how many unknowns a cut meets per length in either direction: the rows of a lattice
+  /// are closer to each other than the points within a row.
   void MeasureDensity(int* begin, int* end)
   {
     const Point sizes = this->Box(begin, end).sizes();
@@ -52,8 +53,8 @@ public:
     int* rightEnd;
   };
 
-  /// Rearranges [begin, end) into left half, right half, separator, across the axis with the smaller
-  /// separator. `part` is a number that was not used before for any part next to this one.
+  /// Rearranges [begin, end) into left half, right half and separator, split along the axis with
+  /// the smaller separator. `part` is a number not yet used for any part adjacent to this one.
   Halves Split(int* begin, int* end, int part)
   {
     const Point sizes = this->Box(begin, end).sizes();
@@ -62,8 +63,8 @@ public:
   }
 
   /// Puts the unknowns in [begin, end) into elimination order. Numbers its parts from `part` in
-  /// steps of two, so that two threads that order disjoint halves do not use the same. `twoSheets`: some of them may
-  /// have their partners among them.
+  /// steps of two, so that two threads that order disjoint halves use different numbers.
+  /// `twoSheets`: unknowns and their partners may both be in the range.
   void Order(int* begin, int* end, int& part, bool twoSheets)
   {
     if (twoSheets)
@@ -86,7 +87,7 @@ private:
     this->Order(halves.leftEnd, halves.rightEnd, part, twoSheets);
   }
 
-  /// One connected component after the other.
+  /// Orders one connected component after the other.
   void OrderComponents(int* begin, int* end, int& part)
   {
     const int mine = part += 2;
@@ -196,7 +197,8 @@ private:
   const std::vector<Point>& Places;
   const std::vector<int>& Partners;
   Point Density = Point::Ones();
-  std::vector<int> PartOf; ///< Number of the last right half that an unknown was in.
+  /// For each unknown, the number of the last right half that contained it.
+  std::vector<int> PartOf;
 };
 }
 
@@ -226,11 +228,11 @@ Dissection Dissect(const Eigen::SparseMatrix<double>& matrix, const std::vector<
   int* const end = begin + order.size();
   dissector.MeasureDensity(begin, end);
   const Dissector::Halves halves = dissector.Split(begin, end, 1);
-  // A thread reads the parts of its own half and of the separator only, which stay as they are.
+  // Each thread reads only the parts of its own half and of the separator, which do not change.
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      // Numbers 2, 4, … on the left, 3, 5, … on the right; 1 was the right half.
+      // Numbers 2, 4, … on the left and 3, 5, … on the right; 1 was the right half.
       auto part = static_cast<int>(half);
       dissector.Order(half == 0 ? begin : halves.leftEnd,
         half == 0 ? halves.leftEnd : halves.rightEnd, part, !partners.empty());

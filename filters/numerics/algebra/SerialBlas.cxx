@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-// OpenBLAS's own interface; its headers cannot be included next to another cblas.h.
+// OpenBLAS's own interface; its header cannot be included together with another cblas.h.
 extern "C"
 {
   int openblas_get_num_threads(void);

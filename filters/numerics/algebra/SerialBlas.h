@@ -2,11 +2,11 @@
 
 namespace crossfield
 {
-/// Keeps OpenBLAS to one thread while at least one of these exists.
+/// Restricts OpenBLAS to one thread while at least one object of this class exists.
 ///
 /// The blocks of a factorisation are small: a second thread of OpenBLAS spins longer than it
-/// computes, and disturbs the two threads that factor the halves of a mesh (DissectedCholesky). It
-/// also makes every result the same to the last bit, however many threads there are.
+/// computes, and disturbs the two threads that factor the halves of a mesh (DissectedCholesky). One
+/// thread also makes every result identical to the last bit, whatever the number of threads.
 ///
 /// The count of these is the only thing that functions of this library share between threads; it is
 /// protected by a lock. Functions may run in several threads at once, const functions of one object

@@ -25,14 +25,16 @@ struct SparseCholesky::Factor
   Factor()
   {
     cholmod_start(&this->common);
-    this->common.print = 0; // what goes wrong is thrown, not printed
+    this->common.print = 0; // errors are thrown, not printed
     this->common.supernodal = CHOLMOD_SUPERNODAL;
     this->common.final_ll = 1;
     this->common.nmethods = 1;
     this->common.method[0].ordering = CHOLMOD_GIVEN;
-    this->common.postorder = 0; // or unknowns that should come last move when the rest is in parts
-    // Merge supernodes of up to 16 columns always, of up to 32 and 64 with few zeros: planar meshes
-    // have small ones, and calling BLAS less often saves a tenth of the time (CHOLMOD: 4, 16, 48).
+    // otherwise trailing unknowns move when the rest of the matrix is disconnected
+    this->common.postorder = 0;
+    // Always merge supernodes of up to 16 columns, and those of up to 32 and 64 columns if this
+    // adds few zeros. Planar meshes have small supernodes, and fewer BLAS calls save a tenth of the
+    // time (CHOLMOD's defaults: 4, 16, 48).
     this->common.nrelax[0] = 16;
     this->common.nrelax[1] = 32;
     this->common.nrelax[2] = 64;
@@ -96,7 +98,7 @@ SparseCholesky::SparseCholesky(
   view.p = const_cast<int*>(matrix.outerIndexPtr());
   view.i = const_cast<int*>(matrix.innerIndexPtr());
   view.x = const_cast<double*>(values);
-  view.stype = -1; // only the lower half is read
+  view.stype = -1; // only the lower triangle is read
   view.itype = CHOLMOD_INT;
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
@@ -193,11 +195,12 @@ std::vector<std::vector<SparseCholesky::Rows>> SparseCholesky::SolveLowerSparse(
     std::fill(nodeOf.begin() + columnStarts[node], nodeOf.begin() + columnStarts[node + 1], node);
   }
   const SerialBlas serial;
-  std::vector<int> placeOf(factor.nsuper); // of a supernode's first row in the work of one block
+  std::vector<int> placeOf(factor.nsuper); // first row of each supernode in `work`
   std::vector<std::vector<Rows>> solutions;
   for (const Eigen::SparseMatrix<double>& block : blocks)
   {
-    // 1. The supernodes on the ways to the root: after each its parent, that of its first row below; the others are above that.
+    // 1. Collect the supernodes on the paths to the root. The parent of a supernode is the one that
+    // contains its first row below the diagonal block; parents have larger numbers.
     std::set<int> path;
     const auto parentOf = [&](int node)
     {
@@ -222,7 +225,7 @@ std::vector<std::vector<SparseCholesky::Rows>> SparseCholesky::SolveLowerSparse(
       size += columnStarts[node + 1] - columnStarts[node];
     }
 
-    // 2. Substitution along them.
+    // 2. Substitute along these paths.
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> work(size, block.cols());
     work.setZero();
     const auto placeOfRow = [&](Eigen::Index row)
@@ -274,7 +277,8 @@ Eigen::MatrixXd SparseCholesky::TrailingFactor(int count) const
     for (int column = std::max(columnStarts[s], begin); column < columnStarts[s + 1]; ++column)
     {
       const int local = column - columnStarts[s];
-      // The rows of a supernode start with its own columns; above the diagonal nothing is defined.
+      // The rows of a supernode start with its own columns; entries above the diagonal are
+      // undefined.
       for (int k = local; k < rowCount; ++k)
       {
         trailing(rows[rowStarts[s] + k] - begin, column - begin) =

@@ -10,7 +10,7 @@ void AddEntry(Eigen::MatrixXd& real, Eigen::Index row, Eigen::Index column, cons
   real(2 * row + 1, 2 * column + 1) += value.real();
 }
 
-Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix)
+Eigen::MatrixXd ToRealMatrix(const Eigen::MatrixXcd& matrix)
 {
   Eigen::MatrixXd real = Eigen::MatrixXd::Zero(2 * matrix.rows(), 2 * matrix.cols());
   for (Eigen::Index column = 0; column < matrix.cols(); ++column)
@@ -25,13 +25,13 @@ Eigen::MatrixXd OnParts(const Eigen::MatrixXcd& matrix)
 
 BlockHessian::BlockHessian(DualProblem blocks)
   : Blocks(std::move(blocks))
-  , Coupling(OnParts(this->Blocks.matrix.coupling.cast<Complex>()))
+  , Coupling(ToRealMatrix(this->Blocks.matrix.coupling.cast<Complex>()))
 {
   for (std::size_t i = 0; i < this->Blocks.unknowns.size(); ++i)
   {
     this->CoupledParts.push_back(2 * this->Blocks.matrix.coupled[i]);
-    this->Elastic.push_back(OnParts(this->Blocks.matrix.blocks[i].cast<Complex>()));
-    this->Constraints.push_back(OnParts(this->Blocks.constraints[i]));
+    this->Elastic.push_back(ToRealMatrix(this->Blocks.matrix.blocks[i].cast<Complex>()));
+    this->Constraints.push_back(ToRealMatrix(this->Blocks.constraints[i]));
   }
 }
 

@@ -13,30 +13,32 @@ namespace crossfield
 {
 namespace
 {
-/// The shifts, relative to M, that are tried in turn. Each costs a factorisation; but a step that is
-/// damped more than necessary costs more of them, so the first one is small. Where constraints alone make saddles, what
-/// is soft are holes as a whole, which feel each other by far less than M is: there it is smaller still.
+/// Shifts relative to M, tried in increasing order. Each one costs a factorisation, but a step that
+/// is damped more than necessary costs additional steps, so the first shift is small. Where only
+/// the constraints cause saddles, the soft directions are rotations of entire holes, whose
+/// couplings are much smaller than M; there the first shift is smaller still.
 constexpr double FirstShift = 1.0 / 64.0;
 constexpr double FirstShiftOfConstraints = 1.0 / 16384.0;
 constexpr double ShiftGrowth = 4.0;
-/// Far more than any Σ λ_i A_i asks for; without constraints 1 is enough (docs/method.md §4.2).
+/// Last shift to try, far larger than any Σ λ_i A_i requires; without constraints 1 is enough
+/// (docs/method.md §4.2).
 constexpr double LastShift = 1e9;
 
-/// Weighting the normals this heavily, relative to the stiffness, leaves the sign of a quadratic form
-/// on their complement to decide whether it is positive definite.
+/// Weight of the normals relative to the stiffness. With a weight this large, the matrix is
+/// positive definite exactly if the quadratic form is positive on the complement of the normals.
 constexpr double NormalWeight = 1e4;
 
-/// A convexified step that lowers the merit by less than this, relatively, is caught at a saddle:
-/// such steps converge to it slowly, where the way down is another one.
+/// Relative decrease of the merit below which a convexified step is considered to be close to a
+/// saddle. Such steps converge to the saddle slowly; another direction is needed to descend.
 constexpr double SlowDescent = 1e-4;
 
-/// Merits that differ by less, relatively, may differ by what is left of the residual.
+/// Relative difference of merits below which it may come from the remaining residual.
 constexpr double NoticeableDescent = 1e-9;
 
-/// Merits that differ by less, relatively, differ by rounding.
+/// Relative difference of merits below which it may come from rounding.
 constexpr double RelativeRounding = 1e-13;
 
-/// The parts of a complex vector as a real one.
+/// Returns the real and imaginary parts of a complex vector as a real vector.
 Eigen::Map<const Eigen::VectorXd> Parts(const ComplexVector& x)
 {
   return { reinterpret_cast<const double*>(x.data()), 2 * x.size() };
@@ -48,7 +50,7 @@ ComplexVector FromParts(const Eigen::VectorXd& parts)
     reinterpret_cast<const Complex*>(parts.data()), parts.size() / 2);
 }
 
-/// Solves a positive definite system with one row per constraint; there may be none.
+/// Solves a positive definite system with one row per constraint, possibly with none.
 Eigen::VectorXd SolveSmall(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rightHandSide)
 {
   return matrix.size() == 0 ? rightHandSide : Eigen::VectorXd(matrix.ldlt().solve(rightHandSide));
@@ -60,7 +62,8 @@ struct LocalPoint
   ComplexVector x;
   Eigen::VectorXd gradient;
   Eigen::SparseMatrix<double>
-    normals;                  ///< Column i is A_i x: a constraint has to do with few unknowns.
+    /// Column i is A_i x, which is sparse: a constraint involves few unknowns.
+    normals;
   Eigen::VectorXd violations; ///< c_i.
   double value = 0.0;
 
@@ -83,26 +86,27 @@ struct LocalPoint
     this->normals.setFromTriplets(entries.begin(), entries.end());
   }
 
-  /// `weight` above every |λ_i| makes a solution of the problem a minimum of this.
+  /// Returns the merit. If `weight` exceeds every |λ_i|, a solution of the problem is a minimum of
+  /// it.
   double Merit(double weight) const { return this->value + weight * this->violations.lpNorm<1>(); }
-  /// By how much rounding may change a merit. The terms of a quadratic function may cancel in f, but
-  /// not in ∇f · x as well.
+  /// Returns a bound on the rounding error of the merit. The terms of a quadratic function may
+  /// cancel in f, but not in ∇f · x as well.
   double MeritRounding() const
   {
     return RelativeRounding *
       (std::abs(this->value) + std::abs(this->gradient.dot(Parts(this->x))));
   }
-  /// Nᵀ N.
+  /// Returns Nᵀ N.
   Eigen::MatrixXd ProductsOfNormals() const
   {
     return Eigen::MatrixXd(Eigen::SparseMatrix<double>(this->normals.transpose() * this->normals));
   }
-  /// λ that makes ∇f + Σ λ_i A_i x smallest.
+  /// Returns the λ that minimises the norm of ∇f + Σ λ_i A_i x.
   Eigen::VectorXd LeastSquaresMultipliers() const
   {
     return -SolveSmall(this->ProductsOfNormals(), this->normals.transpose() * this->gradient);
   }
-  /// The shortest step that the linearised constraints ask for.
+  /// Returns the shortest step that satisfies the linearised constraints.
   ComplexVector Restoration() const
   {
     return FromParts(-this->normals * SolveSmall(this->ProductsOfNormals(), this->violations));
@@ -143,9 +147,10 @@ public:
       }
       progress.Report(static_cast<double>(result.iterations) / this->Options.maximumIterations);
       this->FactorConvexified(critical ? this->First : this->NextShift, critical);
-      const bool caught = critical || (this->Slow && this->Shift > 0.0);
-      // Off a critical point it has to pay more than the steps that it takes the place of.
-      if (caught && this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent))
+      const bool nearSaddle = critical || (this->Slow && this->Shift > 0.0);
+      // Away from a critical point, leaving the saddle must gain more than the steps that it
+      // replaces.
+      if (nearSaddle && this->LeaveSaddle(critical ? NoticeableDescent : SlowDescent))
       {
         ++result.saddlesLeft;
       }
@@ -159,7 +164,7 @@ public:
       }
       else
       {
-        break; // a saddle that is not left, or no step helps
+        break; // the saddle cannot be left, or no step improves the merit
       }
       ++result.iterations;
       result.values.push_back(this->Here.value);
@@ -171,7 +176,7 @@ public:
   }
 
 private:
-  /// Relative residual of the optimality conditions.
+  /// Returns the relative residual of the optimality conditions.
   double ResidualAt(const LocalPoint& point, const Eigen::VectorXd& multipliers) const
   {
     double residual = 0.0;
@@ -185,7 +190,7 @@ private:
     return std::max(residual, scale > 0.0 ? gradient.norm() / scale : 0.0);
   }
 
-  /// Factors with this shift; false where it is too small. `certain` as in Additions.
+  /// Factors with this shift; returns false when the shift is too small. `certain` as in Additions.
   bool TryFactor(double shift, bool certain)
   {
     ConstrainedFunctional::Additions additions;
@@ -207,7 +212,7 @@ private:
     return this->Functional.Factor(this->Here.x, additions);
   }
 
-  /// Factors with the smallest shift, of those from this one on, that works.
+  /// Factors with the smallest sufficient shift, starting from the given one.
   void FactorConvexified(double shift, bool certain)
   {
     shift = shift < this->First ? 0.0 : shift;
@@ -223,7 +228,7 @@ private:
     }
   }
 
-  /// Along the motion that the functional knows, with the multipliers as they are.
+  /// Moves along the motion known to the functional (Relax), without changing the multipliers.
   void RelaxHere()
   {
     ComplexVector relaxed = this->Functional.Relax(this->Here.x);
@@ -234,7 +239,8 @@ private:
     }
   }
 
-  /// One step of the convexified quadratic problem; false when no length of it helps.
+  /// Takes one step of the convexified quadratic problem; returns false when no step length
+  /// improves the merit.
   bool Step()
   {
     const LocalPoint& here = this->Here;
@@ -253,24 +259,25 @@ private:
     const double merit = here.Merit(this->Weight);
     for (double length = 1.0; length > 1e-10; length *= 0.5)
     {
-      const double wanted = merit + 1e-4 * length * slope;
+      const double acceptable = merit + 1e-4 * length * slope;
       LocalPoint trial = this->At(length * direction);
-      if (!this->Constraints.empty() && trial.Merit(this->Weight) > wanted)
+      if (!this->Constraints.empty() && trial.Merit(this->Weight) > acceptable)
       {
-        // The constraints curve away from their tangents: one step back to them.
+        // The constraints are curved: take one step back towards them.
         trial = LocalPoint(this->Functional, this->Constraints, trial.x + trial.Restoration());
       }
       const double trialMerit = trial.Merit(this->Weight);
       const Eigen::VectorXd moved = this->Multipliers + length * (target - this->Multipliers);
       const double residual = this->ResidualAt(trial, moved);
-      // Near the solution rounding hides the progress in the merit that the residual shows. Where it
-      // does not, a smaller residual is no excuse: it leads to saddles and maxima as well.
-      const bool falls = trialMerit <= wanted && trialMerit < merit;
-      const bool settles =
+      // Near the solution rounding hides progress in the merit that the residual still shows.
+      // Elsewhere a smaller residual does not justify a step: it leads to saddles and maxima as
+      // well.
+      const bool decreases = trialMerit <= acceptable && trialMerit < merit;
+      const bool converges =
         trialMerit <= merit + here.MeritRounding() && residual <= 0.5 * this->Residual;
-      if (falls || settles)
+      if (decreases || converges)
       {
-        // A full step says that the quadratic model holds: ask for less help next time.
+        // A full step indicates that the quadratic model holds: use a smaller shift next time.
         this->NextShift = length == 1.0 ? this->Shift / ShiftGrowth : this->Shift;
         this->Slow = this->Shift > 0.0 && merit - trialMerit < SlowDescent * std::abs(merit);
         this->Here = std::move(trial);
@@ -282,13 +289,14 @@ private:
     return false;
   }
 
-  /// A step along the direction of least curvature; false when the merit does not fall along it by a
-  /// given part of itself.
+  /// Takes a step along the direction of minimum curvature; returns false when the merit does not
+  /// decrease by the given fraction of itself.
   ///
-  /// Inverse iteration finds it, with the factor at hand, which costs nothing; and as its shift is hardly
-  /// more than makes up for that curvature, others fade faster than with a larger one. Relative to the
-  /// metric, or a small triangle would count as much as a large one.
-  bool LeaveSaddle(double wantedDescent)
+  /// The direction is found by inverse iteration with the available factor, at no extra
+  /// factorisation. The shift of that factor barely compensates the negative curvature, so other
+  /// directions are damped faster than with a larger shift. Curvature is measured relative to the
+  /// metric, otherwise small triangles would count as much as large ones.
+  bool LeaveSaddle(double requiredDescent)
   {
     this->Slow = false;
     if (this->Metric.size() == 0)
@@ -298,7 +306,8 @@ private:
     Eigen::VectorXd direction(this->Metric.size());
     for (Eigen::Index i = 0; i < direction.size(); ++i)
     {
-      direction[i] = std::sin(12.9898 * static_cast<double>(i + 1)); // no symmetry of any mesh
+      // a start without the symmetry of any mesh
+      direction[i] = std::sin(12.9898 * static_cast<double>(i + 1));
     }
     for (int round = 0; round < 30; ++round)
     {
@@ -314,7 +323,7 @@ private:
     {
       LocalPoint trial = this->At(length * direction);
       trial = LocalPoint(this->Functional, this->Constraints, trial.x + trial.Restoration());
-      if (trial.Merit(this->Weight) < merit - wantedDescent * std::abs(merit))
+      if (trial.Merit(this->Weight) < merit - requiredDescent * std::abs(merit))
       {
         this->Here = std::move(trial);
         this->Multipliers = this->Here.LeastSquaresMultipliers();
@@ -334,15 +343,16 @@ private:
   const std::vector<QuadraticConstraint>& Constraints;
   MinimiserOptions Options;
   Eigen::VectorXd Metric;
-  double First; ///< Of the shifts.
+  double First; ///< First shift to try.
   LocalPoint Here;
   Eigen::VectorXd Multipliers;
   double Residual;
-  double Weight = 1.0;    ///< Of the violations in the merit.
-  double Scale = 0.0;     ///< Weight of the normals in the last factorisation,
-  double Shift = 0.0;     ///< and its shift.
-  double NextShift = 0.0; ///< To begin with in the next step; below the first: none.
-  bool Slow = false;      ///< The last step was convexified and lowered the merit by little.
+  double Weight = 1.0;    ///< Weight of the violations in the merit.
+  double Scale = 0.0;     ///< Weight of the normals in the last factorisation.
+  double Shift = 0.0;     ///< Shift of the last factorisation.
+  double NextShift = 0.0; ///< Shift to try first in the next step; below First it counts as none.
+  /// Whether the last step was convexified and decreased the merit by little.
+  bool Slow = false;
 };
 }
 

@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-/// −∇² and ∇ of q, or of another concave function.
+/// ∇ and −∇² of q or of another concave function.
 struct Derivatives
 {
   Eigen::VectorXd gradient;
@@ -19,21 +19,23 @@ struct Derivatives
   Eigen::VectorXd NewtonStep() const { return this->curvature.ldlt().solve(this->gradient); }
 };
 
-Derivatives OfDual(const DualPoint& point)
+Derivatives DualDerivatives(const DualPoint& point)
 {
   return { point.gradient, point.factor.Forms(point.normals).real() };
 }
 
-/// How far Newton's model of q alone would rise. Where q is close to a maximum inside, that is what it is
-/// below the maximum; on the way to the border the model does not see that there is an end.
-double RiseOfModel(const Derivatives& derivatives)
+/// Returns the increase of q predicted by Newton's model. Where q is close to an interior maximum,
+/// this is the distance to the maximum; on a path towards the border the model does not see the end
+/// of the region.
+double PredictedIncrease(const Derivatives& derivatives)
 {
   const double rise = 0.5 * derivatives.gradient.dot(derivatives.NewtonStep());
   return rise > 0.0 ? rise
-                    : std::numeric_limits<double>::infinity(); // 0 stands for no curvature: x = 0
+                    : std::numeric_limits<double>::infinity(); // 0 indicates zero curvature: x = 0
 }
 
-/// Both functions of the path: q, and log det H with ∂_i = tr(H⁻¹ A_i) and −∂_i ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
+/// Derivatives of both functions along the path: q, and log det H with ∂_i = tr(H⁻¹ A_i) and −∂_i
+/// ∂_j = tr(H⁻¹ A_i H⁻¹ A_j).
 struct DerivativesOnPath
 {
   Derivatives ofDual;
@@ -42,37 +44,37 @@ struct DerivativesOnPath
   DerivativesOnPath(const DualProblem& problem, const DualPoint& point)
   {
     BlockCholesky<Complex>::Traces traces =
-      point.factor.TracesOf(problem.constraints, point.normals);
+      point.factor.ComputeTraces(problem.constraints, point.normals);
     this->ofDual = { point.gradient, traces.forms.real() };
     this->ofBarrier = { std::move(traces.first), std::move(traces.second) };
   }
 };
 
-/// A candidate for x(λ), A_i x, and what is missing to b = H x.
+/// Candidate for x(λ), with A_i x and the residual b − H x.
 struct Stationary
 {
   ComplexVector x;
   ComplexVector normals;
-  ComplexVector missing;
+  ComplexVector residual;
 
   Stationary(const DualProblem& problem, const Eigen::VectorXd& multipliers, ComplexVector at)
     : x(std::move(at))
     , normals(this->x.size())
-    , missing(problem.load - problem.Elastic(this->x))
+    , residual(problem.load - problem.Elastic(this->x))
   {
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < problem.constraints.size(); ++i)
     {
       const Eigen::Index size = problem.constraints[i].rows();
       this->normals.segment(row, size) = problem.constraints[i] * this->x.segment(row, size);
-      this->missing.segment(row, size) -=
+      this->residual.segment(row, size) -=
         multipliers[static_cast<Eigen::Index>(i)] * this->normals.segment(row, size);
       row += size;
     }
   }
 };
 
-/// The factor of H(λ) less a diagonal matrix.
+/// Factors H(λ) minus a diagonal matrix.
 BlockCholesky<Complex> FactorDual(
   const DualProblem& problem, const Eigen::VectorXd& multipliers, const DualProblem::Margin& less)
 {
@@ -88,34 +90,35 @@ BlockCholesky<Complex> FactorDual(
   return { blocks, problem.matrix.coupled, problem.matrix.coupling.cast<Complex>() };
 }
 
-/// The usual share of what the slope of a step promises.
-constexpr double Share = 1e-4;
+/// Fraction of the predicted increase that a step must reach (Armijo condition).
+constexpr double ArmijoFraction = 1e-4;
 
-bool GradientHalves(const DualPoint& from, const DualPoint& to)
+bool HalvesGradient(const DualPoint& from, const DualPoint& to)
 {
   return to.gradient.norm() <= 0.5 * from.gradient.norm();
 }
 
-/// Whether a Newton step raises q by its share. Close to the maximum the value no longer resolves the progress that the
-/// gradient still shows.
-bool Helps(const DualPoint& from, const DualPoint& to, double promised)
+/// Returns whether a Newton step increases q sufficiently. Close to the maximum the value no longer
+/// resolves the progress that the gradient still shows.
+bool Improves(const DualPoint& from, const DualPoint& to, double predicted)
 {
   return to.positiveDefinite &&
-    (to.value - from.value >= Share * promised || GradientHalves(from, to));
+    (to.value - from.value >= ArmijoFraction * predicted || HalvesGradient(from, to));
 }
 
-/// Whether a step raises q + μ log det H by its share. ∇q may decide only where rounding hides that: next to the border
-/// it grows and falls by any factor.
-bool Rises(const DualPoint& from, const DualPoint& to, double barrier, double promised)
+/// Returns whether a step increases q + μ log det H sufficiently. ∇q may decide only where rounding
+/// hides the increase: next to the border it grows and falls by arbitrary factors.
+bool RaisesBarrierFunction(
+  const DualPoint& from, const DualPoint& to, double barrier, double predicted)
 {
   if (!to.positiveDefinite)
   {
     return false;
   }
-  constexpr double Rounding = 1e-12; // of sums over all holes
+  constexpr double Rounding = 1e-12; // relative rounding error of sums over all holes
   const double rise = to.value - from.value + barrier * (to.logDeterminant - from.logDeterminant);
   const double hidden = Rounding * (std::abs(from.value) + barrier * std::abs(from.logDeterminant));
-  return rise >= Share * promised || (rise >= -hidden && GradientHalves(from, to));
+  return rise >= ArmijoFraction * predicted || (rise >= -hidden && HalvesGradient(from, to));
 }
 }
 
@@ -130,11 +133,11 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
     return point;
   }
   Stationary here(problem, point.multipliers, point.factor.Solve(problem.load));
-  // The factor lacks what was left out: again from what is missing, as long as that helps.
+  // The factor lacks the couplings left out: refine with the residual as long as that helps.
   for (bool helps = problem.refinedWith != nullptr; helps;)
   {
-    Stationary next(problem, point.multipliers, here.x + point.factor.Solve(here.missing));
-    helps = next.missing.norm() < 0.5 * here.missing.norm();
+    Stationary next(problem, point.multipliers, here.x + point.factor.Solve(here.residual));
+    helps = next.residual.norm() < 0.5 * here.residual.norm();
     if (helps)
     {
       here = std::move(next);
@@ -142,7 +145,7 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
   }
   point.x = std::move(here.x);
   point.normals = std::move(here.normals);
-  const ComplexVector elastic = problem.load - here.missing;
+  const ComplexVector elastic = problem.load - here.residual;
   point.gradient = -problem.targets;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
@@ -154,10 +157,10 @@ DualPoint EvaluateDual(const DualProblem& problem, Eigen::VectorXd multipliers)
   }
   point.value = -0.5 * problem.load.dot(point.x).real() - point.multipliers.dot(problem.targets);
   point.logDeterminant = point.factor.LogDeterminant();
-  // C is a sum of terms of size one over the edges.
+  // C is a sum of terms of order one over the edges.
   const double violation = point.gradient.cwiseAbs().cwiseQuotient(problem.sizes).maxCoeff();
   const double scale = elastic.norm() + problem.load.norm();
-  point.residual = std::max(violation, scale > 0.0 ? here.missing.norm() / scale : 0.0);
+  point.residual = std::max(violation, scale > 0.0 ? here.residual.norm() / scale : 0.0);
   return point;
 }
 
@@ -174,11 +177,11 @@ DualPoint MaximiseNearby(const DualProblem& problem, DualPoint point,
   while (!stalled && point.residual > options.tolerance && iterations < options.maximumIterations)
   {
     progress.Report(static_cast<double>(iterations) / options.maximumIterations);
-    const Derivatives derivatives = OfDual(point);
+    const Derivatives derivatives = DualDerivatives(point);
     const Eigen::VectorXd step = derivatives.NewtonStep();
     DualPoint next = EvaluateDual(problem, point.multipliers + step);
     ++iterations;
-    stalled = !Helps(point, next, derivatives.gradient.dot(step));
+    stalled = !Improves(point, next, derivatives.gradient.dot(step));
     if (!stalled)
     {
       point = std::move(next);
@@ -191,15 +194,16 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& o
   const Progress& progress, int& iterations)
 {
   DualPoint point = EvaluateDual(problem, Eigen::VectorXd::Zero(problem.targets.size()));
-  // λ has the size of S and the barrier that of one. In units of the mean of S, one is where the path has hardly left λ = 0,
-  // which is its beginning; the last is above where rounding in H hides the barrier. On random hard cases the rise of
-  // Newton's model was below the gap on all late parts of paths to a maximum inside, and above 100 times the
+  // λ scales as S, and the barrier as one. The barrier parameter is measured in units of the mean
+  // of S: at 1 the path has hardly left λ = 0, where it begins; `Last` is above the value at which
+  // rounding in H hides the barrier. On random hard cases the increase predicted by Newton's model
+  // was below the gap on all late parts of paths to an interior maximum, and above 100 times the
   // gap on the others.
   constexpr double Late = 1e-7;
   constexpr double Last = 1e-12;
   const double unit = problem.matrix.Trace() / static_cast<double>(problem.matrix.Rows());
   double relative = 1.0;
-  double reach = 1.0; // of a tangent, as a part of the fall that is wanted
+  double reach = 1.0; // fraction of the intended decrease that a step along the tangent covers
   bool stalled = !point.positiveDefinite;
   while (!stalled && relative > Last && point.residual > options.tolerance &&
     iterations < options.maximumIterations)
@@ -211,27 +215,29 @@ DualPoint MaximiseFromZero(const DualProblem& problem, const MinimiserOptions& o
     const double barrier = unit * relative;
     const Eigen::LDLT<Eigen::MatrixXd> curvature(ofDual.curvature + barrier * ofBarrier.curvature);
     const Eigen::VectorXd gradient = ofDual.gradient + barrier * ofBarrier.gradient;
-    // In units of the barrier the slope of Newton's step is the square of its decrement. From below one Newton's method
-    // comes to the path. With a smaller barrier from farther away it gets next to the border and goes on along it.
+    // In units of the barrier parameter, the slope of Newton's step is the square of its decrement.
+    // From a decrement below one, Newton's method converges to the path. A smaller barrier
+    // parameter, farther away from the path, would lead next to the border and along it.
     const bool centred = gradient.dot(curvature.solve(gradient)) <= barrier;
     if (centred && relative < Late &&
-      RiseOfModel(ofDual) > 10.0 * barrier * static_cast<double>(point.x.size()))
+      PredictedIncrease(ofDual) > 10.0 * barrier * static_cast<double>(point.x.size()))
     {
       point.onBorder = true;
       return point;
     }
-    const double wanted = std::min(0.1 * relative, std::pow(relative, 1.2));
+    const double target = std::min(0.1 * relative, std::pow(relative, 1.2));
     stalled = true;
-    // 40 halvings span the range of a double's mantissa that a step can still be told apart in.
+    // 40 halvings reach below the smallest step that a double's mantissa resolves.
     double length = centred ? reach : 1.0;
     for (int halving = 0; stalled && halving < 40; ++halving)
     {
-      // On the path, along its tangent: with the curvature of this barrier to the place for a smaller one. Else towards it.
-      const double next = centred ? relative - length * (relative - wanted) : relative;
+      // On the path, step along its tangent: use the curvature of this barrier parameter to predict
+      // the point for a smaller one. Otherwise step towards the path.
+      const double next = centred ? relative - length * (relative - target) : relative;
       const Eigen::VectorXd towards = ofDual.gradient + unit * next * ofBarrier.gradient;
       const Eigen::VectorXd step = (centred ? 1.0 : length) * curvature.solve(towards);
       DualPoint trial = EvaluateDual(problem, point.multipliers + step);
-      stalled = !Rises(point, trial, unit * next, towards.dot(step));
+      stalled = !RaisesBarrierFunction(point, trial, unit * next, towards.dot(step));
       if (!stalled)
       {
         point = std::move(trial);

@@ -7,7 +7,7 @@ namespace crossfield
 {
 namespace
 {
-/// The entries of a vector with these numbers.
+/// Returns the entries of a vector with the given indices.
 ComplexVector PartOf(const ComplexVector& vector, const std::vector<int>& numbers)
 {
   ComplexVector part(static_cast<Eigen::Index>(numbers.size()));
@@ -22,9 +22,11 @@ ComplexVector PartOf(const ComplexVector& vector, const std::vector<int>& number
 
 DualProblem::Margin DualProblem::MarginOfLeftOut() const
 {
-  // With d_i the uncoupled part of x on hole i and R_i what was left out of its rows, xᵀEx is at most
-  // √5 Σ ‖d_i‖ ‖R_i‖ ‖x‖ ≤ τ Σ ‖d_i‖² + 5/(4τ) Σ ‖R_i‖² ‖x‖² for any τ, and leftOut² is 2 Σ ‖R_i‖². What is uncoupled is
-  // stiff, and turning a hole as a whole is soft: so more of it is put there, but less the less there is.
+  // Let E be the matrix of the couplings left out, d_i the uncoupled part of x on hole i, and R_i
+  // the rows of hole i of E. Then xᵀEx is at most √5 Σ ‖d_i‖ ‖R_i‖ ‖x‖ ≤ τ Σ ‖d_i‖² + 5/(4τ) Σ
+  // ‖R_i‖² ‖x‖² for any τ, and leftOut² is 2 Σ ‖R_i‖². The uncoupled part is stiff, and rotating an
+  // entire hole is soft. So the larger share of the margin is put on the uncoupled part, and a
+  // smaller share the smaller leftOut is.
   const double unit = this->matrix.Trace() / static_cast<double>(this->matrix.Rows());
   const double stiff = std::max(this->leftOut, 0.05 * std::sqrt(this->leftOut * unit));
   const double all = stiff > 0.0 ? 0.625 * this->leftOut * this->leftOut / stiff : 0.0;

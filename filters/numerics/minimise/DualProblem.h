@@ -7,22 +7,24 @@
 
 namespace crossfield
 {
-/// The reduced problem in an orthonormal basis of the values x on every hole, in which most members are coupled to
-/// their own hole only (docs/method.md §3.4).
+/// Reduced problem in an orthonormal basis of the values x on every hole, in which most basis
+/// vectors ("members") are coupled to their own hole only (docs/method.md §3.4).
 struct DualProblem
 {
-  BlockMatrix matrix;                        ///< S in these bases, a block per hole.
+  BlockMatrix matrix;                        ///< S in these bases, with one block per hole.
   ComplexVector load;                        ///< b in these bases, hole by hole.
-  std::vector<Eigen::MatrixXcd> constraints; ///< Of every hole, A_i in its basis.
+  std::vector<Eigen::MatrixXcd> constraints; ///< A_i of every hole in its basis.
   std::vector<Eigen::MatrixXd>
-    bases; ///< Of every hole: the members are columns, values in the order of
-  std::vector<std::vector<int>> unknowns; ///< these unknowns of the reduced problem.
+    /// Basis of every hole: the members are columns, their rows are in the order of `unknowns`.
+    bases;
+  std::vector<std::vector<int>> unknowns; ///< Unknowns of the reduced problem on every hole.
   Eigen::VectorXd targets;
   Eigen::VectorXd sizes; ///< Number of edges of every hole.
-  /// Bound on the norm of what was left out between holes.
+  /// Bound on the norm of the couplings between holes that were left out.
   double leftOut = 0.0;
 
-  /// What was left out lies between −M and M with a diagonal M, which has this on members that are not coupled, and on all others.
+  /// Diagonal of a matrix M such that the couplings left out are between −M and M: one value for
+  /// uncoupled members, one for all others.
   struct Margin
   {
     double uncoupled;
@@ -30,13 +32,14 @@ struct DualProblem
   };
   Margin MarginOfLeftOut() const;
 
-  /// What x(λ) is refined with until nothing is left out of it; without it x(λ) is that of the matrix above.
+  /// Problem with all couplings, with which x(λ) is refined; without it x(λ) belongs to the matrix
+  /// above.
   const ReducedProblem* refinedWith = nullptr;
 
-  /// S x, with all couplings if there is refinedWith.
+  /// Returns S x, with all couplings if `refinedWith` is set.
   ComplexVector Elastic(const ComplexVector& x) const;
 
-  /// From the unknowns of the reduced problem, and to them.
+  /// Transform from the unknowns of the reduced problem to the bases, and back.
   ComplexVector InBases(const ComplexVector& x) const;
   ComplexVector InValues(const ComplexVector& x) const;
 };

@@ -10,20 +10,21 @@ namespace crossfield
 {
 namespace
 {
-// Couplings between holes that are left out of a factor, beside HoleBases::Strong. A step costs the cube of the number of
-// those that are kept, which grows with the logarithm of these.
+// Relative size of couplings between holes that are left out of a factor, after HoleBases::Strong.
+// A step costs the cube of the number of couplings kept, which grows with the logarithm of these
+// tolerances.
 constexpr double Weak = 1e-8;
 constexpr double Rounding = 1e-13;
 
-/// Members of every hole on the path, where there are many holes: those that turn once around it, either way, which other
-/// holes feel most.
+/// Members of every hole used on the path when there are many holes: those that turn once around
+/// the hole in either direction, to which other holes are coupled most.
 constexpr Eigen::Index MembersOnPath = 2;
 
-/// A path by the strong couplings that ends on the border with a residual above this ends there with all of them. A hole of
-/// 32 edges that does not turn has 0.2.
-constexpr double WhatWeakOnesChange = 1e-2;
-/// The same for a path by a part of the strong ones.
-constexpr double WhatStrongOnesChange = 1e-1;
+/// Residual above which a path with the strong couplings that ends on the border is taken to end
+/// there with all couplings. A hole of 32 edges that does not turn has 0.2.
+constexpr double ResidualWithoutWeakCouplings = 1e-2;
+/// The same residual for a path with only some of the strong couplings.
+constexpr double ResidualWithoutStrongCouplings = 1e-1;
 }
 
 MinimiserResult SolveReduced(
@@ -38,49 +39,52 @@ MinimiserResult SolveReduced(
   }
   const SerialBlas serial; // once, not for every small factorisation
 
-  // 1. With the strong couplings between holes only, where a step costs next to nothing.
+  // 1. Follow the path with the strong couplings between holes only, where a step is cheap.
   MinimiserOptions rough = options;
-  rough.tolerance = std::max(options.tolerance, 1e-6); // what the others change is larger
+  // the remaining couplings change more than this
+  rough.tolerance = std::max(options.tolerance, 1e-6);
   DualProblem dual = bases.InFewBlocks(MembersOnPath);
   const Eigen::Index membersOnPath = dual.matrix.coupling.rows();
   DualPoint point = MaximiseFromZero(dual, rough, progress.Part(0.0, 0.3), solution.iterations);
-  const bool some = membersOnPath < bases.CoupledMembers(HoleBases::Strong);
-  const bool nowhere =
-    point.onBorder && point.residual > (some ? WhatStrongOnesChange : WhatWeakOnesChange);
+  const bool pathIsPartial = membersOnPath < bases.CoupledMembers(HoleBases::Strong);
+  const bool noSolution = point.onBorder &&
+    point.residual >
+      (pathIsPartial ? ResidualWithoutStrongCouplings : ResidualWithoutWeakCouplings);
 
-  // 2. With all of them from there: x(λ) is refined until nothing is left out of it. The factor lacks some; where
-  // refinement does not make up for that, or they decide whether H is positive definite, once more with fewer left out, and
-  // then the whole way if that was not close enough.
+  // 2. Continue from there with all couplings: x(λ) is refined until its residual includes all of
+  // them. The factor still lacks some. Where refinement does not compensate for that, or the
+  // missing couplings decide whether H is positive definite, repeat with fewer couplings left out;
+  // follow the complete path again if the previous one did not end close enough.
   for (const double leftOut : { HoleBases::Strong, Weak, Rounding })
   {
-    if (!nowhere)
+    if (!noSolution)
     {
       dual = bases.InBlocks(leftOut);
     }
     dual.refinedWith = &problem;
     point = EvaluateDual(dual, std::move(point.multipliers));
-    if (nowhere)
+    if (noSolution)
     {
       break;
     }
     point =
       MaximiseNearby(dual, std::move(point), options, progress.Part(0.3, 0.5), solution.iterations);
-    const bool wayWasWithFewer = some || leftOut < HoleBases::Strong;
-    if (wayWasWithFewer && point.residual > options.tolerance &&
+    const bool pathWasTruncated = pathIsPartial || leftOut < HoleBases::Strong;
+    if (pathWasTruncated && point.residual > options.tolerance &&
       solution.iterations < options.maximumIterations)
     {
       point = MaximiseFromZero(dual, options, progress.Part(0.5, 1.0), solution.iterations);
     }
     solution.converged = point.residual <= options.tolerance && IsCertain(dual, point);
-    if (solution.converged || (point.onBorder && wayWasWithFewer) ||
+    if (solution.converged || (point.onBorder && pathWasTruncated) ||
       solution.iterations >= options.maximumIterations)
     {
       break;
     }
   }
-  if (nowhere || !point.positiveDefinite)
+  if (noSolution || !point.positiveDefinite)
   {
-    // Past the border x(λ) may be anything: then the harmonic field.
+    // Beyond the border x(λ) is arbitrary: return the harmonic field instead.
     DualPoint harmonic = EvaluateDual(dual, Eigen::VectorXd::Zero(dual.targets.size()));
     if (!point.positiveDefinite || !(point.residual <= harmonic.residual))
     {

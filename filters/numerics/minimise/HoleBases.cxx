@@ -12,11 +12,12 @@ namespace crossfield
 {
 namespace
 {
-/// More random columns than a hole has values: their span is then that of all couplings but for improbable accidents,
-/// which would cost couplings, not correctness: what is left out is measured.
+/// Number of random columns in excess of the values of a hole, so that their span contains all
+/// couplings except in improbable cases. These would only cost additional couplings, not
+/// correctness, because the norm of the couplings left out is measured.
 constexpr Eigen::Index MoreColumns = 8;
 
-/// Numbers between −1 and 1, the same ones each time.
+/// Returns reproducible random numbers between −1 and 1.
 Eigen::MatrixXd RandomColumns(Eigen::Index rows, Eigen::Index columns)
 {
   std::mt19937 generator(1);
@@ -25,7 +26,7 @@ Eigen::MatrixXd RandomColumns(Eigen::Index rows, Eigen::Index columns)
     rows, columns, [&] { return scale * static_cast<double>(generator()) - 1.0; });
 }
 
-/// A_i in the values of its hole, in their order.
+/// Returns A_i over the values of its hole, in their order.
 Eigen::MatrixXcd HessianOf(DegreeConstraint constraint)
 {
   std::iota(constraint.unknowns.begin(), constraint.unknowns.end(), 0);
@@ -52,8 +53,9 @@ HoleBases::HoleBases(const ReducedProblem& problem)
     largest = std::max(largest, matrix.Size(i));
   }
 
-  // 1. The bases: a QR decomposition with pivots, in which what is left falls as fast as the singular values but for a
-  //    small factor. Not of what couples a hole to all others, but of its products with a few random columns.
+  // 1. Compute the bases by a QR decomposition with pivoting, whose remainder decreases like the
+  // singular values up to a small factor. It is applied not to the couplings of a hole to all
+  // others, but to their product with a few random columns.
   const Eigen::MatrixXd random =
     RandomColumns(matrix.Rows(), std::min(matrix.Rows(), largest + MoreColumns));
   const Eigen::MatrixXd product = matrix * random;
@@ -71,7 +73,7 @@ HoleBases::HoleBases(const ReducedProblem& problem)
     dual.bases.push_back(basis);
   }
 
-  // 2. S in them, and how much of each member other holes feel.
+  // 2. Transform S to these bases, and measure how strongly each member is coupled to other holes.
   this->InBases = matrix.Congruence(dual.bases);
   this->Couplings = this->InBases.SquaredCouplings().cwiseSqrt();
   dual.load = dual.InBases(problem.load);
@@ -84,7 +86,8 @@ DualProblem HoleBases::InFewBlocks(Eigen::Index members) const
   return this->InBlocks(Strong, std::max(members, members * ManyHoles / holes));
 }
 
-HoleBases::LeftOut HoleBases::LeftOutOf(int hole, double tolerance, Eigen::Index most) const
+HoleBases::LeftOut HoleBases::CountLeftOut(
+  int hole, double tolerance, Eigen::Index maximumMembers) const
 {
   const Eigen::Index size = this->InBases.Size(hole);
   LeftOut left;
@@ -92,7 +95,7 @@ HoleBases::LeftOut HoleBases::LeftOutOf(int hole, double tolerance, Eigen::Index
   {
     const double more =
       std::hypot(left.norm, this->Couplings[this->InBases.First(hole) + left.members]);
-    if (more > tolerance * this->MeanDiagonal && size - left.members <= most)
+    if (more > tolerance * this->MeanDiagonal && size - left.members <= maximumMembers)
     {
       break;
     }
@@ -107,20 +110,20 @@ Eigen::Index HoleBases::CoupledMembers(double tolerance) const
   for (int hole = 0; hole < this->InBases.BlockCount(); ++hole)
   {
     count += this->InBases.Size(hole) -
-      this->LeftOutOf(hole, tolerance, std::numeric_limits<Eigen::Index>::max()).members;
+      this->CountLeftOut(hole, tolerance, std::numeric_limits<Eigen::Index>::max()).members;
   }
   return count;
 }
 
-DualProblem HoleBases::InBlocks(double tolerance, Eigen::Index most) const
+DualProblem HoleBases::InBlocks(double tolerance, Eigen::Index maximumMembers) const
 {
   DualProblem dual = this->Complete;
   double leftOut = 0.0;
-  std::vector<Eigen::MatrixXd> kept; // of every hole, the last columns of the unit matrix
+  std::vector<Eigen::MatrixXd> kept; // for every hole, the last columns of the identity
   for (int i = 0; i < this->InBases.BlockCount(); ++i)
   {
     const Eigen::Index size = this->InBases.Size(i);
-    const LeftOut left = this->LeftOutOf(i, tolerance, most);
+    const LeftOut left = this->CountLeftOut(i, tolerance, maximumMembers);
     leftOut += 2.0 * left.norm * left.norm;
     dual.matrix.coupled.push_back(size - left.members);
     kept.emplace_back(Eigen::MatrixXd::Identity(size, size).rightCols(size - left.members));

@@ -12,7 +12,7 @@ namespace crossfield
 {
 namespace
 {
-/// ½ xᴴ S x − Re(bᴴ x), whatever S is stored as.
+/// Functional ½ xᴴ S x − Re(bᴴ x) for any storage of S.
 class Quadratic : public ConstrainedFunctional
 {
 public:
@@ -39,11 +39,11 @@ protected:
   {
   }
 
-  /// S x.
+  /// Returns S x.
   virtual ComplexVector Times(const ComplexVector& x) const = 0;
 
 private:
-  /// S x; value, gradient and scale are asked for at one point.
+  /// Returns S x, cached because value, gradient and scale are evaluated at the same point.
   const ComplexVector& Product(const ComplexVector& x) const
   {
     if (this->LastPoint.size() != x.size() || this->LastPoint != x)
@@ -60,7 +60,7 @@ private:
   mutable ComplexVector LastProduct;
 };
 
-/// With a dense S.
+/// Functional with a dense S.
 class DenseFunctional final : public Quadratic
 {
 public:
@@ -68,7 +68,7 @@ public:
     : Quadratic(
         problem.load, problem.matrix.trace().real() / static_cast<double>(problem.matrix.rows()))
     , Problem(problem)
-    , RealMatrix(OnParts(problem.matrix))
+    , RealMatrix(ToRealMatrix(problem.matrix))
   {
   }
 
@@ -97,8 +97,8 @@ private:
   DenseCholesky<double> LastFactor;
 };
 
-/// With steps by the strongest couplings between holes. Whether its second derivatives are positive definite is decided
-/// with all of them.
+/// Functional whose steps use only the strongest couplings between holes. Whether its second
+/// derivatives are positive definite is decided with all couplings.
 class BlockFunctional final : public Quadratic
 {
 public:
@@ -121,7 +121,8 @@ public:
                                              : this->Bases.InBlocks(LeftOut[level - 1]));
       }
       this->Used = &this->Levels[level];
-      // What is left out may change every eigenvalue by its bound: with less of it where that decides.
+      // The couplings left out may change every eigenvalue by their bound. Where that decides
+      // definiteness, the next level leaves out fewer.
       this->LastFactor = this->Used->Factor(additions, additions.certain ? -1.0 : 0.0);
       if (this->LastFactor.IsPositiveDefinite() ||
         (additions.certain && !this->Used->Factor(additions, 1.0).IsPositiveDefinite()))
@@ -135,7 +136,7 @@ public:
   {
     return this->Used->Solve(this->LastFactor, rightHandSides);
   }
-  /// Turning the values of a hole by a phase changes no degree (docs/method.md §3.5).
+  /// Rotates the values of each hole by a phase, which changes no degree (docs/method.md §3.5).
   ComplexVector Relax(const ComplexVector& x) const override
   {
     return RelaxPhases(this->Problem, x);
@@ -146,16 +147,18 @@ public:
   }
 
 private:
-  /// Of every hole, where there are many: those that turn once and twice around it.
+  /// Members of every hole used in steps when there are many holes: those that turn once and twice
+  /// around it.
   static constexpr Eigen::Index MembersInSteps = 4;
-  /// On the levels after the first, as parts of the mean of the diagonal of S; the last is rounding.
+  /// Tolerances of the levels after the first, relative to the mean diagonal of S; the last is at
+  /// rounding.
   static constexpr std::array<double, 4> LeftOut = { 1e-5, 1e-7, 1e-10, 1e-13 };
 
   ComplexVector Times(const ComplexVector& x) const override { return this->Problem.matrix * x; }
 
   const ReducedProblem& Problem;
   const HoleBases& Bases;
-  std::deque<BlockHessian> Levels; ///< Each made when it is first needed.
+  std::deque<BlockHessian> Levels; ///< Each level is built on first use.
   const BlockHessian* Used = nullptr;
   BlockCholesky<double> LastFactor;
 };

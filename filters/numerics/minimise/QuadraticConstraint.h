@@ -4,7 +4,7 @@
 
 namespace crossfield
 {
-/// A constraint ½ xᴴ A x = target with a sparse Hermitian matrix A: the degree of one hole or of
+/// Constraint ½ xᴴ A x = target with a sparse Hermitian matrix A: the degree of one hole or of
 /// several together, or the norm of one unknown (docs/method.md §3.7, variants 1 to 3).
 struct QuadraticConstraint
 {
@@ -14,22 +14,23 @@ struct QuadraticConstraint
     int column;
     Complex value;
   };
-  std::vector<Entry> entries; ///< Of A, both halves.
+  std::vector<Entry> entries; ///< Entries of A, both triangles.
   double target = 0.0;
-  double size = 1.0; ///< Number of terms of size one in it; what a violation is measured by.
+  double size = 1.0; ///< Number of terms of order one in the constraint; the scale for violations.
 
-  /// ½ xᴴ A x.
+  /// Returns ½ xᴴ A x.
   double Value(const ComplexVector& x) const;
-  /// A x as a real vector: entries 2i and 2i + 1 are the parts of entry i.
+  /// Returns A x as a real vector; entries 2i and 2i + 1 are the real and imaginary parts of entry
+  /// i.
   Eigen::VectorXd Gradient(const ComplexVector& x) const;
-  /// The same as entries of this column of a sparse matrix, repeated ones add up.
+  /// Appends A x as entries of a column of a sparse matrix; repeated entries are summed.
   void AddGradient(
     const ComplexVector& x, int column, std::vector<Eigen::Triplet<double>>& entriesOfMatrix) const;
 };
 
-/// The sum of some degree constraints: one of them, or the global constraint on them all.
+/// Returns the sum of several degree constraints: a single one, or the global constraint on all.
 QuadraticConstraint SumOfDegrees(const std::vector<DegreeConstraint>& constraints);
 
-/// |x_i| = 1.
+/// Returns the constraint |x_i| = 1.
 QuadraticConstraint UnitNorm(int unknown);
 }

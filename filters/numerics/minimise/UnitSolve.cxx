@@ -14,7 +14,7 @@ namespace crossfield
 {
 namespace
 {
-/// The problem ½ aᴴ M a − Re(cᴴ a) that remains for the factors a_i = e^{iφ_i} of the holes.
+/// Problem ½ aᴴ M a − Re(cᴴ a) that remains for the factors a_i = e^{iφ_i} of the holes.
 struct PhaseProblem
 {
   Eigen::MatrixXcd matrix;
@@ -26,8 +26,9 @@ struct PhasePoint
 {
   ComplexVector factors;
   double objective = 0.0;
-  Eigen::VectorXd radial;     ///< Part of the forces M a − c along each a_i.
-  Eigen::VectorXd tangential; ///< Part across: derivative of the objective in φ_i.
+  Eigen::VectorXd radial; ///< Component of the gradient M a − c along each a_i.
+  /// Component perpendicular to a_i: the derivative of the objective with respect to φ_i.
+  Eigen::VectorXd tangential;
   double residual = 0.0;
 
   PhasePoint(const PhaseProblem& problem, ComplexVector at)
@@ -44,7 +45,7 @@ struct PhasePoint
   }
 };
 
-/// Where Newton's method ended.
+/// Final point of Newton's method.
 struct Descent
 {
   PhasePoint point;
@@ -52,18 +53,20 @@ struct Descent
   bool converged = false;
 };
 
-/// Newton's step for a matrix of second derivatives, and whether a point without a slope is a minimum there.
+/// Newton step for a Hessian, and whether a stationary point is a minimum there.
 struct PhaseStep
 {
   Eigen::VectorXd step;
   bool minimum;
 };
 
-PhaseStep StepOf(const Eigen::MatrixXd& hessian, const PhasePoint& point, double stiffness)
+PhaseStep ComputeStep(const Eigen::MatrixXd& hessian, const PhasePoint& point, double stiffness)
 {
-  // Directions of negative curvature are followed downhill; flat ones not to infinity.
+  // Directions of negative curvature are followed downhill; steps along flat directions are
+  // bounded.
   constexpr double Flat = 1e-8;
-  // Where no curvature is that small, which a Cholesky factorisation says for a tenth of the price of the spectrum.
+  // If no curvature is that small, use a Cholesky factorisation, which detects this at a tenth of
+  // the cost of the spectrum.
   const double largest = std::max(stiffness, hessian.cwiseAbs().rowwise().sum().maxCoeff());
   Eigen::MatrixXd lessFlat = hessian;
   lessFlat.diagonal().array() -= Flat * largest;
@@ -77,11 +80,11 @@ PhaseStep StepOf(const Eigen::MatrixXd& hessian, const PhasePoint& point, double
   return { -(spectrum.eigenvectors() *
              curvatures.cwiseAbs().cwiseMax(flat).cwiseInverse().asDiagonal() *
              spectrum.eigenvectors().transpose() * point.tangential),
-    // Without a load all holes may turn together: a curvature of zero, but for rounding.
+    // Without a load all holes may turn together: one curvature is zero, up to rounding.
     curvatures[0] >= -1e-13 * stiffness };
 }
 
-/// Newton's method with a line search.
+/// Minimises by Newton's method with a line search.
 Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOptions& options,
   const Progress& progress)
 {
@@ -98,7 +101,7 @@ Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOpt
     Eigen::MatrixXd hessian = elastic;
     hessian.diagonal() -= descent.point.radial;
     const double stiffness = elastic.diagonal().maxCoeff();
-    const PhaseStep newton = StepOf(hessian, descent.point, stiffness);
+    const PhaseStep newton = ComputeStep(hessian, descent.point, stiffness);
     minimum = newton.minimum;
     if (minimum && descent.point.residual <= options.tolerance)
     {
@@ -126,13 +129,15 @@ Descent Descend(const PhaseProblem& phases, PhasePoint start, const MinimiserOpt
   return descent;
 }
 
-/// Gives each factor in turn the value that is best for the others as they are, beginning after that of
-/// a hole; in the first sweep this one is kept, so that the others follow it. Ends when none has to turn noticeably.
+/// Sets each factor in turn to its optimal value for the current others, beginning after the factor
+/// of `hole`. In the first sweep the factor of `hole` itself is kept, so that the others follow it.
+/// Ends when no factor turns noticeably.
 ComplexVector Relax(
   const PhaseProblem& phases, ComplexVector factors, Eigen::Index hole, int sweeps)
 {
-  // Radians. What is left of the objective is of the size of its square; Newton's method does the rest. So a hole costs
-  // something only while it turns, and most are far from the one that was turned.
+  // Radians. The remaining error of the objective is of the order of its square, and Newton's
+  // method removes it. So a hole is expensive only while it turns, and most are far from the one
+  // that was turned.
   constexpr double Noticeable = 1e-3;
   const SerialBlas serial; // once, not for every hole
   ComplexVector product = phases.matrix * factors;
@@ -155,7 +160,7 @@ ComplexVector Relax(
   return factors;
 }
 
-/// Whether another descent ended better, by more than the objective's rounding.
+/// Returns whether another descent ended better by more than the rounding of the objective.
 bool IsBetter(const Descent& other, const Descent& best, double rounding)
 {
   return other.converged != best.converged
@@ -163,20 +168,21 @@ bool IsBetter(const Descent& other, const Descent& best, double rounding)
     : other.point.objective < best.point.objective - rounding;
 }
 
-/// From the best so far, the phase of each hole in turn is turned by π, the others follow, and the descent
-/// begins anew, until no hole gives anything better. The objective is a single cosine of each phase, so the
-/// opposite is the worst one for the others as they are, and they have to turn as well.
-Descent DescendFromMany(const PhaseProblem& phases, const ComplexVector& start,
+/// Turns, from the best result so far, the phase of each hole in turn by π, lets the others follow,
+/// and descends again, until no hole gives an improvement. The objective is a single cosine of each
+/// phase, so the opposite phase is the worst one for the current others, which forces them to turn
+/// as well.
+Descent DescendFromManyStarts(const PhaseProblem& phases, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {
-  // Newton's method costs the cube of the number of holes; a sweep, its square.
+  // Newton's method costs the cube of the number of holes, and a sweep its square.
   constexpr Eigen::Index FewHoles = 16;
   constexpr int Sweeps = 20;
   const double rounding = 1e-13 * (phases.matrix.trace().real() + phases.load.lpNorm<1>());
   Descent best = Descend(phases, PhasePoint(phases, start), options, progress.Part(0.0, 0.5));
   if (!best.converged)
   {
-    return best; // out of iterations: not to be hidden by sweeps, which do not count
+    return best; // out of iterations; sweeps, which are not counted, must not hide this
   }
   const Eigen::Index count = start.size();
   Eigen::Index tried = 0;
@@ -203,7 +209,7 @@ Descent DescendFromMany(const PhaseProblem& phases, const ComplexVector& start,
   return best;
 }
 
-/// The evenly turning unit values of all holes.
+/// Returns the evenly turning unit values of all holes.
 ComplexVector EvenTurning(const ReducedProblem& problem)
 {
   ComplexVector turning(problem.matrix.Rows());
@@ -217,8 +223,8 @@ ComplexVector EvenTurning(const ReducedProblem& problem)
   return turning;
 }
 
-/// B a, with the values of hole i as column i of B.
-ComplexVector Turn(
+/// Returns B a, where the values of hole i are column i of B.
+ComplexVector ApplyFactors(
   const ReducedProblem& problem, const ComplexVector& values, const ComplexVector& factors)
 {
   ComplexVector turned(values.size());
@@ -232,8 +238,8 @@ ComplexVector Turn(
   return turned;
 }
 
-/// Bᴴ x.
-ComplexVector Against(
+/// Returns Bᴴ x.
+ComplexVector ApplyAdjoint(
   const ReducedProblem& problem, const ComplexVector& values, const ComplexVector& x)
 {
   const ComplexVector products = values.conjugate().cwiseProduct(x);
@@ -248,10 +254,10 @@ ComplexVector Against(
   return sums;
 }
 
-/// With P = Bᴴ S B and c = Bᴴ b.
-PhaseProblem PhasesOf(const ReducedProblem& problem, const ComplexVector& values)
+/// Returns the phase problem with P = Bᴴ S B and c = Bᴴ b.
+PhaseProblem ReduceToPhases(const ReducedProblem& problem, const ComplexVector& values)
 {
-  // Of v = r + i s on hole i and the same on hole k: (rᵀSr + sᵀSs) + i (rᵀSs − sᵀSr).
+  // For v = r + i s on hole i and on hole k: (rᵀSr + sᵀSs) + i (rᵀSs − sᵀSr).
   std::vector<Eigen::MatrixXd> parts;
   for (int hole = 0; hole < problem.matrix.BlockCount(); ++hole)
   {
@@ -261,7 +267,8 @@ PhaseProblem PhasesOf(const ReducedProblem& problem, const ComplexVector& values
   }
   const Eigen::MatrixXd forms = problem.matrix.Congruence(parts).Dense();
   const auto holes = static_cast<Eigen::Index>(parts.size());
-  PhaseProblem phases{ Eigen::MatrixXcd(holes, holes), Against(problem, values, problem.load) };
+  PhaseProblem phases{ Eigen::MatrixXcd(holes, holes),
+    ApplyAdjoint(problem, values, problem.load) };
   for (Eigen::Index k = 0; k < holes; ++k)
   {
     for (Eigen::Index i = 0; i < holes; ++i)
@@ -284,15 +291,15 @@ MinimiserResult SolveReducedUnit(const ReducedProblem& problem, const ComplexVec
     return solution;
   }
   const ComplexVector turning = EvenTurning(problem);
-  const PhaseProblem phases = PhasesOf(problem, turning);
-  const ComplexVector nearest = Against(problem, turning, start);
-  const Descent best = DescendFromMany(phases,
+  const PhaseProblem phases = ReduceToPhases(problem, turning);
+  const ComplexVector nearest = ApplyAdjoint(problem, turning, start);
+  const Descent best = DescendFromManyStarts(phases,
     nearest.unaryExpr([](const Complex& sum) { return std::polar(1.0, std::arg(sum)); }), options,
     progress);
   solution.iterations = best.iterations;
   solution.converged = best.converged;
   solution.residual = best.point.residual;
-  solution.x = Turn(problem, turning, best.point.factors);
+  solution.x = ApplyFactors(problem, turning, best.point.factors);
   solution.multipliers =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints.size()));
   return solution;
@@ -304,9 +311,9 @@ ComplexVector RelaxPhases(const ReducedProblem& problem, const ComplexVector& x)
   {
     return x;
   }
-  const PhaseProblem phases = PhasesOf(problem, x);
+  const PhaseProblem phases = ReduceToPhases(problem, x);
   const Descent descent =
     Descend(phases, PhasePoint(phases, ComplexVector::Ones(phases.load.size())), {}, {});
-  return Turn(problem, x, descent.point.factors);
+  return ApplyFactors(problem, x, descent.point.factors);
 }
 }

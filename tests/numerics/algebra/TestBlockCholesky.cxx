@@ -13,25 +13,26 @@ namespace crossfield::test
 namespace
 {
 template <typename Scalar>
-Scalar Any(Random& random);
+Scalar RandomScalar(Random& random);
 template <>
-double Any<double>(Random& random)
+double RandomScalar<double>(Random& random)
 {
   return random.Uniform(-1.0, 1.0);
 }
 template <>
-Complex Any<Complex>(Random& random)
+Complex RandomScalar<Complex>(Random& random)
 {
   return random.Square();
 }
 
-/// Blocks of 1 to 6 unknowns of which none, some or all are coupled, and the whole matrix that they stand for.
+/// Blocks of 1 to 6 unknowns, of which none, some or all are coupled, and the equivalent dense
+/// matrix.
 template <typename Scalar>
 struct BlockProblem
 {
   using Matrix = typename BlockCholesky<Scalar>::Matrix;
   std::vector<Matrix> blocks;
-  std::vector<Matrix> changes; ///< Hermitian, as large as the blocks.
+  std::vector<Matrix> changes; ///< Hermitian matrices of the size of the blocks.
   std::vector<Eigen::Index> coupled;
   std::vector<Eigen::Index> rows;
   Matrix coupling;
@@ -49,7 +50,8 @@ struct BlockProblem
       size += count;
       const auto hermitian = [&]
       {
-        const Matrix any = Matrix::NullaryExpr(count, count, [&] { return Any<Scalar>(random); });
+        const Matrix any =
+          Matrix::NullaryExpr(count, count, [&] { return RandomScalar<Scalar>(random); });
         return Matrix(any + any.adjoint());
       };
       this->blocks.push_back(hermitian());
@@ -73,7 +75,7 @@ struct BlockProblem
         { return std::upper_bound(this->rows.begin(), this->rows.end(), at); };
         if (blockOf(row) != blockOf(column))
         {
-          const Scalar value = Any<Scalar>(random);
+          const Scalar value = RandomScalar<Scalar>(random);
           this->whole(row, column) = this->coupling(i, j) = value;
           this->whole(column, row) = this->coupling(j, i) = Eigen::numext::conj(value);
         }
@@ -98,7 +100,7 @@ class BlockCholeskyOf : public testing::Test
 using Scalars = testing::Types<double, Complex>;
 TYPED_TEST_SUITE(BlockCholeskyOf, Scalars);
 
-TYPED_TEST(BlockCholeskyOf, IsThatOfTheWholeMatrix)
+TYPED_TEST(BlockCholeskyOf, MatchesTheDenseMatrix)
 {
   using Problem = BlockProblem<TypeParam>;
   using Matrix = typename Problem::Matrix;
@@ -110,13 +112,14 @@ TYPED_TEST(BlockCholeskyOf, IsThatOfTheWholeMatrix)
     const BlockCholesky<TypeParam> factor(problem.blocks, problem.coupled, problem.coupling);
     ASSERT_TRUE(factor.IsPositiveDefinite());
     const Eigen::Index size = problem.whole.rows();
-    const Matrix columns = Matrix::NullaryExpr(size, 3, [&] { return Any<TypeParam>(random); });
+    const Matrix columns =
+      Matrix::NullaryExpr(size, 3, [&] { return RandomScalar<TypeParam>(random); });
     EXPECT_LE((problem.whole * factor.Solve(columns) - columns).norm(), 1e-13 * columns.norm());
     EXPECT_NEAR(factor.LogDeterminant(), std::log(std::real(problem.whole.determinant())), 1e-11);
 
     Matrix inverse = problem.whole.inverse();
     const Matrix forms = factor.Forms(columns.col(0));
-    const auto traces = factor.TracesOf(problem.changes, columns.col(0));
+    const auto traces = factor.ComputeTraces(problem.changes, columns.col(0));
     for (std::size_t i = 0; i < problem.blocks.size(); ++i)
     {
       const auto part = [&](std::size_t k)
@@ -141,7 +144,7 @@ TYPED_TEST(BlockCholeskyOf, IsThatOfTheWholeMatrix)
   }
 }
 
-TYPED_TEST(BlockCholeskyOf, TellsWhatIsNotPositiveDefinite)
+TYPED_TEST(BlockCholeskyOf, DetectsIndefiniteMatrices)
 {
   Random random(611);
   int definite = 0;
@@ -160,7 +163,7 @@ TYPED_TEST(BlockCholeskyOf, TellsWhatIsNotPositiveDefinite)
   EXPECT_LT(definite, 180);
 }
 
-TEST(BlockMatrix, MultipliesLikeTheWholeMatrix)
+TEST(BlockMatrix, MultipliesLikeTheDenseMatrix)
 {
   Random random(612);
   const BlockProblem<double> problem(random, 1.0);

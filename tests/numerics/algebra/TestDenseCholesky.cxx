@@ -32,7 +32,7 @@ private:
 };
 
 using Scalars = testing::Types<double, Complex>;
-TYPED_TEST_SUITE(DenseCholeskyTest, Scalars, ); // without the last comma not ISO C++
+TYPED_TEST_SUITE(DenseCholeskyTest, Scalars, ); // ISO C++ requires the last comma
 
 TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
 {
@@ -41,7 +41,7 @@ TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
     const auto root = this->Dense(size, size);
     const typename TestFixture::Matrix matrix =
       root * root.adjoint() + TestFixture::Matrix::Identity(size, size);
-    // Only the lower half is read.
+    // Only the lower triangle is read.
     typename TestFixture::Matrix lowerHalf = matrix;
     lowerHalf.template triangularView<Eigen::StrictlyUpper>().setConstant(1e3);
     const DenseCholesky<TypeParam> factor(lowerHalf);
@@ -58,7 +58,7 @@ TYPED_TEST(DenseCholeskyTest, FactorsAndSolves)
   }
 }
 
-TYPED_TEST(DenseCholeskyTest, TellsWhatIsNotPositiveDefinite)
+TYPED_TEST(DenseCholeskyTest, DetectsIndefiniteMatrices)
 {
   for (const double last : { 0.0, -1e-3 })
   {

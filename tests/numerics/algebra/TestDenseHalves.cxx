@@ -13,9 +13,9 @@ namespace
 template <typename Scalar>
 using Matrix = typename DenseCholesky<Scalar>::Matrix;
 
-/// Hermitian, with eigenvalues of about one.
+/// Returns a Hermitian matrix with eigenvalues of about one.
 template <typename Scalar>
-Matrix<Scalar> AnyDefinite(Random& random, Eigen::Index size)
+Matrix<Scalar> RandomDefinite(Random& random, Eigen::Index size)
 {
   const Matrix<Scalar> root = Matrix<Scalar>::NullaryExpr(size, size,
     [&]
@@ -41,16 +41,17 @@ class DenseHalvesOf : public testing::Test
 using Scalars = testing::Types<double, Complex>;
 TYPED_TEST_SUITE(DenseHalvesOf, Scalars);
 
-// Around the width of a panel, with rests of one and of odd sizes, and above the size from which DenseCholesky uses it.
+// Sizes near multiples of the panel width, with remainders of one and odd remainders, and above the
+// size from which DenseCholesky uses these functions.
 constexpr std::array<Eigen::Index, 7> Sizes = { 1, 2, 191, 193, 385, 512, 601 };
 
-TYPED_TEST(DenseHalvesOf, FactorAndInverseAreThoseOfTheMatrix)
+TYPED_TEST(DenseHalvesOf, FactorAndInverseMatchTheMatrix)
 {
   Random random(620);
   for (const Eigen::Index size : Sizes)
   {
     SCOPED_TRACE(size);
-    const Matrix<TypeParam> matrix = AnyDefinite<TypeParam>(random, size);
+    const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, size);
     Matrix<TypeParam> lower = matrix.template triangularView<Eigen::Lower>();
     ASSERT_TRUE(FactorInHalves<TypeParam>(lower));
     lower.template triangularView<Eigen::StrictlyUpper>().setZero();
@@ -65,10 +66,10 @@ TYPED_TEST(DenseHalvesOf, FactorAndInverseAreThoseOfTheMatrix)
   }
 }
 
-TYPED_TEST(DenseHalvesOf, TellsWhatIsNotPositiveDefinite)
+TYPED_TEST(DenseHalvesOf, DetectsIndefiniteMatrices)
 {
   Random random(621);
-  const Matrix<TypeParam> matrix = AnyDefinite<TypeParam>(random, 601);
+  const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, 601);
   for (const Eigen::Index row : { 0, 191, 192, 400, 600 })
   {
     SCOPED_TRACE(row);
@@ -78,11 +79,11 @@ TYPED_TEST(DenseHalvesOf, TellsWhatIsNotPositiveDefinite)
   }
 }
 
-TYPED_TEST(DenseHalvesOf, OneThreadGivesTheSameBytes)
+TYPED_TEST(DenseHalvesOf, IsIdenticalInOneThread)
 {
   Random random(622);
-  const Matrix<TypeParam> matrix = AnyDefinite<TypeParam>(random, 700);
-  const Matrix<TypeParam> columns = AnyDefinite<TypeParam>(random, 700).leftCols(31);
+  const Matrix<TypeParam> matrix = RandomDefinite<TypeParam>(random, 700);
+  const Matrix<TypeParam> columns = RandomDefinite<TypeParam>(random, 700).leftCols(31);
   const DenseCholesky<TypeParam> two(matrix);
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);

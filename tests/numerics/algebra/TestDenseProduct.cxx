@@ -5,7 +5,7 @@ namespace crossfield::test
 {
 namespace
 {
-TEST(DenseProduct, IsThatOfEigenAlsoForPartsAndEmptyMatrices)
+TEST(DenseProduct, MatchesEigenForSubmatricesAndEmptyMatrices)
 {
   Random random(77);
   for (const Eigen::Index inner : { 0, 1, 5, 40 })

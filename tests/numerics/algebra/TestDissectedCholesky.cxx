@@ -45,7 +45,7 @@ std::vector<int> RandomUnknowns(Random& random, Eigen::Index size, int count, in
   return all;
 }
 
-/// The matrix without a row and column, which are kept as those of the identity.
+/// Returns the matrix with the row and column of `ground` replaced by those of the identity.
 Eigen::MatrixXd Grounded(const SparseMatrix& matrix, int ground)
 {
   Eigen::MatrixXd dense = matrix;
@@ -55,8 +55,9 @@ Eigen::MatrixXd Grounded(const SparseMatrix& matrix, int ground)
   return dense;
 }
 
-/// Solutions and Schur complement against dense linear algebra.
-void ExpectRight(const System& system, const std::vector<int>& last, int ground, Random& random)
+/// Compares solutions and the Schur complement with dense linear algebra.
+void ExpectEqualsDense(
+  const System& system, const std::vector<int>& last, int ground, Random& random)
 {
   const DissectedCholesky factor(system.matrix, system.places, last, { ground });
   const Eigen::MatrixXd dense = Grounded(system.matrix, ground);
@@ -70,7 +71,7 @@ void ExpectRight(const System& system, const std::vector<int>& last, int ground,
   EXPECT_LE((solution - expected).norm(), 1e-11 * expected.norm());
   EXPECT_EQ(solution.row(ground).norm(), 0.0);
 
-  // The Schur complement on the last unknowns is the inverse of their block of the inverse.
+  // The Schur complement on the trailing unknowns is the inverse of their block of the inverse.
   const auto count = static_cast<Eigen::Index>(last.size());
   const Eigen::MatrixXd& lower = factor.GetTrailingFactor();
   ASSERT_EQ(lower.rows(), count);
@@ -94,18 +95,19 @@ TEST(DissectedCholesky, EqualsDenseLinearAlgebra)
   {
     const System system = RandomLaplacian(random, 0.15);
     const int ground = random.Integer(0, static_cast<int>(system.matrix.rows()) - 1);
-    ExpectRight(system,
+    ExpectEqualsDense(system,
       RandomUnknowns(random, system.matrix.rows(), trial < 4 ? 0 : random.Integer(1, 40), ground),
       ground, random);
   }
 }
 
-TEST(DissectedCholesky, TwoSheetsEqualDenseLinearAlgebra)
+TEST(DissectedCholesky, EqualsDenseLinearAlgebraOnTwoSheets)
 {
   Random random(206);
   for (int trial = 0; trial < 4; ++trial)
   {
-    // Two copies of a Laplacian, joined by springs at some points; without any, each has its own ground.
+    // Two copies of a Laplacian, joined by springs at some points. Without springs each copy has
+    // its own ground.
     const System sheet = RandomLaplacian(random, 0.15);
     const auto count = static_cast<int>(sheet.matrix.rows());
     System system;
@@ -143,12 +145,12 @@ TEST(DissectedCholesky, TwoSheetsEqualDenseLinearAlgebra)
   }
 }
 
-TEST(DissectedCholesky, SmallSystemsAndPartsThatDoNotMeet)
+TEST(DissectedCholesky, HandlesSmallAndDisconnectedSystems)
 {
   Random random(202);
   for (const int size : { 2, 3, 5, 17, 40 })
   {
-    // Chains of which every second link is missing but for a spring to the ground.
+    // Chains in which every second link is replaced by a spring to the ground.
     System system;
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < size; ++i)
@@ -165,14 +167,15 @@ TEST(DissectedCholesky, SmallSystemsAndPartsThatDoNotMeet)
     system.matrix.setFromTriplets(entries.begin(), entries.end());
     for (int count = 0; count < std::min(size, 6); ++count)
     {
-      ExpectRight(system, RandomUnknowns(random, size, count, 0), 0, random);
+      ExpectEqualsDense(system, RandomUnknowns(random, size, count, 0), 0, random);
     }
   }
 }
 
-TEST(DissectedCholesky, ANonconvexDomainFallsIntoPartsOnEitherSide)
+TEST(DissectedCholesky, HandlesDisconnectedHalves)
 {
-  // A comb: each half of the cut is in several parts, with its own piece of the separator.
+  // A comb: each half of the cut is disconnected, and each of its parts has its own piece of the
+  // separator.
   Loop comb;
   for (int tooth = 0; tooth < 4; ++tooth)
   {
@@ -184,10 +187,10 @@ TEST(DissectedCholesky, ANonconvexDomainFallsIntoPartsOnEitherSide)
   options.meshSize = 0.2;
   Random random(203);
   const System system = Laplacian(DrillHoles(MakePlanarDomain({ comb }), {}, options));
-  ExpectRight(system, RandomUnknowns(random, system.matrix.rows(), 25, 7), 7, random);
+  ExpectEqualsDense(system, RandomUnknowns(random, system.matrix.rows(), 25, 7), 7, random);
 }
 
-TEST(DissectedCholesky, RefusesWhatIsSingularOrNotFinite)
+TEST(DissectedCholesky, RejectsSingularOrNonFiniteMatrices)
 {
   Random random(204);
   const System system = RandomLaplacian(random, 0.2);

@@ -14,7 +14,7 @@ Eigen::MatrixXd RandomMatrix(Random& random, Eigen::Index rows, Eigen::Index col
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return random.Uniform(-1.0, 1.0); });
 }
 
-/// Three blocks of 4, 2 and 3 rows; V has rows that one, two and all three of them have.
+/// Three blocks of 4, 2 and 3 rows. V has rows with entries in one, two and all three of them.
 struct Known
 {
   GramMatrix matrix;
@@ -52,13 +52,13 @@ Known RandomMatrixOfBlocks(Random& random)
   return known;
 }
 
-TEST(GramMatrix, IsTheSumOfItsParts)
+TEST(GramMatrix, EqualsTheSumOfItsParts)
 {
   Random random(700);
   const auto [matrix, dense] = RandomMatrixOfBlocks(random);
   EXPECT_EQ(matrix.BlockCount(), 3);
   EXPECT_EQ(matrix.Rows(), 9);
-  // What one block has for itself is gathered in one square.
+  // Rows with entries in a single block are stored in its diagonal block.
   EXPECT_EQ(matrix.Entries(), 16 + 4 + 9 + 5 * (7 + 5 + 9));
   EXPECT_LE((matrix.Dense() - dense).norm(), 1e-13 * dense.norm());
   EXPECT_NEAR(matrix.Trace(), dense.trace(), 1e-13 * dense.trace());
@@ -81,7 +81,7 @@ TEST(GramMatrix, IsTheSumOfItsParts)
   EXPECT_LE((matrix.SquaredCouplings() - couplings).norm(), 1e-12 * couplings.norm());
 }
 
-TEST(GramMatrix, CongruenceIsThatOfTheWhole)
+TEST(GramMatrix, CongruenceMatchesTheDenseMatrix)
 {
   Random random(701);
   const auto [matrix, dense] = RandomMatrixOfBlocks(random);
@@ -94,7 +94,7 @@ TEST(GramMatrix, CongruenceIsThatOfTheWhole)
   EXPECT_LE((matrix.Congruence(bases).Dense() - expected).norm(), 1e-13 * expected.norm());
 }
 
-TEST(GramMatrix, OfASquareRootIsItsSquare)
+TEST(GramMatrix, SquaresADenseRoot)
 {
   Random random(702);
   const Eigen::MatrixXd root = RandomMatrix(random, 5, 5);
@@ -103,7 +103,7 @@ TEST(GramMatrix, OfASquareRootIsItsSquare)
   EXPECT_EQ(GramMatrix().Rows(), 0);
 }
 
-TEST(GramMatrix, IsSolvedToRounding)
+TEST(GramMatrix, ConjugateGradientsSolveToRounding)
 {
   Random random(703);
   const auto [matrix, dense] = RandomMatrixOfBlocks(random);
@@ -113,7 +113,7 @@ TEST(GramMatrix, IsSolvedToRounding)
   EXPECT_LE((dense * solution - loads).norm(), 1e-11 * loads.norm());
   EXPECT_EQ(solution.col(2).norm(), 0.0);
   EXPECT_EQ(SolveGram({}, Eigen::MatrixXd(0, 3)).cols(), 3);
-  // Of rank one.
+  // A matrix of rank one.
   const GramMatrix singular({ 2 }, Eigen::MatrixXd::Ones(2, 1));
   EXPECT_TRUE(
     Refuses([&] { SolveGram(singular, Eigen::MatrixXd::Identity(2, 2)); }, { "edges of holes" }));

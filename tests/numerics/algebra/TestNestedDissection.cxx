@@ -29,7 +29,7 @@ bool IsPermutation(std::vector<int> order, std::size_t count)
   return order == all;
 }
 
-/// Five-point Laplacian on a grid, and its points.
+/// Returns the five-point Laplacian on a grid and stores the grid points in `places`.
 SparseMatrix Grid(int side, std::vector<Point>& places)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -64,7 +64,7 @@ Eigen::Index FactorEntries(const SparseMatrix& matrix, const std::vector<int>& o
   return factor.matrixL().nestedExpression().nonZeros();
 }
 
-TEST(NestedDissection, IsAPermutationWithTheLastUnknownsAtTheEnd)
+TEST(NestedDissection, ReturnsAPermutationWithTrailingUnknownsLast)
 {
   Random random(12);
   for (int trial = 0; trial < 10; ++trial)
@@ -86,9 +86,9 @@ TEST(NestedDissection, IsAPermutationWithTheLastUnknownsAtTheEnd)
   }
 }
 
-TEST(NestedDissection, CopesWithUnknownsThatCannotBeSeparated)
+TEST(NestedDissection, HandlesInseparableUnknowns)
 {
-  // All in one place, and all coupled to each other.
+  // All unknowns at one place, and all coupled to each other.
   const int count = 100;
   const SparseMatrix dense = Eigen::MatrixXd::Ones(count, count).sparseView();
   Random random(13);
@@ -108,7 +108,8 @@ TEST(NestedDissection, CopesWithUnknownsThatCannotBeSeparated)
 
 TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
 {
-  // Row by row a grid of n² points fills a band, n³ entries; separators need some 8 n² log₂ n.
+  // In row order the factor of a grid of n² points fills a band of n³ entries; nested dissection
+  // needs about 8 n² log₂ n.
   constexpr int Side = 150;
   std::vector<Point> places;
   const SparseMatrix grid = Grid(Side, places);
@@ -121,7 +122,8 @@ TEST(NestedDissection, KeepsTheFactorOfAGridSparse)
   EXPECT_LT(separated, 0.4 * band);
 }
 
-/// Two sheets over the same points, unknown i below i + n, joined at some points.
+/// Returns two copies of a sheet over the same points, where unknown i is below i + n, joined at
+/// some points.
 SparseMatrix TwoSheets(const SparseMatrix& sheet, const std::vector<int>& joined)
 {
   const auto count = static_cast<int>(sheet.rows());
@@ -157,7 +159,7 @@ TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
   {
     partners.push_back((i + count) % (2 * count));
   }
-  // Apart, and joined in one corner.
+  // Not joined, and joined at one corner.
   for (const std::vector<int>& joined : { std::vector<int>(), std::vector<int>{ 0, 1, Side } })
   {
     const Dissection dissection = Dissect(TwoSheets(grid, joined), places, {}, {}, partners);
@@ -165,7 +167,7 @@ TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
     order.insert(order.end(), dissection.right.begin(), dissection.right.end());
     order.insert(order.end(), dissection.border.begin(), dissection.border.end());
     EXPECT_TRUE(IsPermutation(order, 2 * static_cast<std::size_t>(count)));
-    // Where a half falls apart, the sheet changes once in its order.
+    // Where a half is disconnected, its order changes the sheet only once.
     int changes = 0;
     for (const std::vector<int>* half : { &dissection.left, &dissection.right })
     {
@@ -179,9 +181,9 @@ TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
   }
 }
 
-TEST(NestedDissection, NumbersTheSeparatorBehindBothHalves)
+TEST(NestedDissection, NumbersTheSeparatorAfterBothHalves)
 {
-  // A chain of 101 points splits at its middle: the last unknown separates the two halves.
+  // A chain of 101 points is split at its middle: the last unknown separates the two halves.
   constexpr int Count = 101;
   std::vector<Point> places;
   std::vector<Eigen::Triplet<double>> entries;
@@ -199,7 +201,7 @@ TEST(NestedDissection, NumbersTheSeparatorBehindBothHalves)
   chain.setFromTriplets(entries.begin(), entries.end());
   const std::vector<int> order = NestedDissection(chain, places);
   EXPECT_NEAR(order.back(), 0.5 * (Count - 1), 1.0);
-  // The half on its left is done before anything on its right, or the other way round.
+  // One side of the chain is ordered completely before the other side.
   const auto isLeft = [&](int unknown) { return unknown < order.back(); };
   EXPECT_TRUE(std::is_partitioned(order.begin(), order.end() - 1, isLeft) ||
     std::is_partitioned(order.begin(), order.end() - 1, [&](int u) { return !isLeft(u); }));

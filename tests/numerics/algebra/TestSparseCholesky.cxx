@@ -18,7 +18,7 @@ struct System
   std::vector<Point> places;
 };
 
-/// Stiffness matrix of a random mesh plus a random mass on some of its edges.
+/// Returns the stiffness matrix of a random mesh plus a random mass on some of its edges.
 System RandomSystem(Random& random, double meshSize)
 {
   DrillOptions options;
@@ -124,9 +124,9 @@ TEST(SparseCholesky, SchurComplementOfEverythingIsTheMatrixItself)
   EXPECT_LE((TrailingSchurComplement(factor, 30) - dense).norm(), 1e-12 * dense.norm());
 }
 
-TEST(SparseCholesky, KeepsTheOrderWhenTheMatrixIsInParts)
+TEST(SparseCholesky, KeepsTheOrderOfADisconnectedMatrix)
 {
-  // Two chains side by side: the last unknowns of both would not survive a postorder.
+  // Two disconnected chains: a postorder would move the last unknowns of both.
   constexpr int Half = 20;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < 2 * Half; ++i)
@@ -153,7 +153,7 @@ TEST(SparseCholesky, KeepsTheOrderWhenTheMatrixIsInParts)
   }
 }
 
-TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
+TEST(SparseCholesky, RejectsIndefiniteMatrices)
 {
   Random random(17);
   System system = RandomSystem(random, 0.3);
@@ -162,7 +162,7 @@ TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
   const auto factor = [&] { SparseCholesky(system.matrix, order); };
   EXPECT_FALSE(Refuses(factor, {}));
   const double diagonal = system.matrix.coeff(middle, middle);
-  // Indefinite by one entry, and a pivot that is exactly zero.
+  // Matrices made indefinite by one entry, and one with a pivot that is exactly zero.
   system.matrix.coeffRef(middle, middle) = -diagonal;
   EXPECT_TRUE(Refuses(factor, { "not positive definite" }));
   SparseMatrix zero(3, 3);
@@ -173,7 +173,7 @@ TEST(SparseCholesky, RefusesAMatrixThatIsNotPositiveDefinite)
   EXPECT_TRUE(Refuses([&] { SparseCholesky(zero, Natural(3)); }, { "not positive definite" }));
 }
 
-TEST(SparseCholesky, RefusesWhatIsNotFinite)
+TEST(SparseCholesky, RejectsNonFiniteEntries)
 {
   Random random(18);
   const System system = RandomSystem(random, 0.3);
@@ -191,7 +191,7 @@ TEST(SparseCholesky, RefusesWhatIsNotFinite)
   }
 }
 
-TEST(SparseCholesky, RefusesAnOrderThatDoesNotFit)
+TEST(SparseCholesky, RejectsOrdersOfTheWrongLength)
 {
   Random random(19);
   const System system = RandomSystem(random, 0.3);

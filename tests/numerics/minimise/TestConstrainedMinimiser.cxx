@@ -31,7 +31,7 @@ DegreeConstraint Cycle(int first, int count, int degree)
 }
 }
 
-TEST(QuadraticConstraint, HasTheValuesAndDerivativesOfTheDegrees)
+TEST(QuadraticConstraint, ValuesAndDerivativesMatchTheDegrees)
 {
   Random random(411);
   const std::vector<DegreeConstraint> degrees = { Cycle(0, 7, 1), Cycle(7, 12, -2) };
@@ -44,7 +44,7 @@ TEST(QuadraticConstraint, HasTheValuesAndDerivativesOfTheDegrees)
     EXPECT_NEAR(sum.Value(x), degrees[0].Value(x) + degrees[1].Value(x), 1e-13);
     for (const QuadraticConstraint& constraint : { sum, UnitNorm(3) })
     {
-      // Quadratic functions have exact central differences.
+      // Central differences of quadratic functions are exact.
       const ComplexVector direction = RandomVector(random, 19);
       const double difference =
         0.5 * (constraint.Value(x + direction) - constraint.Value(x - direction));
@@ -60,9 +60,9 @@ TEST(QuadraticConstraint, HasTheValuesAndDerivativesOfTheDegrees)
   }
 }
 
-TEST(ConstrainedMinimiser, NearestPointsOfCirclesAreExact)
+TEST(ConstrainedMinimiser, FindsNearestPointsOfCircles)
 {
-  // ½ |x − c|² with |x_i| = 1: x = c / |c|, multipliers (|c_i| − 1) / 2.
+  // Problem ½ |x − c|² with |x_i| = 1: x = c / |c|, multipliers (|c_i| − 1) / 2.
   Random random(412);
   for (int trial = 0; trial < 20; ++trial)
   {
@@ -86,9 +86,9 @@ TEST(ConstrainedMinimiser, NearestPointsOfCirclesAreExact)
   }
 }
 
-TEST(ConstrainedMinimiser, CallsAMaximumNoSolution)
+TEST(ConstrainedMinimiser, DoesNotReportAMaximumAsConverged)
 {
-  // At x = −c/|c| everything but the inertia is that of a solution.
+  // At x = −c/|c| all conditions of a solution except the inertia are satisfied.
   QuadraticProblem problem;
   problem.matrix = Eigen::MatrixXcd::Identity(1, 1);
   problem.load = ComplexVector::Constant(1, Complex(0.6, 0.8) * 3.0);
@@ -99,7 +99,7 @@ TEST(ConstrainedMinimiser, CallsAMaximumNoSolution)
   EXPECT_FALSE(result.converged);
 }
 
-TEST(ConstrainedMinimiser, WithoutConstraintsSolvesTheLinearSystem)
+TEST(ConstrainedMinimiser, SolvesTheLinearSystemWithoutConstraints)
 {
   Random random(413);
   QuadraticProblem problem;

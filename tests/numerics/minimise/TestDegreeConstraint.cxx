@@ -8,7 +8,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// A hole of m edges at random places of a longer vector.
+/// Returns the constraint of a hole of m edges at random positions of a longer vector.
 DegreeConstraint RandomConstraint(Random& random, int m, int size)
 {
   std::vector<int> places(static_cast<std::size_t>(size));
@@ -77,23 +77,23 @@ TEST(DegreeConstraint, GradientIsTheLimitOfDifferences)
       step[i] = Step * unit;
       const double difference =
         (constraint.Value(u + step) - constraint.Value(u - step)) / (2.0 * Step);
-      // Central differences of a quadratic are exact; rounding over the step is left.
+      // Central differences of a quadratic are exact up to rounding divided by the step.
       EXPECT_NEAR(difference, (std::conj(unit) * gradient[i]).real(), 1e-9);
     }
   }
 }
 
-TEST(DegreeConstraint, AddsNothingForARotationOfAllValues)
+TEST(DegreeConstraint, IsInvariantUnderRotationOfAllValues)
 {
   Random random(23);
   const DegreeConstraint constraint = RandomConstraint(random, 11, 11);
   const ComplexVector u = RandomVector(random, 11);
   EXPECT_NEAR(constraint.Value(random.UnitComplex() * u), constraint.Value(u), 1e-13);
-  // Reflected values turn the other way.
+  // Reflected values turn in the opposite direction.
   EXPECT_NEAR(constraint.Value(u.conjugate()), -constraint.Value(u), 1e-13);
 }
 
-TEST(DegreeTarget, OfARegularPolygonIsClosedForm)
+TEST(DegreeTarget, HasAClosedFormOnRegularPolygons)
 {
   Random random(24);
   for (const int m : { 3, 4, 5, 8, 17, 32, 100 })
@@ -108,12 +108,12 @@ TEST(DegreeTarget, OfARegularPolygonIsClosedForm)
   }
 }
 
-TEST(DegreeTarget, IsTheValueForUnitVectorsThatFollowTheAngle)
+TEST(DegreeTarget, EqualsTheValueOfEvenlyTurningUnitVectors)
 {
   Random random(25);
   for (int trial = 0; trial < 50; ++trial)
   {
-    // A star-shaped hole with edges of any length, seen from a point inside.
+    // A star-shaped hole with edges of arbitrary lengths, seen from a point inside.
     const int m = random.Integer(9, 40);
     const int degree = random.Integer(-4, 4);
     const Point centre(random.Uniform(-2.0, 2.0), random.Uniform(-2.0, 2.0));
@@ -132,7 +132,7 @@ TEST(DegreeTarget, IsTheValueForUnitVectorsThatFollowTheAngle)
   }
 }
 
-TEST(DegreeTarget, RefusesADegreeThatTheEdgesCannotCarry)
+TEST(DegreeTarget, RejectsDegreesTooLargeForTheEdges)
 {
   for (int m = 3; m < 20; ++m)
   {
@@ -146,7 +146,7 @@ TEST(DegreeTarget, RefusesADegreeThatTheEdgesCannotCarry)
       }
       else
       {
-        // The sentence has the smallest number of edges that works.
+        // The message states the smallest number of edges that works.
         EXPECT_TRUE(Refuses(call,
           { std::to_string(m) + " edges", "quarter index " + std::to_string(degree),
             "at least " + std::to_string(2 * std::abs(degree) + 1) + " edges" }));

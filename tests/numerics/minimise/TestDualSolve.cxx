@@ -12,8 +12,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// Holes of random degrees ±1 .. ±3 and a random positive definite matrix. `noise` is how far the
-/// harmonic values are from satisfying the constraints.
+/// Returns a problem with holes of random degrees ±1 .. ±3 and a random positive definite matrix.
+/// `noise` measures by how much the harmonic values violate the constraints.
 ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
 {
   ReducedProblem problem;
@@ -75,9 +75,9 @@ TEST(ReducedProblem, SolutionSatisfiesTheOptimalityConditions)
   }
 }
 
-TEST(ReducedProblem, OneConstraintIsSolvedFromAnyHarmonicField)
+TEST(ReducedProblem, SolvesOneConstraintFromAnyHarmonicField)
 {
-  // A quadratic with one quadratic constraint has no duality gap, however far the start is.
+  // A quadratic problem with one quadratic constraint has no duality gap, whatever the start.
   Random random(31);
   for (int trial = 0; trial < 30; ++trial)
   {
@@ -90,9 +90,10 @@ TEST(ReducedProblem, OneConstraintIsSolvedFromAnyHarmonicField)
   }
 }
 
-/// A problem whose solution is known: S + Σ λ_i A_i is positive definite with the smallest eigenvalue
-/// `margin`, so b and the targets that x gives make x its minimiser. With a small part of x along the
-/// eigenvector of that eigenvalue, the dual is nearly flat up to the border of its region.
+/// Problem with a known solution: S + Σ λ_i A_i is positive definite with smallest eigenvalue
+/// `margin`, so x minimises the problem with the b and targets computed from it. With a small
+/// component of x along the eigenvector of that eigenvalue, the dual is nearly flat up to the
+/// border of its region.
 struct KnownProblem
 {
   ReducedProblem problem;
@@ -133,7 +134,7 @@ KnownProblem RandomKnownProblem(Random& random, int holeCount, double margin)
   return known;
 }
 
-TEST(ReducedProblem, KnownSolutionsAreFoundAlsoNextToTheBorder)
+TEST(ReducedProblem, FindsKnownSolutionsNearTheBorder)
 {
   Random random(37);
   for (int trial = 0; trial < 60; ++trial)
@@ -144,7 +145,7 @@ TEST(ReducedProblem, KnownSolutionsAreFoundAlsoNextToTheBorder)
     const MinimiserResult solution = SolveReduced(HoleBases(known.problem));
     EXPECT_TRUE(solution.converged) << solution.residual;
     EXPECT_LE(solution.iterations, 60);
-    // An error of 1e-10 in the forces is this much in x.
+    // The error in x that corresponds to an error of 1e-10 in the gradient.
     EXPECT_LE((solution.x - known.x).norm(), 1e-9 / margin * known.x.norm());
     EXPECT_LE((solution.multipliers - known.multipliers).norm(), 1e-8 / margin);
   }
@@ -163,7 +164,7 @@ TEST(ReducedProblem, NoFeasiblePointIsBetter)
     int compared = 0;
     for (int attempt = 0; attempt < 400; ++attempt)
     {
-      // From tiny steps to points that have nothing to do with the solution.
+      // Distances range from tiny steps to points unrelated to the solution.
       const double distance = std::exp(random.Uniform(std::log(1e-3), std::log(3.0)));
       ComplexVector x = solution.x;
       for (Complex& value : x)
@@ -191,7 +192,7 @@ TEST(ReducedProblem, NoFeasiblePointIsBetter)
   }
 }
 
-TEST(ReducedProblem, WhereTheConstraintsHoldAlreadyTheHarmonicFieldStays)
+TEST(ReducedProblem, KeepsAFeasibleHarmonicField)
 {
   Random random(33);
   const ReducedProblem problem = RandomProblem(random, 3, 0.0);
@@ -208,7 +209,7 @@ TEST(ReducedProblem, EmptyProblemIsSolved)
   EXPECT_TRUE(SolveReduced(HoleBases(ReducedProblem())).converged);
 }
 
-TEST(ReducedProblem, FollowsRotationOfTheFieldAndScaleOfTheMatrix)
+TEST(ReducedProblem, IsEquivariantUnderRotationAndScaling)
 {
   Random random(34);
   const ReducedProblem problem = RandomProblem(random, 3, 0.4);
@@ -226,7 +227,7 @@ TEST(ReducedProblem, FollowsRotationOfTheFieldAndScaleOfTheMatrix)
     (moved.multipliers / 1e6 - solution.multipliers).norm(), 1e-9 * solution.multipliers.norm());
 }
 
-TEST(ReducedProblem, ReportsWhatDidNotConverge)
+TEST(ReducedProblem, ReportsNonConvergence)
 {
   Random random(35);
   ReducedProblem problem = RandomProblem(random, 2, 0.5);
@@ -236,7 +237,7 @@ TEST(ReducedProblem, ReportsWhatDidNotConverge)
   EXPECT_FALSE(early.converged);
   EXPECT_EQ(early.iterations, 1);
   EXPECT_GT(early.residual, hurried.tolerance);
-  // From a field that is zero on the hole no direction is better than another.
+  // If the field is zero on the hole, all directions are equivalent.
   problem.load.setZero();
   const MinimiserResult stuck = SolveReduced(HoleBases(problem));
   EXPECT_FALSE(stuck.converged);
@@ -245,7 +246,7 @@ TEST(ReducedProblem, ReportsWhatDidNotConverge)
   EXPECT_TRUE(stuck.multipliers.allFinite());
 }
 
-TEST(ReducedProblem, StopsWhenAsked)
+TEST(ReducedProblem, StopsOnAbort)
 {
   Random random(36);
   const ReducedProblem problem = RandomProblem(random, 2, 0.5);

@@ -11,8 +11,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// Holes of degrees ±1 .. ±3 and a random positive definite matrix; unit values that turn evenly
-/// are off the constrained minimum by about `noise`.
+/// Returns a problem with holes of degrees ±1 .. ±3 and a random positive definite matrix. Evenly
+/// turning unit values differ from the constrained minimum by about `noise`.
 ReducedProblem RandomProblem(Random& random, int holeCount, double noise)
 {
   ReducedProblem problem;
@@ -50,7 +50,7 @@ double Objective(const ReducedProblem& problem, const ComplexVector& x)
   return 0.5 * x.dot(problem.matrix * x).real() - problem.load.dot(x).real();
 }
 
-/// Makes x feasible hole by hole, which scaling does where C has the sign of its target.
+/// Makes x feasible hole by hole; scaling achieves this where C has the sign of its target.
 bool Restore(const ReducedProblem& problem, ComplexVector& x)
 {
   for (const DegreeConstraint& constraint : problem.constraints)
@@ -68,7 +68,7 @@ bool Restore(const ReducedProblem& problem, ComplexVector& x)
   return true;
 }
 
-TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
+TEST(LocalSolve, FindsAConstrainedMinimumNearTheStart)
 {
   Random random(130);
   int converged = 0;
@@ -109,7 +109,7 @@ TEST(LocalSolve, AConvergedSolutionIsAConstrainedMinimumNearby)
   EXPECT_GE(converged, 38);
 }
 
-TEST(LocalSolve, TheGlobalMinimumStaysAndIsNeverBeaten)
+TEST(LocalSolve, KeepsTheGlobalMinimumAndNeverGoesBelowIt)
 {
   Random random(131);
   for (int trial = 0; trial < 20; ++trial)
@@ -132,7 +132,7 @@ TEST(LocalSolve, TheGlobalMinimumStaysAndIsNeverBeaten)
   }
 }
 
-TEST(LocalSolve, StopsWhenAsked)
+TEST(LocalSolve, StopsOnAbort)
 {
   Random random(132);
   const ReducedProblem problem = RandomProblem(random, 2, 0.5);

@@ -15,7 +15,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// Three edges to a hole, a random positive semi-definite matrix, and a load of any size beside it.
+/// Returns a problem with three edges per hole, a random positive semidefinite matrix, and a load
+/// of random magnitude.
 ReducedProblem RandomProblem(Random& random, int holeCount)
 {
   constexpr int Edges = 3;
@@ -39,7 +40,7 @@ ReducedProblem RandomProblem(Random& random, int holeCount)
   return problem;
 }
 
-/// The problem in the factors of the holes, written out for itself.
+/// The problem in the factors of the holes, written out independently.
 struct Torus
 {
   Eigen::MatrixXcd matrix;
@@ -75,7 +76,7 @@ struct Torus
     return 0.5 * a.dot(this->matrix * a).real() - this->load.dot(a).real();
   }
 
-  /// Each phase in turn to its best value, until nothing moves.
+  /// Sets each phase in turn to its best value until no phase changes.
   double Refine(ComplexVector a) const
   {
     double moved = 1.0;
@@ -94,7 +95,7 @@ struct Torus
     return this->Value(a);
   }
 
-  /// The lowest value from the best points of a grid over all phases.
+  /// Returns the lowest value reached from the best points of a grid over all phases.
   double Lowest() const
   {
     const Eigen::Index holes = this->load.size();
@@ -125,7 +126,7 @@ struct Torus
   }
 };
 
-TEST(UnitSolve, NoPhasesAreBetterThanThoseFound)
+TEST(UnitSolve, FindsTheLowestPhases)
 {
   constexpr int Trials = 150;
   for (int trial = 0; trial < Trials; ++trial)
@@ -144,7 +145,8 @@ TEST(UnitSolve, NoPhasesAreBetterThanThoseFound)
   }
 }
 
-/// Four holes of the disk, of sum 4 and one of another sign in every second case, apart from each other and the circle.
+/// Returns four holes in the disk with sum 4, one of opposite sign in every second trial, at a
+/// distance from each other and from the circle.
 Configuration RandomHoles(Random& random, int trial)
 {
   const std::array<int, 4> quarters =
@@ -196,9 +198,9 @@ TEST(UnitSolve, SixtyStartsFindNoBetterPhasesOnHolesOfADisk)
   }
 }
 
-TEST(UnitSolve, EveryCrossIsAUnitAndTurnsEvenly)
+TEST(UnitSolve, CrossesAreUnitAndTurnEvenly)
 {
-  // Many holes, where a new start has to earn its descent.
+  // Many holes, for which a restart is only tried where a sweep promises an improvement.
   for (const int holes : { 1, 5, 20, 40 })
   {
     SCOPED_TRACE(holes);
@@ -221,7 +223,7 @@ TEST(UnitSolve, EveryCrossIsAUnitAndTurnsEvenly)
   }
 }
 
-TEST(UnitSolve, RelaxedPhasesAreBestAmongTheirNeighbours)
+TEST(UnitSolve, RelaxedPhasesAreALocalMinimum)
 {
   for (int trial = 0; trial < 20; ++trial)
   {
@@ -250,8 +252,8 @@ TEST(UnitSolve, RelaxedPhasesAreBestAmongTheirNeighbours)
   }
 }
 
-/// Without a load all holes may turn together, and any such field is as good as the others.
-TEST(UnitSolve, WithoutALoadAllHolesMayTurn)
+/// Without a load all holes may turn together, and all such fields are equivalent.
+TEST(UnitSolve, SolvesUpToACommonRotationWithoutALoad)
 {
   Random random(321);
   for (const int holes : { 1, 2, 5 })
