@@ -9,7 +9,7 @@ namespace crossfield
 {
 namespace
 {
-/// Of every vertex, whether it is a corner or has a chosen index.
+/// Returns, for every vertex, whether it is a corner or has a chosen index.
 std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCount& count)
 {
   std::vector<bool> counted(topology.mesh.points.size(), false);
@@ -20,7 +20,8 @@ std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCo
   return counted;
 }
 
-/// The indices that the field takes at corners, and where else on aligned loops they are not 0.
+/// Returns the indices of the field at corners, and elsewhere on aligned loops where they are not
+/// 0.
 std::vector<CornerChoice> TakenIndices(
   const MeshTopology& topology, const FieldIndices& indices, const std::vector<bool>& counted)
 {
@@ -36,7 +37,7 @@ std::vector<CornerChoice> TakenIndices(
   return taken;
 }
 
-/// Corners with a chosen index at which the field takes another one.
+/// Counts the corners with a chosen index at which the field has a different one.
 int CountOtherCorners(
   const std::vector<CountedCorner>& wanted, const std::vector<CountedCorner>& taken)
 {
@@ -120,7 +121,8 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   }
   for (const BoundaryLoop& circle : topology.imprinted)
   {
-    check.prescribedDegrees.push_back(circle.quarterIndex); // what is inside is counted there
+    // the indices inside the circle include its degree
+    check.prescribedDegrees.push_back(circle.quarterIndex);
   }
   if (byItself)
   {

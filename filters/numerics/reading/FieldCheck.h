@@ -4,25 +4,28 @@
 
 namespace crossfield
 {
-/// What a solved field says about the generalised Poincaré-Hopf theorem.
+/// Result of checking a field against the generalised Poincaré-Hopf theorem.
 struct FieldCheck
 {
-  /// Counted with the indices that the field takes at corners and other vertices of the boundary;
-  /// given: degrees of the holes and indices inside. The two sums agree for every field.
+  /// Count with the indices that the field has at corners and other vertices of the boundary. Its
+  /// given sum consists of the degrees of the holes and the indices inside. The two sums agree for
+  /// every field.
   PoincareHopfCount count;
-  std::vector<HoleReading> holes;     ///< In the order of the configuration.
-  std::vector<int> prescribedDegrees; ///< Likewise; empty where the field chose by itself.
+  std::vector<HoleReading> holes;     ///< Holes in the order of the configuration.
+  /// In the same order; empty where the field chose its singularities by itself.
+  std::vector<int> prescribedDegrees;
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.
-  /// As solvers count them (UnwantedSingularities.h).
+  /// As counted by the solvers (UnwantedSingularities.h).
   int unwantedSingularities = 0;
-  /// Degrees and chosen corners are as prescribed, and there are no unwanted singularities.
+  /// Whether degrees and chosen corners are as prescribed, and there are no unwanted singularities.
   bool asPrescribed = false;
-  std::string reason; ///< One sentence.
+  std::string reason; ///< The result in one sentence.
 };
 
-/// Reads degrees of holes, interior indices and the indices of corners from a field; `choices` are the
-/// quarter indices that it was asked to take, `points` its singularities that are not holes; `byItself` as in
-/// FieldRequest. Throws Error when it has a value that is not finite, or is not aligned with the boundary.
+/// Reads the degrees of holes, interior indices and indices of corners from a field. `choices` are
+/// the prescribed quarter indices of corners, `points` the prescribed singularities that are not
+/// holes; `byItself` as in FieldRequest. Throws Error when the field has a value that is not
+/// finite, or is not aligned with the boundary.
 FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& choices = {},
   const Configuration& points = {}, bool byItself = false);
 }

@@ -28,7 +28,8 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
   const EdgeNumbering& edges = topology.edges;
   FieldIndices indices;
   indices.ofTriangle.resize(mesh.triangles.size());
-  // Change of arg u around each vertex, from midpoint to midpoint, inside the domain: of either half of the triangles.
+  // Change of arg u around each vertex, from midpoint to midpoint inside the domain, for either
+  // half of the triangles.
   std::array<std::vector<double>, 2> parts;
   const auto triangleCount = static_cast<int>(mesh.triangles.size());
   const auto read = [&](std::size_t half)
@@ -42,7 +43,8 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
       for (std::size_t i = 0; i < 3; ++i)
       {
         // Edges i and i + 1 of the triangle meet in its vertex i + 1, around which the same step is
-        // taken backwards: computed once, so that everything adds up to zero whatever the rounding.
+        // taken in the opposite direction. It is computed once, so that everything adds up to zero
+        // regardless of rounding.
         const double step =
           WrappedStep(u[edges.ofTriangle[t][i]], u[edges.ofTriangle[t][(i + 1) % 3]]);
         sum += step;
@@ -87,7 +89,7 @@ void MergeAtVertices(
 
 bool HoleReading::Reliable() const
 {
-  // Below a tenth of the largest norm the direction of u between two edges is anyone's guess.
+  // Below a tenth of the largest norm the direction of u between two edges is unreliable.
   return this->largestStep <= 0.5 * Pi && this->minimumNorm > 0.1 * this->maximumNorm;
 }
 

@@ -10,8 +10,8 @@ namespace crossfield
 {
 namespace
 {
-/// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones, if any are;
-/// returns the sum over the holes, which the indices inside do not contain.
+/// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones, if
+/// any. Returns the sum over the holes, which the indices inside do not include.
 int ReadDegrees(const CrossField& field, const FieldRequest& question, FieldReading& reading)
 {
   int excess = 0;

@@ -5,31 +5,33 @@
 
 namespace crossfield
 {
-/// What a field on a mesh shows, whoever computed it (docs/method.md §8).
+/// Properties of a field on a mesh, independent of the method that computed it (docs/method.md §8).
 struct FieldReading
 {
-  /// What its boundary asks of it.
+  /// Count required by its boundary.
   PoincareHopfCount count;
-  /// Of holes, then imprinted circles, in the order of the configuration.
+  /// Holes, then imprinted circles, in the order of the configuration.
   std::vector<HoleReading> holes;
-  int wrongDegrees = 0; ///< Holes whose degree is not the prescribed one.
+  int wrongDegrees = 0; ///< Number of holes whose degree is not the prescribed one.
   bool degreesReached =
-    true; ///< None is wrong, or their sum is right where only that was asked for.
+    /// Whether all degrees are as prescribed, or their sum is where only the sum was prescribed.
+    true;
   int unwantedSingularities = 0; ///< See UnwantedSingularities.h.
 };
 
-/// What was asked of a field beside what its mesh says.
+/// Prescribed properties of a field in addition to those given by its mesh.
 struct FieldRequest
 {
-  PoincareHopfCount count; ///< With the chosen corners.
-  Configuration points;    ///< Singularities that are points.
-  bool onlyTheSum = false; ///< Only the sum of the degrees of all holes was prescribed.
-  /// The field chose its singularities by itself: imprinted circles ask for nothing.
+  PoincareHopfCount count; ///< Count with the chosen corners.
+  Configuration points;    ///< Prescribed singularities that are points.
+  bool onlyTheSum = false; ///< Whether only the sum of the degrees of all holes was prescribed.
+  /// Whether the field chose its singularities by itself; imprinted circles then prescribe nothing.
   bool byItself = false;
 };
 
-/// Where neither holes, circles nor points say where singularities are wanted, as many quarters as the
-/// boundary leaves to the inside are wanted anywhere. Throws Error if the indices of the field do not
-/// add up to 4χ, which a field aligned with the boundary cannot do unless it vanishes on an edge.
+/// Reads a field. Where neither holes, circles nor points prescribe singularities, as many quarters
+/// as the boundary leaves to the interior are expected anywhere. Throws Error if the indices of the
+/// field do not add up to 4χ, which is impossible for a field aligned with the boundary unless it
+/// vanishes on an edge.
 FieldReading ReadField(const CrossField& field, const FieldRequest& question);
 }

@@ -17,7 +17,7 @@ namespace
 {
 using Place = FieldSingularity::Place;
 
-/// What the boundary makes of each vertex.
+/// Role of a vertex given by the boundary.
 struct VertexRole
 {
   Place place = Place::Inside;
@@ -47,7 +47,7 @@ std::vector<VertexRole> FindRoles(
   return roles;
 }
 
-/// Sets of vertices that are united pair by pair.
+/// Disjoint sets of vertices (union-find).
 class VertexSets
 {
 public:
@@ -71,19 +71,22 @@ private:
   std::vector<int> Parent;
 };
 
-/// The singular triangles and vertices that are read as one singularity.
+/// Singular triangles and vertices that are read as one singularity.
 struct Cluster
 {
   int quarterIndex = 0;
   int weight = 0; ///< Σ |index|.
   Point weighted = Point::Zero();
-  VertexRole role; ///< Of its vertices as long as all are on a loop.
+  VertexRole role; ///< Role of its vertices as long as all are on a loop.
   bool onBoundary = true;
-  double edge = 0.0;            ///< Longest edge at its vertices and those of its triangles.
-  std::vector<Point> zeros;     ///< Of the piecewise linear field, with the sign of quarterIndex.
-  bool touchesBoundary = false; ///< Then the mean may be outside the domain, and one of these is
-  std::vector<Point> places;    ///< taken: of all if all are on the boundary, else of those inside.
-  std::vector<int> vertices; ///< Which vertex each of these is; −1: the centroid of a triangle.
+  double edge = 0.0;            ///< Longest edge at its vertices and at those of its triangles.
+  /// Zeros of the piecewise linear field with the sign of quarterIndex.
+  std::vector<Point> zeros;
+  /// Whether the mean may be outside the domain, so that one of `places` is used.
+  bool touchesBoundary = false;
+  /// Candidate positions: all if all are on the boundary, otherwise those inside.
+  std::vector<Point> places;
+  std::vector<int> vertices; ///< Vertex of each of `places`; −1 for the centroid of a triangle.
 
   void Add(int index, const Point& place, int vertex, const VertexRole& at, double longestEdge)
   {
@@ -108,8 +111,8 @@ struct Cluster
   }
 };
 
-/// The zero of the linear function on a triangle with the values u at the midpoints of its sides
-/// and `sign` as the sign of its Jacobian determinant, if it lies in the triangle.
+/// Returns the zero of the linear function on a triangle with the values u at the midpoints of its
+/// sides, if the zero lies in the triangle and the Jacobian determinant has sign `sign`.
 std::optional<Point> LinearZero(const TriangleMesh& mesh, const EdgeNumbering& edges,
   const ComplexVector& u, std::size_t t, int sign)
 {
@@ -154,7 +157,7 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
   return sum / 3.0;
 }
 
-/// Longest edge at each vertex that is asked for.
+/// Returns the longest edge at each vertex marked in the second argument.
 std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector<char>& asked)
 {
   std::vector<double> longest(topology.mesh.points.size(), 0.0);
@@ -174,7 +177,7 @@ std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector
   return longest;
 }
 
-/// Merges what is singular off the corners.
+/// Merges singular triangles and vertices away from corners.
 std::map<int, Cluster> FindClusters(
   const CrossField& field, const FieldIndices& indices, const std::vector<VertexRole>& roles)
 {
@@ -237,7 +240,7 @@ std::map<int, Cluster> FindClusters(
         indices.ofVertex[vertex], mesh.points[vertex], v, roles[vertex], longest[vertex]);
     }
   }
-  // Zeros are looked for in the singular triangles and around the singular vertices.
+  // Search for zeros in the singular triangles and around the singular vertices.
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto& triangle = mesh.triangles[t];
@@ -255,7 +258,7 @@ std::map<int, Cluster> FindClusters(
   return clusters;
 }
 
-/// Which of some points is nearest to another.
+/// Returns the index of the nearest of several points.
 std::size_t Nearest(const std::vector<Point>& points, const Point& centre)
 {
   const auto nearest = std::min_element(points.begin(), points.end(),

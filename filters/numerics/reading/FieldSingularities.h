@@ -6,10 +6,10 @@
 
 namespace crossfield
 {
-/// A place where a cross field is singular. `radius` is that of the hole, 0 for all others.
+/// Singularity of a cross field. `radius` is that of the hole, and 0 for all others.
 struct FieldSingularity : Singularity
 {
-  /// Where it is; the codes of `BoundaryKind`.
+  /// Location relative to the boundary; the codes are those of `BoundaryKind`.
   enum class Place
   {
     Inside = 0,
@@ -20,44 +20,49 @@ struct FieldSingularity : Singularity
   Place place = Place::Inside;
   /// Loop number on the boundary, row of the configuration for holes, −1 inside.
   int id = -1;
-  /// The vertex of the mesh that it is at on an outer or inner loop, else −1.
+  /// Vertex of the mesh on an outer or inner loop, else −1.
   int vertex = -1;
-  /// Longest edge at the vertices of its triangles: how well its place is known.
+  /// Longest edge at the vertices of its triangles, the accuracy of the position.
   double edge = 0.0;
 };
 
 struct FieldSingularityOptions
 {
-  /// Also the corners of the boundary, with the quarter index that the field takes there, if any.
+  /// Includes the corners of the boundary, with the quarter index that the field has there, if it
+  /// is not 0.
   bool corners = false;
-  /// Also the holes, at their centres, with the degree of the field on them, if any.
+  /// Includes the holes, at their centres, with the degree of the field on them, if it is not 0.
   bool holes = false;
-  /// A vertex of an outer or inner loop that turns by more is a corner; radians.
+  /// Turning angle in radians above which a vertex of an outer or inner loop is a corner.
   double cornerAngle = DefaultCornerAngle;
-  /// Further vertices of aligned loops that are read like corners: those with a chosen quarter index.
+  /// Further vertices of aligned loops that are read like corners: those with a chosen quarter
+  /// index.
   std::vector<int> chosenVertices;
 };
 
-/// Reads the singularities of a field, one for each, from the indices of triangles and vertices
-/// (FieldIndices.h). The field may vanish.
+/// Finds the singularities of a field from the indices of triangles and vertices (FieldIndices.h).
+/// The field may vanish.
 ///
 /// Wherever u turns by more than half a turn from one midpoint to the next, the index of one
-/// singularity is spread over neighbouring triangles and vertices, and for |k| ≥ 2 with both signs.
-/// So singular triangles and vertices are merged when they share a vertex or are joined by an edge;
-/// the quarter index is their sum, and what adds up to zero is none. Corners take the indices of
-/// their triangles (MergeAtVertices) and are merged with nothing else, they are of the boundary.
+/// singularity is spread over neighbouring triangles and vertices, with both signs if |k| ≥ 2. So
+/// singular triangles and vertices are merged when they share a vertex or are joined by an edge.
+/// The quarter index is the sum of their indices; a sum of zero is no singularity. Corners take the
+/// indices of their triangles (MergeAtVertices) and are merged with nothing else, because they
+/// belong to the boundary.
 ///
-/// The position is the zero of the piecewise linear field if |k| = 1 and one lies in the merged
-/// triangles, else the mean of the centroids and vertices weighted by |index|; next to the boundary, where
-/// the mean may be outside, the one of them nearest to it. A singularity of which nothing but vertices of a loop is left has moved into the boundary: the place says so.
+/// The position is the zero of the piecewise linear field if |k| = 1 and a zero lies in the merged
+/// triangles, otherwise the mean of the centroids and vertices weighted by |index|. Next to the
+/// boundary, where the mean may be outside, the position is the nearest of them to the mean. A
+/// singularity that consists only of vertices of a loop has moved into the boundary; its `place` is
+/// then that loop.
 ///
 /// The result is sorted by place, then by x and y. Throws Error for values that are not finite, and
 /// if the indices inside, on the boundary and on holes do not add up to 4χ, as they do for every
-/// field that is aligned with outer and inner loops.
+/// field that is aligned with the outer and inner loops.
 std::vector<FieldSingularity> FindFieldSingularities(
   const CrossField& field, const FieldSingularityOptions& options = {});
 
-/// The same where the indices are at hand.
+/// Finds the singularities from indices that have already been read.
 std::vector<FieldSingularity> FindFieldSingularities(
   const CrossField& field, const FieldIndices& indices, const FieldSingularityOptions& options);
 }

@@ -7,15 +7,15 @@ namespace crossfield
 {
 namespace
 {
-/// What is found at a place where some total of quarter indices is wanted.
+/// Indices found at a place where a certain sum of quarter indices is expected.
 struct Found
 {
   int sum = 0;
   int size = 0; ///< Σ |k|.
 };
 
-/// How far from the centre of an imprinted circle singularities are its own: its radius and one edge,
-/// which is how well the place of a singularity is known.
+/// Returns the distance from the centre of an imprinted circle within which singularities belong to
+/// it: its radius plus one edge, which is the accuracy of a singularity's position.
 double ReachOf(const BoundaryLoop& circle, const Point& centre, const MeshTopology& topology)
 {
   double reach = 0.0;

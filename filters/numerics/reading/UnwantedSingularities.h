@@ -4,26 +4,26 @@
 
 namespace crossfield
 {
-/// Where singularities of a field are wanted, beside the holes and imprinted circles of its mesh.
+/// Expected singularities of a field, in addition to the holes and imprinted circles of its mesh.
 struct WantedSingularities
 {
   Configuration points;
-  /// Vertices of aligned loops whose quarter index was chosen; what the field does next to them is
-  /// theirs.
+  /// Vertices of aligned loops whose quarter index was chosen; singularities next to them belong to
+  /// them.
   std::vector<int> chosenVertices;
-  /// What imprinted circles ask for is wanted.
+  /// Whether the indices of imprinted circles are expected.
   bool inCircles = true;
-  /// So many quarters of whatever sign are wanted, no matter where.
+  /// Number of quarters, of either sign, that are expected anywhere.
   int anywhere = 0;
 };
 
-/// Number of quarter indices, counted by |k|, that nobody asked for: the one rule by which solvers and
-/// checks tell them (docs/method.md §8.4).
+/// Returns the number of unwanted quarter indices, counted by |k|. Solvers and checks share this
+/// rule (docs/method.md §8.4).
 ///
-/// The singularities are those of FieldSingularities.h off corners and chosen vertices, which may take
-/// what they like. In an imprinted circle, or within an edge of it, they count as far as they exceed what
-/// it asks for. Within two edges of a point the mesh cannot tell several from one: their sum counts.
-/// `indices` are those of the field.
+/// The singularities are those of FieldSingularities.h, without corners and chosen vertices, whose
+/// indices are free. In an imprinted circle, or within an edge of it, they count as far as they
+/// exceed the index of the circle. Within two edges of a point the mesh cannot separate several
+/// singularities, so their sum counts. `indices` are those of the field.
 int CountUnwanted(
   const CrossField& field, const FieldIndices& indices, const WantedSingularities& wanted);
 }

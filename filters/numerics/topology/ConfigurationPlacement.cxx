@@ -48,7 +48,8 @@ PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
   {
     return placed;
   }
-  // The smallest rotations do not fit: the cheapest assignment around what was given.
+  // The smallest rotations do not give the required sum: use the cheapest assignment that keeps the
+  // given indices.
   ClassificationOptions options;
   const std::vector<Corner> all = FindCorners(domain.loops);
   const auto isAt = [reach](const Point& position)

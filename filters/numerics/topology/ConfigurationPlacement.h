@@ -6,18 +6,18 @@
 
 namespace crossfield
 {
-/// What SolveHField makes of a configuration.
+/// A configuration divided into interior singularities and corners.
 struct PlacedConfiguration
 {
   Configuration interior;
-  std::vector<std::size_t> rows; ///< Of the interior ones in the configuration.
+  std::vector<std::size_t> rows; ///< Rows of the interior singularities in the given configuration.
   std::vector<CornerChoice>
-    corners; ///< Given ones, then those of the cheapest assignment, if used.
+    corners; ///< The given corners, followed by those of the cheapest assignment if it is used.
 };
 
-/// Tells singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from those
-/// inside, and completes the corners; see SolveHField. A singularity at a corner replaces a choice for it
-/// in `corners`: the optimiser makes such singularities.
+/// Separates singularities at vertices of outer and inner loops, within 1e-6 of the diagonal, from
+/// those inside, and completes the corners; see SolveHField. A singularity at a corner replaces the
+/// choice for it in `corners`; the optimiser creates such singularities.
 PlacedConfiguration PlaceConfiguration(const MeshTopology& topology,
   const Configuration& configuration, const std::vector<CornerChoice>& corners);
 }

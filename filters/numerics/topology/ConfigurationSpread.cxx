@@ -16,7 +16,8 @@ namespace crossfield
 {
 namespace
 {
-/// Radius of the largest disk around a place that stays off those of the others, all of one size.
+/// Returns the radius of the largest disk around a place inside the domain that does not overlap
+/// equal disks around the other singularities.
 double Room(const Point& place, double clearance, const Configuration& others, std::size_t except)
 {
   double room = clearance;
@@ -30,7 +31,7 @@ double Room(const Point& place, double clearance, const Configuration& others, s
   return room;
 }
 
-/// Places inside the domain to choose from, with their distance to the boundary.
+/// Candidate places inside the domain, with their distances to the boundary.
 struct Candidates
 {
   std::vector<Point> places;
@@ -63,7 +64,7 @@ struct Candidates
     }
   }
 
-  /// The candidate with the most room beside the others.
+  /// Returns the candidate with the largest free disk beside the others.
   std::size_t Best(const Configuration& others, std::size_t except) const
   {
     std::size_t best = 0;
@@ -71,7 +72,7 @@ struct Candidates
     for (std::size_t i = 0; i < this->places.size(); ++i)
     {
       const double room = Room(this->places[i], this->clearances[i], others, except);
-      // By more than rounding, so that mirrored domains are not decided by it.
+      // The margin above rounding prevents rounding from deciding on symmetric domains.
       if (room > most * (1.0 + 1e-9))
       {
         best = i;
@@ -82,7 +83,8 @@ struct Candidates
   }
 };
 
-/// The corners of a loop, starting behind one that is not cancelled, so that no pair is cut.
+/// Returns the corners of a loop, starting after one that is not cancelled, so that no pair is
+/// split.
 std::vector<Corner> CornersOfLoop(const std::vector<Corner>& corners, int loop)
 {
   std::vector<Corner> own;
@@ -94,7 +96,7 @@ std::vector<Corner> CornersOfLoop(const std::vector<Corner>& corners, int loop)
   return own;
 }
 
-/// One +1 for every two corners in [3π/4, π) that follow each other on a loop, or for a single one.
+/// Returns one +1 for every two consecutive corners in [3π/4, π) on a loop, or for a single one.
 Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Corner>& corners)
 {
   Configuration added;
@@ -120,7 +122,8 @@ Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Co
     singularity.position = from + std::min(reach, 0.25 * way) * inward;
     if (SignedDistance(singularity.position, domain) <= 0.0)
     {
-      // Between two corners of a curve the way may leave the domain; the first corner's does not.
+      // The segment between two corners on a curve may leave the domain; the inward ray of the
+      // first corner does not.
       const double own = ClearWay(domain, corners[i].position, corners[i].inward);
       singularity.position = corners[i].position + 0.25 * own * corners[i].inward;
     }
@@ -158,7 +161,7 @@ Configuration SpreadConfiguration(
       .requiredInteriorQuarters -
     TotalQuarters(result);
 
-  // 1. One after the other to where there is most room.
+  // 1. Add singularities one by one at the place with the largest free disk.
   const Candidates candidates(domain);
   progress.Report(0.5);
   if (candidates.places.empty() && missing != 0)
@@ -175,8 +178,8 @@ Configuration SpreadConfiguration(
     result.push_back(singularity);
   }
 
-  // 2. Again and again, until none wants to move. Every move makes one of them freer, but moves
-  //    might come back to where they were.
+  // 2. Move singularities in turn until none can be improved. Every move enlarges the free disk of
+  // one of them, but moves may repeat in a cycle.
   constexpr int MostSweeps = 50;
   bool moved = true;
   for (int sweep = 0; sweep < MostSweeps && moved; ++sweep)

@@ -11,29 +11,31 @@ namespace crossfield
 struct SpreadOptions
 {
   double cornerAngle = DefaultCornerAngle;
-  /// Chosen quarter indices of corners; the others count by the smallest rotation.
+  /// Chosen quarter indices of corners; all others have the index of the smallest rotation.
   std::vector<CornerChoice> corners;
-  /// Singularities that stay as they are; those that they lack are added.
+  /// Singularities that are kept unchanged; missing ones are added to them.
   Configuration given;
-  /// Adds a +1 for corners in [3π/4, π), one for two corners that follow each other, and as many
-  /// −1 elsewhere, so that these corners become regular points of the boundary.
+  /// Adds a +1 for corners in [3π/4, π), one for every two consecutive corners, and the same number
+  /// of −1 elsewhere, so that these corners become regular points of the boundary.
   bool cancelFlatCorners = false;
 };
 
-/// A consistent configuration from counting and room alone: the given singularities, then those that
-/// cancel corners, then as many of +1 or −1 as the Poincaré-Hopf theorem still asks for (paper, the
-/// algorithm that closes "Generalized Poincaré-Hopf theorem").
+/// Returns a consistent configuration derived from counting and distances alone: the given
+/// singularities, those that cancel corners, and as many of +1 or −1 as the Poincaré-Hopf theorem
+/// still requires (paper, the algorithm that closes "Generalized Poincaré-Hopf theorem").
 ///
-/// Positions are spread: each is moved in turn to where the largest disk fits between the boundary
-/// and the disks of the others, on a grid of 1/64 of the domain's size. Radii are those of
-/// GiveRadii. Throws Error when a given singularity lies outside the domain, or there is no room.
+/// Positions are spread: each singularity is moved in turn to the centre of the largest disk that
+/// fits between the boundary and the disks of the others, on a grid of 1/64 of the domain's size.
+/// Radii are those of GiveRadii. Throws Error when a given singularity lies outside the domain, or
+/// the domain is too thin.
 Configuration SpreadConfiguration(
   const PlanarDomain& domain, const SpreadOptions& options = {}, const Progress& progress = {});
 
-/// The place with the most room beside singularities, on the same grid; none where the domain is too thin.
+/// Returns the place with the largest free disk beside the given singularities, on the same grid;
+/// none where the domain is too thin.
 std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configuration& others);
 
-/// Gives singularities from the number `first` on the radius that a drilled mesh of the default size would
-/// choose (HoleRadii.h).
+/// Sets the radii of the singularities from index `first` on to those that a drilled mesh of the
+/// default size would choose (HoleRadii.h).
 void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first = 0);
 }

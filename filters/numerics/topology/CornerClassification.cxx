@@ -13,8 +13,8 @@ namespace crossfield
 {
 namespace
 {
-/// Number of quarter indices below which the price λ per quarter is no better:
-/// k minimises e(α, k) − λk between Threshold − 1 and Threshold.
+/// Returns the threshold of the quarter index at price λ per quarter: the integer k between
+/// Threshold − 1 and Threshold minimises e(α, k) − λk.
 double Threshold(double angle, double price)
 {
   return 2.5 - 2.0 * angle / Pi + 4.0 * angle * price / (Pi * Pi);
@@ -30,13 +30,14 @@ int LargestMinimiser(double angle, double price)
   return static_cast<int>(std::floor(Threshold(angle, price) + AngleRounding));
 }
 
-/// Rounding of the cost of a quarter at a corner, which is an angle divided by the corner's own.
+/// Returns the rounding error of the cost of a quarter at a corner, which is an angle divided by
+/// the corner angle.
 double CostRounding(const Corner& corner)
 {
   return Pi * AngleRounding / corner.angle;
 }
 
-/// The problem as arrays over corners.
+/// Assignment problem, with one array entry per corner.
 class Assignment
 {
 public:
@@ -69,7 +70,7 @@ public:
     return cost;
   }
 
-  /// Indices by a rule that looks at one corner at a time.
+  /// Returns the indices given by a rule that considers one corner at a time.
   template <class Rule>
   std::vector<int> Each(Rule rule) const
   {
@@ -81,8 +82,8 @@ public:
     return indices;
   }
 
-  /// Raises the cheapest corners one by one until the sum is as wanted, or the next costs more than
-  /// `limit`.
+  /// Raises the cheapest corners one by one until the sum is reached or the next quarter costs more
+  /// than `limit`.
   void Raise(std::vector<int>& indices, double limit) const
   {
     for (int sum = this->Sum(indices); sum < this->Wanted; ++sum)
@@ -97,7 +98,7 @@ public:
     }
   }
 
-  /// Lowers the cheapest corners one by one until the sum is as wanted.
+  /// Lowers the cheapest corners one by one until the sum is reached.
   void Lower(std::vector<int>& indices) const
   {
     for (int sum = this->Sum(indices); sum > this->Wanted; --sum)
@@ -111,7 +112,8 @@ public:
     }
   }
 
-  /// Every corner is where no single quarter moved between it and the interior pays.
+  /// Returns whether no move of a single quarter between a corner and the interior decreases the
+  /// energy.
   bool Balanced(const std::vector<int>& indices) const
   {
     for (std::size_t i = 0; i < indices.size(); ++i)
@@ -126,8 +128,9 @@ public:
     return this->Sum(indices) == this->Wanted;
   }
 
-  /// Which corners have another index in some other assignment of the same energy. The minimisers
-  /// of such a sum are connected by single steps and exchanges (they are M♮-convex).
+  /// Returns which corners have another index in some other assignment of the same energy. The
+  /// minimisers of such a sum are connected by single steps and exchanges (they form an M♮-convex
+  /// set).
   std::vector<bool> Ties(const std::vector<int>& indices) const
   {
     std::vector<bool> tied(indices.size(), false);
@@ -166,7 +169,8 @@ private:
                     : -NextQuarterCost(this->Corners[i].angle, indices[i] - 1);
   }
 
-  /// The first corner where a step costs least; the number of corners when none is free.
+  /// Returns the first corner where a step costs the minimum, or the number of corners when no step
+  /// is possible.
   std::size_t Cheapest(const std::vector<int>& indices, int step) const
   {
     std::size_t best = indices.size();
@@ -251,7 +255,7 @@ CornerClassification ClassifyCorners(
   const double interior = InteriorQuarterEnergy(options.coefficient);
   const Assignment problem(result.corners, wanted, interior);
 
-  // 1. The three scenarios.
+  // 1. Evaluate the three scenarios.
   const std::vector<int> scarce =
     problem.Each([&](double angle) { return SmallestMinimiser(angle, interior); });
   const std::vector<int> excess =
@@ -266,7 +270,7 @@ CornerClassification ClassifyCorners(
   costs[1].feasible = problem.Balanced(balanced);
   costs[2].feasible = costs[2].sum >= wanted;
 
-  // 2. The exact minimum.
+  // 2. Find the exact minimum.
   std::vector<int> best =
     problem.Each([&](double angle) { return SmallestMinimiser(angle, -interior); });
   problem.Raise(best, interior);
@@ -276,7 +280,7 @@ CornerClassification ClassifyCorners(
                                  : Scenario::Balanced;
   const std::vector<bool> tied = problem.Ties(best);
 
-  // 3. The corners.
+  // 3. Fill in the corners.
   for (std::size_t i = 0; i < result.corners.size(); ++i)
   {
     ClassifiedCorner& corner = result.corners[i];

@@ -4,10 +4,10 @@
 
 namespace crossfield
 {
-/// Singular energy of a corner of interior angle α, in radians, with quarter index k:
-///   e(α, k) = (π − α − k π/2)² / (2α),
-/// the coefficient of log(1/ρ) in ½ ∫ |∇θ|² around it: the cross turns by the remainder
-/// π − α − k π/2 across the angle α (docs/method.md §6.1; paper, "Ginzburg-Landau energy for piecewise-smooth
+/// Returns the singular energy of a corner of interior angle α, in radians, with quarter index k:
+/// e(α, k) = (π − α − k π/2)² / (2α),
+/// the coefficient of log(1/ρ) in ½ ∫ |∇θ|² around it: the cross turns by the remainder π − α − k
+/// π/2 across the angle α (docs/method.md §6.1; paper, "Ginzburg-Landau energy for piecewise-smooth
 /// closed boundaries").
 inline double CornerEnergy(double angle, int quarterIndex)
 {
@@ -15,7 +15,7 @@ inline double CornerEnergy(double angle, int quarterIndex)
   return remainder * remainder / (2.0 * angle);
 }
 
-/// e(α, k + 1) − e(α, k) = π (π/4 − (π − α − k π/2)) / (2α), which grows with k.
+/// Returns e(α, k + 1) − e(α, k) = π (π/4 − (π − α − k π/2)) / (2α), which increases with k.
 inline double NextQuarterCost(double angle, int quarterIndex)
 {
   return Pi * (0.25 * Pi - (Pi - angle - quarterIndex * 0.5 * Pi)) / (2.0 * angle);
@@ -24,8 +24,8 @@ inline double NextQuarterCost(double angle, int quarterIndex)
 /// Energy of one interior singularity of quarter index ±1.
 enum class InteriorCoefficient
 {
-  Logarithm, ///< π (1/4)² = π/16, the same count as at corners, which the paper's theorems use.
-  Printed    ///< (1/2π) (2π/4)² = π/8, as the paper prints it.
+  Logarithm, ///< π (1/4)² = π/16, consistent with corners; used by the paper's theorems.
+  Printed    ///< (1/2π) (2π/4)² = π/8, as printed in the paper.
 };
 
 inline double InteriorQuarterEnergy(InteriorCoefficient coefficient)

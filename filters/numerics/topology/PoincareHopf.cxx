@@ -10,7 +10,7 @@ namespace crossfield
 {
 namespace
 {
-/// The chosen quarter index of every vertex that has one.
+/// Returns, for every vertex of every loop, its chosen quarter index if it has one.
 std::vector<std::vector<std::optional<int>>> ChosenIndices(
   const std::vector<Loop>& loops, const std::vector<CornerChoice>& choices)
 {
@@ -78,7 +78,7 @@ PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInterio
 double SmallestRotation(double turning)
 {
   double rotation = std::remainder(turning, 0.5 * Pi);
-  // An angle of exactly π/4 may come out of the coordinates' rounding on either side.
+  // Rounding of the coordinates may put an angle of exactly π/4 on either side.
   if (rotation < -0.25 * Pi + AngleRounding)
   {
     rotation += 0.5 * Pi;
@@ -142,7 +142,7 @@ std::string ConsistencyReason(
   const std::string mend = sums + " but the Poincaré-Hopf theorem asks for " +
     std::to_string(count.requiredInteriorQuarters) + domain + "; add singularities of total " +
     std::to_string(missing);
-  // As many are surely there only where what is left has the sign of what was given.
+  // Removal is certain to be possible only where the remaining sum has the sign of the given one.
   const bool removable = missing * count.givenInteriorQuarters < 0 &&
     std::abs(missing) <= std::abs(count.givenInteriorQuarters);
   return mend + (removable ? " or remove some of total " + std::to_string(-missing) + "." : ".");

@@ -8,24 +8,24 @@
 
 namespace crossfield
 {
-/// What one loop contributes to the count; all loops together give its sums.
+/// Contribution of one loop to the count; the sums of PoincareHopfCount are over all loops.
 struct LoopCount
 {
-  double valence = 0.0;        ///< As in PoincareHopfCount, of this loop.
-  double tangentTurning = 0.0; ///< Likewise.
-  /// Quarter indices of its corners. Its part of the required quarters is 4 minus this for the
-  /// outer loop, −4 minus this for an inner one.
+  double valence = 0.0;        ///< As in PoincareHopfCount, for this loop.
+  double tangentTurning = 0.0; ///< As in PoincareHopfCount, for this loop.
+  /// Sum of the quarter indices of its corners. The loop contributes 4 minus this to the required
+  /// quarters if it is the outer loop, and −4 minus this if it is an inner one.
   int cornerQuarters = 0;
 };
 
-/// A corner with the quarter index that it was counted with.
+/// Corner with the quarter index used in the count.
 struct CountedCorner : Corner
 {
   int quarterIndex = 0;
-  bool chosen = false; ///< Instead of the smallest rotation.
+  bool chosen = false; ///< Whether the index was chosen, not taken from the smallest rotation.
 };
 
-/// The count of quarter indices of the generalised Poincaré-Hopf theorem (docs/method.md §7.1; paper,
+/// Count of quarter indices by the generalised Poincaré-Hopf theorem (docs/method.md §7.1; paper,
 /// "Generalized Poincaré-Hopf theorem").
 struct PoincareHopfCount
 {
@@ -33,12 +33,12 @@ struct PoincareHopfCount
   /// (1/2π) Σ over corners of the smallest rotation of the cross, in (−π/4, π/4], that keeps it
   /// aligned with the boundary; where a quarter index k was chosen, of the turning angle − k π/2.
   double valence = 0.0;
-  /// (1/2π) of the rotation of the tangent along the boundary without its corners.
+  /// 1/2π times the rotation of the tangent along the boundary without its corners.
   double tangentTurning = 0.0;
   /// 4 (valence + tangentTurning) = 4χ − Σ k over the corners, an integer.
   int requiredInteriorQuarters = 0;
   int givenInteriorQuarters = 0;
-  bool hasChoices = false; ///< Some quarter index was chosen.
+  bool hasChoices = false; ///< Whether some quarter index was chosen.
   std::vector<LoopCount> loops;
   /// Corners, and other vertices with a chosen index.
   std::vector<CountedCorner> corners;
@@ -46,35 +46,39 @@ struct PoincareHopfCount
   bool Consistent() const { return requiredInteriorQuarters == givenInteriorQuarters; }
 };
 
-/// Smallest rotation of a cross, in (−π/4, π/4], that keeps it aligned where the tangent turns.
+/// Returns the smallest rotation of a cross, in (−π/4, π/4], that keeps it aligned where the
+/// tangent turns.
 double SmallestRotation(double turning);
 
-/// The quarter index that the smallest rotation leaves at a corner: (turning − rotation) / (π/2).
+/// Returns the quarter index that the smallest rotation leaves at a corner: (turning − rotation) /
+/// (π/2).
 int SmallestRotationIndex(double turning);
 
 /// Counts over loops with the domain on their left. `choices` replace the smallest rotations at
-/// their vertices, corners or not; Error when one is not at a vertex.
+/// their vertices, which need not be corners. Throws Error when a choice is not at a vertex.
 PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInteriorQuarters,
   double cornerAngle = DefaultCornerAngle, const std::vector<CornerChoice>& choices = {});
 
-/// The choices that a count was made with, completed by index 1 for the corners whose smallest rotation has
-/// index 2 or more, which have no angle in a flat map (docs/method.md §12).
+/// Returns the choices with which a count was made, completed by index 1 for the corners whose
+/// smallest rotation has index 2 or more. Such corners have no angle in a seamless map
+/// (docs/method.md §12).
 std::vector<CornerChoice> CapCorners(
   const PoincareHopfCount& count, const std::vector<CornerChoice>& choices);
 
-/// Counts over the aligned loops of a mesh, and the quarter indices of its holes and imprinted circles.
+/// Counts over the aligned loops of a mesh, and adds up the quarter indices of its holes and
+/// imprinted circles.
 PoincareHopfCount CountMeshQuarters(
   const MeshTopology& topology, const std::vector<CornerChoice>& choices = {});
 
-/// Radians; a smaller holonomy defect may come from the mesh.
+/// Holonomy defect, in radians, below which the defect may be an artefact of the mesh.
 constexpr double NoticeableDefect = 1e-2;
 
-/// One sentence: the sums agree, or by how much they differ and what to add, or to remove if the sum given
-/// says that there is as much. When they
-/// agree it also names the first inner loop with a NoticeableDefect (HolonomyCheck.h).
+/// Returns one sentence: either that the sums agree, or by how much they differ and what to add. It
+/// also suggests what to remove if the given sum shows that there is enough to remove. When the
+/// sums agree it names the first inner loop with a NoticeableDefect (HolonomyCheck.h).
 std::string ConsistencyReason(
   const PoincareHopfCount& count, const std::vector<double>& holonomyDefects = {});
 
-/// Throws Error with this sentence when the sums differ.
+/// Throws Error with the sentence of ConsistencyReason when the sums differ.
 void RequireConsistent(const PoincareHopfCount& count);
 }
