@@ -181,7 +181,7 @@ class Singularities(ProgramTest):
     def test_inconsistent_configuration(self):
         write_configuration(self.folder / "three.csv", FOUR[:3])
         self.refuse_solve("builtin:disk", singularities="three.csv", status=1,
-                          says=["add up to 3", "asks for 4"])
+                          says=["add up to 3", "requires 4"])
         # It can still be meshed.
         self.succeed("drill", "builtin:disk", "-s", "three.csv", "-o", "mesh.vtu")
 

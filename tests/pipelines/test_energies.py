@@ -76,7 +76,7 @@ class HField(EnergiesTest):
 
     def test_refusals(self):
         self.refuse("hfield", "builtin:disk", "-s", "three.csv", "-o", "h.vtu",
-                    says=("add up to 3", "asks for 4"), status=1)
+                    says=("add up to 3", "requires 4"), status=1)
         self.refuse("hfield", "builtin:disk", "-s", "none.csv", "-o", "h.vtu", says=("none.csv",))
         self.refuse("hfield", "builtin:disk", "-s", "five.csv", "-o", "h.csv", says=(".vtu",))
         write_configuration(self.folder / "far.csv", [(3, 0, 4, 0.1)])

@@ -461,7 +461,7 @@ class Files(ProgramTest):
         write_configuration(self.folder / "none.csv", [])
         result = self.run_program("solve", "mesh.vtu", "-s", "none.csv", "--json", "-")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("asks for -12", result.stderr)
+        self.assertIn("requires -12", result.stderr)
 
     def test_options_of_the_domain(self):
         for name in ("disk", "ring", "ellipse", "quarter-disk", "square", "rectangle", "l-shape"):

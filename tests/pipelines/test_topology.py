@@ -70,7 +70,7 @@ class Check(TopologyTest):
     def test_an_inconsistent_configuration_says_what_to_do(self):
         write_configuration(self.folder / "one.csv", [(0.0, 0.0, 1, 0.1)])
         reason = self.check("builtin:disk", "-s", "one.csv", status=1)["reason"]
-        for part in ("add up to 1 ", "asks for 4 ", "total 3."):
+        for part in ("add up to 1 ", "requires 4 ", "total 3."):
             self.assertIn(part, reason)
         self.assertNotIn("remove", reason, "there are none of negative index")
         # The solver refuses it with the same sentence.
@@ -168,7 +168,7 @@ class Check(TopologyTest):
                          ["required_interior_quarters"], 0)
         write_configuration(self.folder / "pair.csv", [(-0.5, 0.0, 1, 0.05), (0.5, 0.0, -1, 0.05)])
         self.refuse_solve("builtin:angular-negative", "--method", "unit-norm",
-                          singularities="pair.csv", says=["asks for -2"], status=1)
+                          singularities="pair.csv", says=["requires -2"], status=1)
         self.solve("builtin:angular-negative", "--method", "unit-norm", "--strict", "--corners",
                    "corners.vtp", singularities="pair.csv")
         # From a table, for one corner only.

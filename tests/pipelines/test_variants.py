@@ -33,7 +33,7 @@ class Variants(ProgramTest):
                          checked["required_interior_quarters"])
         # With --mode perforate the configuration is refused; with --strict two singularities are unwanted.
         self.refuse_solve("builtin:quarter-disk", singularities="minus.csv", status=1,
-                          says=["add up to -1", "asks for 1"])
+                          says=["add up to -1", "requires 1"])
         strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--method",
                                   "constrained", "--mode", "imprint", "--unit-hole", 0, "--strict")
         self.assertEqual((strict.returncode, strict.stderr), (1, ""))
@@ -70,7 +70,7 @@ class Variants(ProgramTest):
                  1, 0.1) for i in range(5)]
         write_configuration(self.folder / "five.csv", rows)
         self.refuse_solve("builtin:disk", singularities="five.csv", status=1,
-                          says=["add up to 5", "asks for 4"])
+                          says=["add up to 5", "requires 4"])
         report = self.solve("builtin:disk", "--method", "constrained", "--epsilon", 0.07,
                             "-o", "five.vtu", singularities="five.csv")
         self.assertEqual(report["hole_degree"], [1] * 5)

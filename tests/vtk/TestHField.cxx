@@ -175,7 +175,7 @@ TEST_F(HField, RejectsInvalidInput)
     this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
     return FilterChecks::CaptureError(this->Filter, parts);
   };
-  EXPECT_EQ(expectError({ { 0.0, 0.0, 3.0, 0.1 } }, { "add up to 3", "asks for 4" }),
+  EXPECT_EQ(expectError({ { 0.0, 0.0, 3.0, 0.1 } }, { "add up to 3", "requires 4" }),
     vtkCrossFieldErrorCodes::Inconsistent);
   EXPECT_EQ(expectError({ { 2.0, 0.0, 4.0, 0.1 } }, { "(2, 0)", "outside the domain" }),
     vtkErrorCode::UserError);

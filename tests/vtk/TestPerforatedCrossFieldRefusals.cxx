@@ -92,8 +92,8 @@ TEST_F(PerforatedCrossFieldRefusals, InconsistentConfiguration)
   const auto disk = TestInputs::Loops({ TestInputs::Circle(64, 1.0) });
   this->ExpectError(
     TestInputs::Drill(disk, { { 0.5, 0.0, 1.0, 0.1 }, { -0.5, 0.0, 2.0, 0.1 } }, 0.2),
-    { "add up to 3", "asks for 4" }, vtkCrossFieldErrorCodes::Inconsistent);
-  this->ExpectError(TestInputs::Drill(disk, {}, 0.2), { "add up to 0", "asks for 4" },
+    { "add up to 3", "requires 4" }, vtkCrossFieldErrorCodes::Inconsistent);
+  this->ExpectError(TestInputs::Drill(disk, {}, 0.2), { "add up to 0", "requires 4" },
     vtkCrossFieldErrorCodes::Inconsistent);
 }
 

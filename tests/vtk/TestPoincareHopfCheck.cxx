@@ -81,7 +81,7 @@ TEST_F(PoincareHopfCheck, ConsistentOnTheDisk)
   EXPECT_EQ(this->Value("GivenInteriorQuarters"), 4.0);
   EXPECT_EQ(this->Value("Consistent"), 1.0);
   EXPECT_EQ(this->Field()->GetArray("HolonomyDefect"), nullptr);
-  EXPECT_NE(this->Reason().find("as the Poincaré-Hopf theorem asks"), std::string::npos);
+  EXPECT_NE(this->Reason().find("as the Poincaré-Hopf theorem requires"), std::string::npos);
   EXPECT_EQ(this->Summary().rfind("Consistent\n", 0), 0u);
   // The domain passes through.
   vtkPolyData* domain = this->Source->GetOutput();
@@ -188,7 +188,7 @@ TEST_F(PoincareHopfCheck, ChosenCornersReachTheSolver)
   solver->SetInputConnection(drill->GetOutputPort());
   solver->SetMethodToUnitNorm();
   EXPECT_EQ(
-    FilterChecks::CaptureError(solver, { "asks for -2" }), vtkCrossFieldErrorCodes::Inconsistent);
+    FilterChecks::CaptureError(solver, { "requires -2" }), vtkCrossFieldErrorCodes::Inconsistent);
   solver->SetCornersConnection(classifier->GetOutputPort());
   FilterChecks::UpdateWithoutError(solver);
   vtkFieldData* report = solver->GetOutput()->GetFieldData();

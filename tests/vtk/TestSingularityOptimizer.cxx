@@ -246,7 +246,7 @@ TEST_F(SingularityOptimizer, AbortReturnsTheBestConfiguration)
 TEST_F(SingularityOptimizer, RejectsInvalidInput)
 {
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 0.0, 0.0, 3.0, 0.1 } }));
-  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 3", "asks for 4" }),
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 3", "requires 4" }),
     vtkCrossFieldErrorCodes::Inconsistent);
   this->Filter->SetSingularitiesData(TestInputs::Singularities({ { 2.0, 0.0, 4.0, 0.1 } }));
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "(2, 0)", "outside the domain" }),

@@ -210,7 +210,7 @@ TEST_F(Variants, PenaltyAllowsAnySumAndReportsOtherSingularities)
     { { 0.6, 0.0, 1.0, 0.1 }, { 0.18, 0.57, 1.0, 0.1 }, { -0.49, 0.35, 1.0, 0.1 },
       { -0.49, -0.35, 1.0, 0.1 }, { 0.18, -0.57, 1.0, 0.1 } });
   this->Filter->SetInputData(five);
-  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 5", "asks for 4" }),
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "add up to 5", "requires 4" }),
     vtkCrossFieldErrorCodes::Inconsistent);
   this->Filter->SetEpsilon(0.1);
   this->Solve(five);

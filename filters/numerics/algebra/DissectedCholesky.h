@@ -60,7 +60,7 @@ public:
     std::vector<Place> places;   ///< Position of each node.
 
     /// Returns Vᵀ y.
-    Eigen::MatrixXd Against(const Eliminated& eliminated) const;
+    Eigen::MatrixXd TransposeTimes(const Eliminated& eliminated) const;
     /// Adds V x to y.
     void AddTo(Eliminated& eliminated, const Eigen::MatrixXd& x) const;
   };

@@ -139,7 +139,8 @@ EliminatedHalf GatherNodes(std::vector<std::vector<SparseCholesky::Rows>>& solve
 }
 }
 
-Eigen::MatrixXd DissectedCholesky::SparseEliminated::Against(const Eliminated& eliminated) const
+Eigen::MatrixXd DissectedCholesky::SparseEliminated::TransposeTimes(
+  const Eliminated& eliminated) const
 {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(this->firsts.back(), eliminated.border.cols());
   for (std::size_t i = 0; i < this->nodes.size(); ++i)

@@ -18,7 +18,7 @@ void RequireNoHoles(const MeshTopology& topology)
   if (topology.LoopCount(BoundaryKind::Hole) > 0)
   {
     throw Error("The mesh has holes for singularities, but the Ginzburg-Landau method places "
-                "singularities by itself; give the domain drilled without any.");
+                "singularities by itself; use a mesh without holes for singularities.");
   }
 }
 

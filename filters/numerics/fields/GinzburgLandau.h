@@ -38,7 +38,7 @@ double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& 
 /// - energy = gradientEnergy + penaltyEnergy;
 /// - count.givenInteriorQuarters is the sum of the singularities found inside, so that the count
 ///   compares what the domain requires with what the field has;
-/// - unwantedSingularities is what the field has beyond the least that the Poincaré-Hopf theorem asks for.
+/// - unwantedSingularities is what the field has beyond the least that the Poincaré-Hopf theorem requires.
 struct GinzburgLandauField : SolvedField
 {
   /// Of the start and after every iteration; never rises by more than rounding.

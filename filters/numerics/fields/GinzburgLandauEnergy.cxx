@@ -18,13 +18,13 @@ const GinzburgLandauPinning& CheckPinning(
   const Eigen::Index norms = pinning.norm.size();
   if (norms != 0 && norms != triangles && norms != edges)
   {
-    throw Error("The norm that the penalty asks for has " + std::to_string(norms) +
+    throw Error("The target norm of the penalty has " + std::to_string(norms) +
       " values on a mesh with " + std::to_string(triangles) + " triangles and " +
       std::to_string(edges) + " edges; give one value per triangle or one per edge.");
   }
   if (!pinning.norm.allFinite() || (norms != 0 && pinning.norm.minCoeff() < 0.0))
   {
-    throw Error("The norm that the penalty asks for is negative or not finite somewhere; give "
+    throw Error("The target norm of the penalty is negative or not finite somewhere; give "
                 "values of 0 or more, 1 where nothing is pinned.");
   }
   const Eigen::Index weights = pinning.gradientWeight.size();

@@ -38,7 +38,7 @@ std::vector<bool> FindUnitLoops(
       loops.begin(), loops.end(), [row](const BoundaryLoop& loop) { return loop.id == row; });
     if (found == loops.end())
     {
-      throw Error("Unit norm was asked for on hole " + std::to_string(row) +
+      throw Error("Unit norm was requested on hole " + std::to_string(row) +
         ", which the mesh does not have; give rows of the configuration, counted from 0.");
     }
     unit[static_cast<std::size_t>(found - loops.begin())] = true;

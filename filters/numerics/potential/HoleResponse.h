@@ -29,7 +29,7 @@ public:
   /// Returns ∇Ψ on all edges of holes, Ψ the solution.
   Eigen::MatrixXd Differences(const PotentialFactor::Eliminated& eliminated) const
   {
-    return this->Columns.Against(eliminated);
+    return this->Columns.TransposeTimes(eliminated);
   }
   /// Adds the sources ∇ᵀx.
   void AddSources(

@@ -22,7 +22,7 @@ std::vector<bool> MarkCounted(const MeshTopology& topology, const PoincareHopfCo
 
 /// Returns the indices of the field at corners, and elsewhere on aligned loops where they are not
 /// 0.
-std::vector<CornerChoice> TakenIndices(
+std::vector<CornerChoice> IndicesOfField(
   const MeshTopology& topology, const FieldIndices& indices, const std::vector<bool>& counted)
 {
   std::vector<CornerChoice> taken;
@@ -39,9 +39,9 @@ std::vector<CornerChoice> TakenIndices(
 
 /// Counts the corners with a chosen index at which the field has a different one.
 int CountOtherCorners(
-  const std::vector<CountedCorner>& wanted, const std::vector<CountedCorner>& taken)
+  const std::vector<CountedCorner>& prescribed, const std::vector<CountedCorner>& taken)
 {
-  return static_cast<int>(std::count_if(wanted.begin(), wanted.end(),
+  return static_cast<int>(std::count_if(prescribed.begin(), prescribed.end(),
     [&taken](const CountedCorner& corner)
     {
       return corner.chosen &&
@@ -75,7 +75,7 @@ std::string Describe(const FieldCheck& check, int otherCorners)
   if (check.unwantedSingularities > 0)
   {
     wrong += (wrong.empty() ? "The field has " : " and ") +
-      std::to_string(check.unwantedSingularities) + " singularities that were not asked for";
+      std::to_string(check.unwantedSingularities) + " unwanted singularities";
   }
   if (otherCorners > 0)
   {
@@ -87,7 +87,7 @@ std::string Describe(const FieldCheck& check, int otherCorners)
   {
     return "The field has interior quarter indices of total " +
       std::to_string(check.interiorQuarters) +
-      ", as its boundary asks, and no holes that prescribe any.";
+      ", as its boundary requires, and no holes that prescribe any.";
   }
   return wrong.empty()
     ? "The field has the prescribed degrees on its holes and no other singularities inside."
@@ -103,8 +103,8 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
     throw Error("The field has values that are not finite numbers; compute it again.");
   }
   const MeshTopology& topology = *field.topology;
-  const PoincareHopfCount asked = CountMeshQuarters(topology, choices);
-  const FieldReading reading = ReadField(field, { asked, points, false, byItself });
+  const PoincareHopfCount prescribed = CountMeshQuarters(topology, choices);
+  const FieldReading reading = ReadField(field, { prescribed, points, false, byItself });
 
   FieldCheck check;
   check.holes = reading.holes;
@@ -129,7 +129,7 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
     check.prescribedDegrees.clear();
   }
   FieldIndices indices = ReadIndices(topology, field.u);
-  const std::vector<bool> counted = MarkCounted(topology, asked);
+  const std::vector<bool> counted = MarkCounted(topology, prescribed);
   MergeAtVertices(topology.mesh, counted, indices);
   check.interiorQuarters =
     std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
@@ -142,9 +142,9 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
     }
   }
 
-  check.count = CountMeshQuarters(topology, TakenIndices(topology, indices, counted));
+  check.count = CountMeshQuarters(topology, IndicesOfField(topology, indices, counted));
   check.count.givenInteriorQuarters = given + check.interiorQuarters;
-  const int otherCorners = CountOtherCorners(asked.corners, check.count.corners);
+  const int otherCorners = CountOtherCorners(prescribed.corners, check.count.corners);
   check.asPrescribed =
     reading.wrongDegrees == 0 && check.unwantedSingularities == 0 && otherCorners == 0;
   check.reason = Describe(check, otherCorners);

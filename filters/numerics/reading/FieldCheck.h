@@ -11,7 +11,7 @@ struct FieldCheck
   /// given sum consists of the degrees of the holes and the indices inside. The two sums agree for
   /// every field.
   PoincareHopfCount count;
-  std::vector<HoleReading> holes;     ///< Holes in the order of the configuration.
+  std::vector<HoleReading> holes; ///< Holes in the order of the configuration.
   /// In the same order; empty where the field chose its singularities by itself.
   std::vector<int> prescribedDegrees;
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.

@@ -12,7 +12,7 @@ namespace
 {
 /// Reads the degrees of holes and imprinted circles and compares them with the prescribed ones, if
 /// any. Returns the sum over the holes, which the indices inside do not include.
-int ReadDegrees(const CrossField& field, const FieldRequest& question, FieldReading& reading)
+int ReadDegrees(const CrossField& field, const FieldRequest& request, FieldReading& reading)
 {
   int excess = 0;
   int ofHoles = 0;
@@ -20,9 +20,9 @@ int ReadDegrees(const CrossField& field, const FieldRequest& question, FieldRead
   {
     reading.holes.push_back(ReadHole(loop, field.topology->edges, field.u));
     const int degree = reading.holes.back().degree;
-    const int asked = question.byItself ? degree : loop.quarterIndex;
-    reading.wrongDegrees += degree != asked ? 1 : 0;
-    excess += degree - asked;
+    const int prescribed = request.byItself ? degree : loop.quarterIndex;
+    reading.wrongDegrees += degree != prescribed ? 1 : 0;
+    excess += degree - prescribed;
     return degree;
   };
   for (const BoundaryLoop& loop : field.topology->loops)
@@ -33,39 +33,39 @@ int ReadDegrees(const CrossField& field, const FieldRequest& question, FieldRead
   {
     read(loop);
   }
-  reading.degreesReached = question.onlyTheSum ? excess == 0 : reading.wrongDegrees == 0;
+  reading.degreesReached = request.onlyTheSum ? excess == 0 : reading.wrongDegrees == 0;
   return ofHoles;
 }
 }
 
-FieldReading ReadField(const CrossField& field, const FieldRequest& question)
+FieldReading ReadField(const CrossField& field, const FieldRequest& request)
 {
   const MeshTopology& topology = *field.topology;
   FieldReading reading;
-  reading.count = question.count;
-  const int degrees = ReadDegrees(field, question, reading);
+  reading.count = request.count;
+  const int degrees = ReadDegrees(field, request, reading);
   const FieldIndices indices = ReadIndices(topology, field.u);
   const int sum = std::accumulate(indices.ofTriangle.begin(), indices.ofTriangle.end(), 0) +
     std::accumulate(indices.ofVertex.begin(), indices.ofVertex.end(), 0) + degrees;
-  if (sum != 4 * question.count.eulerCharacteristic || !field.u.allFinite())
+  if (sum != 4 * request.count.eulerCharacteristic || !field.u.allFinite())
   {
     throw Error("The indices of the field add up to " + std::to_string(sum) + " instead of " +
-      std::to_string(4 * question.count.eulerCharacteristic) +
-      ", which cannot be; the field has a zero or non-finite value on an edge.");
+      std::to_string(4 * request.count.eulerCharacteristic) +
+      ", which is impossible; the field has a zero or non-finite value on an edge.");
   }
   WantedSingularities wanted;
-  wanted.points = question.points;
-  for (const CountedCorner& corner : question.count.corners)
+  wanted.points = request.points;
+  for (const CountedCorner& corner : request.count.corners)
   {
     if (corner.chosen)
     {
       wanted.chosenVertices.push_back(topology.VertexOf(corner));
     }
   }
-  wanted.inCircles = !question.byItself;
-  if (question.byItself || (reading.holes.empty() && wanted.points.empty()))
+  wanted.inCircles = !request.byItself;
+  if (request.byItself || (reading.holes.empty() && wanted.points.empty()))
   {
-    wanted.anywhere = question.count.requiredInteriorQuarters;
+    wanted.anywhere = request.count.requiredInteriorQuarters;
   }
   reading.unwantedSingularities = CountUnwanted(field, indices, wanted);
   return reading;

@@ -33,5 +33,5 @@ struct FieldRequest
 /// as the boundary leaves to the interior are expected anywhere. Throws Error if the indices of the
 /// field do not add up to 4χ, which is impossible for a field aligned with the boundary unless it
 /// vanishes on an edge.
-FieldReading ReadField(const CrossField& field, const FieldRequest& question);
+FieldReading ReadField(const CrossField& field, const FieldRequest& request);
 }

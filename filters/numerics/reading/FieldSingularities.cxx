@@ -79,7 +79,7 @@ struct Cluster
   Point weighted = Point::Zero();
   VertexRole role; ///< Role of its vertices as long as all are on a loop.
   bool onBoundary = true;
-  double edge = 0.0;            ///< Longest edge at its vertices and at those of its triangles.
+  double edge = 0.0; ///< Longest edge at its vertices and at those of its triangles.
   /// Zeros of the piecewise linear field with the sign of quarterIndex.
   std::vector<Point> zeros;
   /// Whether the mean may be outside the domain, so that one of `places` is used.
@@ -158,12 +158,12 @@ Point Centroid(const TriangleMesh& mesh, std::size_t t)
 }
 
 /// Returns the longest edge at each vertex marked in the second argument.
-std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector<char>& asked)
+std::vector<double> LongestEdges(const MeshTopology& topology, const std::vector<char>& marked)
 {
   std::vector<double> longest(topology.mesh.points.size(), 0.0);
   for (const auto& [from, to] : topology.edges.vertices)
   {
-    if (asked[static_cast<std::size_t>(from)] == 0 && asked[static_cast<std::size_t>(to)] == 0)
+    if (marked[static_cast<std::size_t>(from)] == 0 && marked[static_cast<std::size_t>(to)] == 0)
     {
       continue;
     }
@@ -189,10 +189,10 @@ std::map<int, Cluster> FindClusters(
     return indices.ofVertex[v] != 0 && !roles[v].corner;
   };
   VertexSets sets(mesh.points.size());
-  std::vector<char> asked(mesh.points.size());
-  for (std::size_t v = 0; v < asked.size(); ++v)
+  std::vector<char> marked(mesh.points.size());
+  for (std::size_t v = 0; v < marked.size(); ++v)
   {
-    asked[v] = singular(static_cast<int>(v)) ? 1 : 0;
+    marked[v] = singular(static_cast<int>(v)) ? 1 : 0;
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
@@ -200,7 +200,7 @@ std::map<int, Cluster> FindClusters(
     {
       for (const int vertex : mesh.triangles[t])
       {
-        asked[static_cast<std::size_t>(vertex)] = 1;
+        marked[static_cast<std::size_t>(vertex)] = 1;
       }
       sets.Unite(mesh.triangles[t][0], mesh.triangles[t][1]);
       sets.Unite(mesh.triangles[t][1], mesh.triangles[t][2]);
@@ -214,7 +214,7 @@ std::map<int, Cluster> FindClusters(
     }
   }
 
-  const std::vector<double> longest = LongestEdges(*field.topology, asked);
+  const std::vector<double> longest = LongestEdges(*field.topology, marked);
   std::map<int, Cluster> clusters;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {

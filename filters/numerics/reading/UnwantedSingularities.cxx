@@ -78,8 +78,8 @@ int CountUnwanted(
   int unwanted = std::max(0, elsewhere - std::abs(wanted.anywhere));
   for (std::size_t i = 0; i < inCircles.size(); ++i)
   {
-    const int asked = topology.imprinted[i].quarterIndex;
-    unwanted += inCircles[i].size - (inCircles[i].sum == asked ? std::abs(asked) : 0);
+    const int prescribed = topology.imprinted[i].quarterIndex;
+    unwanted += inCircles[i].size - (inCircles[i].sum == prescribed ? std::abs(prescribed) : 0);
   }
   for (std::size_t i = 0; i < atPoints.size(); ++i)
   {

@@ -18,17 +18,18 @@ namespace
 {
 /// Returns the radius of the largest disk around a place inside the domain that does not overlap
 /// equal disks around the other singularities.
-double Room(const Point& place, double clearance, const Configuration& others, std::size_t except)
+double FreeRadius(
+  const Point& place, double clearance, const Configuration& others, std::size_t except)
 {
-  double room = clearance;
+  double radius = clearance;
   for (std::size_t i = 0; i < others.size(); ++i)
   {
     if (i != except)
     {
-      room = std::min(room, 0.5 * (others[i].position - place).norm());
+      radius = std::min(radius, 0.5 * (others[i].position - place).norm());
     }
   }
-  return room;
+  return radius;
 }
 
 /// Candidate places inside the domain, with their distances to the boundary.
@@ -68,15 +69,15 @@ struct Candidates
   std::size_t Best(const Configuration& others, std::size_t except) const
   {
     std::size_t best = 0;
-    double most = -1.0;
+    double largest = -1.0;
     for (std::size_t i = 0; i < this->places.size(); ++i)
     {
-      const double room = Room(this->places[i], this->clearances[i], others, except);
+      const double radius = FreeRadius(this->places[i], this->clearances[i], others, except);
       // The margin above rounding prevents rounding from deciding on symmetric domains.
-      if (room > most * (1.0 + 1e-9))
+      if (radius > largest * (1.0 + 1e-9))
       {
         best = i;
-        most = room;
+        largest = radius;
       }
     }
     return best;
@@ -190,8 +191,8 @@ Configuration SpreadConfiguration(
     {
       const std::size_t best = candidates.Best(result, i);
       const std::size_t here = chosen[i - fixed];
-      if (Room(candidates.places[best], candidates.clearances[best], result, i) >
-        Room(candidates.places[here], candidates.clearances[here], result, i) * (1.0 + 1e-9))
+      if (FreeRadius(candidates.places[best], candidates.clearances[best], result, i) >
+        FreeRadius(candidates.places[here], candidates.clearances[here], result, i) * (1.0 + 1e-9))
       {
         chosen[i - fixed] = best;
         result[i].position = candidates.places[best];

@@ -41,9 +41,9 @@ double CostRounding(const Corner& corner)
 class Assignment
 {
 public:
-  Assignment(const std::vector<ClassifiedCorner>& corners, int wanted, double interior)
+  Assignment(const std::vector<ClassifiedCorner>& corners, int required, double interior)
     : Corners(corners)
-    , Wanted(wanted)
+    , Required(required)
     , Interior(interior)
   {
   }
@@ -62,7 +62,7 @@ public:
   {
     ScenarioCost cost;
     cost.sum = this->Sum(indices);
-    cost.energy = this->Interior * std::abs(this->Wanted - cost.sum);
+    cost.energy = this->Interior * std::abs(this->Required - cost.sum);
     for (std::size_t i = 0; i < indices.size(); ++i)
     {
       cost.energy += CornerEnergy(this->Corners[i].angle, indices[i]);
@@ -72,7 +72,7 @@ public:
 
   /// Returns the indices given by a rule that considers one corner at a time.
   template <class Rule>
-  std::vector<int> Each(Rule rule) const
+  std::vector<int> ApplyRule(Rule rule) const
   {
     std::vector<int> indices;
     for (const ClassifiedCorner& corner : this->Corners)
@@ -86,7 +86,7 @@ public:
   /// than `limit`.
   void Raise(std::vector<int>& indices, double limit) const
   {
-    for (int sum = this->Sum(indices); sum < this->Wanted; ++sum)
+    for (int sum = this->Sum(indices); sum < this->Required; ++sum)
     {
       const std::size_t cheapest = this->Cheapest(indices, +1);
       if (cheapest == indices.size() ||
@@ -101,7 +101,7 @@ public:
   /// Lowers the cheapest corners one by one until the sum is reached.
   void Lower(std::vector<int>& indices) const
   {
-    for (int sum = this->Sum(indices); sum > this->Wanted; --sum)
+    for (int sum = this->Sum(indices); sum > this->Required; --sum)
     {
       const std::size_t cheapest = this->Cheapest(indices, -1);
       if (cheapest == indices.size())
@@ -125,7 +125,7 @@ public:
         return false;
       }
     }
-    return this->Sum(indices) == this->Wanted;
+    return this->Sum(indices) == this->Required;
   }
 
   /// Returns which corners have another index in some other assignment of the same energy. The
@@ -134,7 +134,7 @@ public:
   std::vector<bool> Ties(const std::vector<int>& indices) const
   {
     std::vector<bool> tied(indices.size(), false);
-    const int missing = this->Wanted - this->Sum(indices);
+    const int missing = this->Required - this->Sum(indices);
     for (std::size_t i = 0; i < indices.size(); ++i)
     {
       for (int step : { +1, -1 })
@@ -188,7 +188,7 @@ private:
   }
 
   const std::vector<ClassifiedCorner>& Corners;
-  int Wanted;
+  int Required;
   double Interior;
 };
 
@@ -251,33 +251,33 @@ CornerClassification ClassifyCorners(
     static_cast<Corner&>(result.corners.back()) = corner;
   }
   Override(result.corners, options.overrides);
-  const int wanted = 4 * domain.EulerCharacteristic();
+  const int required = 4 * domain.EulerCharacteristic();
   const double interior = InteriorQuarterEnergy(options.coefficient);
-  const Assignment problem(result.corners, wanted, interior);
+  const Assignment problem(result.corners, required, interior);
 
   // 1. Evaluate the three scenarios.
   const std::vector<int> scarce =
-    problem.Each([&](double angle) { return SmallestMinimiser(angle, interior); });
+    problem.ApplyRule([&](double angle) { return SmallestMinimiser(angle, interior); });
   const std::vector<int> excess =
-    problem.Each([&](double angle) { return LargestMinimiser(angle, -interior); });
+    problem.ApplyRule([&](double angle) { return LargestMinimiser(angle, -interior); });
   std::vector<int> balanced =
-    problem.Each([](double angle) { return SmallestMinimiser(angle, 0.0); });
+    problem.ApplyRule([](double angle) { return SmallestMinimiser(angle, 0.0); });
   problem.Raise(balanced, std::numeric_limits<double>::infinity());
   problem.Lower(balanced);
   auto& costs = result.scenarios;
   costs = { problem.Cost(scarce), problem.Cost(balanced), problem.Cost(excess) };
-  costs[0].feasible = costs[0].sum <= wanted;
+  costs[0].feasible = costs[0].sum <= required;
   costs[1].feasible = problem.Balanced(balanced);
-  costs[2].feasible = costs[2].sum >= wanted;
+  costs[2].feasible = costs[2].sum >= required;
 
   // 2. Find the exact minimum.
   std::vector<int> best =
-    problem.Each([&](double angle) { return SmallestMinimiser(angle, -interior); });
+    problem.ApplyRule([&](double angle) { return SmallestMinimiser(angle, -interior); });
   problem.Raise(best, interior);
   const int sum = problem.Sum(best);
-  result.scenario = sum < wanted ? Scenario::Scarce
-    : sum > wanted               ? Scenario::Excess
-                                 : Scenario::Balanced;
+  result.scenario = sum < required ? Scenario::Scarce
+    : sum > required               ? Scenario::Excess
+                                   : Scenario::Balanced;
   const std::vector<bool> tied = problem.Ties(best);
 
   // 3. Fill in the corners.
@@ -295,7 +295,7 @@ CornerClassification ClassifyCorners(
   {
     Split(domain, result);
   }
-  result.interiorQuarters = wanted;
+  result.interiorQuarters = required;
   for (ClassifiedCorner& corner : result.corners)
   {
     corner.energy = CornerEnergy(corner.angle, corner.quarterIndex);

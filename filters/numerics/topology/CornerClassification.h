@@ -24,7 +24,7 @@ const char* ScenarioName(Scenario scenario);
 struct ScenarioCost
 {
   int sum = 0;
-  double energy = 0.0;   ///< Σ e(α_i, k_i) + c |4χ − Σ k_i|, c from InteriorQuarterEnergy.
+  double energy = 0.0; ///< Σ e(α_i, k_i) + c |4χ − Σ k_i|, c from InteriorQuarterEnergy.
   /// Whether the sum agrees with the assumption of the rule; the assignment is then optimal.
   bool feasible = false;
 };
@@ -56,8 +56,8 @@ struct ClassificationOptions
 
 struct CornerClassification
 {
-  std::vector<ClassifiedCorner> corners;  ///< Corners in the order of the loops.
-  std::array<ScenarioCost, 3> scenarios;  ///< Indexed by Scenario.
+  std::vector<ClassifiedCorner> corners; ///< Corners in the order of the loops.
+  std::array<ScenarioCost, 3> scenarios; ///< Indexed by Scenario.
   /// Scenario of the cheapest assignment, before any splitting.
   Scenario scenario = Scenario::Balanced;
   double energy = 0.0; ///< Σ e(α_i, k_i) + c × number of interior quarters, after any splitting.

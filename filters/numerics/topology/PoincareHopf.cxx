@@ -131,7 +131,7 @@ std::string ConsistencyReason(
   {
     const auto defect = std::find_if(holonomyDefects.begin(), holonomyDefects.end(),
       [](double value) { return std::abs(value) > NoticeableDefect; });
-    return sums + ", as the Poincaré-Hopf theorem asks" + domain +
+    return sums + ", as the Poincaré-Hopf theorem requires" + domain +
       (defect == holonomyDefects.end()
           ? "."
           : ", but at inner loop " + std::to_string(defect - holonomyDefects.begin() + 1) +
@@ -139,13 +139,14 @@ std::string ConsistencyReason(
             " radians; move singularities until it vanishes if H has to be single-valued.");
   }
   const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
-  const std::string mend = sums + " but the Poincaré-Hopf theorem asks for " +
+  const std::string difference = sums + " but the Poincaré-Hopf theorem requires " +
     std::to_string(count.requiredInteriorQuarters) + domain + "; add singularities of total " +
     std::to_string(missing);
   // Removal is certain to be possible only where the remaining sum has the sign of the given one.
   const bool removable = missing * count.givenInteriorQuarters < 0 &&
     std::abs(missing) <= std::abs(count.givenInteriorQuarters);
-  return mend + (removable ? " or remove some of total " + std::to_string(-missing) + "." : ".");
+  return difference +
+    (removable ? " or remove some of total " + std::to_string(-missing) + "." : ".");
 }
 
 void RequireConsistent(const PoincareHopfCount& count)

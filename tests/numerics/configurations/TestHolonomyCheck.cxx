@@ -182,7 +182,7 @@ TEST(HolonomyCheck, RadiiDoNotMatterAndSumsDo)
   EXPECT_EQ(HolonomyDefects(ring, holes), HolonomyDefects(ring, bare));
   const Configuration one = { { { 0.7, 0.0 }, 1, 0.0 } };
   EXPECT_TRUE(
-    Refuses([&] { HolonomyDefects(ring, one); }, { "asks for" }, Error::Kind::Inconsistent));
+    Refuses([&] { HolonomyDefects(ring, one); }, { "requires" }, Error::Kind::Inconsistent));
 }
 }
 }

@@ -199,7 +199,7 @@ TEST(ConfigurationEnergy, SortsTheBestFirst)
     EXPECT_EQ(energies[i].configuration, order[i]);
     EXPECT_EQ(energies[i].consistent, i < 3);
   }
-  EXPECT_NE(energies[3].reason.find("asks for 4"), std::string::npos);
+  EXPECT_NE(energies[3].reason.find("requires 4"), std::string::npos);
   EXPECT_NEAR(energies[0].renormalized.energy, -7.2962, 0.02);
   EXPECT_NEAR(energies[1].renormalized.energy, 2.0498, 0.02);
   // docs/method.md §9.

@@ -453,7 +453,7 @@ TEST(HField, RefusesWhatHasNoSolution)
     [&] {
       SolveHField(ShareTopology(mesh), { { { 0.1, 0.2 }, 3, 0.0 } });
     },
-    { "add up to 3", "asks for 4" }, Error::Kind::Inconsistent));
+    { "add up to 3", "requires 4" }, Error::Kind::Inconsistent));
   EXPECT_TRUE(Refuses(
     [&] {
       SolveHField(ShareTopology(mesh), { { { 1.3, 0.2 }, 4, 0.0 } });

@@ -278,7 +278,7 @@ TEST(PerforatedSolve, RefusesASumAgainstPoincareHopfWithBothNumbers)
   {
     const TriangleMesh mesh = Drill(domain, holes);
     return Refuses([&] { SolvePerforated(ShareTopology(mesh)); },
-      { "add up to " + given, "Poincaré-Hopf", "asks for " + wanted }, Error::Kind::Inconsistent);
+      { "add up to " + given, "Poincaré-Hopf", "requires " + wanted }, Error::Kind::Inconsistent);
   };
   EXPECT_TRUE(refused(Builtin("disk"), OnCircle(3, 0.6, 0.0, 1, 0.1), "3", "4"));
   EXPECT_TRUE(refused(Builtin("disk"), {}, "0", "4"));

@@ -318,6 +318,6 @@ TEST(VariantSolve, RefusesWhatCannotBeCombined)
   global.globalConstraint = true;
   const TriangleMesh five = DrillMesh(Builtin("disk", 0.2), OnCircle(5, 0.6, 0.0, 1, 0.1), 0.2);
   EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(five), global); },
-    { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
+    { "add up to 5", "requires 4" }, Error::Kind::Inconsistent));
 }
 }

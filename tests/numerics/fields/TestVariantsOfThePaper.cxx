@@ -201,7 +201,7 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
   const PlanarDomain disk = Builtin("disk", Size);
   const TriangleMesh five = DrillMesh(disk, OnCircle(5, 0.6, 0.3, 1, 0.1), Size);
   EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(five)); },
-    { "add up to 5", "asks for 4" }, Error::Kind::Inconsistent));
+    { "add up to 5", "requires 4" }, Error::Kind::Inconsistent));
   PerforatedOptions options;
   options.epsilon = Size;
   const SolvedField field = SolvePerforated(ShareTopology(five), options);

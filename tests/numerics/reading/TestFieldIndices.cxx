@@ -14,7 +14,7 @@ Complex AsComplex(const Point& point)
   return { point.x(), point.y() };
 }
 
-/// Σ_j: prod (z − b)^k (1 − conj(b) z)^k, normalised: aligned with the unit circle when Σ k = 4.
+/// Normalised product of (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle when Σ k = 4.
 Complex ExactField(const Configuration& singularities, const Point& place)
 {
   const Complex z = AsComplex(place);
@@ -44,7 +44,7 @@ int Sum(const std::vector<int>& indices)
   return std::accumulate(indices.begin(), indices.end(), 0);
 }
 
-/// Overwrites the values on outer and inner boundaries by aligned ones.
+/// Sets the values on outer and inner boundaries to aligned ones.
 void Align(const TriangleMesh& mesh, const EdgeNumbering& edges, ComplexVector& u)
 {
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
@@ -67,7 +67,7 @@ std::vector<Configuration> Configurations()
   return { OnCircle(4, 0.6, 0.25 * Pi, 1, 0.0), mixed, doubled };
 }
 
-TEST(FieldIndices, OfExactFieldsAreWhereTheSingularitiesAre)
+TEST(FieldIndices, AreLocatedAtTheSingularitiesOfExactFields)
 {
   constexpr double MeshSize = 0.05;
   DrillOptions options;
@@ -108,10 +108,10 @@ TEST(FieldIndices, OfExactFieldsAreWhereTheSingularitiesAre)
   }
 }
 
-TEST(FieldIndices, CornersTakeTheirQuarters)
+TEST(FieldIndices, CornersHaveTheirQuarterIndices)
 {
-  // The constant cross aligned with a square: each corner turns by 90° and takes k = 1; where an
-  // L-shape turns back it is k = −1.
+  // The constant cross aligned with a square: each corner turns by 90° and has k = 1; the reflex
+  // corner of an L-shape has k = −1.
   for (const char* name : { "square", "l-shape" })
   {
     const TriangleMesh mesh = DrillHoles(Builtin(name), {});
@@ -164,7 +164,7 @@ TEST(FieldIndices, SumIsTopologicalEvenForRandomFields)
   }
 }
 
-TEST(FieldIndices, DoNotDependOnNormOrFrame)
+TEST(FieldIndices, AreIndependentOfNormAndFrame)
 {
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), {});
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -175,7 +175,7 @@ TEST(FieldIndices, DoNotDependOnNormOrFrame)
   {
     value *= random.Uniform(0.01, 10.0);
   }
-  // Turning everything by an angle turns the representation by four times as much.
+  // Rotating everything by an angle rotates the representation by four times the angle.
   const Similarity turn{ 0.7, 2.0, Point(1.0, 1.0) };
   const FieldIndices turned =
     ReadIndices(MeshTopology(turn(mesh)), u * std::polar(1.0, 4.0 * turn.angle));
@@ -204,12 +204,12 @@ TEST(ReadHole, MeasuresDegreeNormAndStep)
     EXPECT_NEAR(reading.largestStep, 2.0 * Pi * std::abs(degree) / m, 1e-12);
     EXPECT_DOUBLE_EQ(reading.minimumNorm, 0.5);
     EXPECT_DOUBLE_EQ(reading.maximumNorm, 2.0);
-    if (4 * std::abs(degree) != m) // there the step is π/2 up to rounding
+    if (4 * std::abs(degree) != m) // otherwise the step is π/2 up to rounding
     {
       EXPECT_EQ(reading.Reliable(), 4 * std::abs(degree) < m);
     }
   }
-  // A field that nearly vanishes on one edge says nothing.
+  // A field that nearly vanishes on one edge is unreliable.
   ComplexVector u = ComplexVector::Ones(edges.Count());
   u[edges.ofBoundary[hole.edges[0]]] = 1e-3;
   EXPECT_FALSE(ReadHole(hole, edges, u).Reliable());

@@ -11,24 +11,24 @@ namespace crossfield::test
 {
 namespace
 {
-/// The cross field along one axis.
+/// The constant cross field along the axes.
 CrossField ConstantField(const TriangleMesh& mesh)
 {
   const SharedTopology topology = ShareTopology(mesh);
   return { topology, ComplexVector::Ones(topology->edges.Count()) };
 }
 
-FieldRequest Question(const CrossField& field, const Configuration& points = {})
+FieldRequest MakeRequest(const CrossField& field, const Configuration& points = {})
 {
   return { CountMeshQuarters(*field.topology), points, false };
 }
 
 FieldReading Read(const CrossField& field, const Configuration& points = {})
 {
-  return ReadField(field, Question(field, points));
+  return ReadField(field, MakeRequest(field, points));
 }
 
-TEST(FieldReading, CornersMayTakeWhatTheyLike)
+TEST(FieldReading, IndicesOfCornersAreFree)
 {
   for (const char* name : { "square", "l-shape" })
   {
@@ -41,7 +41,8 @@ TEST(FieldReading, CornersMayTakeWhatTheyLike)
   }
 }
 
-/// Π (z − b)^k (1 − conj(b) z)^k of modulus one, which is aligned with the unit circle where Σ k = 4.
+/// Π (z − b)^k (1 − conj(b) z)^k normalised to modulus one, aligned with the unit circle where Σ k
+/// = 4.
 CrossField ExactField(const Configuration& singularities)
 {
   DrillOptions options;
@@ -69,31 +70,32 @@ CrossField ExactField(const Configuration& singularities)
   return field;
 }
 
-TEST(FieldReading, UnwantedIsWhatNobodyAskedFor)
+TEST(FieldReading, CountsUnwantedSingularities)
 {
   const Configuration all = { { { 0.6, 0.1 }, 1, 0.0 }, { { -0.1, 0.55 }, 2, 0.0 },
     { { -0.5, -0.4 }, 1, 0.0 }, { { 0.3, -0.6 }, 1, 0.0 }, { { 0.05, -0.1 }, -1, 0.0 } };
   const CrossField field = ExactField(all);
   EXPECT_EQ(Read(field, all).unwantedSingularities, 0);
-  // The disk leaves four quarters to the inside, and the field has Σ |k| = 6.
+  // The disk leaves four quarters to the interior, and the field has Σ |k| = 6.
   EXPECT_EQ(Read(field).unwantedSingularities, 2);
   for (std::size_t left = 0; left < all.size(); ++left)
   {
-    Configuration asked = all;
-    asked.erase(asked.begin() + static_cast<std::ptrdiff_t>(left));
-    EXPECT_EQ(Read(field, asked).unwantedSingularities, std::abs(all[left].quarterIndex)) << left;
-    asked = all;
-    asked[left].quarterIndex += 3;
-    EXPECT_EQ(Read(field, asked).unwantedSingularities, 3) << left;
-    // Asked for where there is none.
-    asked = all;
-    asked[left].position = Point(-0.55, 0.3);
-    EXPECT_EQ(Read(field, asked).unwantedSingularities, 2 * std::abs(all[left].quarterIndex))
+    Configuration prescribed = all;
+    prescribed.erase(prescribed.begin() + static_cast<std::ptrdiff_t>(left));
+    EXPECT_EQ(Read(field, prescribed).unwantedSingularities, std::abs(all[left].quarterIndex))
+      << left;
+    prescribed = all;
+    prescribed[left].quarterIndex += 3;
+    EXPECT_EQ(Read(field, prescribed).unwantedSingularities, 3) << left;
+    // A singularity prescribed where there is none.
+    prescribed = all;
+    prescribed[left].position = Point(-0.55, 0.3);
+    EXPECT_EQ(Read(field, prescribed).unwantedSingularities, 2 * std::abs(all[left].quarterIndex))
       << left;
   }
 }
 
-TEST(FieldReading, InnerLoopsHaveCornersToo)
+TEST(FieldReading, InnerLoopsHaveCorners)
 {
   const PlanarDomain domain = MakePlanarDomain(
     { { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } }, { { 1, 1 }, { 3, 1 }, { 3, 2 }, { 1, 2 } } });
@@ -102,7 +104,7 @@ TEST(FieldReading, InnerLoopsHaveCornersToo)
   EXPECT_EQ(reading.count.requiredInteriorQuarters, 0);
 }
 
-TEST(FieldReading, RefusesAFieldThatIsNotFinite)
+TEST(FieldReading, RejectsNonFiniteFields)
 {
   CrossField field = ConstantField(DrillHoles(Builtin("square"), {}));
   field.u[field.u.size() / 2] = std::numeric_limits<double>::quiet_NaN();

@@ -19,7 +19,7 @@ Complex AsComplex(const Point& point)
   return { point.x(), point.y() };
 }
 
-/// Π (z − b)^k (1 − conj(b) z)^k, normalised: aligned with the unit circle when Σ k = 4.
+/// Normalised Π (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle when Σ k = 4.
 Complex ExactField(const Configuration& singularities, const Point& place)
 {
   const Complex z = AsComplex(place);
@@ -33,7 +33,7 @@ Complex ExactField(const Configuration& singularities, const Point& place)
   return u / std::abs(u);
 }
 
-/// A disk of a given mesh size.
+/// Disk of a given mesh size.
 struct Disk
 {
   explicit Disk(double meshSize)
@@ -55,7 +55,7 @@ struct Disk
     return u;
   }
 
-  /// Overwrites the values on the boundary by aligned ones.
+  /// Sets the values on the boundary to aligned ones.
   ComplexVector Aligned(ComplexVector u) const
   {
     for (std::size_t i = 0; i < this->mesh.boundary.size(); ++i)
@@ -72,7 +72,8 @@ struct Disk
   EdgeNumbering edges;
 };
 
-/// Quarter indices ±1 and ±2 of sum 4 at places that are far from each other and the boundary.
+/// Returns singularities of quarter indices ±1 and ±2 and sum 4 at places far from each other and
+/// from the boundary.
 Configuration RandomSingularities(Random& random, double distance)
 {
   Configuration singularities;
@@ -101,7 +102,7 @@ Configuration RandomSingularities(Random& random, double distance)
   return singularities;
 }
 
-TEST(FieldSingularities, OfExactFieldsAreFoundOneForOne)
+TEST(FieldSingularities, FindsEachSingularityOfExactFieldsOnce)
 {
   const std::vector<Disk> disks = { Disk(0.06), Disk(0.05), Disk(0.04), Disk(0.03) };
   Random random(7);
@@ -109,7 +110,7 @@ TEST(FieldSingularities, OfExactFieldsAreFoundOneForOne)
   for (int trial = 0; trial < 200; ++trial)
   {
     const Disk& disk = disks[static_cast<std::size_t>(trial) % disks.size()];
-    // Five triangles apart: fine enough to separate them.
+    // The distances are at least five triangles: fine enough to separate the singularities.
     const Configuration exact = RandomSingularities(random, 5.0 * disk.size);
     const auto found = FindFieldSingularities({ ShareTopology(disk.mesh), disk.Sample(exact) });
     ASSERT_EQ(found.size(), exact.size()) << "trial " << trial;
@@ -133,7 +134,7 @@ TEST(FieldSingularities, OfExactFieldsAreFoundOneForOne)
   RecordProperty("LargestErrorInMeshSizes", std::to_string(largestError));
 }
 
-TEST(FieldSingularities, PositionIsTheZeroOfAFieldThatIsLinearThere)
+TEST(FieldSingularities, PositionIsTheZeroOfALocallyLinearField)
 {
   const Disk disk(0.1);
   Random random(11);
@@ -184,7 +185,7 @@ TEST(FieldSingularities, OppositeNeighboursCancel)
   }
 }
 
-TEST(FieldSingularities, BoundaryTakesWhatAFieldWithoutSingularitiesLacks)
+TEST(FieldSingularities, BoundaryHasTheIndicesThatTheInteriorLacks)
 {
   // The constant cross on a disk: four quarters between the crosses inside and those on the circle.
   const Disk disk(0.1);
@@ -201,7 +202,7 @@ TEST(FieldSingularities, BoundaryTakesWhatAFieldWithoutSingularitiesLacks)
   EXPECT_EQ(sum, 4);
 }
 
-TEST(FieldSingularities, SingularityInTheBoundaryIsSaidToBeThere)
+TEST(FieldSingularities, ReportsSingularitiesThatMovedIntoTheBoundary)
 {
   const Disk disk(0.1);
   Configuration singularities = OnCircle(3, 0.4, 0.8, 1, 0.0);
@@ -230,7 +231,7 @@ TEST(FieldSingularities, SingularityInTheBoundaryIsSaidToBeThere)
   EXPECT_EQ(atOne, 1);
 }
 
-TEST(FieldSingularities, CornersAreReportedWhenAskedFor)
+TEST(FieldSingularities, ReportsCornersOnRequest)
 {
   const TriangleMesh mesh = DrillHoles(Builtin("l-shape"), {});
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -254,7 +255,7 @@ TEST(FieldSingularities, CornersAreReportedWhenAskedFor)
   }
 }
 
-TEST(FieldSingularities, HolesAreReportedWhenAskedFor)
+TEST(FieldSingularities, ReportsHolesOnRequest)
 {
   const Configuration four = OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1);
   const TriangleMesh mesh = DrillHoles(Builtin("disk"), four);
@@ -274,7 +275,7 @@ TEST(FieldSingularities, HolesAreReportedWhenAskedFor)
   }
 }
 
-TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
+TEST(FieldSingularities, AreIndependentOfTheMeshNumbering)
 {
   const Disk disk(0.1);
   Random random(3);
@@ -293,7 +294,7 @@ TEST(FieldSingularities, DoNotDependOnTheNumberingOfTheMesh)
   }
 }
 
-TEST(FieldSingularities, RefusesWhatIsNoField)
+TEST(FieldSingularities, RejectsInvalidFields)
 {
   const Disk disk(0.3);
   EXPECT_TRUE(Refuses(

@@ -1,4 +1,4 @@
-// Proposed configurations, and what the solver makes of them and of others.
+// Proposed configurations, and the solver's results for them and for others.
 
 #include "BuiltinDomains.h"
 #include "ConfigurationSpread.h"
@@ -62,7 +62,7 @@ TEST(ConfigurationSpread, IsConsistentAndCanBeDrilledAndSolved)
       {
         EXPECT_EQ(proposal.size(), static_cast<std::size_t>(std::abs(Required(domain))));
       }
-      // What the check accepts, the solver turns into a field with nothing else in it.
+      // Every configuration that the check accepts yields a field without other singularities.
       const TriangleMesh mesh = DrillHoles(domain, proposal);
       const SolvedField field = SolveUnitNormOn(mesh);
       EXPECT_TRUE(field.converged);
@@ -94,7 +94,8 @@ TEST(ConfigurationSpread, CancelsFlatAnglesAsInThePaper)
 
 TEST(ConfigurationSpread, SpreadsOverTheDisk)
 {
-  // Four equal disks fit into the unit disk with their centres at 2 − √2 from its own.
+  // Four equal disks fit into the unit disk if their centres are at distance 2 − √2 from its
+  // centre.
   const Configuration proposal = SpreadConfiguration(Builtin("disk"));
   ASSERT_EQ(proposal.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i)
@@ -108,7 +109,7 @@ TEST(ConfigurationSpread, SpreadsOverTheDisk)
   }
 }
 
-TEST(ConfigurationSpread, CompletesWhatIsGiven)
+TEST(ConfigurationSpread, CompletesGivenSingularities)
 {
   SpreadOptions options;
   options.given = { { Point(0.3, 0.0), -1, 0.05 }, { Point(-0.3, 0.0), 2, 0.1 } };
@@ -147,16 +148,16 @@ TEST(ConfigurationSpread, IsScaleInvariant)
   }
 }
 
-TEST(ChosenCorners, TheUnitNormFieldTakesThem)
+TEST(ChosenCorners, AreTakenByTheUnitNormField)
 {
-  // A square whose corner at the origin keeps its cross and another that takes two quarters: the
-  // energies of the corners are moderate, so the field shows the indices that were chosen.
+  // The corner of a square at the origin has k = 0 instead of 1. Its energy is moderate, so the
+  // field shows the chosen index.
   const PlanarDomain square = Builtin("square");
   const std::vector<CornerChoice> corners = { { Point(0.0, 0.0), 0 } };
   const Configuration one = { { Point(0.4, 0.4), 1, 0.05 } };
   const TriangleMesh mesh = DrillHoles(square, one);
   EXPECT_TRUE(Refuses(
-    [&] { SolveUnitNormOn(mesh); }, { "add up to 1", "asks for 0" }, Error::Kind::Inconsistent));
+    [&] { SolveUnitNormOn(mesh); }, { "add up to 1", "requires 0" }, Error::Kind::Inconsistent));
   PerforatedOptions options;
   options.method = PerforatedMethod::UnitNorm;
   options.corners = corners;
@@ -173,7 +174,7 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
   }
   EXPECT_TRUE(check.count.Consistent());
 
-  // With the indices of the smallest rotation nothing changes.
+  // Choosing the indices of the smallest rotation changes nothing.
   options.corners = { { Point(0.0, 0.0), 1 }, { Point(1.0, 0.0), 1 } };
   const TriangleMesh pair =
     DrillHoles(square, { { Point(0.3, 0.4), 1, 0.05 }, { Point(0.7, 0.6), -1, 0.05 } });
@@ -182,10 +183,10 @@ TEST(ChosenCorners, TheUnitNormFieldTakesThem)
   EXPECT_TRUE(Refuses([&] { SolvePerforated(ShareTopology(mesh), options); }, { "not a vertex" }));
 }
 
-TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
+TEST(ChosenCorners, ExactMinimiserHasTheLowestFieldEnergy)
 {
-  // A sector of 70° = 0.389π: k = 1 against k = 2 and k = 0. The energy of the field follows the
-  // singular energies of corners and holes.
+  // A sector of 70° = 0.389π: k = 1 compared with k = 2 and k = 0. The energy of the field follows
+  // the singular energies of corners and holes.
   const double angle = 70.0 / 180.0 * Pi;
   Loop sector = { { 0.0, 0.0 } };
   for (int i = 0; i <= 24; ++i)
@@ -213,7 +214,7 @@ TEST(ChosenCorners, TheExactMinimiserIsTheCheapestField)
     1);
 }
 
-TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
+TEST(RejectedConfigurations, AreRejectedWithTheMessageOfTheCheck)
 {
   for (const char* name : { "disk", "l-shape", "angular-hole", "quarter-disk" })
   {
@@ -240,7 +241,7 @@ TEST(RejectedConfigurations, TheSolveRefusesWithTheSentenceOfTheCheck)
   }
 }
 
-TEST(RequireInside, RefusesPlacesOutside)
+TEST(RequireInside, RejectsPositionsOutside)
 {
   const PlanarDomain ring = Builtin("ring");
   EXPECT_NO_THROW(RequireInside(ring, { { Point(0.7, 0.0), 1, 0.0 } }));
@@ -256,7 +257,7 @@ TEST(RequireInside, RefusesPlacesOutside)
     { "Row 1", "finite" }));
 }
 
-TEST(FieldCheck, CountsWhatTheFieldHas)
+TEST(FieldCheck, CountsTheIndicesOfTheField)
 {
   const PlanarDomain disk = Builtin("disk");
   const TriangleMesh mesh = DrillHoles(disk, OnCircle(4, 0.6, 0.25 * Pi, 1, 0.1));
@@ -270,7 +271,7 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   EXPECT_EQ(check.count.givenInteriorQuarters, 4);
   EXPECT_NE(check.reason.find("prescribed degrees"), std::string::npos);
 
-  // The same field on a mesh that asks for other degrees.
+  // The same field on a mesh that prescribes other degrees.
   TriangleMesh other = mesh;
   for (BoundaryEdge& edge : other.boundary)
   {
@@ -281,8 +282,8 @@ TEST(FieldCheck, CountsWhatTheFieldHas)
   EXPECT_TRUE(wrong.count.Consistent()) << "the sums agree for every field";
   EXPECT_NE(wrong.reason.find("4 holes"), std::string::npos) << wrong.reason;
 
-  // Without holes the singularities are where the field likes them, but there have to be four: here
-  // u = e^{4iφ} around the origin.
+  // Without holes the positions of the singularities are free, but their sum must be four: here u =
+  // e^{4iφ} around the origin.
   const TriangleMesh whole = DrillHoles(disk, {});
   const EdgeNumbering edges = NumberEdges(whole);
   ComplexVector own(edges.Count());

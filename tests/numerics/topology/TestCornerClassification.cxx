@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Interior = Pi / 16.0;
 
-/// The index in −4 .. 4 of least energy by brute force, where a quarter has a price.
+/// Returns the index in −4 .. 4 of minimum energy at a given price per quarter, by brute force.
 int Cheapest(double angle, double price)
 {
   int best = -4;
@@ -28,7 +28,7 @@ int Cheapest(double angle, double price)
   return best;
 }
 
-/// A simple polygon: star-shaped about the origin, with any angles.
+/// Returns a simple polygon, star-shaped about the origin, with arbitrary angles.
 PlanarDomain RandomPolygon(Random& random, int corners)
 {
   Loop loop;
@@ -40,7 +40,7 @@ PlanarDomain RandomPolygon(Random& random, int corners)
   return MakePlanarDomain({ loop });
 }
 
-/// Every assignment of indices to corners of these angles, each index in −3 .. 4.
+/// Enumerates all assignments of indices in −3 .. 4 to corners of these angles.
 void ForEachAssignment(const std::vector<double>& angles,
   const std::function<void(const std::vector<int>&, double, int)>& visit)
 {
@@ -72,14 +72,14 @@ std::vector<double> Angles(const CornerClassification& result)
   return angles;
 }
 
-/// A triangle whose first corner, at the origin, has this angle; below π.
+/// Classifies a triangle whose first corner, at the origin, has this angle below π.
 CornerClassification WithCorner(double angle)
 {
   return ClassifyCorners(
     MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { std::cos(angle), std::sin(angle) } } }));
 }
 
-/// A corner of this angle, whatever it is, at the tip of a wedge cut out of a square or left of it.
+/// Returns the corner nearest to the origin.
 const ClassifiedCorner& CornerAtOrigin(const CornerClassification& result)
 {
   return *std::min_element(result.corners.begin(), result.corners.end(),
@@ -88,7 +88,7 @@ const ClassifiedCorner& CornerAtOrigin(const CornerClassification& result)
 
 CornerClassification WithReflexCorner(double angle)
 {
-  // Around the origin from direction 0 counter-clockwise to the angle; the rest is a far polygon.
+  // A fan of points around the origin, counter-clockwise from direction 0 to the angle.
   Loop loop = { { 0.0, 0.0 } };
   for (int i = 0; i <= 16; ++i)
   {
@@ -147,7 +147,7 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
   std::map<Scenario, int> seen;
   for (int trial = 0; trial < 1000; ++trial)
   {
-    // Seven corners have two million assignments: fewer of them.
+    // Seven corners have two million assignments, so fewer trials are used.
     const int count = trial % 50 == 0 ? 7 : random.Integer(3, 5);
     const CornerClassification result = ClassifyCorners(RandomPolygon(random, count));
     const std::vector<double> angles = Angles(result);
@@ -173,7 +173,7 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
     EXPECT_EQ(result.interiorQuarters, 4 - sum);
     EXPECT_NEAR(result.energy, energy + Interior * std::abs(4 - sum), 1e-12 * (1.0 + energy));
 
-    // The scenario rule of the paper finds the same: every feasible one is optimal.
+    // The scenario rule of the paper agrees: every feasible scenario is optimal.
     bool any = false;
     for (const ScenarioCost& scenario : result.scenarios)
     {
@@ -198,7 +198,8 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
 
 TEST(CornerClassification, TiesAgreeWithBruteForce)
 {
-  // Regular polygons, rectangles and triangles with equal angles have ties; random ones have none.
+  // Regular polygons, rectangles and triangles with equal angles have ties; random polygons have
+  // none.
   std::vector<PlanarDomain> domains = { Builtin("l-shape"), Builtin("rectangle"),
     Builtin("angular-balanced"), Builtin("angular-negative"), Builtin("angular-positive") };
   for (int n = 3; n <= 7; ++n)
@@ -235,7 +236,7 @@ TEST(CornerClassification, TiesAgreeWithBruteForce)
   }
 }
 
-TEST(CornerClassification, OverridesAreKeptAndTheOthersAreOptimal)
+TEST(CornerClassification, KeepsOverridesAndOptimisesTheOthers)
 {
   Random random(55);
   for (int trial = 0; trial < 100; ++trial)
@@ -248,7 +249,7 @@ TEST(CornerClassification, OverridesAreKeptAndTheOthersAreOptimal)
     }
     ClassificationOptions options;
     const int index = random.Integer(-2, 2);
-    // Near the corner is enough.
+    // The position only has to be close to the corner.
     options.overrides = { { plain.corners[1].position + Point(1e-4, 0.0), index } };
     const CornerClassification result = ClassifyCorners(domain, options);
     EXPECT_EQ(result.corners[1].quarterIndex, index);
@@ -293,9 +294,9 @@ TEST(CornerClassification, PrintedCoefficientWidensTheRanges)
   }
 }
 
-TEST(CornerClassification, SplittingHalvesMovesAQuarterInside)
+TEST(CornerClassification, SplittingHalfIndicesMovesAQuarterInside)
 {
-  // An angle of 30° takes k = 2 among others that do not.
+  // A corner of 30° has k = 2, and the other corners do not.
   const double angle = Pi / 6.0;
   const CornerClassification plain = WithCorner(angle);
   ASSERT_EQ(CornerAtOrigin(plain).quarterIndex, 2);
@@ -309,7 +310,7 @@ TEST(CornerClassification, SplittingHalvesMovesAQuarterInside)
   ASSERT_EQ(result.split.size(), 1u);
   EXPECT_EQ(result.split[0].quarterIndex, 1);
   EXPECT_EQ(result.interiorQuarters, plain.interiorQuarters + 1);
-  // On the bisector, near the tip.
+  // On the bisector, near the corner.
   const Point place = result.split[0].position;
   EXPECT_NEAR(std::atan2(place.y(), place.x()), 0.5 * angle, 1e-12);
   EXPECT_NEAR(place.norm(), 0.25 * std::cos(0.5 * angle), 1e-12);
@@ -332,7 +333,7 @@ TEST(CornerClassification, NamedDomains)
   EXPECT_DOUBLE_EQ(scenario("disk").energy, Pi / 4.0);
   EXPECT_EQ(scenario("ring").scenario, Scenario::Balanced);
   EXPECT_EQ(scenario("ring").interiorQuarters, 0);
-  // The paper: cheaper to leave the two flat angles alone than to give them a quarter each.
+  // The paper: leaving the two flat angles unchanged costs less than giving each of them a quarter.
   const CornerClassification balanced = scenario("angular-balanced");
   EXPECT_EQ(balanced.scenario, Scenario::Balanced);
   for (const ClassifiedCorner& corner : balanced.corners)
@@ -342,7 +343,7 @@ TEST(CornerClassification, NamedDomains)
   EXPECT_EQ(std::string(ScenarioName(Scenario::Excess)), "excess");
 }
 
-TEST(CornerClassification, SimilaritiesChangeNothing)
+TEST(CornerClassification, IsInvariantUnderSimilarities)
 {
   Random random(57);
   for (int trial = 0; trial < 50; ++trial)

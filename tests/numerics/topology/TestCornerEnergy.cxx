@@ -9,7 +9,7 @@ namespace
 {
 constexpr double Interior = Pi / 16.0;
 
-/// The index in −4 .. 4 of least energy by brute force, where a quarter has a price.
+/// Returns the index in −4 .. 4 of minimum energy at a given price per quarter, by brute force.
 int Cheapest(double angle, double price)
 {
   int best = -4;
@@ -23,13 +23,13 @@ int Cheapest(double angle, double price)
   return best;
 }
 
-TEST(CornerEnergy, VanishesWhereTheCrossFits)
+TEST(CornerEnergy, VanishesIfTheCrossIsAlignedWithBothSides)
 {
   EXPECT_EQ(CornerEnergy(Pi, 0), 0.0);
   EXPECT_EQ(CornerEnergy(0.5 * Pi, 1), 0.0);
   EXPECT_EQ(CornerEnergy(1.5 * Pi, -1), 0.0);
   EXPECT_EQ(CornerEnergy(2.0 * Pi, -2), 0.0);
-  // A quarter on a flat boundary costs as the paper says.
+  // A quarter on a flat boundary has the cost given in the paper.
   EXPECT_DOUBLE_EQ(CornerEnergy(Pi, 1), Pi / 8.0);
   EXPECT_DOUBLE_EQ(InteriorQuarterEnergy(InteriorCoefficient::Logarithm), Pi / 16.0);
   EXPECT_DOUBLE_EQ(InteriorQuarterEnergy(InteriorCoefficient::Printed), Pi / 8.0);
@@ -50,7 +50,7 @@ TEST(CornerEnergy, NextQuarterCostIsTheDifference)
 
 TEST(CornerEnergy, RangesOfTheTheorems)
 {
-  // Thresholds from large to small index; below the first the index is 2.
+  // Thresholds from large to small index; below the first one the index is 2.
   const std::vector<double> scarce = { 2.0 / 7.0, 6.0 / 7.0, 10.0 / 7.0 };
   const std::vector<double> excess = { 2.0 / 9.0, 2.0 / 3.0, 10.0 / 9.0, 14.0 / 9.0 };
   const auto check = [](const std::vector<double>& thresholds, double price)
@@ -70,7 +70,8 @@ TEST(CornerEnergy, RangesOfTheTheorems)
 
 TEST(CornerEnergy, BalancedRangesOverlap)
 {
-  // k is allowed where neither adding nor removing a quarter against an interior one pays.
+  // k is allowed where neither adding nor removing a quarter in exchange for an interior one
+  // decreases the energy.
   const auto allowed = [](double angle, int k)
   {
     return CornerEnergy(angle, k + 1) + Interior >= CornerEnergy(angle, k) &&
@@ -85,7 +86,7 @@ TEST(CornerEnergy, BalancedRangesOverlap)
   };
   check(0, 2.0 / 3.0, 10.0 / 7.0);
   check(1, 2.0 / 9.0, 6.0 / 7.0);
-  // The conventional limit lies in the overlap.
+  // The conventional limit is inside the overlap.
   EXPECT_TRUE(allowed(0.75 * Pi, 0) && allowed(0.75 * Pi, 1));
 }
 }

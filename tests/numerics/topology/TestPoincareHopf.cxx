@@ -15,7 +15,7 @@ int Required(const PlanarDomain& domain)
   return CountQuarters(domain.loops, 0).requiredInteriorQuarters;
 }
 
-/// Every side in `pieces` of unequal length.
+/// Divides every side into `pieces` parts of unequal length.
 std::vector<Loop> Subdivided(const std::vector<Loop>& loops, int pieces)
 {
   std::vector<Loop> result;
@@ -34,7 +34,7 @@ std::vector<Loop> Subdivided(const std::vector<Loop>& loops, int pieces)
   return result;
 }
 
-/// A right-angled domain: a skyline of random heights over a base, and square islands in it.
+/// Returns a right-angled domain: a skyline of random heights over a base, with square islands.
 PlanarDomain Skyline(Random& random, int towers, int islands)
 {
   Loop outline = { { 0.0, 0.0 }, { static_cast<double>(towers), 0.0 } };
@@ -63,7 +63,7 @@ TEST(PoincareHopf, SmallestRotationKeepsTheCrossAligned)
     EXPECT_LE(rotation, 0.25 * Pi);
     EXPECT_NEAR(std::remainder(turning - rotation, 0.5 * Pi), 0.0, 1e-14);
   }
-  // Eighth turns to either side count the same, and so does their rounding.
+  // Eighth turns to either side give the same count, also with rounding.
   for (const double eighth : { -0.75 * Pi, -0.25 * Pi, 0.25 * Pi, 0.75 * Pi })
   {
     for (const double rounding : { -1e-15, 0.0, 1e-15 })
@@ -75,7 +75,7 @@ TEST(PoincareHopf, SmallestRotationKeepsTheCrossAligned)
 
 TEST(PoincareHopf, RegularPolygons)
 {
-  // A corner that turns by more than π/4 takes the quarter index 1, others 0.
+  // A corner that turns by more than π/4 has quarter index 1, all others 0.
   Random random(41);
   for (int n = 3; n <= 40; ++n)
   {
@@ -100,10 +100,10 @@ TEST(PoincareHopf, NamedDomains)
   EXPECT_EQ(Required(Builtin("quarter-disk")), 1);
 }
 
-TEST(PoincareHopf, ValenceAndTangentTurningArePartsOfTheSum)
+TEST(PoincareHopf, ValenceAndTangentTurningAddUpToTheSum)
 {
-  // Half disk: the arc turns by π less half a step at either end. That half step is in the corners,
-  // which turn by π/2 and so much; the cross keeps of it what exceeds π/2.
+  // Half disk: the arc turns by π minus half a step at either end. That half step belongs to the
+  // corners, which turn by π/2 plus half a step; the cross rotates by the excess over π/2.
   Loop loop;
   for (int i = 0; i <= 60; ++i)
   {
@@ -117,19 +117,20 @@ TEST(PoincareHopf, ValenceAndTangentTurningArePartsOfTheSum)
   EXPECT_EQ(half.eulerCharacteristic, 1);
   EXPECT_TRUE(half.Consistent());
 
-  // An equilateral triangle has corners only: each turns by 120°, the cross by 30°.
+  // An equilateral triangle has corners only: each turns by 120°, and the cross by 30°.
   const PoincareHopfCount triangle = CountQuarters({ RegularPolygon(3) }, 0);
   EXPECT_NEAR(triangle.valence, 0.25, 1e-14);
   EXPECT_NEAR(triangle.tangentTurning, 0.0, 1e-14);
 
-  // A disk has none: without corners the tangent turns once, and back around an island.
+  // A disk has no corners: the tangent turns once, and once in the opposite direction around an
+  // island.
   const PoincareHopfCount ring = CountQuarters(Builtin("ring").loops, 0);
   EXPECT_EQ(ring.valence, 0.0);
   EXPECT_NEAR(ring.tangentTurning, 0.0, 1e-12);
   EXPECT_EQ(ring.eulerCharacteristic, 0);
 }
 
-TEST(PoincareHopf, RightAngledDomainsNeedNothing)
+TEST(PoincareHopf, RightAngledDomainsRequireNoSingularities)
 {
   Random random(42);
   for (int trial = 0; trial < 40; ++trial)
@@ -144,7 +145,7 @@ TEST(PoincareHopf, RightAngledDomainsNeedNothing)
   }
 }
 
-TEST(PoincareHopf, RotationScaleAndSubdivisionChangeNothing)
+TEST(PoincareHopf, IsInvariantUnderRotationScaleAndSubdivision)
 {
   Random random(43);
   std::vector<PlanarDomain> domains = { Builtin("quarter-disk"), Builtin("l-shape"),
@@ -175,9 +176,10 @@ TEST(PoincareHopf, RotationScaleAndSubdivisionChangeNothing)
   }
 }
 
-TEST(PoincareHopf, RoundingDoesNotDecideWhatIsACorner)
+TEST(PoincareHopf, RoundingDoesNotDecideAboutCorners)
 {
-  // A dodecagon turns by exactly the corner angle: no corner, however it is placed.
+  // A dodecagon turns by exactly the corner angle at every vertex: no corner, whatever its
+  // position.
   Random random(45);
   for (int trial = 0; trial < 50; ++trial)
   {
@@ -189,9 +191,9 @@ TEST(PoincareHopf, RoundingDoesNotDecideWhatIsACorner)
   }
 }
 
-TEST(PoincareHopf, TheRequiredSumDoesNotDependOnTheCornerAngle)
+TEST(PoincareHopf, RequiredSumIsIndependentOfTheCornerAngle)
 {
-  // Turns below π/4 rotate the cross as they stand, as a corner or as a curve.
+  // Turning angles below π/4 rotate the cross by the same angle, whether as a corner or as a curve.
   Random random(44);
   for (int trial = 0; trial < 20; ++trial)
   {
@@ -203,7 +205,7 @@ TEST(PoincareHopf, TheRequiredSumDoesNotDependOnTheCornerAngle)
   }
 }
 
-TEST(PoincareHopf, DrilledMeshesCountLikeTheirDomains)
+TEST(PoincareHopf, CountsOfDrilledMeshesEqualThoseOfTheirDomains)
 {
   for (const char* name : { "disk", "ring", "quarter-disk", "l-shape" })
   {
@@ -222,11 +224,11 @@ TEST(PoincareHopf, DrilledMeshesCountLikeTheirDomains)
   }
 }
 
-TEST(PoincareHopf, RefusesAnInconsistentSumWithBothNumbers)
+TEST(PoincareHopf, RejectsAnInconsistentSumWithBothNumbers)
 {
   PoincareHopfCount count = CountQuarters(Builtin("disk").loops, -3);
   EXPECT_TRUE(Refuses([&] { RequireConsistent(count); },
-    { "add up to -3", "Poincaré-Hopf", "asks for 4", "total 7" }, Error::Kind::Inconsistent));
+    { "add up to -3", "Poincaré-Hopf", "requires 4", "total 7" }, Error::Kind::Inconsistent));
   count.givenInteriorQuarters = 4;
   EXPECT_NO_THROW(RequireConsistent(count));
 }

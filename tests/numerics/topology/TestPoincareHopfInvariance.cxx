@@ -1,4 +1,4 @@
-// The count of quarter indices on domains of all kinds, and what must not change it.
+// Invariance of the count of quarter indices on domains of all kinds.
 
 #include "BuiltinDomains.h"
 #include "MakePlanarDomain.h"
@@ -13,7 +13,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// Star-shaped polygon around a centre, radii between those given.
+/// Returns a star-shaped polygon around a centre with radii in the given range.
 Loop RandomPolygon(Random& random, int corners, const Point& centre, double least, double most)
 {
   Loop loop;
@@ -25,14 +25,13 @@ Loop RandomPolygon(Random& random, int corners, const Point& centre, double leas
   return loop;
 }
 
-/// Loops of a random polygon with random polygonal islands, in any order.
+/// Returns the loops of a random polygon with random polygonal islands, in random order.
 std::vector<Loop> RandomLoops(Random& random)
 {
   std::vector<Loop> loops = { RandomPolygon(
     random, random.Integer(3, 12), Point::Zero(), 8.0, 12.0) };
   const std::vector<Point> centres = { { 1.0, 1.0 }, { -1.0, 1.0 }, { -1.0, -1.0 }, { 1.0, -1.0 } };
-  // A triangle of circumradius 8 has the circle of radius 4 inside, mostly; islands stay within
-  // 1.8.
+  // A triangle of circumradius 8 mostly contains the circle of radius 4; islands stay within 1.8.
   const int islands = random.Integer(0, 4);
   for (int i = 0; i < islands; ++i)
   {
@@ -65,7 +64,7 @@ void ExpectIdentities(const PlanarDomain& domain)
   }
   EXPECT_EQ(count.requiredInteriorQuarters, 4 * domain.EulerCharacteristic() - quarters);
   EXPECT_NEAR(4.0 * (count.valence + count.tangentTurning), count.requiredInteriorQuarters, 1e-9);
-  // The loops add up.
+  // The contributions of the loops add up to the sums.
   ASSERT_EQ(count.loops.size(), domain.loops.size());
   double valence = 0.0;
   double turning = 0.0;
@@ -117,7 +116,7 @@ TEST(PoincareHopfInvariance, RandomPolygonsWithIslands)
       EXPECT_NEAR(count.valence, plain.valence, tolerance);
       EXPECT_NEAR(count.tangentTurning, plain.tangentTurning, tolerance);
     };
-    // Reversal and renumbering.
+    // Reversal and renumbering of loops.
     for (Loop& loop : other)
     {
       std::rotate(loop.begin(), loop.begin() + random.Integer(0, static_cast<int>(loop.size()) - 1),
@@ -129,7 +128,7 @@ TEST(PoincareHopfInvariance, RandomPolygonsWithIslands)
     }
     random.Shuffle(other);
     expectSame(1e-12);
-    // Rotation and scale.
+    // Rotation and scaling.
     for (const double scale : { 1e-6, 1e6 })
     {
       other = Similarity{ random.Uniform(-Pi, Pi), scale, Point(0.0, 0.0) }(loops);
@@ -185,7 +184,7 @@ TEST(PoincareHopfInvariance, AngularDomainsOfThePaper)
   EXPECT_EQ(flat("angular-negative"), 0);
   EXPECT_EQ(flat("angular-positive"), 4);
   EXPECT_EQ(flat("angular-hole"), 4);
-  // The paper: V = 1/2 thanks to the external boundary, the hole's tangent turns by −1.
+  // The paper: V = 1/2 due to the external boundary; the tangent of the hole turns by −1.
   const PoincareHopfCount hole = CountQuarters(Builtin("angular-hole").loops, 0);
   EXPECT_NEAR(hole.valence, 0.5, 1e-12);
   EXPECT_NEAR(hole.loops[0].valence, 0.5, 1e-12);
@@ -204,7 +203,7 @@ TEST(PoincareHopfInvariance, ChosenIndicesReplaceTheSmallestRotations)
     int sum = 0;
     for (const Point& point : domain.loops[0])
     {
-      // Positions that went through single precision.
+      // Positions rounded to single precision.
       choices.push_back({ point.cast<float>().cast<double>(), random.Integer(-2, 2) });
       sum += choices.back().quarterIndex;
     }
@@ -217,7 +216,7 @@ TEST(PoincareHopfInvariance, ChosenIndicesReplaceTheSmallestRotations)
   }
 }
 
-TEST(PoincareHopfInvariance, RefusesChoicesThatAreNotOnTheBoundary)
+TEST(PoincareHopfInvariance, RejectsChoicesOffTheBoundary)
 {
   const PlanarDomain square = Builtin("square");
   const auto count = [&](const std::vector<CornerChoice>& choices)
@@ -236,7 +235,7 @@ TEST(PoincareHopfInvariance, RefusesChoicesThatAreNotOnTheBoundary)
   EXPECT_TRUE(Refuses([&] { count({ { Point(none, 0.0), 1 } }); }, { "not a vertex" }));
 }
 
-TEST(PoincareHopfInvariance, ReasonSaysWhatToAddOrRemove)
+TEST(PoincareHopfInvariance, ReasonStatesWhatToAddOrRemove)
 {
   PoincareHopfCount count = CountQuarters(Builtin("disk").loops, 6);
   EXPECT_NE(
@@ -245,7 +244,7 @@ TEST(PoincareHopfInvariance, ReasonSaysWhatToAddOrRemove)
   count.givenInteriorQuarters = 4;
   EXPECT_EQ(ConsistencyReason(count),
     "The quarter indices of the singularities add up to 4, as the "
-    "Poincaré-Hopf theorem asks on this domain.");
+    "Poincaré-Hopf theorem requires on this domain.");
 }
 }
 }
