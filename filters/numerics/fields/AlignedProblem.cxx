@@ -7,7 +7,7 @@ namespace crossfield
 {
 namespace
 {
-/// The entries of a matrix over all edges in the rows and columns of the free ones.
+/// Returns the rows and columns of the free edges of a matrix over all edges.
 SparseMatrix Restrict(const SparseMatrix& matrix, const std::vector<int>& free)
 {
   std::vector<int> unknown(static_cast<std::size_t>(matrix.rows()), -1);

@@ -52,13 +52,13 @@ ComplexVector DirectReduction::ValuesOf(const ComplexVector& u) const
 
 RecoveredField DirectReduction::Recover(const ComplexVector& x) const
 {
-  // S x − b are the forces that hold the values.
-  const ComplexVector forces = this->Reduced.matrix * x - this->Reduced.load;
+  // S x − b is the gradient that holds the values in place.
+  const ComplexVector gradient = this->Reduced.matrix * x - this->Reduced.load;
   Eigen::MatrixXd load = this->Aligned.Load();
   for (std::size_t i = 0; i < this->Constrained.size(); ++i)
   {
-    const Complex force = forces[static_cast<Eigen::Index>(i)];
-    load.row(this->Constrained[i]) += Eigen::RowVector2d(force.real(), force.imag());
+    const Complex entry = gradient[static_cast<Eigen::Index>(i)];
+    load.row(this->Constrained[i]) += Eigen::RowVector2d(entry.real(), entry.imag());
   }
   RecoveredField field;
   field.u = this->Aligned.Extend(this->Factor->Solve(load));

@@ -9,25 +9,27 @@ namespace crossfield
 {
 class SparseCholesky;
 
-/// The problem on the edges of holes and imprinted circles, with every other Crouzeix-Raviart unknown
-/// eliminated (docs/method.md §3.2, direct form). The constrained edges come last in the factorisation of the
-/// stiffness matrix, so that the trailing block of the factor is the Schur complement.
+/// Problem on the edges of holes and imprinted circles, after elimination of every other
+/// Crouzeix-Raviart unknown (docs/method.md §3.2, direct form). The constrained edges come last in
+/// the factorisation of the stiffness matrix, so that the trailing block of the factor is that of
+/// the Schur complement.
 ///
-/// It holds for edges anywhere in the mesh, where that of PotentialReduction.h needs holes: an
-/// imprinted circle carries forces inside the domain, and the conjugate potential would jump there.
+/// It applies to edges anywhere in the mesh, whereas PotentialReduction.h requires holes: at an
+/// imprinted circle the constraint acts inside the domain, where the conjugate potential would
+/// jump.
 class DirectReduction final : public ConstraintReduction
 {
 public:
-  /// `loops`: holes and imprinted circles, one degree constraint each. Throws Error when one has too
-  /// few edges for its degree.
+  /// Reduces the problem. `loops` are holes and imprinted circles, with one degree constraint each.
+  /// Throws Error when a loop has too few edges for its degree.
   DirectReduction(const MeshTopology& topology, const std::vector<BoundaryLoop>& loops);
   ~DirectReduction() override;
 
   const AlignedProblem& GetAligned() const { return this->Aligned; }
-  /// Position in AlignedProblem::free of every reduced unknown.
+  /// Returns the position in AlignedProblem::free of every reduced unknown.
   const std::vector<int>& FreePositions() const { return this->Constrained; }
 
-  /// Values of the field without constraints on the reduced unknowns.
+  /// Returns the values on the reduced unknowns of the field without constraints.
   const ComplexVector& HarmonicValues() const { return this->Harmonic; }
 
   ComplexVector ValuesOf(const ComplexVector& u) const override;

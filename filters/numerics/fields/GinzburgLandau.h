@@ -6,8 +6,8 @@
 
 namespace crossfield
 {
-/// The field that the iteration starts from; the minimum that it ends in depends on it. The values
-/// on aligned edges are those of the boundary in any case.
+/// Field from which the iteration starts; it determines which minimum is found. The values on
+/// aligned edges are always those of the boundary.
 enum class GinzburgLandauStart
 {
   Harmonic, ///< The field without penalty.
@@ -18,46 +18,47 @@ enum class GinzburgLandauStart
 
 struct GinzburgLandauOptions
 {
-  /// ε, a length: about the radius of the cores of singularities. 0: the mean edge length weighted
-  /// by area, that of most of the domain also where a fine boundary has most of the edges. Below a
-  /// third of the edge length the mesh holds singularities wherever they happen to be.
+  /// ε, a length: approximately the radius of the cores of singularities. 0 selects the mean edge
+  /// length weighted by area, which represents most of the domain even if most edges are on a fine
+  /// boundary. Below a third of the edge length, the mesh pins singularities at arbitrary places.
   double epsilon = 0.0;
   GinzburgLandauStart start = GinzburgLandauStart::Harmonic;
   ComplexVector given; ///< One value per edge.
   GinzburgLandauPinning pinning;
   int maximumIterations = 500;
-  /// Converged when the derivative, relative to GinzburgLandauEnergy::ResidualScale, is below this.
+  /// Converged when the derivative relative to GinzburgLandauEnergy::ResidualScale is below this.
   double tolerance = 1e-10;
 };
 
-/// The ε that options ask for on a mesh.
+/// Returns the ε that the options select on a mesh.
 double ResolveEpsilon(const GinzburgLandauOptions& options, const MeshTopology& topology);
 
-/// A local minimiser of GinzburgLandauEnergy, and what the solver has to say about it. In the
-/// report:
+/// Local minimiser of GinzburgLandauEnergy, with the report of the solver. In the report:
 /// - energy = gradientEnergy + penaltyEnergy;
 /// - count.givenInteriorQuarters is the sum of the singularities found inside, so that the count
-///   compares what the domain requires with what the field has;
-/// - unwantedSingularities is what the field has beyond the least that the Poincaré-Hopf theorem requires.
+///   compares the sum that the domain requires with that of the field;
+/// - unwantedSingularities counts those in excess of the minimum that the Poincaré-Hopf theorem
+///   requires.
 struct GinzburgLandauField : SolvedField
 {
-  /// Of the start and after every iteration; never rises by more than rounding.
+  /// Energies at the start and after every iteration; they never increase by more than rounding.
   std::vector<double> energies;
   int convexifiedSteps = 0; ///< Iterations in which the Hessian was not positive definite.
-  int saddlesLeft = 0;      ///< Iterations that left a saddle by its negative curvature.
+  int saddlesLeft = 0;      ///< Iterations that left a saddle along negative curvature.
 };
 
 /// Minimises the Ginzburg-Landau energy (docs/method.md §4.2; paper, "Ginzburg-Landau") by
 /// PenaltySolve.h without constraints: Newton's method with a line search on the energy.
 ///
-/// Where the Hessian H is not positive definite, H + τ D is factored instead, D the matrix of
-/// 1/ε² ∫ f² u · v and τ = 1/64, 1/16, 1/4 or 1, for which it always is; steps with a small τ
-/// follow the directions in which the energy falls off a saddle. It is converged only if H itself
-/// is positive definite at the end; saddles on the way are left by their negative curvature.
+/// Where the Hessian H is not positive definite, H + τ D is factored instead, where D is the matrix
+/// of 1/ε² ∫ f² u · v and τ = 1/64, 1/16, 1/4 or 1; for τ = 1 it is always positive definite. Steps
+/// with a small τ follow the directions in which the energy decreases from a saddle. The result
+/// counts as converged only if H itself is positive definite at the end; intermediate saddles are
+/// left along their negative curvature.
 ///
-/// Any domain is allowed, since the singularities come by themselves. Throws Error when the mesh
-/// has holes, ε is not positive, or the given start does not fit the mesh. An iteration that does
-/// not converge is not an error: see SolveReport::converged.
+/// Any domain is allowed, since the field chooses its singularities. Throws Error when the mesh has
+/// holes, ε is not positive, or the given start does not fit the mesh. An iteration that does not
+/// converge is not an error: see SolveReport::converged.
 GinzburgLandauField SolveGinzburgLandau(const SharedTopology& topology,
   const GinzburgLandauOptions& options = {}, const Progress& progress = {});
 }

@@ -43,7 +43,8 @@ const GinzburgLandauPinning& CheckPinning(
   return pinning;
 }
 
-/// The matrix that acts on real and imaginary parts alike, with all entries of the diagonal blocks.
+/// Returns the matrix that acts on real and imaginary parts separately, with all entries of the
+/// diagonal blocks stored.
 SparseMatrix OnBothParts(const SparseMatrix& matrix)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -64,7 +65,7 @@ SparseMatrix OnBothParts(const SparseMatrix& matrix)
   return both;
 }
 
-/// Position of an entry in the list of values of a matrix.
+/// Returns the position of an entry in the value array of a matrix.
 std::ptrdiff_t PositionOf(SparseMatrix& matrix, Eigen::Index row, Eigen::Index column)
 {
   return &matrix.coeffRef(row, column) - matrix.valuePtr();
@@ -117,11 +118,11 @@ double GinzburgLandauEnergy::GradientPart(const ComplexVector& u) const
 double GinzburgLandauEnergy::PenaltyPart(const ComplexVector& u) const
 {
   const Eigen::ArrayXd square = u.array().abs2();
-  // Completed to a square: a small penalty must not drown in the rounding of large terms.
-  const Eigen::ArrayXd wanted = this->Pull.array() / this->Mass.array();
-  const Eigen::ArrayXd spread = this->Offset.array() - this->Pull.array() * wanted;
+  // Complete the square, so that a small penalty is not lost in the rounding of large terms.
+  const Eigen::ArrayXd targetSquare = this->Pull.array() / this->Mass.array();
+  const Eigen::ArrayXd spread = this->Offset.array() - this->Pull.array() * targetSquare;
   return 0.25 * this->InverseSquare *
-    (this->Mass.array() * (square - wanted).square() + spread).sum();
+    (this->Mass.array() * (square - targetSquare).square() + spread).sum();
 }
 
 Eigen::VectorXd GinzburgLandauEnergy::Gradient(const ComplexVector& u) const

@@ -17,7 +17,7 @@ namespace crossfield
 {
 namespace
 {
-/// ∫ of a P1 function, and the area.
+/// Returns the integral of a P1 function and the area.
 std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd& values)
 {
   std::array<double, 2> result = { 0.0, 0.0 };
@@ -30,8 +30,8 @@ std::array<double, 2> Integrate(const TriangleMesh& mesh, const Eigen::VectorXd&
   return result;
 }
 
-/// The values at vertices of a log: there the mean over a disk of radius a, half of the shortest edge,
-/// where that of log r is log a − ½.
+/// Sets the values at vertices on a logarithm to the mean over a disk of radius a, half of the
+/// shortest edge, where the mean of log r is log a − ½.
 void SetCores(const PointPotential& potential, const PointPotential::Solution& solution,
   Eigen::VectorXd& values)
 {
@@ -65,7 +65,7 @@ void SetCores(const PointPotential& potential, const PointPotential::Solution& s
   }
 }
 
-/// Φ = R + logs at the vertices, area mean 0.
+/// Returns Φ = R + logarithms at the vertices, with area mean 0.
 Eigen::VectorXd AssembleValues(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
@@ -95,9 +95,9 @@ Eigen::VectorXd AssembleValues(
   return values.array() - integral / area;
 }
 
-/// u from the conjugate of R, the turns of the corners' logarithms along the way, and the arguments
-/// of the singularities as powers of unit complex numbers, which needs no branches. Those of curves see
-/// the boundary's edges on the curve.
+/// Returns u from the conjugate of R, the turns of the corners' logarithms along the path, and the
+/// arguments of the singularities as powers of unit complex numbers, which needs no branches. At
+/// singularities on curves, the arguments are evaluated with the boundary edges on the curve.
 ComplexVector AssembleField(
   const PointPotential& potential, const PointPotential::Solution& solution)
 {
@@ -140,7 +140,7 @@ ComplexVector AssembleField(
   return u;
 }
 
-/// Largest deviation on aligned edges from the phase that was prescribed there.
+/// Returns the largest deviation from the prescribed phase on aligned edges.
 double Misalignment(const PointPotential& potential, const ComplexVector& u)
 {
   const PotentialProblem& problem = potential.GetProblem();
@@ -148,14 +148,14 @@ double Misalignment(const PointPotential& potential, const ComplexVector& u)
   double largest = 0.0;
   for (Eigen::Index i = 0; i < crosses.size(); ++i)
   {
-    const Complex wanted = crosses[i] * std::polar(1.0, potential.GetMidpointShift()[i]);
+    const Complex prescribed = crosses[i] * std::polar(1.0, potential.GetMidpointShift()[i]);
     largest = std::max(
-      largest, std::abs(u[problem.Topology().EdgeOfBoundary(static_cast<int>(i))] - wanted));
+      largest, std::abs(u[problem.Topology().EdgeOfBoundary(static_cast<int>(i))] - prescribed));
   }
   return largest;
 }
 
-/// H on a mesh whose singularities are holes: Φ of the unit-norm field.
+/// Returns H on a mesh whose singularities are holes: Φ of the unit-norm field.
 HField SolveOnHoles(const PotentialProblem& problem)
 {
   HField result;
@@ -193,7 +193,7 @@ HField SolveAtPoints(const PointPotential& potential, const Configuration& inter
   result.h = 0.25 * AssembleValues(potential, solution);
   field.u = AssembleField(potential, solution);
   field.residual = Misalignment(potential, field.u);
-  // From the tangents of curves to the directions of edges.
+  // Rotate from the tangents of curves to the directions of edges.
   SetAlignedCrosses(problem.Topology(), problem.alignment, field.u);
 
   field.holonomyDefect = solution.holonomyDefect;
@@ -214,7 +214,7 @@ HField SolveAtPoints(const PointPotential& potential, const Configuration& inter
   return result;
 }
 
-/// Throws unless the singularity lies in a hole of its quarter index.
+/// Throws Error unless the singularity is in a hole of the same quarter index.
 void RequireHole(const MeshTopology& topology, const Singularity& singularity)
 {
   for (const BoundaryLoop& loop : topology.loops)
@@ -237,7 +237,7 @@ void RequireHole(const MeshTopology& topology, const Singularity& singularity)
     "; give all singularities as holes, or the domain without holes.");
 }
 
-/// Finds out what the configuration asks for, and refuses what cannot be.
+/// Places the configuration on the mesh; throws Error when it is invalid.
 PlacedConfiguration Place(const MeshTopology& topology, const Configuration& configuration,
   const std::vector<CornerChoice>& corners)
 {
@@ -270,7 +270,7 @@ HField SolvePlaced(const std::shared_ptr<const PotentialSolver>& potential,
     AlignWithBoundary(topology, placed.corners, holes ? 0 : TotalQuarters(placed.interior));
   HField result = holes ? SolveOnHoles({ potential, alignment })
                         : SolveAtPoints({ potential, alignment }, placed.interior);
-  // The cross is off the boundary's direction by a fraction of this; rounding only.
+  // The angle between cross and boundary is a fraction of this; only rounding is accepted.
   result.field.converged = result.field.residual <= 1e-6;
   result.field.seconds.solve = stopwatch.Lap();
   progress.Report(0.8);

@@ -27,13 +27,13 @@ public:
     }
     this->Constrained.assign(constrained.begin(), constrained.end());
     this->Order = energy.UnknownOrder(this->Constrained);
-    // Where u = 0 and the shift is 1 nothing but the stiffness matrix is left.
+    // For u = 0 and shift 1 the Hessian reduces to the stiffness matrix.
     const Eigen::VectorXd diagonal =
       energy.Hessian(ComplexVector::Zero(start.size()), 1.0).diagonal();
     this->MeanDiagonal = diagonal.size() > 0 ? diagonal.mean() : 1.0;
   }
 
-  /// The field on all edges with these values on the free ones.
+  /// Returns the field on all edges with these values on the free ones.
   ComplexVector OnAllEdges(const ComplexVector& x) const
   {
     ComplexVector u = this->Field;
@@ -59,15 +59,15 @@ public:
   }
   double Stiffness() const override { return this->MeanDiagonal; }
 
-  // Without what M has on the constrained edges besides: it is by far larger, and the curvature would
-  // be least where the saddle is not.
+  // Without the additional term of M on the constrained edges. That term is much larger, and the
+  // direction of minimum curvature would not be that of the saddle.
   Eigen::VectorXd Metric() const override { return this->Energy.Metric(); }
 
   bool Factor(const ComplexVector& x, const Additions& additions) override
   {
     if (x.size() == 0)
     {
-      return true; // the boundary prescribes everything, and CHOLMOD takes no empty matrix
+      return true; // the boundary prescribes everything, and CHOLMOD rejects empty matrices
     }
     Eigen::SparseMatrix<double> hessian =
       this->Energy.Hessian(this->OnAllEdges(x), additions.shift);
@@ -91,7 +91,8 @@ public:
   }
 
 private:
-  /// Σ λ_i A_i + weight × N Nᵀ + shift × the stiffness of M, all zero off the constrained edges.
+  /// Returns Σ λ_i A_i + weight × N Nᵀ + shift × the stiffness part of M, which are zero except on
+  /// the constrained edges.
   Eigen::SparseMatrix<double> OnConstrained(const Additions& additions) const
   {
     std::vector<Eigen::Triplet<double>> entries;
@@ -128,10 +129,10 @@ private:
   }
 
   const GinzburgLandauEnergy& Energy;
-  ComplexVector Field;          ///< For the values on the aligned edges.
+  ComplexVector Field;          ///< Field with the values on the aligned edges.
   std::vector<int> Constrained; ///< Positions in FreeEdges.
   std::vector<int> Order;
-  double MeanDiagonal; ///< Of the stiffness matrix.
+  double MeanDiagonal; ///< Mean diagonal entry of the stiffness matrix.
   std::unique_ptr<SparseCholesky> LastFactor;
 };
 }

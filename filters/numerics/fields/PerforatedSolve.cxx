@@ -14,10 +14,10 @@ namespace crossfield
 {
 namespace
 {
-/// Alignment that is off by more than this is not rounding: the potential did not fit its boundary.
+/// Misalignment above this is not rounding: the potential did not fit its boundary.
 constexpr double AlignmentTolerance = 1e-6;
 
-/// The methods on one drilled mesh; `blank` is what all of their fields begin with.
+/// Methods on one drilled mesh; `blank` holds the common initial contents of all resulting fields.
 class PerforatedSolver
 {
 public:
@@ -98,7 +98,7 @@ private:
     return field;
   }
 
-  /// |u| = 1 on the holes, from the unit-norm field.
+  /// Solves with |u| = 1 on the holes, starting from the unit-norm field.
   SolvedField WithUnitHoles() const
   {
     const PotentialReduction reduction(this->Problem, PotentialSolver::Periods::IslandsAndHoles);
@@ -111,7 +111,7 @@ private:
     return field;
   }
 
-  /// The field of a solution on the holes, and its report.
+  /// Builds the field and its report from a solution on the holes.
   SolvedField Finish(const PotentialReduction& reduction, const MinimiserResult& solution) const
   {
     RecoveredField result = reduction.Recover(solution.x);

@@ -6,8 +6,8 @@ namespace crossfield
 {
 namespace
 {
-/// Sources of the conjugates of Re u and Im u at the vertices of aligned loops, and the differences
-/// between the ends of the strips.
+/// Returns the sources of the conjugates of Re u and Im u at the vertices of aligned loops, and the
+/// differences between the ends of the strips.
 Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
 {
   const PotentialSolver& potential = *problem.potential;
@@ -27,7 +27,7 @@ Eigen::MatrixXd AlignedLoad(const PotentialProblem& problem)
   for (Eigen::Index k = 0; k < potential.PeriodCount(); ++k)
   {
     const LoopStrip& strip = potential.GetStrips()[static_cast<std::size_t>(k)];
-    // On a hole the cross is 0; what its edges contribute is an unknown.
+    // On a hole the cross is 0, because the values on its edges are unknowns.
     set(potential.PeriodRow(k), crosses[strip.firstBoundaryEdge] - crosses[strip.lastBoundaryEdge]);
   }
   return load;

@@ -22,7 +22,7 @@ bool IsBetter(const SolvedField& field, const SolvedField& other)
 {
   const auto shortcomings = [](const SolvedField& of)
   { return std::make_tuple(!of.converged, of.wrongDegrees, of.unwantedSingularities); };
-  // Two ways to one minimum end in energies that differ by what is left of the residual.
+  // Two paths to one minimum yield energies that differ by the remaining residual.
   constexpr double SameEnergy = 1e-9;
   return shortcomings(field) != shortcomings(other)
     ? shortcomings(field) < shortcomings(other)

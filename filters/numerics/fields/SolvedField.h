@@ -13,41 +13,44 @@ struct StageSeconds
   double assemble = 0.0;
   double factor = 0.0;
   double solve = 0.0;
-  double newton = 0.0; ///< The part of solve that is iterations on the hole edges.
+  double newton = 0.0; ///< The part of `solve` spent in iterations on the hole edges.
 };
 
-/// How a field was found.
+/// Report on how a field was computed.
 struct SolveReport
 {
-  double energy = 0.0;  ///< ½ ∫ |∇u|², summed over triangles; with a penalty, that as well.
-  double epsilon = 0.0; ///< Of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0: there is none.
-  double gradientEnergy = 0.0; ///< With a penalty: ½ ∫ w |∇u|²,
-  double penaltyEnergy = 0.0;  ///< and the penalty.
+  double energy = 0.0; ///< ½ ∫ |∇u|², summed over triangles, plus the penalty if there is one.
+  double epsilon = 0.0; ///< ε of the penalty 1/(4ε²) ∫ (|u|² − f²)²; 0 without penalty.
+  double gradientEnergy = 0.0; ///< With a penalty: ½ ∫ w |∇u|².
+  double penaltyEnergy = 0.0;  ///< The penalty.
   int iterations = 0;
-  double residual = 0.0; ///< Of the optimality conditions, relative.
+  double residual = 0.0; ///< Relative residual of the optimality conditions.
   bool converged = false;
-  /// Constrained method: the field was started from the unit-norm field, not the harmonic one.
+  /// Constrained method: whether the iteration started from the unit-norm field instead of the
+  /// harmonic one.
   bool startedFromUnitNorm = false;
-  bool unitHoles = false;          ///< Constrained method: |u| = 1 was forced on holes.
-  bool globalConstraint = false;   ///< Only the sum of the degrees was prescribed.
+  bool unitHoles = false;          ///< Constrained method: whether |u| = 1 was enforced on holes.
+  bool globalConstraint = false;   ///< Whether only the sum of the degrees was prescribed.
   std::vector<double> multipliers; ///< One per hole, for the constraint C of DegreeConstraint.
-  /// Per inner loop, radians; unit-norm method only (UnitNormField.h).
+  /// One per inner loop, in radians; unit-norm method only (UnitNormField.h).
   std::vector<double> holonomyDefect;
   StageSeconds seconds;
 };
 
-/// What every solve returns: the field, how it was found, and what it shows.
+/// Result of every solve: the field, its report, and its properties.
 struct SolvedField : CrossField, SolveReport, FieldReading
 {
-  /// Reads the field; `count` and globalConstraint of what is here are the question.
+  /// Reads the properties of the field; `count` and `globalConstraint` of this object are the
+  /// request.
   void Read(const Configuration& points = {});
 };
 
-/// Which of two fields is the better answer: converged, with fewer wrong degrees, fewer unwanted
-/// singularities, less energy; the first that differs decides.
+/// Returns whether the first field is the better one. Compares convergence, then the number of
+/// wrong degrees, then the number of unwanted singularities, then the energy.
 bool IsBetter(const SolvedField& field, const SolvedField& other);
 
-/// The first answer if it is flawless: converged, with all degrees and no unwanted singularity; else the better of it and the second.
+/// Returns the first field if it is flawless: converged, with all degrees and no unwanted
+/// singularity; otherwise the better of both.
 SolvedField BestOfTwo(
   const std::function<SolvedField()>& first, const std::function<SolvedField()>& second);
 }

@@ -17,7 +17,7 @@ namespace crossfield
 {
 namespace
 {
-/// Holes, then imprinted circles: everything that carries a constraint.
+/// Returns all loops with a constraint: holes, then imprinted circles.
 std::vector<BoundaryLoop> ConstrainedLoops(const MeshTopology& topology)
 {
   std::vector<BoundaryLoop> loops;
@@ -27,7 +27,7 @@ std::vector<BoundaryLoop> ConstrainedLoops(const MeshTopology& topology)
   return loops;
 }
 
-/// Whether each loop has unit norm. Throws Error for a row that is none of them.
+/// Returns whether each loop has unit norm. Throws Error for a row that is not in the list.
 std::vector<bool> FindUnitLoops(
   const std::vector<BoundaryLoop>& loops, const PerforatedOptions& options)
 {
@@ -67,7 +67,7 @@ void CheckCombination(const TriangleMesh& mesh, const PerforatedOptions& options
   }
 }
 
-/// The reduced problem with some of its loops replaced by one unknown, the factor e^{iφ}.
+/// Reduced problem in which some loops are replaced by one unknown each, the factor e^{iφ}.
 class VariantProblem
 {
 public:
@@ -113,7 +113,8 @@ public:
     this->Problem.load = this->Expansion.adjoint() * reduced.load;
   }
 
-  /// From values on the edges; those with unit norm count by the phase nearest to them.
+  /// Solves from values on the edges; a loop with unit norm starts at the phase nearest to its
+  /// values.
   MinimiserResult Solve(
     const ComplexVector& start, const MinimiserOptions& options, const Progress& progress) const
   {
@@ -136,7 +137,7 @@ public:
     return result;
   }
 
-  /// Replaces the values on a loop by the nearest unit values that turn evenly.
+  /// Replaces the values on a loop by the nearest evenly turning unit values.
   static void TurnEvenly(const DegreeConstraint& constraint, ComplexVector& x)
   {
     Complex sum = 0.0;
@@ -153,11 +154,11 @@ public:
 private:
   const ReducedProblem& Reduced;
   std::vector<bool> Unit;
-  Eigen::SparseMatrix<Complex> Expansion; ///< Edges from unknowns.
+  Eigen::SparseMatrix<Complex> Expansion; ///< Maps unknowns to values on edges.
   QuadraticProblem Problem;
 };
 
-/// One variant on one mesh; `blank` is what all of its solutions begin with.
+/// Solver of one variant on one mesh; `blank` holds the common initial contents of all solutions.
 class VariantSolver
 {
 public:
@@ -193,8 +194,8 @@ public:
     case PerforatedStart::Best:
       break;
     }
-    // The penalty wants unit crosses: it starts there if it can. The dual method cannot do without
-    // the harmonic field.
+    // The penalty prefers unit crosses, so with a penalty the unit-norm field is the start if there
+    // is one. The dual method requires the harmonic field.
     const bool harmonicFirst =
       this->Dual && !(this->Options.epsilon > 0.0 && this->UnitNormCrosses.size() > 0);
     const auto from = [&](bool harmonic, const Progress& part)
@@ -214,7 +215,7 @@ private:
       progress.Part(0.3, 1.0));
   }
 
-  /// From the unit-norm field or, where there is none, from unit crosses on the holes.
+  /// Solves from the unit-norm field or, where there is none, from unit crosses on the holes.
   SolvedField FromUnitCrosses(const Progress& progress) const
   {
     SolvedField field = this->Blank;
@@ -243,7 +244,8 @@ private:
     return field;
   }
 
-  /// The field of a solution on the holes, with the penalty if there is one, and its report.
+  /// Builds the field and its report from a solution on the holes, and applies the penalty if there
+  /// is one.
   SolvedField Finish(const MinimiserResult& onHoles, const Progress& progress) const
   {
     SolvedField field = this->Blank;
@@ -298,10 +300,10 @@ private:
   const MeshTopology& Topology;
   std::vector<BoundaryLoop> Loops;
   std::vector<bool> Unit;
-  bool Dual; ///< One degree constraint for each hole and nothing else.
+  bool Dual; ///< Whether there is one degree constraint per hole and nothing else.
   DirectReduction Reduction;
   VariantProblem Problem;
-  ComplexVector UnitNormCrosses; ///< Empty where there is none, or it is not asked for.
+  ComplexVector UnitNormCrosses; ///< Empty if there is no unit-norm field, or it is not needed.
 };
 }
 

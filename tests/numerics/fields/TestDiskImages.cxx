@@ -12,7 +12,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// Singularities of the disk, inside and on the circle, of quarter indices from −2 to 4.
+/// Returns singularities of the disk, inside and on the circle, with quarter indices from −2 to 4.
 std::vector<Configuration> Preimages()
 {
   return { { { { 0.31, 0.42 }, 4, 0.0 }, { { -0.52, 0.18 }, -2, 0.0 }, { { -0.11, -0.61 }, 1, 0.0 },
@@ -25,7 +25,8 @@ std::vector<Configuration> Preimages()
 
 const std::vector<DiskImage> Images = { { { 0.2, 0.1 }, 2 }, { { -0.1, 0.12 }, 3 } };
 
-/// Those on the circle as a user of its polygon puts them: on a vertex, or on a side some part of it away.
+/// Returns the singularities as a user of the polygon places them: those on the circle at a vertex,
+/// or at a fraction of a side.
 Configuration Given(const DiskImage& image, const Configuration& preimages, int count, double part,
   Configuration& moved)
 {
@@ -46,7 +47,8 @@ Configuration Given(const DiskImage& image, const Configuration& preimages, int 
   return given;
 }
 
-/// The first two in the mean square; the largest ones have a logarithm of the mesh size more.
+/// The first two are root mean squares; the maxima contain an additional logarithm of the mesh
+/// size.
 struct Errors
 {
   double h = 0.0;
@@ -69,8 +71,8 @@ Errors ErrorsOf(const DiskImage& image, const Configuration& preimages, int side
     return std::all_of(places.begin(), places.end(),
       [&](const Singularity& s) { return (s.position - point).norm() > distance; });
   };
-  // The place on the curve that stands for one on a side is exact to second order only, and log r within h of
-  // it to first.
+  // The point on the curve that corresponds to a point on a side is exact to second order only, and
+  // log r within h of it to first order.
   const auto offCircle = [&](const Point& point)
   {
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -138,7 +140,8 @@ TEST(DiskImages, HThetaAndWConvergeAtSecondOrder)
         {
           sizes.push_back(2.0 * Pi / count);
           errors.push_back(ErrorsOf(image, preimages, count, part));
-          // Its sign may change from mesh to mesh: a bound of second order, and the rate of all of them below.
+          // Its sign may change from mesh to mesh, so each value has a second-order bound, and the
+          // rate is measured over all of them below.
           EXPECT_LT(errors.back().energy, 4.0 * squares * sizes.back() * sizes.back());
         }
         const auto rate = [&](double Errors::*what)

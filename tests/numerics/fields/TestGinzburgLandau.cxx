@@ -33,7 +33,7 @@ GinzburgLandauField Solve(const TriangleMesh& mesh, double epsilon, GinzburgLand
   return SolveGinzburgLandau(ShareTopology(mesh), options);
 }
 
-/// What every converged run promises.
+/// Checks the properties of every converged run.
 void ExpectMinimum(const GinzburgLandauField& field)
 {
   EXPECT_TRUE(field.converged) << field.iterations << " iterations, residual " << field.residual;
@@ -46,11 +46,12 @@ void ExpectMinimum(const GinzburgLandauField& field)
   EXPECT_NEAR(field.energy, field.gradientEnergy + field.penaltyEnergy, 1e-12 * field.energy);
   EXPECT_GT(field.gradientEnergy, 0.0);
   EXPECT_GE(field.penaltyEnergy, 0.0);
-  // Any maximum principle would do; overshoot beyond this says that the mesh is too coarse.
+  // Any maximum principle would be sufficient; a larger overshoot indicates that the mesh is too
+  // coarse.
   EXPECT_LT(field.u.cwiseAbs().maxCoeff(), 1.1);
 }
 
-/// How many singularities of each quarter index, −1 and +1; any other fails.
+/// Number of singularities of quarter index −1 and of +1; any other index is a failure.
 struct Count
 {
   int negative = 0;
@@ -93,7 +94,7 @@ TEST(GinzburgLandau, RingKeepsTheHarmonicFieldAndBreaksTheConstantOne)
   EXPECT_EQ(count.negative, 4);
   for (const FieldSingularity& singularity : singularities)
   {
-    // The positive ones near the outer circle, the negative ones near the inner one.
+    // The positive ones are near the outer circle, the negative ones near the inner one.
     const double radius = singularity.position.norm();
     EXPECT_EQ(singularity.quarterIndex, radius > 0.65 ? 1 : -1) << radius;
   }
@@ -126,7 +127,7 @@ TEST(GinzburgLandau, FourSingularitiesOfTheDiskApproachTheBestRadius)
   EXPECT_LT(previous, 0.003);
 }
 
-TEST(GinzburgLandau, FlatEllipsePutsThemOnALine)
+TEST(GinzburgLandau, SingularitiesOfAFlatEllipseAreOnALine)
 {
   constexpr double Size = 0.08;
   Loop ellipse;
@@ -147,11 +148,11 @@ TEST(GinzburgLandau, FlatEllipsePutsThemOnALine)
   }
 }
 
-TEST(GinzburgLandau, LeavesASaddleThatSymmetryHolds)
+TEST(GinzburgLandau, LeavesASymmetricSaddle)
 {
-  // u = 1 on the boundary and −1 in the middle, with a ring between in which gradients are cheap.
-  // The iteration stays real and converges to a wall u = 0 in that ring, which is the best among
-  // real fields; but among complex ones the middle can turn until the wall is gone.
+  // u = 1 on the boundary and −1 in the middle, with a ring between them in which gradients are
+  // cheap. The iteration stays real and converges to a wall u = 0 in that ring, which is the best
+  // real field; among complex fields, the middle can turn until the wall disappears.
   const TriangleMesh mesh = Mesh("square", 0.05);
   const EdgeNumbering edges = NumberEdges(mesh);
   const Point middle(0.5, 0.5);
@@ -185,7 +186,7 @@ TEST(GinzburgLandau, LeavesASaddleThatSymmetryHolds)
   }
 }
 
-TEST(GinzburgLandau, GivenStartThatIsASolutionStays)
+TEST(GinzburgLandau, KeepsAGivenSolution)
 {
   const TriangleMesh mesh = Mesh("disk", 0.14);
   const GinzburgLandauField first = Solve(mesh, 0.14);
@@ -199,7 +200,7 @@ TEST(GinzburgLandau, GivenStartThatIsASolutionStays)
   EXPECT_EQ(again.u, first.u);
 }
 
-TEST(GinzburgLandau, ConstantCrossOfASquareIsAlreadyTheMinimum)
+TEST(GinzburgLandau, KeepsTheConstantCrossOfASquare)
 {
   const GinzburgLandauField field = Solve(Mesh("square", 0.1), 0.1);
   EXPECT_TRUE(field.converged);
@@ -207,7 +208,7 @@ TEST(GinzburgLandau, ConstantCrossOfASquareIsAlreadyTheMinimum)
   EXPECT_EQ(field.unwantedSingularities, 0);
 }
 
-TEST(GinzburgLandau, OneTriangleLeavesNothingToChoose)
+TEST(GinzburgLandau, HandlesASingleTriangle)
 {
   TriangleMesh mesh;
   mesh.points = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.3, 0.8 } };
@@ -223,10 +224,10 @@ TEST(GinzburgLandau, OneTriangleLeavesNothingToChoose)
   EXPECT_GT(field.energy, 0.0);
 }
 
-TEST(GinzburgLandau, PinningHoldsSingularitiesWhereItIsSmall)
+TEST(GinzburgLandau, PinningAttractsSingularities)
 {
-  // Four disks in which the penalty asks for a small norm, or the gradient weighs little, at 0.5,
-  // where the singularities of the plain functional would not be.
+  // Four disks in which the target norm is small, or the gradient has a small weight, at radius
+  // 0.5, where the singularities of the unmodified functional would not be.
   const TriangleMesh mesh = Mesh("disk", 0.07);
   const Configuration wanted = OnCircle(4, 0.5, 0.3, 1, 0.15);
   Eigen::VectorXd small = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(mesh.triangles.size()));
@@ -274,7 +275,7 @@ TEST(GinzburgLandau, EpsilonIsALengthWithTheMeanEdgeLengthAsDefault)
   EXPECT_NEAR(scaled.energy, field.energy, 1e-6 * field.energy);
 }
 
-TEST(GinzburgLandau, EpsilonIsThatOfMostOfTheDomainWhereTheBoundaryIsFine)
+TEST(GinzburgLandau, EpsilonIgnoresAFineBoundary)
 {
   // Nearly all edges are along the circle: the mean of their lengths is 0.01.
   DrillOptions options;
@@ -297,7 +298,7 @@ TEST(GinzburgLandau, RotatingTheDomainRotatesTheCrosses)
   EXPECT_LT((rotated.u - turn * field.u).norm(), 1e-7 * field.u.norm());
 }
 
-TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
+TEST(GinzburgLandau, ReportsNonConvergence)
 {
   GinzburgLandauOptions options;
   options.epsilon = 0.1;
@@ -313,7 +314,7 @@ TEST(GinzburgLandau, StopsWithoutConvergenceWhenTold)
   EXPECT_EQ(calls, 5);
 }
 
-TEST(GinzburgLandau, RefusesWhatMakesNoSense)
+TEST(GinzburgLandau, RejectsInvalidOptions)
 {
   const TriangleMesh drilled = DrillHoles(Builtin("disk"), OnCircle(4, 0.6, 0.0, 1, 0.1));
   EXPECT_TRUE(Refuses(

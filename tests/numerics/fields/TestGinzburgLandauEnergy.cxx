@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Epsilon = 0.2;
 
-/// An L-shape, a random field on it that is aligned, and its energy.
+/// L-shape with a random aligned field and its energy.
 class GinzburgLandauEnergyTest : public testing::Test
 {
 public:
@@ -52,7 +52,8 @@ public:
     return values;
   }
 
-  /// No pinning; norm per triangle; norm per edge and weight; where the norm is zero.
+  /// Returns no pinning; a norm per triangle; a norm per edge and a weight; and a norm that is zero
+  /// in places.
   std::vector<GinzburgLandauPinning> Pinnings()
   {
     const auto triangles = static_cast<Eigen::Index>(this->Mesh.triangles.size());
@@ -120,7 +121,7 @@ TEST_F(GinzburgLandauEnergyTest, HessianIsTheDerivativeOfTheGradient)
   }
 }
 
-TEST_F(GinzburgLandauEnergyTest, WholeMetricMakesTheHessianPositiveDefinite)
+TEST_F(GinzburgLandauEnergyTest, ShiftByTheMetricMakesTheHessianPositiveDefinite)
 {
   for (const GinzburgLandauPinning& pinning : this->Pinnings())
   {
@@ -136,7 +137,7 @@ TEST_F(GinzburgLandauEnergyTest, WholeMetricMakesTheHessianPositiveDefinite)
   }
 }
 
-TEST_F(GinzburgLandauEnergyTest, PartsOfFieldsThatAreIntegratedByHand)
+TEST_F(GinzburgLandauEnergyTest, PartsMatchIntegralsByHand)
 {
   const GinzburgLandauEnergy energy = this->Energy();
   const double area = MeshArea(this->Mesh);
@@ -154,7 +155,7 @@ TEST_F(GinzburgLandauEnergyTest, PartsOfFieldsThatAreIntegratedByHand)
   }
   EXPECT_NEAR(energy.GradientPart(linear), 2.5 * area, 1e-10);
 
-  // Where f is that of the field there is no penalty; a weight multiplies the gradient term.
+  // There is no penalty where f is the norm of the field; a weight multiplies the gradient term.
   GinzburgLandauPinning pinning;
   pinning.norm = linear.cwiseAbs();
   pinning.gradientWeight =
@@ -190,7 +191,7 @@ TEST_F(GinzburgLandauEnergyTest, PenaltyOfASmoothFieldConvergesWithTheSecondOrde
   EXPECT_GT(ConvergenceRate(sizes, errors), 1.8);
 }
 
-TEST_F(GinzburgLandauEnergyTest, HarmonicFieldHasTheLeastGradientPart)
+TEST_F(GinzburgLandauEnergyTest, HarmonicFieldMinimisesTheGradientPart)
 {
   GinzburgLandauPinning weighted;
   weighted.gradientWeight =
@@ -214,7 +215,7 @@ TEST_F(GinzburgLandauEnergyTest, HarmonicFieldHasTheLeastGradientPart)
   }
 }
 
-TEST_F(GinzburgLandauEnergyTest, ScalingTheDomainWithEpsilonChangesNothing)
+TEST_F(GinzburgLandauEnergyTest, IsInvariantUnderScalingWithEpsilon)
 {
   const GinzburgLandauEnergy energy = this->Energy();
   const ComplexVector u = this->RandomField(energy);
@@ -226,7 +227,7 @@ TEST_F(GinzburgLandauEnergyTest, ScalingTheDomainWithEpsilonChangesNothing)
   EXPECT_LT((scaled.Gradient(u) - energy.Gradient(u)).norm(), 1e-9 * energy.Gradient(u).norm());
 }
 
-TEST_F(GinzburgLandauEnergyTest, RefusesWhatMakesNoSense)
+TEST_F(GinzburgLandauEnergyTest, RejectsInvalidOptions)
 {
   for (const double epsilon : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN() })
   {

@@ -1,9 +1,7 @@
 #include "HField.h"
 
 #include "Alignment.h"
-#include "BoundarySingularities.h"
 #include "DrillHoles.h"
-#include "ExactFields.h"
 #include "Support.h"
 #include "UnitNormField.h"
 
@@ -15,29 +13,9 @@ namespace crossfield::test
 {
 namespace
 {
-/// Five singularities of mixed sign off the centre, of sum 4.
+/// Five singularities of mixed sign and sum 4, away from the centre.
 const Configuration Five = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
   { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
-
-/// docs/method.md §9, with area mean 0: log|z − b| has the mean (|b|² − 1) / 2, the images have 0.
-double ExactH(const Configuration& configuration, const Point& point)
-{
-  const Complex z(point.x(), point.y());
-  double value = 0.0;
-  for (const Singularity& singularity : configuration)
-  {
-    const Complex b(singularity.position.x(), singularity.position.y());
-    value += 0.25 * singularity.quarterIndex *
-      (std::log(std::abs(z - b)) + std::log(std::abs(1.0 - std::conj(b) * z)) -
-        0.5 * (std::norm(b) - 1.0));
-  }
-  return value;
-}
-
-Complex ExactCross(const Configuration& configuration, const Point& point)
-{
-  return DiskImage{}.CrossAt(configuration, point);
-}
 
 TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configuration& holes = {})
 {
@@ -46,8 +24,9 @@ TriangleMesh Mesh(const PlanarDomain& domain, double meshSize, const Configurati
   return DrillHoles(domain, holes, options);
 }
 
-/// Slopes on a triangle of 4H, from its vertices, and of the phase of u, from its midpoints.
-std::array<Point, 2> Slopes(const TriangleMesh& mesh, const HField& field, std::size_t t)
+/// Returns the gradients on a triangle of 4H, from its vertices, and of the phase of u, from its
+/// midpoints.
+std::array<Point, 2> Gradients(const TriangleMesh& mesh, const HField& field, std::size_t t)
 {
   const auto& v = mesh.triangles[t];
   const auto& e = field.field.topology->edges.ofTriangle[t];
@@ -55,7 +34,7 @@ std::array<Point, 2> Slopes(const TriangleMesh& mesh, const HField& field, std::
     mesh.points[static_cast<std::size_t>(v[1])] - mesh.points[static_cast<std::size_t>(v[0])];
   const Point b =
     mesh.points[static_cast<std::size_t>(v[2])] - mesh.points[static_cast<std::size_t>(v[0])];
-  // Of the linear function that grows by da along a and by db along b.
+  // Gradient of the linear function that increases by da along a and by db along b.
   const auto slope = [&](double da, double db)
   { return Point(Point(da * b.y() - db * a.y(), db * a.x() - da * b.x()) / Cross(a, b)); };
   const auto step = [&](int from, int to)
@@ -65,158 +44,7 @@ std::array<Point, 2> Slopes(const TriangleMesh& mesh, const HField& field, std::
     slope(-2.0 * step(e[1], e[2]), 2.0 * step(e[0], e[1])) };
 }
 
-TEST(HField, MatchesTheExactSolutionOnTheDiskUpToTheSingularities)
-{
-  std::vector<double> sizes;
-  std::vector<double> errors;
-  std::vector<double> awayErrors;
-  std::vector<double> crossErrors;
-  for (const double size : { 0.08, 0.056, 0.04, 0.028 })
-  {
-    const TriangleMesh mesh = Mesh(Builtin("disk", size), size);
-    const HField field = SolveHField(ShareTopology(mesh), Five);
-    double error = 0.0;
-    double awayError = 0.0;
-    for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    {
-      const Point& point = mesh.points[v];
-      const double here = std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(Five, point));
-      error = std::max(error, here);
-      const bool away = std::all_of(Five.begin(), Five.end(),
-        [&](const Singularity& s) { return (s.position - point).norm() > 0.1; });
-      awayError = std::max(awayError, away ? here : 0.0);
-    }
-    double crossError = 0.0;
-    for (int e = 0; e < field.field.topology->edges.Count(); ++e)
-    {
-      // The boundary's edges have the directions of the polygon, not of the circle.
-      if (field.field.topology->edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
-      {
-        crossError = std::max(crossError,
-          std::abs(
-            field.field.u[e] - ExactCross(Five, Midpoint(mesh, field.field.topology->edges, e))));
-      }
-    }
-    sizes.push_back(size);
-    errors.push_back(error);
-    awayErrors.push_back(awayError);
-    crossErrors.push_back(crossError);
-    EXPECT_EQ(field.field.unwantedSingularities, 0);
-    EXPECT_LT(field.field.residual, 1e-9);
-    if (size == 0.04)
-    {
-      EXPECT_LT(error, 1e-3);
-    }
-  }
-  EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
-  EXPECT_GE(ConvergenceRate(sizes, awayErrors), 1.8);
-  EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
-}
-
-TEST(HField, OnARingIsThatOfThetaFunctions)
-{
-  const auto at = [](double radius, double angle, int quarter) {
-    return Singularity{ radius * Point(std::cos(angle), std::sin(angle)), quarter, 0.0 };
-  };
-  const ExactRing ring;
-  for (const Configuration& configuration : { Configuration{ at(0.8, 0.3, 1), at(0.55, 0.3, -1) },
-         Configuration{ at(0.8, 2.0, 2), at(0.6, 1.5, -1), at(0.6, 2.5, -1) } })
-  {
-    ASSERT_NEAR(ring.Defect(configuration), 0.0, 1e-12);
-    std::vector<double> sizes;
-    std::vector<double> errors;
-    std::vector<double> crossErrors;
-    for (const double size : { 0.08, 0.04, 0.02 })
-    {
-      const TriangleMesh mesh = Mesh(Builtin("ring", size), size);
-      const HField field = SolveHField(ShareTopology(mesh), configuration);
-      Eigen::ArrayXd off = field.h;
-      for (Eigen::Index v = 0; v < off.size(); ++v)
-      {
-        off[v] -= 0.25 * ring.PhiAt(configuration, mesh.points[static_cast<std::size_t>(v)]);
-      }
-      const EdgeNumbering& edges = field.field.topology->edges;
-      double crossError = 0.0;
-      int count = 0;
-      for (int e = 0; e < edges.Count(); ++e)
-      {
-        const Point middle = Midpoint(mesh, edges, e);
-        const bool away = std::all_of(configuration.begin(), configuration.end(),
-          [&](const Singularity& s) { return (s.position - middle).norm() > 0.1; });
-        if (away && edges.triangles[static_cast<std::size_t>(e)][1] >= 0)
-        {
-          crossError += std::norm(field.field.u[e] - ring.CrossAt(configuration, middle));
-          ++count;
-        }
-      }
-      sizes.push_back(size);
-      errors.push_back(std::sqrt((off - off.mean()).square().mean()));
-      crossErrors.push_back(std::sqrt(crossError / count));
-    }
-    EXPECT_LT(errors.back(), 2e-4);
-    EXPECT_LT(crossErrors.back(), 1e-3);
-    EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
-    EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
-  }
-}
-
-TEST(HField, OfSingularitiesOnACircleIsExactToSecondOrderUpToThem)
-{
-  // k (log|z − b| + log|1 − b̄z|) of docs/method.md §11.2 is 2k log|z − b| at a point b of the circle,
-  // which has the flux k through the circle like the others, and the jump 2πk of the phase at b.
-  const Configuration mixed = { OnTheCircle(0.3, 1), OnTheCircle(1.6, -1), OnTheCircle(2.5, 1),
-    OnTheCircle(4.4, 2), { { 0.1, 0.5 }, 2, 0.0 }, { { -0.4, -0.2 }, -1, 0.0 } };
-  for (const Place place : { Place::Vertex, Place::Middle, Place::Anywhere })
-  {
-    SCOPED_TRACE(static_cast<int>(place));
-    std::vector<double> sizes;
-    std::vector<double> errors;
-    std::vector<double> crossErrors;
-    for (const int count : { 80, 160, 320 })
-    {
-      const double size = 2.0 * Pi / count;
-      const OnPolygonOfDisk at = PutOnPolygon(count, 0.0, mixed, place);
-      const TriangleMesh mesh = Mesh(InsertBoundarySingularities(at.domain, at.given), size);
-      const HField field = SolveHField(ShareTopology(mesh), at.given);
-      const auto away = [&](const Point& point, double distance)
-      {
-        return std::all_of(at.exact.begin(), at.exact.end(),
-          [&](const Singularity& s) { return (s.position - point).norm() > distance; });
-      };
-      double error = 0.0;
-      for (std::size_t v = 0; v < mesh.points.size(); ++v)
-      {
-        // At a singularity H is infinite, and the field has a mean.
-        if (away(mesh.points[v], 0.1 * size))
-        {
-          error = std::max(error,
-            std::abs(field.h[static_cast<Eigen::Index>(v)] - ExactH(at.exact, mesh.points[v])));
-        }
-      }
-      const EdgeNumbering& edges = field.field.topology->edges;
-      double crossError = 0.0;
-      for (int e = 0; e < edges.Count(); ++e)
-      {
-        const Point middle = Midpoint(mesh, edges, e);
-        if (edges.triangles[static_cast<std::size_t>(e)][1] >= 0 && away(middle, 0.1))
-        {
-          crossError =
-            std::max(crossError, std::abs(field.field.u[e] - ExactCross(at.exact, middle)));
-        }
-      }
-      sizes.push_back(size);
-      errors.push_back(error);
-      crossErrors.push_back(crossError);
-      EXPECT_EQ(field.field.unwantedSingularities, 0);
-      EXPECT_LT(field.field.residual, 1e-9);
-    }
-    EXPECT_LT(errors.back(), 1e-3);
-    EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
-    EXPECT_GE(ConvergenceRate(sizes, crossErrors), 1.8);
-  }
-}
-
-TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
+TEST(HField, MatchesTheUnitNormFieldOnDrilledMeshes)
 {
   const std::vector<TriangleMesh> meshes = { Mesh(Builtin("disk", 0.05), 0.05,
                                                OnCircle(4, 0.6, 0.3, 1, 0.1)),
@@ -231,19 +59,19 @@ TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
     EXPECT_LT((field.field.u - unit.u).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_EQ(field.field.energy, unit.energy);
     EXPECT_EQ(field.field.holonomyDefect, unit.holonomyDefect);
-    // H is one constant on every hole.
+    // H is constant on every hole.
     for (const BoundaryLoop& loop : problem.Topology().loops)
     {
       if (loop.kind == BoundaryKind::Hole)
       {
-        double least = 1e300;
-        double most = -1e300;
+        double minimum = 1e300;
+        double maximum = -1e300;
         for (int vertex : WalkedVertices(mesh, loop))
         {
-          least = std::min(least, field.h[vertex]);
-          most = std::max(most, field.h[vertex]);
+          minimum = std::min(minimum, field.h[vertex]);
+          maximum = std::max(maximum, field.h[vertex]);
         }
-        EXPECT_LT(most - least, 1e-9);
+        EXPECT_LT(maximum - minimum, 1e-9);
       }
     }
   }
@@ -251,14 +79,15 @@ TEST(HField, OnADrilledMeshTheCrossIsThatOfTheUnitNormField)
 
 TEST(HField, ConjugateEnergiesAgree)
 {
-  // docs/method.md §2: the phase energy from CR values against the potential energy from P1 values.
+  // docs/method.md §2: compares the phase energy from CR values with the potential energy from P1
+  // values.
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.05), 0.05, OnCircle(4, 0.6, 0.3, 1, 0.1));
   const HField field = SolveHField(ShareTopology(mesh), {});
   double phaseEnergy = 0.0;
   double potentialEnergy = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    const auto [potential, phase] = Slopes(mesh, field, t);
+    const auto [potential, phase] = Gradients(mesh, field, t);
     potentialEnergy += 0.5 * TriangleArea(mesh, t) * potential.squaredNorm();
     phaseEnergy += 0.5 * TriangleArea(mesh, t) * phase.squaredNorm();
   }
@@ -266,11 +95,11 @@ TEST(HField, ConjugateEnergiesAgree)
   EXPECT_NEAR(field.field.energy, potentialEnergy, 1e-10 * potentialEnergy);
 }
 
-TEST(HField, OnARingItIsTheLogarithm)
+TEST(HField, IsTheLogarithmOnARing)
 {
   const TriangleMesh mesh = Mesh(Builtin("ring", 0.03), 0.03);
   const HField field = SolveHField(ShareTopology(mesh), {});
-  // ∫ log r over the ring by its area.
+  // Mean of log r over the ring.
   const auto primitive = [](double r) { return r * r * (0.5 * std::log(r) - 0.25); };
   const double mean = 2.0 * (primitive(1.0) - primitive(0.4)) / (1.0 - 0.16);
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -283,9 +112,9 @@ TEST(HField, OnARingItIsTheLogarithm)
   EXPECT_NEAR(field.periods[0], 0.0, 1e-4);
 }
 
-TEST(HField, CornersCarryIndicesLikePointsInside)
+TEST(HField, AppliesGivenIndicesAtCorners)
 {
-  // The quarter of a disk around a corner of angle α with k has H = c log r, c = −(turning − kπ/2)/α.
+  // At a corner of angle α with index k, H behaves like c log r, c = −(turning − kπ/2)/α.
   const PlanarDomain square = Builtin("square");
   const TriangleMesh mesh = Mesh(square, 0.03);
   const Configuration given = { { { 0.0, 0.0 }, 0, 0.0 }, { { 0.7, 0.6 }, 1, 0.0 } };
@@ -311,9 +140,9 @@ TEST(HField, CornersCarryIndicesLikePointsInside)
       remainders.push_back(field.h[static_cast<Eigen::Index>(v)] + std::log(r));
     }
   }
-  const auto [least, most] = std::minmax_element(remainders.begin(), remainders.end());
+  const auto [minimum, maximum] = std::minmax_element(remainders.begin(), remainders.end());
   EXPECT_GT(remainders.size(), 5u);
-  EXPECT_LT(*most - *least, 0.1);
+  EXPECT_LT(*maximum - *minimum, 0.1);
 }
 
 TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients)
@@ -332,7 +161,7 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
     double largestFlux = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-      const auto [potential, phase] = Slopes(mesh, field, t);
+      const auto [potential, phase] = Gradients(mesh, field, t);
       if (away(mesh.points[static_cast<std::size_t>(mesh.triangles[t][0])]))
       {
         largestTurn = std::max(largestTurn, (phase - Point(-potential.y(), potential.x())).norm());
@@ -348,17 +177,17 @@ TEST(HField, IsolinesMeetStraightSidesAtRightAnglesAndCrossesAreRotatedGradients
         field.field.topology->edges.triangles[static_cast<std::size_t>(edge)][0]);
       if (away(from))
       {
-        const Point slope = Slopes(mesh, field, triangle)[0];
+        const Point slope = Gradients(mesh, field, triangle)[0];
         largestFlux = std::max(largestFlux, std::abs(Cross(along, slope)));
       }
     }
-    // Both vanish with the size; the slopes themselves are up to 10 there.
+    // Both converge to zero with the mesh size; the gradients themselves are up to 10.
     EXPECT_LT(largestTurn, 40.0 * size);
     EXPECT_LT(largestFlux, 60.0 * size);
   }
 }
 
-TEST(HField, TurningScalingAndRenumberingChangeNothing)
+TEST(HField, IsInvariantUnderSimilaritiesAndRenumbering)
 {
   Random random(7);
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.08), 0.08);
@@ -377,16 +206,16 @@ TEST(HField, TurningScalingAndRenumberingChangeNothing)
   EXPECT_NEAR(renumbered.renormalizedEnergy, plain.renormalizedEnergy, 1e-8);
 }
 
-TEST(HField, IsTheSameAtAllExtents)
+TEST(HField, IsScaleInvariantOverManyOrdersOfMagnitude)
 {
   struct Case
   {
     const char* name;
     Configuration configuration;
-    /// Of W, by the logarithm of the scale.
+    /// Change of W per unit of the logarithm of the scale.
     double shift;
   };
-  // 5 pairs on a ring: one point has ten logarithms.
+  // Five pairs on a ring: ten logarithms contribute to each value.
   Configuration pairs = OnCircle(5, 0.6, 0.3, 1, 0.0);
   for (const Singularity& singularity : OnCircle(5, 0.8, 0.5, -1, 0.0))
   {
@@ -417,7 +246,7 @@ TEST(HField, IsTheSameAtAllExtents)
   }
 }
 
-TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
+TEST(HField, IsFiniteForSingularitiesAtVerticesAndMidpoints)
 {
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -446,7 +275,7 @@ TEST(HField, IsFiniteWhereASingularityIsAVertexOrAMidpoint)
   EXPECT_EQ(field.field.unwantedSingularities, 0);
 }
 
-TEST(HField, RefusesWhatHasNoSolution)
+TEST(HField, RejectsConfigurationsWithoutSolution)
 {
   const TriangleMesh mesh = Mesh(Builtin("disk", 0.1), 0.1);
   EXPECT_TRUE(Refuses(

@@ -11,7 +11,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// ½ ∫ |∇φ|² of the phase in the Crouzeix-Raviart space, from differences of arg u along triangles.
+/// Returns ½ ∫ |∇φ|² of the phase in the Crouzeix-Raviart space, from differences of arg u along
+/// triangles.
 double PhaseEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges, const ComplexVector& u)
 {
   // Differences between the edges of a triangle determine its gradient; the branch of φ on each
@@ -31,7 +32,8 @@ double PhaseEnergy(const TriangleMesh& mesh, const EdgeNumbering& edges, const C
   return energy;
 }
 
-/// The field that a user gets has the degrees, and whatever it is called is what it is.
+/// Checks that the field returned to a user has the prescribed degrees, and that its report is
+/// correct.
 void ExpectSolved(const HardCase& hard)
 {
   SCOPED_TRACE(hard.name);
@@ -46,24 +48,26 @@ void ExpectSolved(const HardCase& hard)
   EXPECT_TRUE(unitNorm.converged) << unitNorm.residual;
   EXPECT_EQ(unitNorm.wrongDegrees, 0);
   EXPECT_EQ(unitNorm.unwantedSingularities, 0);
-  // The phase of the Crouzeix-Raviart field and the P1 potential have one energy (docs/method.md §2).
+  // The phase of the Crouzeix-Raviart field and the P1 potential have the same energy
+  // (docs/method.md §2).
   EXPECT_NEAR(PhaseEnergy(hard.mesh, unitNorm.topology->edges, unitNorm.u), unitNorm.energy,
     1e-10 * unitNorm.energy);
-  // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because
-  // 2 − 2 cos δ ≤ δ² for every step of the phase.
+  // Where it exists, the relaxed minimum is below the minimum with |u| = 1 everywhere, because 2 −
+  // 2 cos δ ≤ δ² for every step of the phase.
   if (!constrained.unitHoles)
   {
     EXPECT_LT(constrained.energy, unitNorm.energy);
   }
 }
 
-/// The reduced form is the direct form, in field and energy.
+/// Checks that the reduced form and the direct form yield the same field and energy.
 void ExpectSameAsDirect(const HardCase& hard)
 {
   SCOPED_TRACE(hard.name);
   const PotentialProblem problem = ProblemOn(hard.mesh);
   const PotentialReduction solver(problem);
-  // As far as rounding goes: the comparison is of the two forms, not of where iterations stop.
+  // Converged to rounding, so that the comparison is of the two forms, not of their stopping
+  // criteria.
   MinimiserOptions options;
   options.tolerance = 1e-14;
   const MinimiserResult solution = SolveReduced(HoleBases(solver.GetReducedProblem()), options);
@@ -71,7 +75,7 @@ void ExpectSameAsDirect(const HardCase& hard)
   const SolvedField direct = SolvePerforatedDirectly(hard.mesh, options);
   if (solution.residual > 1e-10 || direct.residual > 1e-10)
   {
-    // The dual has no maximum: both must find that out.
+    // The dual has no maximum, and both forms must detect this.
     EXPECT_GT(solution.residual, 1e-10);
     EXPECT_GT(direct.residual, 1e-10);
     return;
@@ -80,7 +84,7 @@ void ExpectSameAsDirect(const HardCase& hard)
   EXPECT_LE((reduced.u - direct.u).norm(), 1e-10 * direct.u.norm());
 }
 
-TEST(HardCases, NamedOnesAreSolved)
+TEST(HardCases, NamedCasesAreSolved)
 {
   for (const HardCase& hard : NamedHardCases())
   {
@@ -88,7 +92,7 @@ TEST(HardCases, NamedOnesAreSolved)
   }
 }
 
-TEST(HardCases, NamedOnesAreTheSameInDirectForm)
+TEST(HardCases, NamedCasesAreEqualInDirectForm)
 {
   for (const HardCase& hard : NamedHardCases())
   {
@@ -96,8 +100,8 @@ TEST(HardCases, NamedOnesAreTheSameInDirectForm)
   }
 }
 
-/// 200 random ones, in portions that ctest can run side by side. Where all takes long, the build asks
-/// for the first few of each portion.
+/// 200 random cases in portions that ctest can run in parallel. Slow builds run only the first few
+/// cases of each portion.
 class RandomHardCases : public testing::TestWithParam<int>
 {
 public:
@@ -117,7 +121,7 @@ TEST_P(RandomHardCases, AreSolved)
   this->ForEach(ExpectSolved);
 }
 
-TEST_P(RandomHardCases, AreTheSameInDirectForm)
+TEST_P(RandomHardCases, AreEqualInDirectForm)
 {
   this->ForEach(ExpectSameAsDirect);
 }

@@ -82,7 +82,7 @@ TEST(ImprintedCircles, AreEdgesOfAMeshOfTheWholeDomain)
   }
 }
 
-TEST(ImprintedCircles, AreRefusedWhereHolesAre)
+TEST(ImprintedCircles, AreRejectedOnMeshesWithHoles)
 {
   const PlanarDomain disk = Builtin("disk", 0.1);
   const DrillOptions options = Options(DrillMode::Imprint, 0.1);
@@ -147,7 +147,7 @@ TEST(SingleTriangles, ContainTheirPoints)
   }
 }
 
-TEST(SingleTriangles, RefuseWhatTheyCannotCarry)
+TEST(SingleTriangles, RejectIndicesTooLargeForATriangle)
 {
   const PlanarDomain disk = Builtin("disk", 0.1);
   const DrillOptions options = Options(DrillMode::Triangle, 0.1);

@@ -18,7 +18,8 @@ namespace crossfield::test
 {
 namespace
 {
-/// Twelve holes of 32 edges in a disk, eight of k = +1 around four of k = −1, some near to each other.
+/// Returns a disk with twelve holes of 32 edges, eight of k = +1 around four of k = −1, some close
+/// to each other.
 TriangleMesh TwelveHoles()
 {
   DrillOptions options;
@@ -27,7 +28,7 @@ TriangleMesh TwelveHoles()
     Join(OnCircle(8, 0.75, 0.1, 1, 0.05), OnCircle(4, 0.3, 0.4, -1, 0.07)), options);
 }
 
-/// S as the blocks have it, in the values on the holes.
+/// Returns S, as stored in the blocks, in the values on the holes.
 Eigen::MatrixXd Whole(const DualProblem& dual)
 {
   const Eigen::Index size = dual.matrix.Rows();
@@ -40,7 +41,7 @@ Eigen::MatrixXd Whole(const DualProblem& dual)
   return whole;
 }
 
-TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
+TEST(ManyHoles, OmittedCouplingsAreBelowTheirBound)
 {
   const PotentialProblem problem = ProblemOn(TwelveHoles());
   const PotentialReduction reduction(problem);
@@ -59,7 +60,7 @@ TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
                           .lpNorm<Eigen::Infinity>();
     EXPECT_LE(norm, dual.leftOut + 1e-13 * unit * static_cast<double>(reduced.matrix.Rows()));
     EXPECT_LE(dual.leftOut, tolerance * unit * std::sqrt(2.0 * 12.0));
-    // More precisely, it lies between −M and M.
+    // More precisely, the couplings left out are between −M and M.
     const DualProblem::Margin margin = dual.MarginOfLeftOut();
     Eigen::VectorXd diagonal(dual.matrix.Rows());
     Eigen::Index row = 0;
@@ -84,7 +85,8 @@ TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
                   .eigenvalues()[0],
         -1e-13 * unit * static_cast<double>(reduced.matrix.Rows()));
     }
-    // More couplings the more is asked for, but far from all values: they fall off like the powers of a distance.
+    // A smaller tolerance keeps more couplings, but far from all values: couplings decrease like
+    // powers of a distance.
     EXPECT_GE(dual.matrix.coupling.rows(), before);
     before = dual.matrix.coupling.rows();
     EXPECT_EQ(dual.InValues(dual.InBases(reduced.load)).size(), reduced.load.size());
@@ -95,7 +97,7 @@ TEST(ManyHoles, WhatBlocksLeaveOutIsBelowItsBound)
   EXPECT_LE(bases.InBlocks(1e-4).matrix.coupling.rows(), 12 * 8);
 }
 
-/// So many holes of 32 edges, signs in turn, in a spiral of equal areas.
+/// Returns a mesh with `count` holes of 32 edges and alternating signs, in a spiral of equal areas.
 TriangleMesh SpiralOfHoles(int count, double meshSize)
 {
   Configuration holes;
@@ -125,12 +127,13 @@ TEST(ManyHoles, MemoryIsLinearInTheHoles)
     ASSERT_EQ(elastic.Rows(), 32 * holes);
     entries[i] = static_cast<double>(elastic.Entries());
   }
-  // The separators above a hole grow with the root of the size of the mesh, to which holes add a part here; a dense
-  // matrix would have 16 times as many entries for four times as many holes.
+  // The separators above a hole grow with the square root of the mesh size, to which holes
+  // contribute here. A dense matrix would have 16 times as many entries for four times as many
+  // holes.
   EXPECT_LE(entries[1], 6.0 * entries[0]);
 }
 
-TEST(ManyHoles, SixtyHaveTheirDegrees)
+TEST(ManyHoles, SixtyHolesHaveTheirDegrees)
 {
   const SolvedField field = SolvePerforated(ShareTopology(SpiralOfHoles(60, 0.1)));
   EXPECT_TRUE(field.converged) << field.residual;
@@ -138,14 +141,15 @@ TEST(ManyHoles, SixtyHaveTheirDegrees)
   EXPECT_LE(field.residual, 1e-10);
 }
 
-TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)
+TEST(ManyHoles, GlobalMinimumMatchesTheDenseProblem)
 {
   const PotentialProblem problem = ProblemOn(TwelveHoles());
   const PotentialReduction reduction(problem);
   const ReducedProblem& reduced = reduction.GetReducedProblem();
   const MinimiserResult solution = SolveReduced(HoleBases(reduced));
   ASSERT_TRUE(solution.converged) << solution.residual;
-  // The proof of docs/method.md §3.4 with every coupling: H is positive definite, and its x satisfies all constraints.
+  // The proof of docs/method.md §3.4 with all couplings: H is positive definite, and its x
+  // satisfies all constraints.
   Eigen::MatrixXcd hessian = reduced.matrix.Dense().cast<Complex>();
   for (std::size_t i = 0; i < reduced.constraints.size(); ++i)
   {
@@ -165,9 +169,10 @@ TEST(ManyHoles, GlobalMinimumIsThatOfTheDenseProblem)
   EXPECT_LE((solution.x - x).norm(), 1e-7 * x.norm());
 }
 
-TEST(ManyHoles, KnownSolutionIsFoundWhereThePathHasNotAllStrongCouplings)
+TEST(ManyHoles, FindsAKnownSolutionFromAPathWithoutAllStrongCouplings)
 {
-  // Any λ at which H is positive definite and any x solve the problem with b = Hx and the targets that x has.
+  // For any λ at which H is positive definite, any x solves the problem with b = Hx and the targets
+  // computed from x.
   const PotentialProblem problem = ProblemOn(SpiralOfHoles(160, 0.1));
   const PotentialReduction reduction(problem);
   ReducedProblem known = reduction.GetReducedProblem();
@@ -185,7 +190,7 @@ TEST(ManyHoles, KnownSolutionIsFoundWhereThePathHasNotAllStrongCouplings)
   for (Eigen::Index i = 0; i < multipliers.size(); ++i)
   {
     DegreeConstraint& constraint = known.constraints[static_cast<std::size_t>(i)];
-    // A hole by itself reaches the border at about 1/2: its S has 2π/32 where A has 2 sin(2π/32).
+    // A single hole reaches the border at about 1/2: its S has 2π/32 where A has 2 sin(2π/32).
     multipliers[i] = random.Uniform(-0.3, 0.3);
     known.load += multipliers[i] * constraint.Gradient(x);
     constraint.target = constraint.Value(x);
@@ -198,7 +203,7 @@ TEST(ManyHoles, KnownSolutionIsFoundWhereThePathHasNotAllStrongCouplings)
   EXPECT_LE((solution.x - x).norm(), 1e-7 * x.norm());
 }
 
-TEST(ManyHoles, LocalMinimumIsThatOfTheDenseProblem)
+TEST(ManyHoles, LocalMinimumMatchesTheDenseProblem)
 {
   const PotentialProblem problem = ProblemOn(TwelveHoles());
   const PotentialReduction reduction(problem);

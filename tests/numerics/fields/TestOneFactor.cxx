@@ -13,9 +13,9 @@ std::shared_ptr<const PotentialSolver> Factor(const TriangleMesh& mesh)
   return std::make_shared<const PotentialSolver>(ShareTopology(mesh));
 }
 
-TEST(OneFactor, ServesEveryMethodAndAllCorners)
+TEST(OneFactor, SupportsAllMethodsAndCorners)
 {
-  // An island, so that there are periods of both kinds.
+  // The island provides periods of both kinds.
   DrillOptions options;
   options.meshSize = 0.08;
   const TriangleMesh mesh = DrillHoles(
@@ -39,16 +39,16 @@ TEST(OneFactor, ServesEveryMethodAndAllCorners)
   }
   SolveHField(potential, {});
   EXPECT_EQ(SparseCholesky::CountOfAll(), before);
-  // What was asked in between leaves nothing behind.
+  // Intermediate solves leave no state behind.
   EXPECT_EQ(fields[1].u, fields[4].u);
-  // And every answer is that of a factor of its own.
+  // Every solution equals that computed with a factor of its own.
   EXPECT_EQ(SolvePerforated(ShareTopology(mesh), unitHoles).u, fields[2].u);
   EXPECT_EQ(SolvePerforated(ShareTopology(mesh), constrained).u, fields[0].u);
 }
 
-TEST(OneFactor, AWholeSolveHasOne)
+TEST(OneFactor, ASolveUsesOneFactor)
 {
-  // The two halves of a mesh are factored apart.
+  // The two halves of a mesh are factored separately.
   DrillOptions options;
   options.meshSize = 0.1;
   const TriangleMesh mesh =
@@ -63,12 +63,12 @@ TEST(OneFactor, AWholeSolveHasOne)
   }
 }
 
-TEST(OneFactor, AMovedPointNeedsNone)
+TEST(OneFactor, MovedPointsReuseTheFactor)
 {
   DrillOptions options;
   options.meshSize = 0.1;
   const auto potential = Factor(DrillHoles(Builtin("disk", 0.1), {}, options));
-  // The first energy factors the Laplacian of the inner vertices, too.
+  // The first energy also factors the Laplacian of the inner vertices.
   double last = SolveHField(potential, OnCircle(4, 0.4, 0.3, 1, 0.0)).renormalizedEnergy;
   const long before = SparseCholesky::CountOfAll();
   for (const double radius : { 0.5, 0.6, 0.7 })
@@ -81,7 +81,7 @@ TEST(OneFactor, AMovedPointNeedsNone)
   EXPECT_EQ(SparseCholesky::CountOfAll(), before);
 }
 
-TEST(OneFactor, EnergiesOfMovedPointsNeedNone)
+TEST(OneFactor, EnergiesOfMovedPointsReuseTheFactor)
 {
   const FactoredDomain domain(Builtin("disk", 0.1), {}, 0.1);
   CompareRenormalizedEnergies(domain, { OnCircle(4, 0.4, 0.3, 1, 0.0) });

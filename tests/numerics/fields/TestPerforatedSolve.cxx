@@ -24,7 +24,7 @@ TriangleMesh Drill(const PlanarDomain& domain, const Configuration& holes, doubl
   return DrillHoles(domain, holes, options);
 }
 
-/// Consistent configurations on domains with curves, corners and inner loops.
+/// Returns consistent configurations on domains with curves, corners and inner loops.
 std::vector<Case> Cases()
 {
   Configuration ring = OnCircle(4, 0.7, 0.0, 1, 0.06);
@@ -38,7 +38,7 @@ std::vector<Case> Cases()
     { "disk with a square island",
       Drill(MakePlanarDomain({ Builtin("disk", 0.08).loops[0], RegularPolygon(4, 0.2) }),
         OnCircle(4, 0.6, 0.0, 1, 0.1)) },
-    // So near to the boundary that the mesher divides some edges of the holes.
+    // Holes so close to the boundary that the mesher divides some of their edges.
     { "divided edges", Drill(Builtin("disk", 0.08), OnCircle(4, 0.89, 0.3, 1, 0.1), 0.2) } };
 }
 
@@ -83,7 +83,7 @@ TEST(PerforatedSolve, OptimalityConditionsHoldOnEveryEdge)
       {
         if (loop.kind != BoundaryKind::Hole)
         {
-          expected[number(j)] = residual[number(j)]; // whatever holds the alignment
+          expected[number(j)] = residual[number(j)]; // the reaction to the alignment
           continue;
         }
         const Complex difference = field.u[number(j + 1)] - field.u[number(j - 1)];
@@ -129,8 +129,8 @@ TEST(PerforatedSolve, HolesHaveTheirDegrees)
   }
 }
 
-/// Either run stops when the residual of its conditions is below 1e-10 of their terms, and what the constraints are off by
-/// counts in the energy with their multipliers.
+/// Compares two runs. Each stops when the relative residual of its conditions is below 1e-10; the
+/// violation of the constraints enters the energy multiplied by the Lagrange multipliers.
 void ExpectSameField(const SolvedField& moved, const SolvedField& plain)
 {
   constexpr double Tolerance = 1e-9;
@@ -146,7 +146,7 @@ void ExpectSameField(const SolvedField& moved, const SolvedField& plain)
   EXPECT_EQ(moved.unwantedSingularities, plain.unwantedSingularities);
 }
 
-TEST(PerforatedSolve, TurningAndScalingTheMeshTurnsTheField)
+TEST(PerforatedSolve, IsEquivariantUnderSimilarities)
 {
   Random random(70);
   for (const auto& [name, mesh] : Cases())
@@ -158,14 +158,14 @@ TEST(PerforatedSolve, TurningAndScalingTheMeshTurnsTheField)
       const Similarity move{ random.Uniform(-Pi, Pi), scale, scale * Point(0.3, -0.8) };
       const SolvedField moved = SolvePerforated(ShareTopology(move(mesh)));
       ExpectSameField(moved, plain);
-      // The representation turns four times as far.
+      // The representation turns by four times the angle.
       const ComplexVector turned = std::polar(1.0, 4.0 * move.angle) * plain.u;
       EXPECT_LE((moved.u - turned).lpNorm<Eigen::Infinity>(), 1e-8);
     }
   }
 }
 
-TEST(PerforatedSolve, TheNumberingOfTheMeshDoesNotMatter)
+TEST(PerforatedSolve, IsIndependentOfTheMeshNumbering)
 {
   Random random(71);
   for (const auto& [name, mesh] : Cases())
@@ -176,13 +176,13 @@ TEST(PerforatedSolve, TheNumberingOfTheMeshDoesNotMatter)
   }
 }
 
-TEST(PerforatedSolve, TwoRunsGiveTheSameFieldToTheLastBit)
+TEST(PerforatedSolve, RepeatedRunsAreIdentical)
 {
   const TriangleMesh mesh = Cases()[0].mesh;
   EXPECT_EQ(SolvePerforated(ShareTopology(mesh)).u, SolvePerforated(ShareTopology(mesh)).u);
 }
 
-TEST(PerforatedSolve, TurningDomainAndHolesChangesTheEnergyByMeshNoiseOnly)
+TEST(PerforatedSolve, RotationChangesTheEnergyByMeshNoiseOnly)
 {
   Random random(72);
   const PlanarDomain disk = Builtin("disk", 0.05);
@@ -194,18 +194,18 @@ TEST(PerforatedSolve, TurningDomainAndHolesChangesTheEnergyByMeshNoiseOnly)
   {
     const Similarity turn{ random.Uniform(-Pi, Pi), 1.0, Point::Zero() };
     EXPECT_NEAR(energy(turn(disk), turn(holes)), plain, 0.01 * plain);
-    // On the disk the holes may turn alone.
+    // On the disk, the holes may turn alone.
     EXPECT_NEAR(energy(disk, turn(holes)), plain, 0.01 * plain);
   }
 }
 
-TEST(PerforatedSolve, WithoutHolesItIsTheHarmonicField)
+TEST(PerforatedSolve, IsTheHarmonicFieldWithoutHoles)
 {
   const SolvedField field = SolvePerforated(ShareTopology(Cases()[2].mesh));
   EXPECT_TRUE(field.converged);
   EXPECT_EQ(field.iterations, 0);
   EXPECT_TRUE(field.multipliers.empty());
-  // A square asks for the constant cross, of energy zero.
+  // On a square the field is the constant cross, of energy zero.
   const SolvedField constant = SolvePerforated(ShareTopology(Drill(Builtin("square"), {})));
   EXPECT_NEAR(constant.energy, 0.0, 1e-12);
   EXPECT_LE((constant.u - ComplexVector::Ones(constant.u.size())).lpNorm<Eigen::Infinity>(), 1e-10);
@@ -213,7 +213,7 @@ TEST(PerforatedSolve, WithoutHolesItIsTheHarmonicField)
 
 TEST(PerforatedSolve, PrintsNothing)
 {
-  // Nor does a BLAS that is handed an empty matrix, when there are no holes.
+  // This includes the messages that a BLAS prints for an empty matrix, as without holes.
   for (const auto& [name, mesh] : Cases())
   {
     SCOPED_TRACE(name);
@@ -227,7 +227,7 @@ TEST(PerforatedSolve, PrintsNothing)
 
 TEST(PerforatedSolve, RightAngledDomainsAreSolved)
 {
-  // The harmonic field is constant there, so the constraints have no gradient to start along.
+  // The harmonic field is constant there, so the constraints have no gradient at the start.
   DrillOptions options;
   options.meshSize = 0.04;
   const TriangleMesh mesh = DrillHoles(
@@ -239,7 +239,7 @@ TEST(PerforatedSolve, RightAngledDomainsAreSolved)
   EXPECT_EQ(field.holes[1].degree, -1);
 }
 
-TEST(PerforatedSolve, TheHarmonicStartLeadsToTheLowestEnergyAndUnitHolesToTheHighest)
+TEST(PerforatedSolve, HarmonicStartHasTheLowestEnergyAndUnitHolesTheHighest)
 {
   for (const auto& [name, mesh] : Cases())
   {
@@ -257,7 +257,7 @@ TEST(PerforatedSolve, TheHarmonicStartLeadsToTheLowestEnergyAndUnitHolesToTheHig
     {
       ASSERT_TRUE(field->converged) << field->residual;
     }
-    // Each one minimises over fewer fields than the one before, or near a point only.
+    // Each one minimises over fewer fields than the previous one, or only near a point.
     EXPECT_LE(harmonic.energy, local.energy * (1.0 + 1e-9));
     EXPECT_LE(local.energy, unit.energy * (1.0 + 1e-9));
     EXPECT_LE(unit.energy, everywhere.energy * (1.0 + 1e-9));
@@ -271,7 +271,7 @@ TEST(PerforatedSolve, TheHarmonicStartLeadsToTheLowestEnergyAndUnitHolesToTheHig
   }
 }
 
-TEST(PerforatedSolve, RefusesASumAgainstPoincareHopfWithBothNumbers)
+TEST(PerforatedSolve, RejectsAnInconsistentSumWithBothNumbers)
 {
   const auto refused = [](const PlanarDomain& domain, const Configuration& holes,
                          const std::string& given, const std::string& wanted)
@@ -286,7 +286,7 @@ TEST(PerforatedSolve, RefusesASumAgainstPoincareHopfWithBothNumbers)
   EXPECT_TRUE(refused(Builtin("quarter-disk"), { { { 0.4, 0.4 }, -1, 0.1 } }, "-1", "1"));
 }
 
-TEST(PerforatedSolve, RefusesAHoleWithTooFewEdges)
+TEST(PerforatedSolve, RejectsHolesWithTooFewEdges)
 {
   DrillOptions options;
   options.minimumHoleEdges = 8;
@@ -301,7 +301,7 @@ TEST(PerforatedSolve, RefusesAHoleWithTooFewEdges)
     Refuses([&] { SolvePerforated(ShareTopology(mesh)); }, { "8 edges", "at least 9 edges" }));
 }
 
-TEST(PerforatedSolve, ReportsWhatDidNotConvergeInsteadOfThrowing)
+TEST(PerforatedSolve, ReportsNonConvergenceWithoutThrowing)
 {
   PerforatedOptions hurried;
   hurried.reduced.maximumIterations = 1;
@@ -311,7 +311,7 @@ TEST(PerforatedSolve, ReportsWhatDidNotConvergeInsteadOfThrowing)
   EXPECT_GT(field.residual, hurried.reduced.tolerance);
 }
 
-TEST(PerforatedSolve, ReportsProgressUpwardsAndStopsWhenAsked)
+TEST(PerforatedSolve, ReportsIncreasingProgressAndStopsOnAbort)
 {
   const TriangleMesh mesh = Cases()[0].mesh;
   std::vector<double> fractions;
@@ -325,7 +325,7 @@ TEST(PerforatedSolve, ReportsProgressUpwardsAndStopsWhenAsked)
   ASSERT_FALSE(fractions.empty());
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
-  // Wherever it is asked.
+  // Aborts at every call.
   for (std::size_t last = 0; last < fractions.size(); ++last)
   {
     std::size_t reports = 0;

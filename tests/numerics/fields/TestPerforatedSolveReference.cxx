@@ -1,4 +1,4 @@
-// The perforated solve against numbers that do not come from this library: the independent
+// The perforated solve compared with numbers that do not come from this library: the independent
 // prototype of docs/method.md §9, and closed forms on annuli.
 #include "DrillHoles.h"
 #include "PerforatedSolve.h"
@@ -60,9 +60,9 @@ TEST(PerforatedSolveReference, OtherConfigurationsOnTheDisk)
   expectEnergy(OnCircle(4, 0.6, 0.25 * Pi, 1, 0.01), 24.35);
 }
 
-/// One hole of radius ρ in the middle, k = 4: u = f(r) e^{4iθ} with f = a r⁴ + b r⁻⁴, f = 1 on both
-/// circles, has the energy 8π (1 − q)/(1 + q), q = ρ⁴. Every other Fourier mode raises it, so this
-/// is the minimum.
+/// One hole of radius ρ in the centre, k = 4: u = f(r) e^{4iθ} with f = a r⁴ + b r⁻⁴, f = 1 on both
+/// circles, has the energy 8π (1 − q)/(1 + q), q = ρ⁴. Every other Fourier mode increases it, so
+/// this is the minimum.
 TEST(PerforatedSolveReference, CentralHoleConvergesAtSecondOrder)
 {
   constexpr double Radius = 0.5;
@@ -118,7 +118,7 @@ TEST(PerforatedSolveReference, RingWithoutHolesConvergesAtSecondOrder)
 
 TEST(PerforatedSolveReference, RingWithFourPairs)
 {
-  // The field keeps the eightfold pattern: all positive holes are alike, and all negative ones.
+  // The field has the eightfold symmetry: all positive holes are equivalent, and all negative ones.
   DrillOptions options;
   options.meshSize = 0.04;
   const Configuration holes =
@@ -132,7 +132,7 @@ TEST(PerforatedSolveReference, RingWithFourPairs)
     EXPECT_EQ(field.holes[i].degree, holes[i].quarterIndex);
     EXPECT_NEAR(field.multipliers[i], field.multipliers[i < 4 ? 0 : 4], 0.01);
   }
-  // The holes and their degrees cost something over the field without them.
+  // The holes and their degrees increase the energy above that of the field without them.
   const double q = std::pow(0.4, 4.0);
   EXPECT_GT(field.energy, 8.0 * Pi * (1.0 - q) / (1.0 + q));
 }

@@ -18,7 +18,7 @@ TriangleMesh Drill(const PlanarDomain& domain, const Configuration& holes)
   return DrillHoles(domain, holes, options);
 }
 
-/// With and without islands, with equal and unequal holes.
+/// Returns meshes with and without islands, with equal and unequal holes.
 std::vector<TriangleMesh> Meshes()
 {
   const Loop disk = Builtin("disk", 0.08).loops[0];

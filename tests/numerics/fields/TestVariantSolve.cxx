@@ -28,14 +28,14 @@ PerforatedOptions Penalty(double epsilon)
   return options;
 }
 
-/// ½ uᴴ K u.
+/// Returns ½ uᴴ K u.
 double Energy(const TriangleMesh& mesh, const SolvedField& field)
 {
   const ComplexVector elastic = CrouzeixRaviartStiffness(mesh, field.topology->edges) * field.u;
   return 0.5 * field.u.dot(elastic).real();
 }
 
-/// C of every constrained loop and its target.
+/// Returns C of every constrained loop and its target.
 std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const SolvedField& field)
 {
   std::vector<BoundaryLoop> loops = FindImprintedLoops(mesh);
@@ -65,7 +65,8 @@ std::vector<std::pair<double, double>> Degrees(const TriangleMesh& mesh, const S
 
 TEST(DirectReduction, AgreesWithTheReductionToVertices)
 {
-  // docs/method.md §2: the conjugacy is exact, so both Schur complements have the same constrained minimum.
+  // docs/method.md §2: the conjugacy is exact, so both Schur complements have the same constrained
+  // minimum.
   const TriangleMesh mesh = FourHoles();
   const SolvedField reduced = SolvePerforated(ShareTopology(mesh));
   std::vector<BoundaryLoop> holes = FindBoundaryLoops(mesh);
@@ -85,7 +86,7 @@ TEST(DirectReduction, AgreesWithTheReductionToVertices)
   }
 }
 
-TEST(VariantSolve, UnitNormOnAllHolesIsThatOfThePerforatedSolve)
+TEST(VariantSolve, UnitNormOnAllHolesMatchesThePerforatedSolve)
 {
   const TriangleMesh mesh = FourHoles();
   PerforatedOptions all;
@@ -136,7 +137,7 @@ TEST(VariantSolve, EveryConstraintCostsEnergy)
   }
 }
 
-TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
+TEST(VariantSolve, ImprintedCirclesAreConstrainedMinima)
 {
   Random random(421);
   const TriangleMesh mesh = FourHoles(0.1, DrillMode::Imprint);
@@ -174,7 +175,7 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
   }
   EXPECT_GT(onCircles, 1e-3);
 
-  // Feasible fields nearby have more energy: a scaled perturbation of each circle.
+  // Nearby feasible fields, constructed by scaling a perturbation of each circle, have more energy.
   const DirectReduction reduction(*field.topology, FindImprintedLoops(mesh));
   const ReducedProblem& reduced = reduction.GetReducedProblem();
   for (int trial = 0; trial < 20; ++trial)
@@ -199,7 +200,7 @@ TEST(VariantSolve, AnImprintedCircleIsAMinimumWithForcesOnItOnly)
   }
 }
 
-TEST(VariantSolve, ThePenaltyIsAMinimumUnderTheConstraints)
+TEST(VariantSolve, PenalisedFieldsAreConstrainedMinima)
 {
   const TriangleMesh mesh = FourHoles();
   const double free = SolvePerforated(ShareTopology(mesh)).energy;
@@ -225,7 +226,7 @@ TEST(VariantSolve, ThePenaltyIsAMinimumUnderTheConstraints)
     {
       EXPECT_NEAR(field.energy, free, 1e-3 * free);
     }
-    // Stationary off the holes.
+    // Stationary away from the holes.
     const GinzburgLandauEnergy energy(*field.topology, epsilon);
     const Eigen::VectorXd gradient = energy.Gradient(field.u);
     std::vector<bool> onHole(static_cast<std::size_t>(field.topology->edges.Count()), false);
@@ -243,7 +244,7 @@ TEST(VariantSolve, ThePenaltyIsAMinimumUnderTheConstraints)
   }
 }
 
-TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
+TEST(VariantSolve, IsInvariantUnderSimilaritiesAndRenumbering)
 {
   Random random(422);
   for (const DrillMode mode : { DrillMode::Perforate, DrillMode::Imprint })
@@ -276,7 +277,7 @@ TEST(VariantSolve, DoesNotDependOnPlaceSizeAndNumbering)
   }
 }
 
-TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
+TEST(VariantSolve, PenaltyWithoutHolesMatchesGinzburgLandau)
 {
   // Both minimise the same functional from the harmonic field.
   const TriangleMesh mesh = DrillMesh(Builtin("ring", 0.1), {}, 0.1);
@@ -293,7 +294,7 @@ TEST(VariantSolve, WithoutHolesThePenaltyIsTheReference)
   EXPECT_EQ(disk.unwantedSingularities, 0) << "nothing says where, and the disk asks for four";
 }
 
-TEST(VariantSolve, RefusesWhatCannotBeCombined)
+TEST(VariantSolve, RejectsInvalidCombinations)
 {
   const TriangleMesh holes = FourHoles(0.2);
   const TriangleMesh circles = FourHoles(0.2, DrillMode::Imprint);

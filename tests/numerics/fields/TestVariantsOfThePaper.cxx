@@ -1,4 +1,4 @@
-// What the paper shows with each variant, "Analysis of the numerical results".
+// Results that the paper shows for each variant, "Analysis of the numerical results".
 #include "FieldSingularities.h"
 #include "GinzburgLandau.h"
 #include "MakePlanarDomain.h"
@@ -29,9 +29,9 @@ PlanarDomain Ring(double innerRadius, double meshSize)
 }
 }
 
-TEST(VariantsOfThePaper, AMinusOneForcedOnTheQuarterDiskBringsTwoPlusOnes)
+TEST(VariantsOfThePaper, AMinusOneOnTheQuarterDiskCausesTwoPlusOnes)
 {
-  // Figure normHole: the corners carry three, so the inside has to carry one in all.
+  // Figure normHole: the sum of the corners is three, so the interior sum has to be one.
   for (const double radius : { 0.05, 0.1, 0.2 })
   {
     SCOPED_TRACE(radius);
@@ -75,9 +75,9 @@ TEST(VariantsOfThePaper, AMinusOneForcedOnTheQuarterDiskBringsTwoPlusOnes)
   }
 }
 
-TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
+TEST(VariantsOfThePaper, SingleTrianglesWorkNearTheReferenceOnly)
 {
-  // Figure oneTriangle; the reference has its four at distance 0.850.
+  // Figure oneTriangle; the four singularities of the reference are at distance 0.850.
   constexpr double Size = 0.05;
   PerforatedOptions options;
   options.epsilon = Size;
@@ -92,7 +92,7 @@ TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
     EXPECT_EQ(field.degreesReached, isNear);
     EXPECT_EQ(field.wrongDegrees == 0, isNear);
     EXPECT_EQ(field.unwantedSingularities == 0, isNear);
-    // Far from it the reference's own appear instead.
+    // Far from these positions the singularities of the reference appear instead.
     const auto found = Find(mesh, field);
     ASSERT_EQ(found.size(), 4u);
     for (const FieldSingularity& singularity : found)
@@ -103,7 +103,7 @@ TEST(VariantsOfThePaper, ASingleTriangleWorksNearTheReferenceAndNotFarFromIt)
   }
 }
 
-TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
+TEST(VariantsOfThePaper, EightSingularitiesOfTheRingCanBeImposed)
 {
   constexpr double Size = 0.025;
   constexpr double Epsilon = 0.01;
@@ -144,7 +144,7 @@ TEST(VariantsOfThePaper, TheEightOfTheRingCanBeImposed)
       EXPECT_EQ(field->wrongDegrees, 0);
       EXPECT_EQ(field->unwantedSingularities, 0);
     }
-    // Holes spare the cores; without the penalty the norm may sink as well.
+    // Holes remove the cores; without the penalty the norm may decrease as well.
     EXPECT_LT(penalised.energy, broken.energy);
     EXPECT_LT(imposed.energy, penalised.energy);
   }
@@ -185,7 +185,7 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
   const SolvedField relaxed = SolvePerforated(ShareTopology(drilled), options);
   EXPECT_TRUE(relaxed.converged);
   EXPECT_EQ(relaxed.wrongDegrees, 0);
-  // So far from the reference |u| vanishes beside the holes, unless it is held at one.
+  // So far from the reference positions |u| vanishes beside the holes, unless it is held at one.
   EXPECT_GT(relaxed.unwantedSingularities, 0);
   options.method = PerforatedMethod::UnitNorm;
   const SolvedField field = SolvePerforated(ShareTopology(drilled), options);
@@ -195,7 +195,7 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
   EXPECT_TRUE(Find(drilled, field).empty());
 }
 
-TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
+TEST(VariantsOfThePaper, PenaltyCompensatesForInconsistentSets)
 {
   constexpr double Size = 0.07;
   const PlanarDomain disk = Builtin("disk", Size);
@@ -212,7 +212,7 @@ TEST(VariantsOfThePaper, WronglyPlacedSetsAreMadeUpForWithThePenalty)
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].quarterIndex, -1);
 
-  // Figure holeAndGL: three +1 and four −1, sum −1; what appears makes up for it.
+  // Figure holeAndGL: three +1 and four −1, sum −1; additional singularities compensate for it.
   Configuration wrong = { { Point(-0.6, 0.6), 1, 0.1 }, { Point(-0.6, -0.6), 1, 0.1 },
     { Point(0.6, -0.35), 1, 0.1 }, { Point(-0.2, 0.2), -1, 0.1 }, { Point(-0.2, -0.2), -1, 0.1 },
     { Point(0.5, -0.62), -1, 0.05 }, { Point(0.6, 0.6), -1, 0.1 } };
