@@ -52,8 +52,8 @@ namespace
 {
 std::atomic<long> countOfAll = 0;
 
-/// Workspace of CHOLMOD for one solve: CHOLMOD writes its status and its memory statistics there, so
-/// solves with one factor in several threads need one each.
+/// Workspace of CHOLMOD for one solve. CHOLMOD writes its status and memory statistics into it, so
+/// concurrent solves with one factor need one workspace each.
 struct SolveWorkspace
 {
   cholmod_common common{};

@@ -19,7 +19,7 @@ public:
 
   /// Returns the problem without weak couplings: leaves out as many couplings between a hole and
   /// the others as stay below `tolerance` times the mean diagonal of S, in the Frobenius norm of
-  /// each hole. The strongest couplings are kept, for at most `maximumMembers` members of every hole.
+  /// each hole. Keeps the strongest couplings, for at most `maximumMembers` members of every hole.
   DualProblem InBlocks(
     double tolerance, Eigen::Index maximumMembers = std::numeric_limits<Eigen::Index>::max()) const;
 

@@ -37,9 +37,9 @@ struct PhasePoint
     const ComplexVector product = problem.matrix * this->factors;
     this->objective =
       0.5 * this->factors.dot(product).real() - problem.load.dot(this->factors).real();
-    const ComplexVector forces = this->factors.conjugate().cwiseProduct(product - problem.load);
-    this->radial = forces.real();
-    this->tangential = forces.imag();
+    const ComplexVector gradient = this->factors.conjugate().cwiseProduct(product - problem.load);
+    this->radial = gradient.real();
+    this->tangential = gradient.imag();
     const double scale = product.norm() + problem.load.norm();
     this->residual = scale == 0.0 ? 0.0 : this->tangential.norm() / scale;
   }
@@ -170,7 +170,7 @@ bool IsBetter(const Descent& other, const Descent& best, double rounding)
 
 /// Turns, from the best result so far, the phase of each hole in turn by π, lets the others follow,
 /// and descends again, until no hole gives an improvement. The objective is a single cosine of each
-/// phase, so the opposite phase is the worst one for the current others, which forces them to turn
+/// phase, so the opposite phase is the worst one for the current others, which gradient them to turn
 /// as well.
 Descent DescendFromManyStarts(const PhaseProblem& phases, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)

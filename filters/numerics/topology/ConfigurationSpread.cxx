@@ -119,8 +119,8 @@ Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Co
       ++i;
     }
     Singularity singularity;
-    const double way = ClearWay(domain, from, inward);
-    singularity.position = from + std::min(reach, 0.25 * way) * inward;
+    const double distance = ClearWay(domain, from, inward);
+    singularity.position = from + std::min(reach, 0.25 * distance) * inward;
     if (SignedDistance(singularity.position, domain) <= 0.0)
     {
       // The segment between two corners on a curve may leave the domain; the inward ray of the

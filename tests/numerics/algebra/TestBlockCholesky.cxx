@@ -36,7 +36,7 @@ struct BlockProblem
   std::vector<Eigen::Index> coupled;
   std::vector<Eigen::Index> rows;
   Matrix coupling;
-  Matrix whole;
+  Matrix dense;
 
   BlockProblem(Random& random, double diagonal)
   {
@@ -62,7 +62,7 @@ struct BlockProblem
         coupledRows.push_back(this->rows.back() + j);
       }
     }
-    this->whole = Matrix::Zero(size, size);
+    this->dense = Matrix::Zero(size, size);
     const auto total = static_cast<Eigen::Index>(coupledRows.size());
     this->coupling = Matrix::Zero(total, total);
     for (Eigen::Index j = 0; j < total; ++j)
@@ -76,14 +76,14 @@ struct BlockProblem
         if (blockOf(row) != blockOf(column))
         {
           const Scalar value = RandomScalar<Scalar>(random);
-          this->whole(row, column) = this->coupling(i, j) = value;
-          this->whole(column, row) = this->coupling(j, i) = Eigen::numext::conj(value);
+          this->dense(row, column) = this->coupling(i, j) = value;
+          this->dense(column, row) = this->coupling(j, i) = Eigen::numext::conj(value);
         }
       }
     }
     for (std::size_t i = 0; i < this->blocks.size(); ++i)
     {
-      this->Part(this->whole, i, i) = this->blocks[i];
+      this->Part(this->dense, i, i) = this->blocks[i];
     }
   }
 
@@ -111,13 +111,13 @@ TYPED_TEST(BlockCholeskyOf, MatchesTheDenseMatrix)
     Problem problem(random, 20.0);
     const BlockCholesky<TypeParam> factor(problem.blocks, problem.coupled, problem.coupling);
     ASSERT_TRUE(factor.IsPositiveDefinite());
-    const Eigen::Index size = problem.whole.rows();
+    const Eigen::Index size = problem.dense.rows();
     const Matrix columns =
       Matrix::NullaryExpr(size, 3, [&] { return RandomScalar<TypeParam>(random); });
-    EXPECT_LE((problem.whole * factor.Solve(columns) - columns).norm(), 1e-13 * columns.norm());
-    EXPECT_NEAR(factor.LogDeterminant(), std::log(std::real(problem.whole.determinant())), 1e-11);
+    EXPECT_LE((problem.dense * factor.Solve(columns) - columns).norm(), 1e-13 * columns.norm());
+    EXPECT_NEAR(factor.LogDeterminant(), std::log(std::real(problem.dense.determinant())), 1e-11);
 
-    Matrix inverse = problem.whole.inverse();
+    Matrix inverse = problem.dense.inverse();
     const Matrix forms = factor.Forms(columns.col(0));
     const auto traces = factor.ComputeTraces(problem.changes, columns.col(0));
     for (std::size_t i = 0; i < problem.blocks.size(); ++i)
@@ -153,7 +153,7 @@ TYPED_TEST(BlockCholeskyOf, DetectsIndefiniteMatrices)
     SCOPED_TRACE(trial);
     const BlockProblem<TypeParam> problem(random, random.Uniform(0.0, 12.0));
     const bool expected =
-      Eigen::LLT<typename BlockProblem<TypeParam>::Matrix>(problem.whole).info() == Eigen::Success;
+      Eigen::LLT<typename BlockProblem<TypeParam>::Matrix>(problem.dense).info() == Eigen::Success;
     EXPECT_EQ(BlockCholesky<TypeParam>(problem.blocks, problem.coupled, problem.coupling)
                 .IsPositiveDefinite(),
       expected);
@@ -168,11 +168,11 @@ TEST(BlockMatrix, MultipliesLikeTheDenseMatrix)
   Random random(612);
   const BlockProblem<double> problem(random, 1.0);
   const BlockMatrix matrix{ problem.blocks, problem.coupled, problem.coupling };
-  ASSERT_EQ(matrix.Rows(), problem.whole.rows());
-  EXPECT_NEAR(matrix.Trace(), problem.whole.trace(), 1e-13);
+  ASSERT_EQ(matrix.Rows(), problem.dense.rows());
+  EXPECT_NEAR(matrix.Trace(), problem.dense.trace(), 1e-13);
   const Eigen::MatrixXcd columns =
     Eigen::MatrixXcd::NullaryExpr(matrix.Rows(), 2, [&] { return random.Square(); });
-  EXPECT_LE((matrix * columns - problem.whole * columns).norm(), 1e-13);
+  EXPECT_LE((matrix * columns - problem.dense * columns).norm(), 1e-13);
 }
 }
 }

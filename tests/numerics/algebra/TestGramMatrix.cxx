@@ -34,15 +34,15 @@ Known RandomMatrixOfBlocks(Random& random)
     GramNode node;
     node.blocks = blocks;
     node.rows.resize(5, 0);
-    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(5, 9);
+    Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(5, 9);
     for (const int block : blocks)
     {
       const Eigen::MatrixXd part = RandomMatrix(random, 5, sizes[block]);
-      whole.middleCols(firsts[block], sizes[block]) = part;
+      padded.middleCols(firsts[block], sizes[block]) = part;
       node.rows.conservativeResize(Eigen::NoChange, node.rows.cols() + part.cols());
       node.rows.rightCols(part.cols()) = part;
     }
-    known.dense += whole.transpose() * whole;
+    known.dense += padded.transpose() * padded;
     nodes.push_back(std::move(node));
   }
   known.matrix = GramMatrix(sizes, std::move(nodes));

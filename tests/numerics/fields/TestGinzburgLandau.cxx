@@ -229,13 +229,13 @@ TEST(GinzburgLandau, PinningAttractsSingularities)
   // Four disks in which the target norm is small, or the gradient has a small weight, at radius
   // 0.5, where the singularities of the unmodified functional would not be.
   const TriangleMesh mesh = Mesh("disk", 0.07);
-  const Configuration wanted = OnCircle(4, 0.5, 0.3, 1, 0.15);
+  const Configuration pinned = OnCircle(4, 0.5, 0.3, 1, 0.15);
   Eigen::VectorXd small = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(mesh.triangles.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     const auto& [a, b, c] = mesh.triangles[t];
     const Point centre = (mesh.points[a] + mesh.points[b] + mesh.points[c]) / 3.0;
-    for (const Singularity& place : wanted)
+    for (const Singularity& place : pinned)
     {
       if ((centre - place.position).norm() < place.radius)
       {
@@ -252,7 +252,7 @@ TEST(GinzburgLandau, PinningAttractsSingularities)
     ExpectMinimum(field);
     const auto found = FindFieldSingularities({ ShareTopology(mesh), field.u });
     EXPECT_EQ(CountSingularities(found).positive, 4);
-    for (const Singularity& place : wanted)
+    for (const Singularity& place : pinned)
     {
       EXPECT_TRUE(std::any_of(found.begin(), found.end(),
         [&place](const FieldSingularity& singularity)

@@ -203,13 +203,13 @@ TEST_F(GinzburgLandauEnergyTest, HarmonicFieldMinimisesTheGradientPart)
     ComplexVector aligned = harmonic;
     energy.Align(aligned);
     EXPECT_EQ(aligned, harmonic);
-    const double least = energy.GradientPart(harmonic);
+    const double minimum = energy.GradientPart(harmonic);
     for (int trial = 0; trial < 5; ++trial)
     {
       const ComplexVector change = this->RandomField(energy) - this->RandomField(energy);
       const double both =
         0.5 * (energy.GradientPart(harmonic + change) + energy.GradientPart(harmonic - change));
-      EXPECT_NEAR(both - least, energy.GradientPart(change), 1e-9 * both);
+      EXPECT_NEAR(both - minimum, energy.GradientPart(change), 1e-9 * both);
       EXPECT_NEAR(energy.GradientPart(harmonic + change), both, 1e-9 * both);
     }
   }

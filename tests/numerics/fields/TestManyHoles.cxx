@@ -29,16 +29,16 @@ TriangleMesh TwelveHoles()
 }
 
 /// Returns S, as stored in the blocks, in the values on the holes.
-Eigen::MatrixXd Whole(const DualProblem& dual)
+Eigen::MatrixXd ToDense(const DualProblem& dual)
 {
   const Eigen::Index size = dual.matrix.Rows();
-  Eigen::MatrixXd whole(size, size);
+  Eigen::MatrixXd dense(size, size);
   for (Eigen::Index column = 0; column < size; ++column)
   {
     const ComplexVector unit = ComplexVector::Unit(size, column);
-    whole.col(column) = dual.InValues(dual.matrix * dual.InBases(unit)).real();
+    dense.col(column) = dual.InValues(dual.matrix * dual.InBases(unit)).real();
   }
-  return whole;
+  return dense;
 }
 
 TEST(ManyHoles, OmittedCouplingsAreBelowTheirBound)
@@ -53,7 +53,7 @@ TEST(ManyHoles, OmittedCouplingsAreBelowTheirBound)
   {
     SCOPED_TRACE(tolerance);
     const DualProblem dual = bases.InBlocks(tolerance);
-    const Eigen::MatrixXd difference = Whole(dual) - reduced.matrix.Dense();
+    const Eigen::MatrixXd difference = ToDense(dual) - reduced.matrix.Dense();
     const double norm = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
       0.5 * (difference + difference.transpose()), Eigen::EigenvaluesOnly)
                           .eigenvalues()

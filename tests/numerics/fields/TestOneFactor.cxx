@@ -32,9 +32,9 @@ TEST(OneFactor, SupportsAllMethodsAndCorners)
   corners.corners = { { potential->GetTopology().PointAt(outer[0]), 1 },
     { potential->GetTopology().PointAt(outer[5]), -1 } };
   std::vector<SolvedField> fields;
-  for (const PerforatedOptions& question : { constrained, unitNorm, unitHoles, corners, unitNorm })
+  for (const PerforatedOptions& variant : { constrained, unitNorm, unitHoles, corners, unitNorm })
   {
-    fields.push_back(SolvePerforated(potential, question));
+    fields.push_back(SolvePerforated(potential, variant));
     EXPECT_TRUE(fields.back().converged);
   }
   SolveHField(potential, {});
@@ -55,10 +55,10 @@ TEST(OneFactor, ASolveUsesOneFactor)
     DrillHoles(Builtin("disk", 0.1), OnCircle(4, 0.6, 0.3, 1, 0.1), options);
   for (const bool unitHoles : { false, true })
   {
-    PerforatedOptions question;
-    question.unitHoles = unitHoles;
+    PerforatedOptions variant;
+    variant.unitHoles = unitHoles;
     const long before = SparseCholesky::CountOfAll();
-    SolvePerforated(ShareTopology(mesh), question);
+    SolvePerforated(ShareTopology(mesh), variant);
     EXPECT_EQ(SparseCholesky::CountOfAll(), before + 2);
   }
 }

@@ -274,11 +274,11 @@ TEST(PerforatedSolve, HarmonicStartHasTheLowestEnergyAndUnitHolesTheHighest)
 TEST(PerforatedSolve, RejectsAnInconsistentSumWithBothNumbers)
 {
   const auto refused = [](const PlanarDomain& domain, const Configuration& holes,
-                         const std::string& given, const std::string& wanted)
+                         const std::string& given, const std::string& required)
   {
     const TriangleMesh mesh = Drill(domain, holes);
     return Refuses([&] { SolvePerforated(ShareTopology(mesh)); },
-      { "add up to " + given, "Poincaré-Hopf", "requires " + wanted }, Error::Kind::Inconsistent);
+      { "add up to " + given, "Poincaré-Hopf", "requires " + required }, Error::Kind::Inconsistent);
   };
   EXPECT_TRUE(refused(Builtin("disk"), OnCircle(3, 0.6, 0.0, 1, 0.1), "3", "4"));
   EXPECT_TRUE(refused(Builtin("disk"), {}, "0", "4"));

@@ -151,7 +151,7 @@ TEST(VariantSolve, ImprintedCirclesAreConstrainedMinima)
     EXPECT_NEAR(value, target, 1e-8);
   }
   const SparseMatrix stiffness = CrouzeixRaviartStiffness(mesh, field.topology->edges);
-  const ComplexVector forces = stiffness * field.u;
+  const ComplexVector reactions = stiffness * field.u;
   std::vector<bool> held(static_cast<std::size_t>(field.topology->edges.Count()), false);
   for (const auto* numbers :
     { &field.topology->edges.ofBoundary, &field.topology->edges.ofImprinted })
@@ -166,12 +166,12 @@ TEST(VariantSolve, ImprintedCirclesAreConstrainedMinima)
   {
     if (!held[static_cast<std::size_t>(edge)])
     {
-      EXPECT_LT(std::abs(forces[edge]), 1e-9);
+      EXPECT_LT(std::abs(reactions[edge]), 1e-9);
     }
   }
   for (const int edge : field.topology->edges.ofImprinted)
   {
-    onCircles = std::max(onCircles, std::abs(forces[edge]));
+    onCircles = std::max(onCircles, std::abs(reactions[edge]));
   }
   EXPECT_GT(onCircles, 1e-3);
 
@@ -291,7 +291,8 @@ TEST(VariantSolve, PenaltyWithoutHolesMatchesGinzburgLandau)
   const SolvedField disk =
     SolvePerforated(ShareTopology(DrillMesh(Builtin("disk", 0.1), {}, 0.1)), Penalty(0.1));
   EXPECT_TRUE(disk.converged);
-  EXPECT_EQ(disk.unwantedSingularities, 0) << "nothing says where, and the disk asks for four";
+  EXPECT_EQ(disk.unwantedSingularities, 0)
+    << "no positions are prescribed, and the disk requires four";
 }
 
 TEST(VariantSolve, RejectsInvalidCombinations)

@@ -218,17 +218,17 @@ TEST(VariantsOfThePaper, PenaltyCompensatesForInconsistentSets)
     { Point(0.5, -0.62), -1, 0.05 }, { Point(0.6, 0.6), -1, 0.1 } };
   const TriangleMesh mesh = DrillMesh(disk, wrong, Size);
   options.reduced.maximumIterations = 300;
-  const SolvedField made = SolvePerforated(ShareTopology(mesh), options);
-  EXPECT_TRUE(made.converged);
-  EXPECT_EQ(made.wrongDegrees, 0);
+  const SolvedField solved = SolvePerforated(ShareTopology(mesh), options);
+  EXPECT_TRUE(solved.converged);
+  EXPECT_EQ(solved.wrongDegrees, 0);
   int sum = 0;
   int size = 0;
-  for (const FieldSingularity& singularity : Find(mesh, made))
+  for (const FieldSingularity& singularity : Find(mesh, solved))
   {
     sum += singularity.quarterIndex;
     size += std::abs(singularity.quarterIndex);
   }
   EXPECT_EQ(sum, 5);
-  EXPECT_EQ(size, made.unwantedSingularities);
+  EXPECT_EQ(size, solved.unwantedSingularities);
 }
 }

@@ -241,7 +241,7 @@ TEST(ReducedProblem, ReportsNonConvergence)
   problem.load.setZero();
   const MinimiserResult stuck = SolveReduced(HoleBases(problem));
   EXPECT_FALSE(stuck.converged);
-  EXPECT_LT(stuck.iterations, 60); // it tells, and does not try to the end
+  EXPECT_LT(stuck.iterations, 60); // it reports this long before the limit
   EXPECT_TRUE(stuck.x.allFinite());
   EXPECT_TRUE(stuck.multipliers.allFinite());
 }

@@ -120,14 +120,15 @@ TEST(FieldSingularities, FindsEachSingularityOfExactFieldsOnce)
       EXPECT_EQ(singularity.id, -1);
       EXPECT_EQ(singularity.radius, 0.0);
     }
-    for (const Singularity& wanted : exact)
+    for (const Singularity& expected : exact)
     {
       const auto nearest = std::min_element(found.begin(), found.end(),
-        [&wanted](const FieldSingularity& a, const FieldSingularity& b)
-        { return (a.position - wanted.position).norm() < (b.position - wanted.position).norm(); });
-      EXPECT_EQ(nearest->quarterIndex, wanted.quarterIndex) << "trial " << trial;
-      const double error = (nearest->position - wanted.position).norm();
-      EXPECT_LT(error, disk.size) << "trial " << trial << ", index " << wanted.quarterIndex;
+        [&expected](const FieldSingularity& a, const FieldSingularity& b) {
+          return (a.position - expected.position).norm() < (b.position - expected.position).norm();
+        });
+      EXPECT_EQ(nearest->quarterIndex, expected.quarterIndex) << "trial " << trial;
+      const double error = (nearest->position - expected.position).norm();
+      EXPECT_LT(error, disk.size) << "trial " << trial << ", index " << expected.quarterIndex;
       largestError = std::max(largestError, error / disk.size);
     }
   }

@@ -284,21 +284,21 @@ TEST(FieldCheck, CountsTheIndicesOfTheField)
 
   // Without holes the positions of the singularities are free, but their sum must be four: here u =
   // e^{4iφ} around the origin.
-  const TriangleMesh whole = DrillHoles(disk, {});
-  const EdgeNumbering edges = NumberEdges(whole);
+  const TriangleMesh undrilled = DrillHoles(disk, {});
+  const EdgeNumbering edges = NumberEdges(undrilled);
   ComplexVector own(edges.Count());
   for (int e = 0; e < edges.Count(); ++e)
   {
-    const Point middle = Midpoint(whole, edges, e);
+    const Point middle = Midpoint(undrilled, edges, e);
     own[e] = std::polar(1.0, 4.0 * std::atan2(middle.y(), middle.x()));
   }
-  for (std::size_t i = 0; i < whole.boundary.size(); ++i)
+  for (std::size_t i = 0; i < undrilled.boundary.size(); ++i)
   {
-    const auto& ends = whole.boundary[i].vertices;
+    const auto& ends = undrilled.boundary[i].vertices;
     own[edges.ofBoundary[i]] = AlignedRepresentation(
-      whole.points[std::size_t(ends[1])] - whole.points[std::size_t(ends[0])]);
+      undrilled.points[std::size_t(ends[1])] - undrilled.points[std::size_t(ends[0])]);
   }
-  const FieldCheck free = CheckField({ ShareTopology(whole), own });
+  const FieldCheck free = CheckField({ ShareTopology(undrilled), own });
   EXPECT_TRUE(free.asPrescribed) << free.reason;
   EXPECT_EQ(free.interiorQuarters, 4);
   EXPECT_NE(free.reason.find("total 4"), std::string::npos) << free.reason;

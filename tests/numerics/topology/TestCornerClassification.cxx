@@ -151,18 +151,18 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
     const int count = trial % 50 == 0 ? 7 : random.Integer(3, 5);
     const CornerClassification result = ClassifyCorners(RandomPolygon(random, count));
     const std::vector<double> angles = Angles(result);
-    double least = std::numeric_limits<double>::infinity();
-    double leastBalanced = least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double minimumBalanced = minimum;
     ForEachAssignment(angles,
       [&](const std::vector<int>&, double energy, int sum)
       {
-        least = std::min(least, energy + Interior * std::abs(4 - sum));
+        minimum = std::min(minimum, energy + Interior * std::abs(4 - sum));
         if (sum == 4)
         {
-          leastBalanced = std::min(leastBalanced, energy);
+          minimumBalanced = std::min(minimumBalanced, energy);
         }
       });
-    EXPECT_NEAR(result.energy, least, 1e-9 * (1.0 + least));
+    EXPECT_NEAR(result.energy, minimum, 1e-9 * (1.0 + minimum));
     int sum = 0;
     double energy = 0.0;
     for (const ClassifiedCorner& corner : result.corners)
@@ -180,16 +180,16 @@ TEST(CornerClassification, ExactMinimumAgreesWithBruteForce)
       any = any || scenario.feasible;
       if (scenario.feasible)
       {
-        EXPECT_NEAR(scenario.energy, least, 1e-9 * (1.0 + least));
+        EXPECT_NEAR(scenario.energy, minimum, 1e-9 * (1.0 + minimum));
       }
-      EXPECT_GE(scenario.energy, least - 1e-9 * (1.0 + least));
+      EXPECT_GE(scenario.energy, minimum - 1e-9 * (1.0 + minimum));
     }
     EXPECT_TRUE(any);
     EXPECT_TRUE(result.scenarios[static_cast<std::size_t>(result.scenario)].feasible);
     const ScenarioCost& balanced = result.scenarios[1];
-    if (balanced.sum == 4 && std::isfinite(leastBalanced) && balanced.feasible)
+    if (balanced.sum == 4 && std::isfinite(minimumBalanced) && balanced.feasible)
     {
-      EXPECT_NEAR(balanced.energy, leastBalanced, 1e-9 * (1.0 + least));
+      EXPECT_NEAR(balanced.energy, minimumBalanced, 1e-9 * (1.0 + minimum));
     }
     ++seen[result.scenario];
   }
@@ -255,16 +255,16 @@ TEST(CornerClassification, KeepsOverridesAndOptimisesTheOthers)
     EXPECT_EQ(result.corners[1].quarterIndex, index);
     EXPECT_TRUE(result.corners[1].overridden);
     EXPECT_FALSE(result.corners[1].tied);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     ForEachAssignment(Angles(result),
       [&](const std::vector<int>& indices, double energy, int sum)
       {
         if (indices[1] == index)
         {
-          least = std::min(least, energy + Interior * std::abs(4 - sum));
+          minimum = std::min(minimum, energy + Interior * std::abs(4 - sum));
         }
       });
-    EXPECT_NEAR(result.energy, least, 1e-9 * (1.0 + least));
+    EXPECT_NEAR(result.energy, minimum, 1e-9 * (1.0 + minimum));
     EXPECT_GE(result.energy, plain.energy - 1e-9);
   }
   ClassificationOptions options;
@@ -282,11 +282,11 @@ TEST(CornerClassification, PrintedCoefficientWidensTheRanges)
   {
     const PlanarDomain domain = RandomPolygon(random, 4);
     const CornerClassification result = ClassifyCorners(domain, printed);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     ForEachAssignment(Angles(result),
       [&](const std::vector<int>&, double energy, int sum)
-      { least = std::min(least, energy + Pi / 8.0 * std::abs(4 - sum)); });
-    EXPECT_NEAR(result.energy, least, 1e-9 * (1.0 + least));
+      { minimum = std::min(minimum, energy + Pi / 8.0 * std::abs(4 - sum)); });
+    EXPECT_NEAR(result.energy, minimum, 1e-9 * (1.0 + minimum));
     for (const ClassifiedCorner& corner : result.corners)
     {
       EXPECT_EQ(corner.scarce, Cheapest(corner.angle, Pi / 8.0));

@@ -14,13 +14,14 @@ namespace crossfield::test
 namespace
 {
 /// Returns a star-shaped polygon around a centre with radii in the given range.
-Loop RandomPolygon(Random& random, int corners, const Point& centre, double least, double most)
+Loop RandomPolygon(Random& random, int corners, const Point& centre, double minimum, double maximum)
 {
   Loop loop;
   for (int i = 0; i < corners; ++i)
   {
     const double angle = 2.0 * Pi * (i + random.Uniform(0.0, 0.8)) / corners;
-    loop.push_back(centre + random.Uniform(least, most) * Point(std::cos(angle), std::sin(angle)));
+    loop.push_back(
+      centre + random.Uniform(minimum, maximum) * Point(std::cos(angle), std::sin(angle)));
   }
   return loop;
 }
