@@ -62,8 +62,7 @@ private:
   };
 
   /// Eliminates the inner unknowns. Replaces their rows of `columns` by those of L⁻¹ B and returns
-  /// the reduced right-hand side on the coupled unknowns, to which the factor of the latter is not
-  /// applied.
+  /// the reduced right-hand side on the coupled unknowns, to which their factor is not yet applied.
   template <typename Columns>
   Columns Eliminate(Columns& columns) const;
 

@@ -25,8 +25,8 @@ DualProblem::Margin DualProblem::MarginOfLeftOut() const
   // Let E be the matrix of the couplings left out, d_i the uncoupled part of x on hole i, and R_i
   // the rows of hole i of E. Then xᵀEx is at most √5 Σ ‖d_i‖ ‖R_i‖ ‖x‖ ≤ τ Σ ‖d_i‖² + 5/(4τ) Σ
   // ‖R_i‖² ‖x‖² for any τ, and leftOut² is 2 Σ ‖R_i‖². The uncoupled part is stiff, and rotating an
-  // entire hole is soft. So the larger share of the margin is put on the uncoupled part, and a
-  // smaller share the smaller leftOut is.
+  // entire hole is soft. So τ, the margin on the uncoupled part only, is larger than the margin on
+  // all members; both decrease with leftOut.
   const double unit = this->matrix.Trace() / static_cast<double>(this->matrix.Rows());
   const double stiff = std::max(this->leftOut, 0.05 * std::sqrt(this->leftOut * unit));
   const double all = stiff > 0.0 ? 0.625 * this->leftOut * this->leftOut / stiff : 0.0;
