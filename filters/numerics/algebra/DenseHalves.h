@@ -20,7 +20,7 @@ template <typename Scalar>
 bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matrix);
 
 /// Replaces the lower triangle L by the lower triangle of (L Lᴴ)⁻¹ = XᴴX, with X = L⁻¹ in blocks,
-/// X = [ X₁ 0 ; −X₂ L₂₁ X₁, X₂ ], X₁ = L₁₁⁻¹, X₂ = L₂₂⁻¹,
+///   X = [ X₁ 0 ; −X₂ L₂₁ X₁, X₂ ], X₁ = L₁₁⁻¹, X₂ = L₂₂⁻¹,
 /// also in two concurrent tasks.
 template <typename Scalar>
 void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower);

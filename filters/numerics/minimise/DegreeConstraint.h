@@ -7,7 +7,7 @@ namespace crossfield
 /// Degree constraint of one hole (docs/method.md §3.1; paper, "Definition of the constraint for
 /// holed singularities"). With u_j the values at the m edges of the hole, counter-clockwise and
 /// cyclic,
-/// C(u) = ½ Σ_j Im(conj(u_j) (u_{j+1} − u_{j−1})) = Σ_j Im(conj(u_j) u_{j+1}).
+///   C(u) = ½ Σ_j Im(conj(u_j) (u_{j+1} − u_{j−1})) = Σ_j Im(conj(u_j) u_{j+1}).
 /// It equals ½ uᴴ A u for the Hermitian matrix A with A_{j,j+1} = −i, A_{j,j−1} = i.
 ///
 /// Difference from the paper: the sum is over all m edges, and the target is not 2πd but the value

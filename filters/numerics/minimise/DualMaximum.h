@@ -11,7 +11,7 @@ namespace crossfield
 {
 /// Dual function at one λ. While H(λ) = S + Σ λ_i A_i is positive definite, x(λ) = H(λ)⁻¹ b
 /// minimises the Lagrangian, and
-/// q(λ) = −½ bᴴ x(λ) − Σ λ_i t_i
+///   q(λ) = −½ bᴴ x(λ) − Σ λ_i t_i
 /// is concave with ∂q/∂λ_i = C_i(x(λ)) − t_i and ∂²q/∂λ_i∂λ_j = −Re((A_i x)ᴴ H⁻¹ A_j x).
 struct DualPoint
 {

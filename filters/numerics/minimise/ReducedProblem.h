@@ -7,7 +7,7 @@ namespace crossfield
 {
 /// Constrained problem after elimination of all unknowns except those on hole edges (docs/method.md
 /// §3.2):
-/// minimise ½ xᴴ S x − Re(bᴴ x)  subject to  ½ xᴴ A_i x = t_i.
+///   minimise ½ xᴴ S x − Re(bᴴ x)  subject to  ½ xᴴ A_i x = t_i.
 struct ReducedProblem
 {
   GramMatrix matrix;  ///< S, symmetric positive definite, with one block per constraint.

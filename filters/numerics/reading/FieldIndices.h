@@ -7,7 +7,7 @@ namespace crossfield
 /// Indices of a Crouzeix-Raviart cross field, read from wrapped differences of arg u between the
 /// midpoints of neighbouring edges (docs/method.md §8.1). Triangles of midpoints and polygons of
 /// midpoints around vertices tile the domain, so that
-/// Σ ofTriangle + Σ ofVertex + Σ hole degrees = 4 χ,
+///   Σ ofTriangle + Σ ofVertex + Σ hole degrees = 4 χ,
 /// where χ is that of the domain before the holes were drilled.
 struct FieldIndices
 {

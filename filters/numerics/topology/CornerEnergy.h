@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// Returns the singular energy of a corner of interior angle α, in radians, with quarter index k:
-/// e(α, k) = (π − α − k π/2)² / (2α),
+///   e(α, k) = (π − α − k π/2)² / (2α),
 /// the coefficient of log(1/ρ) in ½ ∫ |∇θ|² around it: the cross turns by the remainder π − α − k
 /// π/2 across the angle α (docs/method.md §6.1; paper, "Ginzburg-Landau energy for piecewise-smooth
 /// closed boundaries").
