@@ -71,7 +71,7 @@ private:
     const crossfield::LayoutDesign& design, const crossfield::DomainPlane& plane, bool stale) const
   {
     const MapConversion::Map map{ design.map, plane };
-    TMeshConversion::WriteTraces(map, design.lines, {}, 0.0, this->Separatrices);
+    TMeshConversion::WriteTraces(map, design.separatrices, {}, 0.0, this->Separatrices);
     LayoutConversion::AddShade(stale, this->Separatrices);
     PatchConversion::WritePatches(map, design.mesh, this->Patches);
     TMeshConversion::AddCounts(design.mesh, this->Patches->GetFieldData());

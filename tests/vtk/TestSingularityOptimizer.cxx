@@ -154,7 +154,7 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   EXPECT_LT(this->Value("SizeSpreadAfter"), 0.5 * this->Value("SizeSpreadBefore"));
   vtkPolyData* output = this->Filter->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), 2);
-  EXPECT_NE(this->Reason().find("nearest to the target sizes"), std::string::npos);
+  EXPECT_NE(this->Reason().find("closest to the target sizes"), std::string::npos);
   const auto x = [output](double quarters)
   {
     const vtkIdType i =

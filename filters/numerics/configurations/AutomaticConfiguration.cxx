@@ -145,7 +145,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   {
     result.events.push_back(
       "Sizes are far from even, the standard deviation of their logarithm is " +
-      Short(result.optimum.sizeSpread) + "; pairs of singularities would even them.");
+      FormatShort(result.optimum.sizeSpread) + "; pairs of singularities would even them.");
   }
 }
 }

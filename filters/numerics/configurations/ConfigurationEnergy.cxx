@@ -21,7 +21,7 @@ double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain)
 
 namespace
 {
-/// Of a configuration that has been placed.
+/// Computes E_ρ of a placed configuration.
 using Perforate = std::function<PerforatedEnergy(const PlacedConfiguration&, const Progress&)>;
 
 std::vector<ConfigurationEnergy> Compare(const std::shared_ptr<const PotentialSolver>& potential,

@@ -9,18 +9,19 @@
 
 namespace crossfield
 {
-/// What one of several configurations on a domain costs.
+/// Energies of one of several configurations on a domain.
 struct ConfigurationEnergy
 {
-  int configuration = 0;   ///< Number in the list that was given.
-  bool consistent = false; ///< Otherwise nothing else but the reason is set.
+  int configuration = 0;   ///< Index in the given list.
+  bool consistent = false; ///< If false, only the reason is set.
   std::string reason;      ///< Result of the Poincaré-Hopf count.
-  /// E_ρ, with a hole at every singularity, on the mesh of EnergyMesh.h.
+  /// E_ρ with a hole at every singularity, on the mesh of EnergyMesh.h.
   std::optional<PerforatedEnergy> perforated;
   RenormalizedEnergyValue renormalized;
-  double coreRadius = 0.0;   ///< As in the options, resolved,
-  double atCoreRadius = 0.0; ///< and the energy at it.
-  Configuration interior;    ///< The columns of the gradient, in the order given.
+  double coreRadius = 0.0;   ///< Core radius of the options, resolved (ResolveCoreRadius).
+  double atCoreRadius = 0.0; ///< Energy at the core radius.
+  /// Interior singularities in the order given; the columns of the gradient.
+  Configuration interior;
 };
 
 struct ConfigurationEnergyOptions
@@ -30,23 +31,27 @@ struct ConfigurationEnergyOptions
   double coreRadius = 0.0; ///< As in ResolveCoreRadius.
 };
 
-/// The core radius at which configurations of different Σ k² are compared, a length; 0: 1/100 of the
-/// diagonal, where the error o(1) of the energy is small and cores cost what they do in a quad mesh.
+/// Returns the core radius at which configurations with different Σ k² are compared, a length. 0
+/// stands for 1/100 of the diagonal, where the error o(1) of the energy is small and the energies
+/// of cores are comparable to those in a quad mesh.
 double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 
-/// Energies of configurations on a domain, the best first: the least at the core radius ρ,
-/// W + coefficient × log(1/ρ) (docs/method.md §5.6); inconsistent ones come last. Singularities may lie on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh for every
-/// configuration; W takes one without holes for all of them (MeshForAll), factored once.
+/// Computes the energies of configurations on a domain, sorted by the energy at the core radius ρ,
+/// W + coefficient × log(1/ρ) (docs/method.md §5.6), lowest first; inconsistent configurations come
+/// last. Singularities may be located on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh
+/// for each configuration; W takes one mesh without holes for all of them (MeshForAll), which is
+/// factored once.
 ///
-/// Throws Error when a singularity lies outside, or its hole cuts the boundary or another hole.
+/// Throws Error if a singularity lies outside, or its hole intersects the boundary or another hole.
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options = {},
   const Progress& progress = {});
 
-/// The same of W alone on a domain that is factored, for a hand that moves singularities: nothing is meshed or factored but, once for
-/// the domain, the second factor that W takes. Singularities on the boundary are vertices of it; the mesh size of the options means nothing.
+/// Computes W alone on a factored domain, for interactive moves of singularities. Nothing is meshed
+/// or factored, except, once for the domain, the second factor that W needs. Singularities on the
+/// boundary must be vertices of the mesh; the mesh size of the options is ignored.
 ///
-/// Throws Error when a singularity lies outside.
+/// Throws Error if a singularity lies outside.
 std::vector<ConfigurationEnergy> CompareRenormalizedEnergies(const FactoredDomain& domain,
   const std::vector<Configuration>& configurations, const ConfigurationEnergyOptions& options = {},
   const Progress& progress = {});

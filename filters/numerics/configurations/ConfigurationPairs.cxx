@@ -12,20 +12,21 @@ namespace crossfield
 {
 namespace
 {
-/// The two nearest of which `wanted` is true, if they are nearer than a distance; else two equal numbers.
-template <class Wanted>
+/// Returns the two closest singularities that satisfy a predicate, if they are closer than a
+/// distance; otherwise two equal numbers.
+template <class Predicate>
 std::array<std::size_t, 2> NearestTwo(
-  const Configuration& configuration, double distance, Wanted wanted)
+  const Configuration& configuration, double distance, Predicate predicate)
 {
   std::array<std::size_t, 2> nearest = { 0, 0 };
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      const double apart = (configuration[i].position - configuration[j].position).norm();
-      if (apart < distance && wanted(configuration[i], configuration[j]))
+      const double separation = (configuration[i].position - configuration[j].position).norm();
+      if (separation < distance && predicate(configuration[i], configuration[j]))
       {
-        distance = apart;
+        distance = separation;
         nearest = { i, j };
       }
     }
@@ -81,12 +82,12 @@ bool AddPair(const PlanarDomain& domain, Configuration& configuration)
 {
   for (const int quarterIndex : { 1, -1 })
   {
-    const std::optional<Point> place = RoomiestPlace(domain, configuration);
-    if (!place)
+    const std::optional<Point> position = RoomiestPlace(domain, configuration);
+    if (!position)
     {
       return false;
     }
-    configuration.push_back({ *place, quarterIndex, 0.0 });
+    configuration.push_back({ *position, quarterIndex, 0.0 });
   }
   return true;
 }

@@ -5,14 +5,15 @@
 
 namespace crossfield
 {
-/// Takes out singularities of ±1 of opposite signs that are nearer to each other than a distance, the
-/// nearest first.
+/// Removes pairs of singularities +1 and −1 that are closer to each other than a distance, closest
+/// pairs first.
 void CancelOpposites(Configuration& configuration, double distance);
 
-/// Replaces the two nearest of equal quarter index by one of their sum between them; false, and nothing
-/// happens, where there are none, or its place is not inside.
+/// Replaces the two closest singularities with equal quarter index by one with their sum at the
+/// midpoint. Returns false, and does nothing, if there are none or the midpoint is not inside.
 bool MergeNearest(const PlanarDomain& domain, Configuration& configuration);
 
-/// Adds one of +1 and one of −1 where there is most room for each; false where there is none.
+/// Adds a singularity of +1 and one of −1, each at the position farthest from the boundary and from
+/// other singularities. Returns false if there is no space.
 bool AddPair(const PlanarDomain& domain, Configuration& configuration);
 }

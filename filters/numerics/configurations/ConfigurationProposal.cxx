@@ -17,14 +17,14 @@ namespace crossfield
 {
 namespace
 {
-/// The optimiser's result, unless it was aborted.
+/// Returns the result of the optimiser. Throws Aborted if it was aborted.
 OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration& proposal,
   int steps, const Progress& progress)
 {
   OptimizerOptions options;
   options.corners = proposal.corners;
   options.maximumIterations = steps;
-  options.keepAll = true; // what it was proposed as is what is ranked
+  options.keepAll = true; // the configuration is ranked as proposed
   OptimizerResult result = OptimizeSingularities(domain, proposal.singularities, options, progress);
   if (result.aborted)
   {
@@ -33,19 +33,20 @@ OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration
   return result;
 }
 
-/// A few steps of the optimiser and the symmetry of the domain, unless some have to stay where they are, and
-/// what the result costs.
-void Try(const PlanarDomain& domain, const SymmetryGroup& symmetries,
+/// Improves a proposal by a few steps of the optimiser and by the symmetry of the domain, unless
+/// given singularities must keep their positions, and computes its energies.
+void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
   const ProposalOptions& options, double coreRadius, const Progress& progress,
   ProposedConfiguration& proposal)
 {
-  const bool mayMove = options.given.empty() && !options.cancelFlatCorners;
-  constexpr int Steps = 8; // most of the way, as a rule
-  OptimizerResult trial = Optimize(domain, proposal, mayMove ? Steps : 0, progress.Part(0.0, 0.8));
+  const bool isFree = options.given.empty() && !options.cancelFlatCorners;
+  constexpr int Steps = 8; // usually most of the decrease
+  OptimizerResult trial = Optimize(domain, proposal, isFree ? Steps : 0, progress.Part(0.0, 0.8));
   proposal.singularities = trial.configuration;
-  if (mayMove)
+  if (isFree)
   {
-    // The field is read within an edge of its mesh, a seventieth of the diagonal, as a rule.
+    // The position of a singularity in the field is known to an edge of its mesh, usually a
+    // seventieth of the diagonal.
     const ConfigurationSymmetry symmetry =
       MatchSymmetry(proposal.singularities, symmetries, 0.02 * domain.Diagonal());
     if (!symmetry.IsTrivial())
@@ -75,7 +76,8 @@ Configuration AsPoints(const std::vector<CornerChoice>& corners)
   return points;
 }
 
-/// Whether cores of this radius overlap: then the energy at it means nothing, and is the lower the nearer they are.
+/// Returns whether cores of a radius overlap: the energy at that radius is then meaningless, and
+/// the lower the closer they are.
 bool CoresOverlap(const Configuration& configuration, double radius)
 {
   for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -91,8 +93,8 @@ bool CoresOverlap(const Configuration& configuration, double radius)
   return false;
 }
 
-/// Whether two configurations are the same within a distance, in whatever order.
-bool Same(const Configuration& a, Configuration b, double distance)
+/// Returns whether two configurations are equal within a distance, in any order.
+bool AreEqual(const Configuration& a, Configuration b, double distance)
 {
   for (const Singularity& singularity : a)
   {
@@ -141,20 +143,21 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   {
     const auto part = [&](std::size_t number)
     { return 0.5 + 0.5 * static_cast<double>(number) / static_cast<double>(proposals.size()); };
-    Try(domain, symmetries, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
+    Evaluate(
+      domain, symmetries, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
   }
 
-  // The best first, each once.
-  constexpr double Vanishing = 0.05; // radians; what a few steps leave of a defect that can vanish
+  // Radians; a defect that can vanish is below this after a few steps.
+  constexpr double DefectTolerance = 0.05;
   const auto rank = [&domain](const ProposedConfiguration& proposal)
   {
-    const bool hopeless =
-      proposal.holonomyDefect > Vanishing && TooFewForHolonomy(domain, proposal.singularities);
-    return std::make_tuple(proposal.variation, hopeless, proposal.energy);
+    const bool unreachable = proposal.holonomyDefect > DefectTolerance &&
+      TooFewForHolonomy(domain, proposal.singularities);
+    return std::make_tuple(proposal.variation, unreachable, proposal.energy);
   };
   std::stable_sort(proposals.begin(), proposals.end(),
     [&rank](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  // The others, whatever they are, by their energy alone.
+  // All others are sorted by energy alone.
   std::stable_sort(proposals.begin() + 1, proposals.end(),
     [](const auto& a, const auto& b) { return a.energy < b.energy; });
   std::vector<ProposedConfiguration> distinct;
@@ -162,17 +165,18 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   {
     if (proposal.variation && CoresOverlap(proposal.singularities, coreRadius))
     {
-      continue; // a pair that has all but met
+      continue; // a pair that has almost met
     }
     const bool repeated = std::any_of(distinct.begin(), distinct.end(),
       [&](const ProposedConfiguration& better)
       {
-        return Same(better.singularities, proposal.singularities, 0.01 * diagonal) &&
-          Same(AsPoints(better.corners), AsPoints(proposal.corners), 0.0);
+        return AreEqual(better.singularities, proposal.singularities, 0.01 * diagonal) &&
+          AreEqual(AsPoints(better.corners), AsPoints(proposal.corners), 0.0);
       });
     if (!repeated)
     {
-      // Where given ones go without, so do the others: a radius of 0 could not be drilled.
+      // Without radii of given singularities, the others have none either: a radius of 0 could not
+      // be drilled.
       if (std::all_of(options.given.begin(), options.given.end(),
             [](const Singularity& given) { return given.radius > 0.0; }))
       {

@@ -5,23 +5,27 @@
 
 namespace crossfield
 {
-/// Consistent starting configurations, the best first (docs/method.md §5.6): what a coarse Ginzburg-Landau
-/// field shows (FieldConfiguration.h), the same without pairs of opposite signs, and one that is spread
-/// (ConfigurationSpread.h); each after a few steps of the optimiser, and sorted by the energy at the core
-/// radius. Those with too few singularities for the inner loops (TooFewForHolonomy) come with pairs as
-/// well, and are not the first if a defect stays, nor are variations. All but the first are sorted by the
-/// energy alone. Equal ones are given once, and variations whose cores overlap, which have no energy at that radius, not at all.
+/// Proposes consistent starting configurations, the best first (docs/method.md §5.6). The sources
+/// are a coarse Ginzburg-Landau field (FieldConfiguration.h), the same field without pairs of
+/// opposite signs, and a spread configuration (ConfigurationSpread.h). Each is improved by a few
+/// steps of the optimiser, and they are sorted by the energy at the core radius. Configurations
+/// with too few singularities for the inner loops (TooFewForHolonomy) are also proposed with
+/// additional pairs. If a defect remains they are not ranked first; nor are variations. All but the
+/// first are sorted by energy alone. Equal configurations are returned once. Variations whose cores
+/// overlap have no energy at the core radius and are not returned.
 ///
-/// Where a domain has symmetries (BoundarySymmetry.h), places that are about symmetric are so to rounding.
+/// If the domain has symmetries (BoundarySymmetry.h), positions that are approximately symmetric
+/// are symmetrised up to rounding.
 ///
-/// With given singularities, or `cancelFlatCorners`, for which the one that is spread is the only one,
-/// nothing is moved. What the field shows nearest to given ones is theirs. Throws Error when a given
-/// singularity lies outside the domain, where there is no room, or as OptimizeSingularities does.
+/// With given singularities, or with `cancelFlatCorners`, which proposes the spread configuration
+/// only, nothing is moved. The singularities of the field closest to given ones are replaced by
+/// these. Throws Error if a given singularity lies outside the domain, if there is not enough
+/// space, or as OptimizeSingularities does.
 std::vector<ProposedConfiguration> ProposeConfigurations(
   const PlanarDomain& domain, const ProposalOptions& options = {}, const Progress& progress = {});
 
-/// Σ π k² over singularities + 16 Σ e(α, k) over corners (CornerEnergy.h): what log(1/ρ) is multiplied
-/// with in the energy of an aligned field (docs/method.md §5.3, §6.4).
+/// Returns Σ π k² over singularities + 16 Σ e(α, k) over corners (CornerEnergy.h), the coefficient
+/// of log(1/ρ) in the energy of an aligned field (docs/method.md §5.3, §6.4).
 double LogarithmCoefficient(const PlanarDomain& domain, const Configuration& configuration,
   const std::vector<CornerChoice>& corners = {}, double cornerAngle = DefaultCornerAngle);
 }

@@ -13,58 +13,58 @@ namespace crossfield
 {
 namespace
 {
-/// Takes from a configuration what stands for given singularities: for every quarter of theirs the
-/// nearest one of its sign.
-void TakeGiven(const Configuration& given, Configuration& seen)
+/// Removes the singularities that correspond to given ones: for each quarter of a given singularity
+/// the closest one of the same sign.
+void RemoveGiven(const Configuration& given, Configuration& found)
 {
   for (const Singularity& singularity : given)
   {
     for (int i = 0; i < std::abs(singularity.quarterIndex); ++i)
     {
-      auto nearest = seen.end();
-      for (auto other = seen.begin(); other != seen.end(); ++other)
+      auto nearest = found.end();
+      for (auto other = found.begin(); other != found.end(); ++other)
       {
-        const auto apart = [&singularity](const Singularity& candidate)
+        const auto distance = [&singularity](const Singularity& candidate)
         { return (candidate.position - singularity.position).norm(); };
         if (other->quarterIndex * singularity.quarterIndex > 0 &&
-          (nearest == seen.end() || apart(*other) < apart(*nearest)))
+          (nearest == found.end() || distance(*other) < distance(*nearest)))
         {
           nearest = other;
         }
       }
-      if (nearest != seen.end())
+      if (nearest != found.end())
       {
-        seen.erase(nearest);
+        found.erase(nearest);
       }
     }
   }
 }
 
-/// Adds pairs of opposite signs until TooFewForHolonomy is false, or there is no room for more.
-void AddForHolonomy(const PlanarDomain& domain, Configuration& configuration)
+/// Adds pairs of opposite signs until TooFewForHolonomy is false, or there is no space for more.
+void AddPairsForHolonomy(const PlanarDomain& domain, Configuration& configuration)
 {
   while (TooFewForHolonomy(domain, configuration) && AddPair(domain, configuration))
   {
   }
 }
 
-/// Collects starts that differ.
-class Collection
+/// Collects starting configurations.
+class StartCollection
 {
 public:
-  Collection(const PlanarDomain& domain, const ProposalOptions& options)
+  StartCollection(const PlanarDomain& domain, const ProposalOptions& options)
     : Domain(domain)
     , Options(options)
   {
   }
 
-  /// Adds a configuration without the given ones, completed by what it lacks.
-  void Add(
-    const Configuration& more, const std::vector<CornerChoice>& corners, const std::string& origin)
+  /// Adds a configuration that lacks the given singularities, completed to the required sum.
+  void Add(const Configuration& further, const std::vector<CornerChoice>& corners,
+    const std::string& origin)
   {
     auto spread = static_cast<const SpreadOptions&>(this->Options);
     spread.corners = corners;
-    spread.given.insert(spread.given.end(), more.begin(), more.end());
+    spread.given.insert(spread.given.end(), further.begin(), further.end());
     ProposedConfiguration proposal;
     proposal.singularities = SpreadConfiguration(this->Domain, spread);
     proposal.corners = corners;
@@ -73,31 +73,31 @@ public:
     this->Starts.push_back(proposal);
     if (TooFewForHolonomy(this->Domain, proposal.singularities))
     {
-      AddForHolonomy(this->Domain, proposal.singularities);
+      AddPairsForHolonomy(this->Domain, proposal.singularities);
       proposal.origin += ", pairs for holonomy";
       this->Starts.push_back(std::move(proposal));
     }
   }
 
-  /// What a Ginzburg-Landau field shows, and the same without pairs.
+  /// Adds the configuration of a Ginzburg-Landau field, and the same without pairs.
   void AddField(
     const CoarseField& coarse, const std::vector<CornerChoice>& corners, const std::string& suffix)
   {
     FieldConfigurationOptions reading;
     reading.cornerAngle = this->Options.cornerAngle;
     reading.corners = corners;
-    Configuration seen = ReadConfiguration(this->Domain, coarse, reading).singularities;
-    TakeGiven(this->Options.given, seen);
-    this->Add(seen, corners, "Ginzburg-Landau field" + suffix);
-    const std::size_t all = seen.size();
-    CancelOpposites(seen, std::numeric_limits<double>::infinity());
-    if (seen.size() < all)
+    Configuration found = ReadConfiguration(this->Domain, coarse, reading).singularities;
+    RemoveGiven(this->Options.given, found);
+    this->Add(found, corners, "Ginzburg-Landau field" + suffix);
+    const std::size_t all = found.size();
+    CancelOpposites(found, std::numeric_limits<double>::infinity());
+    if (found.size() < all)
     {
-      this->Add(seen, corners, "Ginzburg-Landau field without pairs" + suffix);
+      this->Add(found, corners, "Ginzburg-Landau field without pairs" + suffix);
     }
   }
 
-  /// The first one with two merged, and with a pair more.
+  /// Adds the first start with two singularities merged, and with an additional pair.
   void AddVariations()
   {
     const ProposedConfiguration first = this->Starts.front();
@@ -112,12 +112,12 @@ public:
     pair.variation = true;
     if (AddPair(this->Domain, pair.singularities))
     {
-      pair.origin += ", a pair more";
+      pair.origin += ", additional pair";
       this->Starts.push_back(std::move(pair));
     }
   }
 
-  std::vector<ProposedConfiguration> Take() { return std::move(this->Starts); }
+  std::vector<ProposedConfiguration> Release() { return std::move(this->Starts); }
 
 private:
   const PlanarDomain& Domain;
@@ -125,7 +125,8 @@ private:
   std::vector<ProposedConfiguration> Starts;
 };
 
-/// The chosen corners of a classification, beside those already chosen.
+/// Returns the corners that are given, and those for which the classifier chooses another index
+/// than the smallest rotation.
 std::vector<CornerChoice> ClassifiedChoices(
   const PlanarDomain& domain, const ProposalOptions& options)
 {
@@ -147,7 +148,7 @@ std::vector<CornerChoice> ClassifiedChoices(
 std::vector<ProposedConfiguration> FindStarts(
   const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress)
 {
-  Collection collection(domain, options);
+  StartCollection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
@@ -155,17 +156,17 @@ std::vector<ProposedConfiguration> FindStarts(
     collection.AddField(coarse, options.corners, "");
     if (options.chooseCorners)
     {
-      std::vector<CornerChoice> ofField = options.corners;
+      std::vector<CornerChoice> fieldCorners = options.corners;
       for (const CornerChoice& corner : ReadConfiguration(domain, coarse, reading).otherCorners)
       {
         if (FindChoice(options.corners, corner.position, domain) == nullptr)
         {
-          ofField.push_back(corner);
+          fieldCorners.push_back(corner);
         }
       }
-      if (ofField.size() > options.corners.size())
+      if (fieldCorners.size() > options.corners.size())
       {
-        collection.AddField(coarse, ofField, ", its corners");
+        collection.AddField(coarse, fieldCorners, ", corners of the field");
       }
       const std::vector<CornerChoice> cheapest = ClassifiedChoices(domain, options);
       if (cheapest.size() > options.corners.size())
@@ -175,8 +176,8 @@ std::vector<ProposedConfiguration> FindStarts(
       CornerSetOptions sets;
       sets.cornerAngle = options.cornerAngle;
       sets.given = options.corners;
-      sets.ofField = ofField;
-      sets.known = { ofField, cheapest };
+      sets.fieldCorners = fieldCorners;
+      sets.known = { fieldCorners, cheapest };
       for (const std::vector<CornerChoice>& corners : FindCornerSets(domain, sets))
       {
         collection.AddField(coarse, corners, ", other corners");
@@ -188,6 +189,6 @@ std::vector<ProposedConfiguration> FindStarts(
   {
     collection.AddVariations();
   }
-  return collection.Take();
+  return collection.Release();
 }
 }

@@ -5,8 +5,8 @@
 
 namespace crossfield
 {
-/// The configurations that ProposeConfigurations tries, consistent and not yet judged: those of the
-/// options first, then the variations.
+/// Returns the configurations that ProposeConfigurations evaluates: consistent, not yet ranked,
+/// those with the corners of the options first, then variations.
 std::vector<ProposedConfiguration> FindStarts(
   const PlanarDomain& domain, const ProposalOptions& options, const Progress& progress = {});
 }

@@ -10,39 +10,39 @@ namespace crossfield
 {
 namespace
 {
-/// An index for every corner.
+/// One index for each corner.
 using Indices = std::vector<int>;
 
-/// A set, and what it costs by the count of corners and interior quarters.
+/// Set of indices with its cost by corners and interior quarters.
 struct CostedSet
 {
   Indices indices;
   double cost = 0.0;
 };
 
-/// An index of a corner and its energy.
-struct Option
+/// Candidate index of a corner, with its energy.
+struct Candidate
 {
   int index = 0;
   double cost = 0.0;
 };
 
-/// A corner, and the indices that it may have; the first is that of the smallest rotation, or given.
+/// Corner with its candidate indices; the first is that of the smallest rotation, or the given one.
 struct OpenCorner
 {
   Point position = Point::Zero();
-  std::vector<Option> options;
+  std::vector<Candidate> candidates;
 };
 
-void AddOnce(OpenCorner& corner, int index, double cost)
+void AddCandidate(OpenCorner& corner, int index, double cost)
 {
-  constexpr int LeastIndex = -2; // a slit
-  constexpr int MostIndex = 1;   // quad meshes have no corners of 2
-  if (index >= LeastIndex && index <= MostIndex &&
-    std::none_of(corner.options.begin(), corner.options.end(),
-      [index](const Option& option) { return option.index == index; }))
+  constexpr int MinimumIndex = -2; // a slit
+  constexpr int MaximumIndex = 1;  // quad meshes have no corners of 2
+  if (index >= MinimumIndex && index <= MaximumIndex &&
+    std::none_of(corner.candidates.begin(), corner.candidates.end(),
+      [index](const Candidate& candidate) { return candidate.index == index; }))
   {
-    corner.options.push_back({ index, cost });
+    corner.candidates.push_back({ index, cost });
   }
 }
 
@@ -60,77 +60,79 @@ std::vector<OpenCorner> OpenCorners(const PlanarDomain& domain, const CornerSetO
     {
       continue;
     }
-    if (const CornerChoice* seen = FindChoice(options.ofField, corner.position, domain))
+    if (const CornerChoice* choice = FindChoice(options.fieldCorners, corner.position, domain))
     {
-      AddOnce(open.back(), seen->quarterIndex, energy(decided));
+      AddCandidate(open.back(), choice->quarterIndex, energy(decided));
     }
-    AddOnce(open.back(), corner.quarterIndex, energy(corner.quarterIndex));
+    AddCandidate(open.back(), corner.quarterIndex, energy(corner.quarterIndex));
     if (corner.tied)
     {
       const int k = corner.quarterIndex;
       const int other = energy(k + 1) < energy(k - 1) ? k + 1 : k - 1;
-      AddOnce(open.back(), other, energy(other));
+      AddCandidate(open.back(), other, energy(other));
     }
   }
   return open;
 }
 
-/// Decides the corners whose other indices cost most, until there are few enough combinations.
-void Limit(std::vector<OpenCorner>& corners)
+/// Fixes the corners whose alternatives cost most, until the number of combinations is small
+/// enough.
+void LimitCombinations(std::vector<OpenCorner>& corners)
 {
-  constexpr double MostCombinations = 1 << 12;
-  const auto extra = [](const OpenCorner& corner)
+  constexpr double MaximumCombinations = 1 << 12;
+  const auto extraCost = [](const OpenCorner& corner)
   {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < corner.options.size(); ++i)
+    double lowest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < corner.candidates.size(); ++i)
     {
-      least = std::min(least, corner.options[i].cost);
+      lowest = std::min(lowest, corner.candidates[i].cost);
     }
-    return corner.options.size() < 2 ? -std::numeric_limits<double>::infinity()
-                                     : least - corner.options[0].cost;
+    return corner.candidates.size() < 2 ? -std::numeric_limits<double>::infinity()
+                                        : lowest - corner.candidates[0].cost;
   };
   const auto combinations = [&corners]
   {
     double product = 1.0;
     for (const OpenCorner& corner : corners)
     {
-      product *= static_cast<double>(corner.options.size());
+      product *= static_cast<double>(corner.candidates.size());
     }
     return product;
   };
-  while (combinations() > MostCombinations)
+  while (combinations() > MaximumCombinations)
   {
     std::max_element(corners.begin(), corners.end(),
-      [&extra](const auto& a, const auto& b) { return extra(a) < extra(b); })
-      ->options.resize(1);
+      [&extraCost](const auto& a, const auto& b) { return extraCost(a) < extraCost(b); })
+      ->candidates.resize(1);
   }
 }
 
-/// All combinations, the cheapest first, and in the order of the corners among equals.
-std::vector<CostedSet> Combine(const std::vector<OpenCorner>& corners, int wanted)
+/// Returns all combinations, the cheapest first, in the order of the corners among equals.
+std::vector<CostedSet> Combine(const std::vector<OpenCorner>& corners, int required)
 {
   const double interior = InteriorQuarterEnergy(InteriorCoefficient::Logarithm);
   std::vector<CostedSet> sets;
-  std::vector<std::size_t> digits(corners.size(), 0);
+  std::vector<std::size_t> selection(corners.size(), 0);
   for (bool more = true; more;)
   {
     CostedSet set;
     int sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      const Option& option = corners[i].options[digits[i]];
-      set.indices.push_back(option.index);
-      set.cost += option.cost;
+      const Candidate& candidate = corners[i].candidates[selection[i]];
+      set.indices.push_back(candidate.index);
+      set.cost += candidate.cost;
       sum += set.indices[i];
     }
-    set.cost += interior * std::abs(wanted - sum);
-    set.cost = AngleRounding * std::round(set.cost / AngleRounding); // ties are ties
+    set.cost += interior * std::abs(required - sum);
+    // Rounded, so that ties are detected.
+    set.cost = AngleRounding * std::round(set.cost / AngleRounding);
     sets.push_back(set);
     more = false;
     for (std::size_t i = 0; i < corners.size() && !more; ++i)
     {
-      digits[i] = (digits[i] + 1) % corners[i].options.size();
-      more = digits[i] != 0;
+      selection[i] = (selection[i] + 1) % corners[i].candidates.size();
+      more = selection[i] != 0;
     }
   }
   std::stable_sort(sets.begin(), sets.end(),
@@ -138,7 +140,7 @@ std::vector<CostedSet> Combine(const std::vector<OpenCorner>& corners, int wante
   return sets;
 }
 
-/// Of each symmetry the numbers of the corners that it takes those of a domain to.
+/// Returns for each symmetry the numbers of the images of the corners.
 std::vector<std::vector<std::size_t>> ImagesOf(
   const PlanarDomain& domain, const std::vector<OpenCorner>& corners)
 {
@@ -148,10 +150,10 @@ std::vector<std::vector<std::size_t>> ImagesOf(
     images.emplace_back();
     for (const OpenCorner& corner : corners)
     {
-      const Point place = map(corner.position);
+      const Point image = map(corner.position);
       const auto nearest = std::min_element(corners.begin(), corners.end(),
-        [&place](const auto& a, const auto& b)
-        { return (a.position - place).squaredNorm() < (b.position - place).squaredNorm(); });
+        [&image](const auto& a, const auto& b)
+        { return (a.position - image).squaredNorm() < (b.position - image).squaredNorm(); });
       images.back().push_back(static_cast<std::size_t>(nearest - corners.begin()));
     }
   }
@@ -179,9 +181,9 @@ bool AreSymmetric(
 const CornerChoice* FindChoice(
   const std::vector<CornerChoice>& choices, const Point& vertex, const PlanarDomain& domain)
 {
-  const double reach = BoundaryReach * domain.Diagonal();
+  const double tolerance = BoundaryReach * domain.Diagonal();
   const auto found = std::find_if(choices.begin(), choices.end(),
-    [&](const CornerChoice& choice) { return (choice.position - vertex).norm() <= reach; });
+    [&](const CornerChoice& choice) { return (choice.position - vertex).norm() <= tolerance; });
   return found == choices.end() ? nullptr : &*found;
 }
 
@@ -192,7 +194,8 @@ ClassificationOptions ClassificationBeside(
   classification.cornerAngle = cornerAngle;
   for (const Corner& corner : FindCorners(domain.loops, cornerAngle))
   {
-    // The classifier gives an override to the nearest corner, and chosen vertices may be none.
+    // The classifier assigns an override to the nearest corner, and chosen vertices need not be
+    // corners.
     if (const CornerChoice* choice = FindChoice(given, corner.position, domain))
     {
       classification.overrides.push_back(*choice);
@@ -205,38 +208,38 @@ std::vector<std::vector<CornerChoice>> FindCornerSets(
   const PlanarDomain& domain, const CornerSetOptions& options)
 {
   std::vector<OpenCorner> corners = OpenCorners(domain, options);
-  Limit(corners);
+  LimitCombinations(corners);
   const std::vector<CostedSet> sets = Combine(corners, 4 * domain.EulerCharacteristic());
-  const double most =
+  const double maximumCost =
     sets.front().cost + InteriorQuarterEnergy(InteriorCoefficient::Logarithm) + AngleRounding;
   const auto images = ImagesOf(domain, corners);
-  std::vector<Indices> kept;
+  std::vector<Indices> excluded;
   for (const std::vector<CornerChoice>& known : options.known)
   {
-    kept.emplace_back();
+    excluded.emplace_back();
     for (const OpenCorner& corner : corners)
     {
       const CornerChoice* choice = FindChoice(known, corner.position, domain);
-      kept.back().push_back(choice ? choice->quarterIndex : corner.options[0].index);
+      excluded.back().push_back(choice ? choice->quarterIndex : corner.candidates[0].index);
     }
   }
   std::vector<std::vector<CornerChoice>> result;
   for (const CostedSet& set : sets)
   {
-    if (result.size() == options.count || set.cost > most)
+    if (result.size() == options.count || set.cost > maximumCost)
     {
       break;
     }
-    if (std::any_of(kept.begin(), kept.end(),
+    if (std::any_of(excluded.begin(), excluded.end(),
           [&](const Indices& other) { return AreSymmetric(set.indices, other, images); }))
     {
       continue;
     }
-    kept.push_back(set.indices);
+    excluded.push_back(set.indices);
     std::vector<CornerChoice> choices = options.given;
     for (std::size_t i = 0; i < corners.size(); ++i)
     {
-      if (set.indices[i] != corners[i].options[0].index)
+      if (set.indices[i] != corners[i].candidates[0].index)
       {
         choices.push_back({ corners[i].position, set.indices[i] });
       }

@@ -7,35 +7,38 @@
 
 namespace crossfield
 {
-/// What is known of corners before any field is solved with other indices of theirs.
+/// Known choices for corners, before any field is solved with other indices.
 struct CornerSetOptions
 {
   double cornerAngle = DefaultCornerAngle;
-  /// Of vertices; corners among them are decided.
+  /// Given indices of vertices; corners among them are decided.
   std::vector<CornerChoice> given;
-  /// What a field takes otherwise than by the smallest rotation.
-  std::vector<CornerChoice> ofField;
-  /// Sets that are not wanted again, nor what a symmetry of the domain makes of them.
+  /// Indices of a field that differ from the smallest rotation.
+  std::vector<CornerChoice> fieldCorners;
+  /// Sets that are not to be returned again, nor any of their images under symmetries of the
+  /// domain.
   std::vector<std::vector<CornerChoice>> known;
-  /// How many sets to return, at most.
+  /// Maximum number of sets to return.
   std::size_t count = 6;
 };
 
-/// What is chosen for a vertex, if anything is; null otherwise.
+/// Returns the choice for a vertex, null if there is none.
 const CornerChoice* FindChoice(
   const std::vector<CornerChoice>& choices, const Point& vertex, const PlanarDomain& domain);
 
-/// How the classifier is asked where some corners are decided.
+/// Returns the options of the corner classifier in which given corners are decided.
 ClassificationOptions ClassificationBeside(
   const std::vector<CornerChoice>& given, const PlanarDomain& domain, double cornerAngle);
 
-/// Quarter indices for all undecided corners at once (docs/method.md §5.6): of a corner the smallest rotation, what the classifier
-/// (CornerClassification.h) and a field take, and where it is tied its neighbour of less energy. Of their
-/// combinations those are returned that cost at most one interior quarter more than the cheapest,
+/// Returns sets of quarter indices for all undecided corners (docs/method.md §5.6). The candidates
+/// of a corner are the smallest rotation, the choices of the classifier (CornerClassification.h)
+/// and of a field, and, if it is tied, the neighbouring index of lower energy. A combination costs
 ///   Σ e(α, k) + c |4χ − Σ k|,   c = π/16,
-/// where what a field takes costs no more than the smallest rotation: the cheapest first, and one of those that a symmetry of
-/// the domain maps to each other. Each is `given` and the corners that count otherwise than by the smallest rotation;
-/// that none does is left out.
+/// where the index of a field costs no more than the smallest rotation. The combinations are
+/// returned whose cost exceeds the minimum by at most one interior quarter, the cheapest first, and
+/// only one of those that symmetries of the domain map to each other. Each set consists of `given`
+/// and the corners whose index is not the smallest rotation; the set without such corners is not
+/// returned.
 std::vector<std::vector<CornerChoice>> FindCornerSets(
   const PlanarDomain& domain, const CornerSetOptions& options);
 }

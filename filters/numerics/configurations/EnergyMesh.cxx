@@ -9,8 +9,9 @@ namespace crossfield
 {
 namespace
 {
-/// On all holes. A dense factor of as many rows takes a second and 128 MiB.
-constexpr double MostHoleEdges = 4096.0;
+/// Maximum number of edges on all holes together. A dense factor of this size takes a second and
+/// 128 MiB.
+constexpr double MaximumHoleEdges = 4096.0;
 }
 
 DrillOptions DrillForEnergies(
@@ -20,12 +21,12 @@ DrillOptions DrillForEnergies(
   options.meshSize = meshSize;
   options.meshSize = ResolveMeshSize(options, domain);
   const double diagonal = domain.Diagonal();
-  const double part = std::min(1.0, options.meshSize / ResolveMeshSize({}, domain));
-  options.gradation *= part;
+  const double fraction = std::min(1.0, options.meshSize / ResolveMeshSize({}, domain));
+  options.gradation *= fraction;
   if (!configuration.empty())
   {
-    const double edges = std::min(
-      options.minimumHoleEdges / part, MostHoleEdges / static_cast<double>(configuration.size()));
+    const double edges = std::min(options.minimumHoleEdges / fraction,
+      MaximumHoleEdges / static_cast<double>(configuration.size()));
     options.minimumHoleEdges =
       std::max(options.minimumHoleEdges, static_cast<int>(std::ceil(edges)));
   }

@@ -12,14 +12,14 @@ namespace crossfield
 {
 namespace
 {
-DrillOptions OfSize(double meshSize)
+DrillOptions OptionsOfSize(double meshSize)
 {
   DrillOptions options;
   options.meshSize = meshSize;
   return options;
 }
 
-std::unique_ptr<const KeptTriangulation> Keep(const MeshTopology& topology)
+std::unique_ptr<const KeptTriangulation> Triangulate(const MeshTopology& topology)
 {
   std::vector<bool> onBoundary(topology.mesh.points.size(), false);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -47,17 +47,17 @@ std::unique_ptr<const KeptTriangulation> Keep(const MeshTopology& topology)
 FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configuration,
   double meshSize, const Progress& progress)
   : Domain(std::move(domain))
-  , MeshSize(ResolveMeshSize(OfSize(meshSize), this->Domain))
+  , MeshSize(ResolveMeshSize(OptionsOfSize(meshSize), this->Domain))
   , Potential(std::make_shared<const PotentialSolver>(
       ShareTopology(DrillHoles(InsertBoundarySingularities(this->Domain, configuration), {},
-        OfSize(meshSize), progress.Part(0.0, 0.5))),
+        OptionsOfSize(meshSize), progress.Part(0.0, 0.5))),
       progress.Part(0.5, 1.0)))
 {
 }
 
 bool FactoredDomain::Serves(const Configuration& configuration) const
 {
-  const double reach = BoundaryReach * this->Domain.Diagonal();
+  const double tolerance = BoundaryReach * this->Domain.Diagonal();
   const std::vector<Loop> loops = this->Potential->GetTopology().AlignedLoops();
   return std::all_of(configuration.begin(), configuration.end(),
     [&](const Singularity& singularity)
@@ -68,14 +68,15 @@ bool FactoredDomain::Serves(const Configuration& configuration) const
           [&](const Loop& loop)
           {
             return std::any_of(loop.begin(), loop.end(),
-              [&](const Point& vertex) { return (vertex - singularity.position).norm() <= reach; });
+              [&](const Point& vertex)
+              { return (vertex - singularity.position).norm() <= tolerance; });
           });
     });
 }
 
 TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
 {
-  const double room = 2.0 * this->MeshSize;
+  const double clearance = 2.0 * this->MeshSize;
   std::vector<Point> inside;
   for (const Singularity& singularity : configuration)
   {
@@ -83,19 +84,20 @@ TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
     {
       continue;
     }
-    const bool free = singularity.position.allFinite() &&
-      SignedDistance(singularity.position, this->Domain) >= room &&
+    const bool isClear = singularity.position.allFinite() &&
+      SignedDistance(singularity.position, this->Domain) >= clearance &&
       std::all_of(inside.begin(), inside.end(),
-        [&](const Point& other) { return (other - singularity.position).norm() >= room; });
-    if (!free)
+        [&](const Point& other) { return (other - singularity.position).norm() >= clearance; });
+    if (!isClear)
     {
       return MeshOnPoints(this->Domain, configuration, this->MeshSize);
     }
     inside.push_back(singularity.position);
   }
-  std::call_once(
-    this->IsTriangulated, [this] { this->Triangulation = Keep(this->Potential->GetTopology()); });
-  // Nearer vertices would leave edges much shorter than those around.
+  std::call_once(this->IsTriangulated,
+    [this] { this->Triangulation = Triangulate(this->Potential->GetTopology()); });
+  // Vertices closer than a third of the edge length are removed, since they would leave edges much
+  // shorter than those around.
   return this->Triangulation->With(inside, this->MeshSize / 3.0);
 }
 }

@@ -9,34 +9,36 @@
 
 namespace crossfield
 {
-/// A domain with what belongs to it whatever the singularities: its mesh and the factor of the Laplacian on it. Made
-/// once, never changed, and shared by all configurations that are tried on it (docs/method.md §15).
+/// Domain with the data that do not depend on singularities: its mesh and the factor of the
+/// Laplacian on it. Built once, immutable, and shared by all configurations on it (docs/method.md
+/// §15).
 class FactoredDomain
 {
 public:
-  /// Meshes and factors. `meshSize` as in DrillOptions. Singularities of the configuration that lie on the boundary become
-  /// vertices of it; those inside mean nothing.
+  /// Meshes and factors a domain. `meshSize` is that of DrillOptions. Singularities of the
+  /// configuration on the boundary become vertices of it; interior ones are ignored.
   FactoredDomain(PlanarDomain domain, const Configuration& configuration, double meshSize,
     const Progress& progress = {});
 
   const PlanarDomain& GetDomain() const { return this->Domain; }
-  /// The edge length that was asked for, resolved.
+  /// Returns the requested edge length, resolved.
   double GetMeshSize() const { return this->MeshSize; }
   const std::shared_ptr<const PotentialSolver>& GetPotential() const { return this->Potential; }
 
-  /// Whether the singularities of a configuration that lie on the boundary are vertices of the mesh.
+  /// Returns whether all singularities of a configuration on the boundary are vertices of the mesh.
   bool Serves(const Configuration& configuration) const;
 
-  /// The mesh with a vertex on every singularity inside, as SolveSeamlessMap needs it: the Delaunay triangulation of its vertices with these
-  /// instead of those next to them, where they keep two edges' lengths from the boundary and from each other; else that of
-  /// MeshOnPoints.
+  /// Returns the mesh with a vertex at every interior singularity, as SolveSeamlessMap requires. If
+  /// the singularities are at least two edge lengths away from the boundary and from each other,
+  /// this is the Delaunay triangulation in which they replace the vertices near them; otherwise it
+  /// is the mesh of MeshOnPoints.
   TriangleMesh MeshOn(const Configuration& configuration) const;
 
 private:
   PlanarDomain Domain;
   double MeshSize;
   std::shared_ptr<const PotentialSolver> Potential;
-  /// Made by the first MeshOn: who wants H or W alone has no use for it.
+  /// Built by the first call of MeshOn; H and W do not need it.
   mutable std::once_flag IsTriangulated;
   mutable std::unique_ptr<const KeptTriangulation> Triangulation;
 };

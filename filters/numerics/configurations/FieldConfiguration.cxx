@@ -18,62 +18,65 @@ namespace crossfield
 {
 namespace
 {
-/// Enough for the places of a start, and a few tenths of a second.
-constexpr double Triangles = 5000.0;
+/// Number of triangles: sufficient for starting positions, and a few tenths of a second.
+constexpr double TriangleCount = 5000.0;
 
 double CoarseSize(const PlanarDomain& domain)
 {
-  return std::sqrt(4.0 / std::sqrt(3.0) * domain.Area() / Triangles); // equilateral ones
+  return std::sqrt(
+    4.0 / std::sqrt(3.0) * domain.Area() / TriangleCount); // for equilateral triangles
 }
 
-/// The half of the way to the nearest other one, at most the distance to the boundary.
-double RoomAt(const PlanarDomain& domain, const Point& place, const Configuration& others)
+/// Returns the distance to the boundary or half of the distance to the nearest other singularity,
+/// whichever is smaller.
+double ClearanceAt(const PlanarDomain& domain, const Point& position, const Configuration& others)
 {
-  double room = SignedDistance(place, domain);
+  double clearance = SignedDistance(position, domain);
   for (const Singularity& other : others)
   {
-    room = std::min(room, 0.5 * (other.position - place).norm());
+    clearance = std::min(clearance, 0.5 * (other.position - position).norm());
   }
-  return room;
+  return clearance;
 }
 
-/// Adds a singularity at the place that is nearest to where it was and has the wanted room, or else at
-/// the one with the most, on rings of up to four times that. Leaves it out where there is none.
-void AddWithRoom(
-  const PlanarDomain& domain, Singularity singularity, double wanted, Configuration& result)
+/// Adds a singularity at the position closest to its original one that has the target clearance,
+/// otherwise at the position with the largest clearance, searching on rings with radii of up to
+/// four times the target. Adds nothing if no position is inside.
+void AddWithClearance(
+  const PlanarDomain& domain, Singularity singularity, double target, Configuration& result)
 {
   constexpr int Rings = 16;
   constexpr int Directions = 32;
   const Point centre = singularity.position;
-  double most = 0.0;
-  for (int ring = 0; ring <= Rings && most < 0.95 * wanted; ++ring)
+  double largest = 0.0;
+  for (int ring = 0; ring <= Rings && largest < 0.95 * target; ++ring)
   {
-    const double radius = 0.25 * wanted * ring;
+    const double radius = 0.25 * target * ring;
     for (int i = 0; i < (ring == 0 ? 1 : Directions); ++i)
     {
       const double angle = 2.0 * Pi * i / Directions;
-      const Point place = centre + radius * Point(std::cos(angle), std::sin(angle));
-      const double room = std::min(wanted, RoomAt(domain, place, result));
-      // By more than rounding, so that mirrored domains are not decided by it.
-      if (room > most * (1.0 + 1e-9))
+      const Point position = centre + radius * Point(std::cos(angle), std::sin(angle));
+      const double clearance = std::min(target, ClearanceAt(domain, position, result));
+      // The difference must exceed rounding, so that it does not decide on mirrored domains.
+      if (clearance > largest * (1.0 + 1e-9))
       {
-        most = room;
-        singularity.position = place;
+        largest = clearance;
+        singularity.position = position;
       }
     }
   }
-  if (most > 0.0)
+  if (largest > 0.0)
   {
     result.push_back(singularity);
   }
 }
 
-/// Singularities of ±1 that stand for one quarter index, all at its place.
-void AddUnits(const Point& place, int quarterIndex, Configuration& result)
+/// Adds singularities of ±1 with a given sum, all at one position.
+void AddUnits(const Point& position, int quarterIndex, Configuration& result)
 {
   for (int i = 0; i < std::abs(quarterIndex); ++i)
   {
-    result.push_back({ place, quarterIndex > 0 ? 1 : -1, 0.0 });
+    result.push_back({ position, quarterIndex > 0 ? 1 : -1, 0.0 });
   }
 }
 }
@@ -88,15 +91,16 @@ CoarseField SolveCoarseField(
   {
     sides += loop.size();
   }
-  // Every side has a triangle of its size, and more up to the size of the others.
-  const bool fine = static_cast<double>(sides) > 0.5 * Triangles;
-  const SharedTopology topology = ShareTopology(DrillHoles(
-    fine ? CoarsenBoundary(domain, drill.meshSize, options.cornerAngle, options.corners) : domain,
+  // Each side has a triangle of its size, and more triangles up to the size of the others.
+  const bool isDetailed = static_cast<double>(sides) > 0.5 * TriangleCount;
+  const SharedTopology topology = ShareTopology(DrillHoles(isDetailed
+      ? CoarsenBoundary(domain, drill.meshSize, options.cornerAngle, options.corners)
+      : domain,
     {}, drill, progress.Part(0.0, 0.2)));
   GinzburgLandauOptions solve;
   solve.epsilon = drill.meshSize;
-  // Singularities rest long before the field does: they are wanted within an edge, and a start need not
-  // be a minimum.
+  // Singularities are stationary long before the field has converged; their positions are needed to
+  // an edge only, and a start need not be a minimum.
   solve.tolerance = 1e-3;
   solve.maximumIterations = 30;
   GinzburgLandauField field = SolveGinzburgLandau(topology, solve, progress.Part(0.2, 1.0));
@@ -112,7 +116,7 @@ FieldConfiguration ReadConfiguration(
   const PoincareHopfCount count =
     CountQuarters(topology.AlignedLoops(), 0, options.cornerAngle, options.corners);
 
-  // 1. What the field shows, corners apart.
+  // 1. Read the indices of corners and the singularities of the field.
   FieldSingularityOptions reading;
   reading.corners = true;
   reading.cornerAngle = options.cornerAngle;
@@ -120,8 +124,8 @@ FieldConfiguration ReadConfiguration(
   {
     reading.chosenVertices.push_back(topology.VertexOf(corner));
   }
-  Configuration seen;
-  std::vector<int> ofCorner(count.corners.size(), 0);
+  Configuration found;
+  std::vector<int> fieldIndices(count.corners.size(), 0);
   for (const FieldSingularity& singularity : FindFieldSingularities(field, reading))
   {
     const auto corner = std::find_if(count.corners.begin(), count.corners.end(),
@@ -129,31 +133,34 @@ FieldConfiguration ReadConfiguration(
       { return topology.VertexOf(candidate) == singularity.vertex; });
     if (corner != count.corners.end())
     {
-      ofCorner[static_cast<std::size_t>(corner - count.corners.begin())] = singularity.quarterIndex;
+      fieldIndices[static_cast<std::size_t>(corner - count.corners.begin())] =
+        singularity.quarterIndex;
     }
     else
     {
-      AddUnits(singularity.position, singularity.quarterIndex, seen);
+      AddUnits(singularity.position, singularity.quarterIndex, found);
     }
   }
-  // 2. What the corners are counted with otherwise goes inside.
+  // 2. Place the differences between the indices of corners in the field and the prescribed ones
+  // inside.
   for (std::size_t i = 0; i < count.corners.size(); ++i)
   {
     const CountedCorner& corner = count.corners[i];
-    if (ofCorner[i] != corner.quarterIndex)
+    if (fieldIndices[i] != corner.quarterIndex)
     {
-      result.otherCorners.push_back({ corner.position, ofCorner[i] });
-      AddUnits(corner.position, ofCorner[i] - corner.quarterIndex, seen);
+      result.otherCorners.push_back({ corner.position, fieldIndices[i] });
+      AddUnits(corner.position, fieldIndices[i] - corner.quarterIndex, found);
     }
   }
-  // 3. To places where a mesh can tell them from the boundary and from each other.
-  CancelOpposites(seen, 3.0 * coarse.meshSize);
-  const double wanted = coarse.meshSize; // nearer ones the mesh would not tell apart
-  for (const Singularity& singularity : seen)
+  // 3. Move singularities to positions that a mesh can distinguish from the boundary and from each
+  // other.
+  CancelOpposites(found, 3.0 * coarse.meshSize);
+  const double target = coarse.meshSize; // the mesh does not resolve smaller distances
+  for (const Singularity& singularity : found)
   {
-    AddWithRoom(domain, singularity, wanted, result.singularities);
+    AddWithClearance(domain, singularity, target, result.singularities);
   }
-  // 4. Some may have found no room.
+  // 4. Complete the sum if there was no space for some of them.
   if (TotalQuarters(result.singularities) != count.requiredInteriorQuarters)
   {
     SpreadOptions spread;

@@ -10,22 +10,23 @@ namespace crossfield
 struct FieldConfigurationOptions
 {
   double cornerAngle = DefaultCornerAngle;
-  /// Chosen quarter indices of corners; the others count by the smallest rotation.
+  /// Chosen quarter indices of corners; all others have that of the smallest rotation.
   std::vector<CornerChoice> corners;
 };
 
-/// What a coarse Ginzburg-Landau field shows on a domain.
+/// Configuration read from a coarse Ginzburg-Landau field.
 struct FieldConfiguration
 {
-  /// Consistent with the corners of the options: all singularities are inside, well off the boundary.
+  /// Interior singularities, consistent with the corners of the options, at some distance from the
+  /// boundary.
   Configuration singularities;
-  /// The corners whose quarter index the field takes otherwise, with that index.
+  /// Corners that have another quarter index in the field, with that index.
   std::vector<CornerChoice> otherCorners;
 };
 
-/// A coarse Ginzburg-Landau field, on about 5,000 triangles (docs/method.md §5.6). Of a boundary of
-/// thousands of vertices it has only what that many triangles can tell (CoarseBoundary.h), corners and those
-/// of the options among it.
+/// Coarse Ginzburg-Landau field on about 5,000 triangles (docs/method.md §5.6). A boundary with
+/// thousands of vertices is simplified to what that many triangles resolve (CoarseBoundary.h),
+/// keeping corners and those of the options.
 struct CoarseField
 {
   CrossField field;
@@ -34,11 +35,12 @@ struct CoarseField
 CoarseField SolveCoarseField(const PlanarDomain& domain,
   const FieldConfigurationOptions& options = {}, const Progress& progress = {});
 
-/// Reads a starting configuration from it. Its singularities add up with its own corners; where a corner
-/// has another quarter index in the count than in the field, the difference goes inside next to it, and
-/// so do the singularities that the field has moved into the boundary. Those nearer to the boundary than
-/// an edge are pushed off it as far as there is room, those of |k| > 1 are split, and opposite ones less
-/// than three edges apart, which such a mesh cannot tell from none, are cancelled.
+/// Reads a starting configuration from a coarse field. The singularities of the field are
+/// consistent with its own corners. If a corner has another prescribed index than in the field, the
+/// difference is placed inside next to it; singularities that the field has moved into the boundary
+/// are placed inside in the same way. Singularities closer to the boundary than an edge are moved
+/// away from it as far as space permits, those with |k| > 1 are split, and opposite ones less than
+/// three edges apart, which the mesh cannot resolve, are cancelled.
 FieldConfiguration ReadConfiguration(const PlanarDomain& domain, const CoarseField& coarse,
   const FieldConfigurationOptions& options = {});
 }

@@ -32,7 +32,8 @@ PerforatedEnergy ComputePerforatedEnergy(
   result.alignedUpper =
     GradientEnergy(topology->mesh, laplacian.Gradient(dirichlet.Harmonic(phase.Get())));
 
-  // Free along the boundary. Of Φ only the constants on the holes matter, of φ only the periods around them.
+  // With a free boundary, only the constants of Φ on the holes and the periods of φ around them
+  // matter.
   const Eigen::VectorXd spread = TurnsOfHoles(laplacian, 1.0);
   result.degreeOnlyLower =
     0.5 * spread.dot(SolveConstantOnHoles(dirichlet.GetFactor(), spread, Everywhere));

@@ -13,8 +13,9 @@ namespace crossfield
 {
 namespace
 {
-/// Count and W.
-void Rate(const FactoredDomain& domain, const SeamlessMapOptions& options, LayoutDesign& design)
+/// Computes the Poincaré-Hopf count and W.
+void EvaluateEnergy(
+  const FactoredDomain& domain, const SeamlessMapOptions& options, LayoutDesign& design)
 {
   const MeshTopology& topology = domain.GetPotential()->GetTopology();
   const PlacedConfiguration placed = PlaceForMap(topology, design.singularities, options);
@@ -32,12 +33,12 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   RequireInside(domain.GetDomain(), singularities);
   LayoutDesign design;
   design.singularities = singularities;
-  Rate(domain, options.map, design);
+  EvaluateEnergy(domain, options.map, design);
   progress.Report(0.1);
   design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities,
     options.map, progress.Part(0.1, 0.6));
-  design.lines = TraceLines(design.map, progress.Part(0.6, 0.7));
-  design.mesh = MakeTMesh(design.map, design.lines);
+  design.separatrices = TraceLines(design.map, progress.Part(0.6, 0.7));
+  design.mesh = MakeTMesh(design.map, design.separatrices);
   design.shortestArc = std::numeric_limits<double>::infinity();
   for (const TArc& arc : design.mesh.arcs)
   {
@@ -54,12 +55,13 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
 
 double LiveMeshSize(const PlanarDomain& domain, double meshSize)
 {
-  // A step on so many takes 20 ms on two cores (docs/speed.md), which leaves more than that for the picture at 20 a second.
-  constexpr double MostTriangles = 4000.0;
+  // A step with this number of triangles takes 20 ms on two cores (docs/speed.md), which leaves
+  // more than half of the time for drawing at 20 frames per second.
+  constexpr double MaximumTriangles = 4000.0;
   DrillOptions options;
   options.meshSize = meshSize;
   // Equilateral triangles of area √3/4 h² each.
   return std::max(ResolveMeshSize(options, domain),
-    std::sqrt(4.0 * domain.Area() / (std::sqrt(3.0) * MostTriangles)));
+    std::sqrt(4.0 * domain.Area() / (std::sqrt(3.0) * MaximumTriangles)));
 }
 }

@@ -3,9 +3,9 @@
 #include "FactoredDomain.h"
 #include "QuadMesher.h"
 
-#include "SeamlessMapSolve.h"
 #include "PoincareHopf.h"
 #include "RenormalizedEnergy.h"
+#include "SeamlessMapSolve.h"
 
 #include <optional>
 
@@ -14,32 +14,37 @@ namespace crossfield
 struct LayoutOptions
 {
   SeamlessMapOptions map;
-  /// Quads to lay, if any are wanted.
+  /// Options of the quads; none are made if empty.
   std::optional<QuadOptions> quads;
 };
 
-/// What a configuration makes of a domain, as a person who moves its singularities wants to see it: lines, faces, quality.
+/// Layout of a domain for a configuration, as shown while singularities are moved: separatrices,
+/// patches, quads and quality.
 struct LayoutDesign
 {
   Configuration singularities;
   SeamlessMap map;
-  TraceGraph lines;
+  TraceGraph separatrices;
   TMesh mesh;
   std::optional<QuadResult> quads;
   PoincareHopfCount count;
   RenormalizedEnergyValue energy;
-  double shortestArc = 0.0; ///< In the map, whose area is that of the domain.
-  double seconds = 0.0;
+  /// Minimum length of an arc, in the map, whose area is that of the domain.
+  double shortestArc = 0.0;
+  double seconds = 0.0; ///< Computing time.
 };
 
-/// The layout of one configuration on a domain that is factored (docs/method.md §15.2). W costs two back-substitutions on its
-/// factor; the map is solved for on a mesh with vertices at the singularities, which the domain's becomes by local changes.
+/// Computes the layout of a configuration on a factored domain (docs/method.md §15.2). W costs two
+/// back-substitutions with its factor. The map is solved on a mesh with vertices at the
+/// singularities, obtained from that of the domain by local changes.
 ///
-/// Throws Error as SolveSeamlessMap, MakeTMesh and MakeQuads do, of kind Inconsistent where the quarter indices violate Poincaré-Hopf.
+/// Throws Error as SolveSeamlessMap, MakeTMesh and MakeQuads do, of kind Inconsistent if the
+/// quarter indices violate Poincaré-Hopf.
 LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& singularities,
   const LayoutOptions& options = {}, const Progress& progress = {});
 
-/// The edge length with which a layout follows a hand: `meshSize` (as in DrillOptions), or a larger one where that would make
-/// too many triangles for it. Lines are off by O(h²), and exact when the hand lets go.
+/// Returns the edge length for layouts while a handle is dragged: `meshSize` (as in DrillOptions),
+/// or a larger one if the mesh would have too many triangles. The error of separatrices is O(h²);
+/// the layout is computed with `meshSize` when the handle is released.
 double LiveMeshSize(const PlanarDomain& domain, double meshSize);
 }

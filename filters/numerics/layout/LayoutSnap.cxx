@@ -15,19 +15,20 @@ namespace crossfield
 {
 namespace
 {
-using Pair = std::pair<int, int>; ///< Cones, the smaller number first.
+using ConePair = std::pair<int, int>; ///< Two cones, the smaller number first.
 
-Pair KeyOf(const NearMiss& miss)
+ConePair KeyOf(const NearMiss& miss)
 {
   return std::minmax(miss.from, miss.to);
 }
 
-/// What is to be zero, on one mesh whose vertices at singularities move with them.
+/// Functions of the positions that should vanish, on one mesh whose vertices at singularities move
+/// with them.
 class SnapProblem
 {
 public:
   SnapProblem(const FactoredDomain& domain, Configuration singularities,
-    const SeamlessMapOptions& options, double tolerance, const std::set<Pair>& excluded)
+    const SeamlessMapOptions& options, double tolerance, const std::set<ConePair>& excluded)
     : Singularities(std::move(singularities))
     , Options(options)
     , Mesh(domain.MeshOn(this->Singularities))
@@ -37,13 +38,13 @@ public:
     {
       if (cone.row >= 0 && !cone.onBoundary)
       {
-        this->Moving.push_back(cone);
+        this->MovingCones.push_back(cone);
       }
     }
     this->Extent = map.Extent();
     std::vector<NearMiss> found = FindNearMisses(TraceLines(map), tolerance);
-    // The two lines of a pair that runs towards each other say the same: one is enough.
-    std::set<Pair> known;
+    // Two separatrices that run towards each other give the same condition: one is enough.
+    std::set<ConePair> known;
     for (NearMiss& miss : found)
     {
       if (excluded.count(KeyOf(miss)) == 0 && known.insert(KeyOf(miss)).second)
@@ -60,7 +61,7 @@ public:
   const Configuration& GetSingularities() const { return this->Singularities; }
   double GetExtent() const { return this->Extent; }
 
-  /// Offsets of lines, then what the holonomy defects have become more.
+  /// Returns the offsets of separatrices, followed by the changes of the holonomy defects.
   Eigen::VectorXd Values(const Eigen::VectorXd& moves) const
   {
     const SeamlessMap map = this->Solve(this->At(moves));
@@ -77,10 +78,10 @@ public:
     return values;
   }
 
-  /// Central differences, since the steps can be that large.
+  /// Computes the derivatives by central differences, which remain accurate for large steps.
   Eigen::MatrixXd Derivatives(double step, const Progress& progress) const
   {
-    const auto count = static_cast<Eigen::Index>(2 * this->Moving.size());
+    const auto count = static_cast<Eigen::Index>(2 * this->MovingCones.size());
     Eigen::MatrixXd derivatives(
       static_cast<Eigen::Index>(this->Misses.size() + this->Defects.size()), count);
     for (Eigen::Index j = 0; j < count; ++j)
@@ -92,24 +93,29 @@ public:
     return derivatives;
   }
 
+  /// Returns the singularities displaced by the moves.
   Configuration At(const Eigen::VectorXd& moves) const
   {
     Configuration moved = this->Singularities;
-    for (std::size_t i = 0; i < this->Moving.size(); ++i)
+    for (std::size_t i = 0; i < this->MovingCones.size(); ++i)
     {
-      moved[static_cast<std::size_t>(this->Moving[i].row)].position +=
+      moved[static_cast<std::size_t>(this->MovingCones[i].row)].position +=
         moves.segment<2>(static_cast<Eigen::Index>(2 * i));
     }
     return moved;
   }
 
-  Eigen::Index Count() const { return static_cast<Eigen::Index>(2 * this->Moving.size()); }
+  /// Returns the number of coordinates of singularities that may move.
+  Eigen::Index CoordinateCount() const
+  {
+    return static_cast<Eigen::Index>(2 * this->MovingCones.size());
+  }
 
 private:
   SeamlessMap Solve(const Configuration& moved) const
   {
     TriangleMesh mesh = this->Mesh;
-    for (const Cone& cone : this->Moving)
+    for (const Cone& cone : this->MovingCones)
     {
       mesh.points[static_cast<std::size_t>(cone.vertex)] =
         moved[static_cast<std::size_t>(cone.row)].position;
@@ -120,19 +126,20 @@ private:
   Configuration Singularities;
   const SeamlessMapOptions& Options;
   TriangleMesh Mesh;
-  std::vector<Cone> Moving;
+  std::vector<Cone> MovingCones;
   std::vector<NearMiss> Misses;
   std::vector<double> Defects;
   double Extent = 0.0;
 };
 
-/// How a try ended.
-struct Trial
+/// Result of an attempt.
+struct Attempt
 {
   Configuration singularities;
-  bool arrived = false; ///< All lines meet, and no singularity has moved too far.
+  bool joined = false; ///< Whether all separatrices meet, and no singularity has moved too far.
 };
 
+/// Returns the maximum distance between corresponding singularities.
 double LargestMove(const Configuration& from, const Configuration& to)
 {
   double largest = 0.0;
@@ -143,68 +150,72 @@ double LargestMove(const Configuration& from, const Configuration& to)
   return largest;
 }
 
-/// Chord iterations on a few meshes, each with the vertices where the singularities have come to: the last one is then that of a
-/// layout of the result.
-Trial Try(const FactoredDomain& domain, const Configuration& start, const SeamlessMapOptions& options,
-  double tolerance, const std::set<Pair>& excluded, const Progress& progress)
+/// Tries to join all near misses except the excluded ones. Iterates with constant derivatives
+/// (chord method) on a sequence of meshes, each with vertices at the present positions; the last
+/// mesh is that of a layout of the result.
+Attempt TryToJoin(const FactoredDomain& domain, const Configuration& start,
+  const SeamlessMapOptions& options, double tolerance, const std::set<ConePair>& excluded,
+  const Progress& progress)
 {
-  constexpr int Meshes = 6;
-  constexpr int Iterations = 12;
-  // What the tracer takes for one isoline, and rounding of a map.
-  constexpr double Arrived = 1e-13;
-  Trial trial;
-  trial.singularities = start;
-  std::vector<Pair> derived; // what the derivatives are of: they hardly change on the way
+  constexpr int MaximumMeshes = 6;
+  constexpr int MaximumIterations = 12;
+  // Distance that the tracer considers as one isoline, and the rounding of a map.
+  constexpr double Tolerance = 1e-13;
+  Attempt attempt;
+  attempt.singularities = start;
+  // Near misses for which the derivatives were computed; these hardly change between meshes.
+  std::vector<ConePair> differentiated;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> derivatives;
-  // Conditions may follow from each other, as that of the fourth side of a rectangle from the other three; what differences are off by
-  // must not make them independent.
+  // Conditions may be dependent, as the fourth side of a rectangle follows from the other three;
+  // errors of differences must not make them independent.
   derivatives.setThreshold(1e-3);
-  for (int i = 0; i < Meshes; ++i)
+  for (int i = 0; i < MaximumMeshes; ++i)
   {
-    const SnapProblem problem(domain, trial.singularities, options, tolerance, excluded);
+    const SnapProblem problem(domain, attempt.singularities, options, tolerance, excluded);
     const auto& misses = problem.GetMisses();
     const auto worst = std::max_element(misses.begin(), misses.end(),
       [](const NearMiss& a, const NearMiss& b) { return a.across < b.across; });
-    trial.arrived = worst == misses.end() || worst->across <= Arrived * problem.GetExtent();
-    if (trial.arrived || problem.Count() == 0)
+    attempt.joined = worst == misses.end() || worst->across <= Tolerance * problem.GetExtent();
+    if (attempt.joined || problem.CoordinateCount() == 0)
     {
-      return trial;
+      return attempt;
     }
-    // A vertex may move by a good part of an edge; rounding of maps is far below such differences.
-    const double furthest = 0.25 * domain.GetMeshSize();
+    // A vertex may move by a considerable fraction of an edge; differences of this step are far
+    // above the rounding of maps.
+    const double longestMove = 0.25 * domain.GetMeshSize();
     const double step = 1e-3 * domain.GetMeshSize();
-    std::vector<Pair> keys;
+    std::vector<ConePair> keys;
     std::transform(misses.begin(), misses.end(), std::back_inserter(keys), KeyOf);
-    if (i == 0 || keys != derived)
+    if (i == 0 || keys != differentiated)
     {
-      derivatives.compute(
-        problem.Derivatives(step, progress.Part(0.9 * i / Meshes, 0.9 * (i + 1) / Meshes)));
-      derived = std::move(keys);
+      derivatives.compute(problem.Derivatives(
+        step, progress.Part(0.9 * i / MaximumMeshes, 0.9 * (i + 1) / MaximumMeshes)));
+      differentiated = std::move(keys);
     }
-    Eigen::VectorXd moves = Eigen::VectorXd::Zero(problem.Count());
-    for (int j = 0; j < Iterations; ++j)
+    Eigen::VectorXd moves = Eigen::VectorXd::Zero(problem.CoordinateCount());
+    for (int j = 0; j < MaximumIterations; ++j)
     {
       const Eigen::VectorXd values = problem.Values(moves);
-      if (values.lpNorm<Eigen::Infinity>() <= 0.1 * Arrived * problem.GetExtent())
+      if (values.lpNorm<Eigen::Infinity>() <= 0.1 * Tolerance * problem.GetExtent())
       {
         break;
       }
       const Eigen::VectorXd next = moves - derivatives.solve(values);
       const double longest = next.lpNorm<Eigen::Infinity>();
-      if (longest > furthest)
+      if (longest > longestMove)
       {
-        moves = next * (furthest / longest);
-        break; // and on with another mesh
+        moves = next * (longestMove / longest);
+        break; // continue with another mesh
       }
       moves = next;
     }
-    trial.singularities = problem.At(moves);
-    if (LargestMove(start, trial.singularities) > tolerance)
+    attempt.singularities = problem.At(moves);
+    if (LargestMove(start, attempt.singularities) > tolerance)
     {
-      return trial;
+      return attempt;
     }
   }
-  return trial;
+  return attempt;
 }
 }
 
@@ -220,26 +231,26 @@ LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singula
     misses.end());
   std::stable_sort(misses.begin(), misses.end(),
     [](const NearMiss& a, const NearMiss& b) { return a.across > b.across; });
-  // All of them if that is possible, else without the widest ones.
-  std::set<Pair> excluded;
+  // Join all near misses if possible, otherwise all but the widest ones.
+  std::set<ConePair> excluded;
   const auto count = static_cast<double>(misses.size());
   for (const NearMiss& widest : misses)
   {
     const Progress part = progress.Part(result.leftOut / count, (result.leftOut + 1) / count);
-    Trial trial;
+    Attempt attempt;
     try
     {
-      trial = Try(domain, singularities, options, tolerance, excluded, part);
+      attempt = TryToJoin(domain, singularities, options, tolerance, excluded, part);
     }
     catch (const Error&)
     {
-      trial.arrived = false; // the way led to singularities that cannot be
+      attempt.joined = false; // the iteration led to an invalid configuration
     }
-    if (trial.arrived)
+    if (attempt.joined)
     {
-      result.singularities = trial.singularities;
+      result.singularities = attempt.singularities;
       result.joined = static_cast<int>(misses.size()) - result.leftOut;
-      result.largestMove = LargestMove(singularities, trial.singularities);
+      result.largestMove = LargestMove(singularities, attempt.singularities);
       break;
     }
     excluded.insert(KeyOf(widest));

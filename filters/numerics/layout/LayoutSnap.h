@@ -7,22 +7,25 @@
 
 namespace crossfield
 {
-/// Singularities that were moved to where lines that nearly met do meet.
+/// Singularities that were moved to positions at which separatrices that nearly met do meet.
 struct LayoutSnap
 {
   Configuration singularities; ///< In the order given.
-  int joined = 0;              ///< Pairs of lines that meet now and did not before.
-  int leftOut =
-    0; ///< Near misses that are left: joining them would move a singularity too far, or part others.
-  double largestMove = 0.0; ///< A length, at most the tolerance.
+  int joined = 0; ///< Number of pairs of separatrices that meet now and did not before.
+  /// Number of near misses that remain: joining them would move a singularity too far, or separate
+  /// others.
+  int leftOut = 0;
+  /// Maximum displacement of a singularity, a length, at most the tolerance.
+  double largestMove = 0.0;
 };
 
-/// Moves the singularities inside the least way, in the sum of squares, to where every line that passes a singularity or corner at
-/// no more than `tolerance` meets it, and is one with the line that leaves it there (docs/method.md §15.3). Lines that meet
-/// already stay so, and inner loops get no holonomy defect that they did not have.
+/// Moves the interior singularities as little as possible, in the sum of squares, so that every
+/// separatrix that passes a singularity or corner at a distance of at most `tolerance` meets it and
+/// coincides with the separatrix that starts there (docs/method.md §15.3). Separatrices that
+/// already meet continue to do so, and the holonomy defects of inner loops do not change.
 ///
-/// `tolerance`: a length; the map has the area of the domain. No singularity moves farther. Throws Error as
-/// SolveSeamlessMap and TraceLines do for the configuration given.
+/// `tolerance`: a length; the map has the area of the domain. No singularity moves farther. Throws
+/// Error as SolveSeamlessMap and TraceLines do for the given configuration.
 LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double tolerance, const Progress& progress = {});
 }

@@ -12,15 +12,15 @@ std::array<Point, 2> PlacesForPair(const FactoredDomain& domain, const Configura
   double farthest = -1.0;
   for (const Point& vertex : domain.GetPotential()->GetTopology().mesh.points)
   {
-    double room = SignedDistance(vertex, domain.GetDomain());
+    double distance = SignedDistance(vertex, domain.GetDomain());
     for (const Singularity& singularity : configuration)
     {
-      room = std::min(room, (singularity.position - vertex).norm());
+      distance = std::min(distance, (singularity.position - vertex).norm());
     }
-    if (room > farthest)
+    if (distance > farthest)
     {
       best = vertex;
-      farthest = room;
+      farthest = distance;
     }
   }
   const Point step(farthest / 3.0, 0.0);

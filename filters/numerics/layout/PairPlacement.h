@@ -6,8 +6,9 @@
 
 namespace crossfield
 {
-/// Places for a pair of quarter indices 1 and −1 that changes no sum: beside the vertex of the mesh that is farthest from the
-/// boundary and the singularities, a third of that distance to either side.
+/// Returns positions for a pair of quarter indices 1 and −1, which does not change the sum: on
+/// either side of the mesh vertex farthest from the boundary and the singularities, at a third of
+/// that distance.
 std::array<Point, 2> PlacesForPair(
   const FactoredDomain& domain, const Configuration& configuration);
 }

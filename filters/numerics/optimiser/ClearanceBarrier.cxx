@@ -10,18 +10,18 @@ namespace crossfield
 {
 namespace
 {
-/// See the constructor.
-constexpr double Repelling = 0.1;
+/// κ relative to the product of the quarter indices; see the constructor.
+constexpr double RepulsionFactor = 0.1;
 
-/// b and its derivatives in d for κ = 1.
-struct Well
+/// b and its derivatives with respect to d, for κ = 1.
+struct BarrierValue
 {
   double value = 0.0;
   double first = 0.0;
   double second = 0.0;
 };
 
-Well EvaluateWell(double d, double distance)
+BarrierValue EvaluateBarrier(double d, double distance)
 {
   const double t = (d - distance) / distance;
   if (!(t > 0.0))
@@ -32,19 +32,21 @@ Well EvaluateWell(double d, double distance)
   {
     return {};
   }
-  const double rest = 1.0 - t;
+  const double remainder = 1.0 - t;
   const double logarithm = std::log(t);
-  return { -rest * rest * logarithm, (2.0 * rest * logarithm - rest * rest / t) / distance,
-    (-2.0 * logarithm + 4.0 * rest / t + rest * rest / (t * t)) / (distance * distance) };
+  return { -remainder * remainder * logarithm,
+    (2.0 * remainder * logarithm - remainder * remainder / t) / distance,
+    (-2.0 * logarithm + 4.0 * remainder / t + remainder * remainder / (t * t)) /
+      (distance * distance) };
 }
 
-/// Second derivatives of a distance.
-Eigen::Matrix2d Bend(const Point& normal, double d)
+/// Returns the second derivatives of a distance d with gradient `normal`.
+Eigen::Matrix2d DistanceHessian(const Point& normal, double d)
 {
   return (Eigen::Matrix2d::Identity() - normal * normal.transpose()) / d;
 }
 
-/// Second derivatives of a function of the difference of two places.
+/// Adds the second derivatives of a function of the difference of two positions.
 void AddPair(
   Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column, const Eigen::Matrix2d& block)
 {
@@ -74,52 +76,55 @@ ClearanceBarrier::ClearanceBarrier(
   }
 }
 
-ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& places) const
+ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positions) const
 {
   Value result;
-  result.gradient = Eigen::VectorXd::Zero(places.size());
-  result.hessian = Eigen::MatrixXd::Zero(places.size(), places.size());
-  result.bend = result.hessian;
+  result.gradient = Eigen::VectorXd::Zero(positions.size());
+  result.hessian = Eigen::MatrixXd::Zero(positions.size(), positions.size());
+  result.negativeHessian = result.hessian;
   for (std::size_t i = 0; i < this->Quarters.size(); ++i)
   {
     const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-    const Point here = places.segment<2>(row);
-    const double own = this->Quarters[i];
+    const Point position = positions.segment<2>(row);
+    const double quarters = this->Quarters[i];
     for (const Side& side : this->Sides)
     {
-      const double t = NearestFraction(here, side.from, side.to);
-      const Point apart = WayFromSegment(here, side.from, side.to);
-      const double d = apart.norm();
+      const double t = NearestFraction(position, side.from, side.to);
+      const Point offset = WayFromSegment(position, side.from, side.to);
+      const double d = offset.norm();
       if (d < 2.0 * this->Distance)
       {
-        const Well well = EvaluateWell(d, this->Distance);
-        const double factor = Repelling * own * own * side.weight;
-        const Point normal = apart / d;
-        result.energy += factor * well.value;
-        result.gradient.segment<2>(row) += factor * well.first * normal;
-        result.hessian.block<2, 2>(row, row) += factor * well.second * normal * normal.transpose();
+        const BarrierValue barrier = EvaluateBarrier(d, this->Distance);
+        const double factor = RepulsionFactor * quarters * quarters * side.weight;
+        const Point normal = offset / d;
+        result.energy += factor * barrier.value;
+        result.gradient.segment<2>(row) += factor * barrier.first * normal;
+        result.hessian.block<2, 2>(row, row) +=
+          factor * barrier.second * normal * normal.transpose();
         if (t == 0.0 || t == 1.0)
         {
-          result.bend.block<2, 2>(row, row) += factor * well.first * Bend(normal, d);
+          result.negativeHessian.block<2, 2>(row, row) +=
+            factor * barrier.first * DistanceHessian(normal, d);
         }
       }
     }
     for (std::size_t j = 0; j < i; ++j)
     {
       const Eigen::Index column = 2 * static_cast<Eigen::Index>(j);
-      const Point apart = here - places.segment<2>(column);
-      const double d = apart.norm();
+      const Point offset = position - positions.segment<2>(column);
+      const double d = offset.norm();
       if (d < 2.0 * this->Distance)
       {
-        const Well well = EvaluateWell(d, this->Distance);
-        const double product = own * this->Quarters[j];
-        const double factor = product < 0.0 ? -product : Repelling * product;
-        const Point normal = apart / d;
-        result.energy += factor * well.value;
-        result.gradient.segment<2>(row) += factor * well.first * normal;
-        result.gradient.segment<2>(column) -= factor * well.first * normal;
-        AddPair(result.hessian, row, column, factor * well.second * normal * normal.transpose());
-        AddPair(result.bend, row, column, factor * well.first * Bend(normal, d));
+        const BarrierValue barrier = EvaluateBarrier(d, this->Distance);
+        const double product = quarters * this->Quarters[j];
+        const double factor = product < 0.0 ? -product : RepulsionFactor * product;
+        const Point normal = offset / d;
+        result.energy += factor * barrier.value;
+        result.gradient.segment<2>(row) += factor * barrier.first * normal;
+        result.gradient.segment<2>(column) -= factor * barrier.first * normal;
+        AddPair(result.hessian, row, column, factor * barrier.second * normal * normal.transpose());
+        AddPair(
+          result.negativeHessian, row, column, factor * barrier.first * DistanceHessian(normal, d));
       }
     }
   }

@@ -7,32 +7,34 @@
 
 namespace crossfield
 {
-/// Keeps singularities at a distance δ from the boundary and from each other (docs/method.md §5.5):
-///   b(t) = −κ (t − 1)² ln t, t = (d − δ)/δ, for δ < d < 2δ; nothing beyond, infinite below.
-/// It is summed over the sides of the boundary and over pairs. The distance to one side is
-/// differentiable wherever b is not zero or infinite, that to the whole boundary is not: in a corner
-/// two sides are nearest. Sides shorter than δ count by their length, so that a curve of many sides
-/// counts like a straight one.
+/// Barrier that keeps singularities at a distance δ from the boundary and from each other
+/// (docs/method.md §5.5):
+///   b(t) = −κ (t − 1)² ln t,  t = (d − δ)/δ,  for δ < d < 2δ; zero beyond, infinite below.
+/// The barrier is summed over the sides of the boundary and over pairs of singularities. The
+/// distance to a single side is differentiable wherever b is neither zero nor infinite; the
+/// distance to the whole boundary is not, on the bisector of a corner. A side shorter than δ has
+/// the weight length/δ, so that a curve of many sides acts like a straight one.
 class ClearanceBarrier
 {
 public:
   struct Value
   {
-    double energy = 0.0; ///< Infinite where a distance is not above δ.
+    double energy = 0.0; ///< Infinite if a distance is not greater than δ.
     Eigen::VectorXd gradient;
-    /// Σ b'' ∇d ∇dᵀ, the positive part of the second derivatives.
+    /// Positive part of the second derivatives, Σ b'' ∇d ∇dᵀ.
     Eigen::MatrixXd hessian;
-    /// Σ b' ∇∇d, the rest of the second derivatives, negative.
-    Eigen::MatrixXd bend;
+    /// Remaining, negative part of the second derivatives, Σ b' ∇∇d.
+    Eigen::MatrixXd negativeHessian;
   };
 
-  /// κ is 1/10 of the product of the two quarter indices, or of their square at the boundary: forces of
-  /// singularities are about π/δ, so that minima of W at 1.5 δ move by 0.04 δ. Opposite signs attract and
-  /// have none there: κ is their product, which holds them at 1.22 δ and the iteration well conditioned.
+  /// κ is 1/10 of the product of the two quarter indices, or of the square of the index at the
+  /// boundary: gradients of W are about π/δ, so that minima of W at a distance of 1.5 δ move by
+  /// 0.04 δ. Singularities of opposite sign attract each other and have no minimum there: κ is the
+  /// negative product, which keeps them at 1.22 δ and the iteration well conditioned.
   ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance);
 
-  /// `places`: two coordinates per singularity, lengths in those of the domain.
-  Value Evaluate(const Eigen::VectorXd& places) const;
+  /// `positions`: two coordinates per singularity, in the length unit of the domain.
+  Value Evaluate(const Eigen::VectorXd& positions) const;
   double GetDistance() const { return this->Distance; }
 
 private:
@@ -44,7 +46,7 @@ private:
   };
 
   std::vector<Side> Sides;
-  std::vector<double> Quarters; ///< k of every singularity, 1 instead of 0.
+  std::vector<double> Quarters; ///< Quarter index k of each singularity, 1 instead of 0.
   double Distance;
 };
 }

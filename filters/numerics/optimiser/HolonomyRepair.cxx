@@ -14,15 +14,16 @@ namespace crossfield
 {
 namespace
 {
-/// Radians of the phase: far below what the mesh is off by, and far above rounding.
-constexpr double NoDefect = 1e-9;
+/// Tolerance of defects, radians of the phase: far below the error of the mesh and far above
+/// rounding.
+constexpr double DefectTolerance = 1e-9;
 
 std::vector<double> AsVector(const Eigen::VectorXd& values)
 {
   return { values.data(), values.data() + values.size() };
 }
 
-[[noreturn]] void ThrowStuck(const Eigen::VectorXd& defects)
+[[noreturn]] void ThrowIrreparable(const Eigen::VectorXd& defects)
 {
   Eigen::Index loop = 0;
   defects.cwiseAbs().maxCoeff(&loop);
@@ -32,54 +33,56 @@ std::vector<double> AsVector(const Eigen::VectorXd& values)
     "let them be optimised.");
 }
 
-/// The shortest step with J step = wanted; throws where there is none.
-Eigen::VectorXd ShortestStep(const OptimizerPlace& here, const Eigen::VectorXd& wanted)
+/// Returns the shortest step with J step = change; throws Error if there is none.
+Eigen::VectorXd ShortestStep(const OptimizerState& current, const Eigen::VectorXd& change)
 {
-  if (here.defectGradient.cols() == 0)
+  if (current.defectGradient.cols() == 0)
   {
-    ThrowStuck(here.defects);
+    ThrowIrreparable(current.defects);
   }
-  const Eigen::VectorXd step = here.defectGradient.completeOrthogonalDecomposition().solve(wanted);
-  // What no singularity has an influence on, relative to what is asked for.
-  constexpr double Unreachable = 1e-6;
-  if ((here.defectGradient * step - wanted).norm() > Unreachable * wanted.norm())
+  const Eigen::VectorXd step =
+    current.defectGradient.completeOrthogonalDecomposition().solve(change);
+  // Part of the requested change that no singularity can influence, relative to the change.
+  constexpr double UnreachableTolerance = 1e-6;
+  if ((current.defectGradient * step - change).norm() > UnreachableTolerance * change.norm())
   {
-    ThrowStuck(here.defects);
+    ThrowIrreparable(current.defects);
   }
   return step;
 }
 
-/// Newton's method for the defects with shortest steps, halved until they lower the defects and keep the
-/// clearance. Adds to `steps`.
-OptimizerPlace RemoveDefects(const OptimizerObjective& objective, OptimizerPlace here, int& steps)
+/// Removes the defects by Newton's method with shortest steps, halved until they reduce the defects
+/// and keep the clearance. Adds the number of steps to `steps`.
+OptimizerState RemoveDefects(
+  const OptimizerObjective& objective, OptimizerState current, int& steps)
 {
-  constexpr int MostSteps = 50;
-  constexpr double LeastPart = 1e-4;
-  for (int i = 0; here.defects.lpNorm<Eigen::Infinity>() > NoDefect; ++i, ++steps)
+  constexpr int MaximumSteps = 50;
+  constexpr double MinimumFraction = 1e-4;
+  for (int i = 0; current.defects.lpNorm<Eigen::Infinity>() > DefectTolerance; ++i, ++steps)
   {
-    const Eigen::VectorXd step = ShortestStep(here, -here.defects);
-    double part = objective.LongestPart(here.place, step);
-    OptimizerPlace next = here;
+    const Eigen::VectorXd step = ShortestStep(current, -current.defects);
+    double fraction = objective.LargestFraction(current.positions, step);
+    OptimizerState next = current;
     const auto isBetter = [&]
     {
-      if (!std::isfinite(objective.EvaluateBarrier(here.place + part * step).energy))
+      if (!std::isfinite(objective.EvaluateBarrier(current.positions + fraction * step).energy))
       {
         return false;
       }
-      next = objective.Evaluate(here.place + part * step);
-      return next.defects.norm() < here.defects.norm();
+      next = objective.Evaluate(current.positions + fraction * step);
+      return next.defects.norm() < current.defects.norm();
     };
-    while (part > LeastPart && !isBetter())
+    while (fraction > MinimumFraction && !isBetter())
     {
-      part *= 0.5;
+      fraction *= 0.5;
     }
-    if (i == MostSteps || part <= LeastPart)
+    if (i == MaximumSteps || fraction <= MinimumFraction)
     {
-      ThrowStuck(here.defects);
+      ThrowIrreparable(current.defects);
     }
-    here = next;
+    current = next;
   }
-  return here;
+  return current;
 }
 }
 
@@ -102,34 +105,36 @@ HolonomyRepair RepairHolonomy(const PlanarDomain& domain, const Configuration& c
   const OptimizerStage stage = MakeStage(domain, tracked, options, progress.Part(0.0, 0.7));
   const OptimizerObjective& objective = *stage.objective;
   const Eigen::VectorXd start = objective.Start();
-  OptimizerPlace here = objective.Evaluate(start);
-  result.before = AsVector(here.defects);
+  OptimizerState current = objective.Evaluate(start);
+  result.before = AsVector(current.defects);
 
-  here = RemoveDefects(objective, here, result.steps);
-  // The shortest steps are the shortest way but for the curvature of the conditions: the start's nearest point
-  // on the conditions linearised here is nearer, as long as it is.
-  constexpr int MostCorrections = 10;
-  constexpr double Gain = 1e-8; // of the diagonal
-  // Where nothing moved there is no way to shorten.
-  for (int i = 0; i < MostCorrections && result.steps > 0; ++i)
+  current = RemoveDefects(objective, current, result.steps);
+  // A sequence of shortest steps is the shortest displacement only up to the curvature of the
+  // conditions. The point closest to the start that satisfies the conditions linearised here is
+  // closer; this is repeated as long as it helps.
+  constexpr int MaximumCorrections = 10;
+  constexpr double MinimumGain = 1e-8; // relative to the diagonal
+  // Nothing to improve if no step was needed.
+  for (int i = 0; i < MaximumCorrections && result.steps > 0; ++i)
   {
-    const Eigen::VectorXd moved = here.place - start;
+    const Eigen::VectorXd moved = current.positions - start;
     const Eigen::VectorXd nearest =
-      ShortestStep(here, here.defectGradient * moved - here.defects) - moved;
-    const Eigen::VectorXd place = here.place + objective.LongestPart(here.place, nearest) * nearest;
-    if (!std::isfinite(objective.EvaluateBarrier(place).energy))
+      ShortestStep(current, current.defectGradient * moved - current.defects) - moved;
+    const Eigen::VectorXd positions =
+      current.positions + objective.LargestFraction(current.positions, nearest) * nearest;
+    if (!std::isfinite(objective.EvaluateBarrier(positions).energy))
     {
       break;
     }
-    OptimizerPlace next = RemoveDefects(objective, objective.Evaluate(place), result.steps);
-    if (!((next.place - start).norm() < moved.norm() - Gain))
+    OptimizerState next = RemoveDefects(objective, objective.Evaluate(positions), result.steps);
+    if (!((next.positions - start).norm() < moved.norm() - MinimumGain))
     {
       break;
     }
-    here = std::move(next);
+    current = std::move(next);
   }
-  result.singularities = stage.At(here.place).singularities;
-  result.after = AsVector(here.defects);
+  result.singularities = stage.At(current.positions).singularities;
+  result.after = AsVector(current.defects);
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     result.largestMove = std::max(

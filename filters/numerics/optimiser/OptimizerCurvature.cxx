@@ -10,15 +10,16 @@ namespace crossfield
 {
 namespace
 {
-/// Times the square of the diagonal. Along weaker ones W falls by less than 1e-2 on a twentieth of the
-/// diagonal; meshes bend it by a tenth of that.
-constexpr double LeastCurvature = 10.0;
+/// Minimum negative curvature, multiplied by the square of the diagonal. Along directions of less
+/// curvature, W decreases by less than 1e-2 over a twentieth of the diagonal; errors of the mesh
+/// are about a tenth of that.
+constexpr double MinimumCurvature = 10.0;
 
-/// Directions that leave the symmetric places and change no defect: orthonormal columns.
-Eigen::MatrixXd LeavingDirections(
+/// Returns the directions that break the symmetry and change no defect, as orthonormal columns.
+Eigen::MatrixXd SymmetryBreakingDirections(
   const OptimizerObjective& objective, const Eigen::MatrixXd& defectGradient, Eigen::Index size)
 {
-  constexpr double Independent = 1e-3; // a defect that changes by less does not change
+  constexpr double RankTolerance = 1e-3; // smaller changes of a defect count as none
   Eigen::MatrixXd rows(size + defectGradient.rows(), size);
   for (Eigen::Index i = 0; i < size; ++i)
   {
@@ -26,66 +27,68 @@ Eigen::MatrixXd LeavingDirections(
   }
   rows.bottomRows(defectGradient.rows()) = defectGradient;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  const Eigen::Index rank = (svd.singularValues().array() > Independent).count();
+  const Eigen::Index rank = (svd.singularValues().array() > RankTolerance).count();
   return svd.matrixV().rightCols(size - rank);
 }
 }
 
-Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective, const OptimizerPlace& here,
-  const Eigen::VectorXd& multipliers)
+Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective,
+  const OptimizerState& current, const Eigen::VectorXd& multipliers)
 {
-  // Of the diagonal: far above rounding, far below any distance between singularities.
+  // Relative to the diagonal: far above rounding, far below any distance between singularities.
   constexpr double Step = 1e-6;
-  Eigen::MatrixXd hessian(here.place.size(), here.place.size());
-  for (Eigen::Index i = 0; i < here.place.size(); ++i)
+  Eigen::MatrixXd hessian(current.positions.size(), current.positions.size());
+  for (Eigen::Index i = 0; i < current.positions.size(); ++i)
   {
-    Eigen::VectorXd place = here.place;
-    place[i] += Step;
-    const OptimizerPlace next = objective.Evaluate(place);
-    hessian.col(i) = (next.gradient - here.gradient +
-                       (next.defectGradient - here.defectGradient).transpose() * multipliers) /
+    Eigen::VectorXd positions = current.positions;
+    positions[i] += Step;
+    const OptimizerState next = objective.Evaluate(positions);
+    hessian.col(i) = (next.gradient - current.gradient +
+                       (next.defectGradient - current.defectGradient).transpose() * multipliers) /
       Step;
   }
   hessian = (0.5 * (hessian + hessian.transpose())).eval();
-  // The derivatives do not change across the symmetric places; no step goes there.
+  // The projected gradients do not change in directions that break the symmetry; no step goes
+  // there, and any positive stiffness will do.
   const double stiffness = hessian.diagonal().lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < here.place.size(); ++i)
+  for (Eigen::Index i = 0; i < current.positions.size(); ++i)
   {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(here.place.size(), i);
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(current.positions.size(), i);
     hessian.col(i) += stiffness * (unit - objective.ProjectDirections(unit));
   }
-  return hessian + here.barrier.bend;
+  return hessian + current.barrier.negativeHessian;
 }
 
-std::optional<Eigen::VectorXd> FindDescent(
-  const OptimizerObjective& objective, const OptimizerObjective& free, const Eigen::VectorXd& place)
+std::optional<Eigen::VectorXd> FindDescent(const OptimizerObjective& objective,
+  const OptimizerObjective& free, const Eigen::VectorXd& positions)
 {
-  const OptimizerPlace here = free.Evaluate(place);
-  const Eigen::MatrixXd leaving =
-    LeavingDirections(objective, here.defectGradient, here.place.size());
-  if (leaving.cols() == 0)
+  const OptimizerState current = free.Evaluate(positions);
+  const Eigen::MatrixXd breaking =
+    SymmetryBreakingDirections(objective, current.defectGradient, current.positions.size());
+  if (breaking.cols() == 0)
   {
     return std::nullopt;
   }
-  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(here.defects.size());
+  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(current.defects.size());
   if (multipliers.size() > 0)
   {
-    multipliers = Eigen::MatrixXd(here.defectGradient.transpose())
+    multipliers = Eigen::MatrixXd(current.defectGradient.transpose())
                     .completeOrthogonalDecomposition()
-                    .solve(-here.ObjectiveGradient());
+                    .solve(-current.ObjectiveGradient());
   }
-  const Eigen::MatrixXd hessian = DifferenceHessian(free, here, multipliers) + here.barrier.hessian;
+  const Eigen::MatrixXd hessian =
+    DifferenceHessian(free, current, multipliers) + current.barrier.hessian;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-    leaving.transpose() * hessian * leaving);
-  if (modes.eigenvalues()[0] > -LeastCurvature)
+    breaking.transpose() * hessian * breaking);
+  if (modes.eigenvalues()[0] > -MinimumCurvature)
   {
     return std::nullopt;
   }
-  const Eigen::VectorXd direction = leaving * modes.eigenvectors().col(0);
-  return direction / LongestMove(direction);
+  const Eigen::VectorXd direction = breaking * modes.eigenvectors().col(0);
+  return direction / LargestDisplacement(direction);
 }
 
-double LongestMove(const Eigen::VectorXd& step)
+double LargestDisplacement(const Eigen::VectorXd& step)
 {
   double longest = 0.0;
   for (Eigen::Index i = 0; i < step.size(); i += 2)

@@ -6,18 +6,20 @@
 
 namespace crossfield
 {
-/// Second derivatives of the Lagrangian without the positive part of the barrier, by differences of the
-/// gradients: as many evaluations as there are coordinates. `multipliers`: one per defect.
-Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective, const OptimizerPlace& here,
-  const Eigen::VectorXd& multipliers);
+/// Computes the second derivatives of the Lagrangian without the positive part of the barrier by
+/// differences of gradients, one evaluation for each coordinate. `multipliers`: one for each
+/// defect.
+Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective,
+  const OptimizerState& current, const Eigen::VectorXd& multipliers);
 
-/// A direction that leaves the symmetries which an objective keeps, changes no defect, and along which
-/// the Lagrangian falls from a place where its derivatives vanish: the place is a saddle that symmetry alone
-/// holds (docs/method.md §5.5). The longest way of a singularity is 1. Nothing at minima.
+/// Returns a direction that breaks the symmetries kept by an objective, changes no defect, and
+/// along which the Lagrangian decreases from a stationary point: the point is a saddle that only
+/// symmetry keeps the iteration at (docs/method.md §5.5). The direction is scaled to a maximum
+/// displacement of 1. Returns nothing at minima.
 /// `free`: the same objective without symmetries.
 std::optional<Eigen::VectorXd> FindDescent(const OptimizerObjective& objective,
-  const OptimizerObjective& free, const Eigen::VectorXd& place);
+  const OptimizerObjective& free, const Eigen::VectorXd& positions);
 
-/// The longest way of a singularity in a step.
-double LongestMove(const Eigen::VectorXd& step);
+/// Returns the maximum displacement of a singularity in a step.
+double LargestDisplacement(const Eigen::VectorXd& step);
 }

@@ -14,34 +14,35 @@ namespace crossfield
 {
 namespace
 {
-/// A defect that changes by less than this, in radians, when a singularity crosses the whole domain
-/// cannot be changed.
-constexpr double LeastInfluence = 1e-3;
+/// Change in radians over the diagonal of the domain below which a defect counts as unchangeable.
+constexpr double MinimumInfluence = 1e-3;
 
 double LargestEntry(const Eigen::VectorXd& values)
 {
   return values.size() == 0 ? 0.0 : values.cwiseAbs().maxCoeff();
 }
 
-/// A valley, as around the centre of a disk: derivatives below the first, times the diagonal, and so many
-/// steps that lower the energy by less than 1e-8 of it. Meshes change W by more.
+/// Criteria for a valley, as around the centre of a disk: derivatives, multiplied by the diagonal,
+/// are below ValleyGradient, and the last ValleySteps steps lowered the objective by less than
+/// ValleyGain of its value in total. Differences between meshes change W by more.
 constexpr double ValleyGradient = 1e-2;
 constexpr std::size_t ValleySteps = 10;
 constexpr double ValleyGain = 1e-8;
 
-bool IsValley(const std::vector<OptimizerStep>& history, double tolerance)
+bool IsInValley(const std::vector<OptimizerStep>& history, double tolerance)
 {
   if (history.size() <= ValleySteps)
   {
     return false;
   }
-  const OptimizerStep& now = history.back();
+  const OptimizerStep& latest = history.back();
   const OptimizerStep& before = history[history.size() - 1 - ValleySteps];
-  return now.gradientNorm <= ValleyGradient && now.holonomyDefect <= tolerance &&
-    std::abs(before.objective - now.objective) <= ValleyGain * (1.0 + std::abs(now.objective));
+  return latest.gradientNorm <= ValleyGradient && latest.holonomyDefect <= tolerance &&
+    std::abs(before.objective - latest.objective) <=
+    ValleyGain * (1.0 + std::abs(latest.objective));
 }
 
-/// The combinations of defects that the singularities can change: orthonormal columns.
+/// Returns the combinations of defects that the singularities can change, as orthonormal columns.
 Eigen::MatrixXd ReachableDefects(const Eigen::MatrixXd& gradient)
 {
   if (gradient.size() == 0)
@@ -50,25 +51,25 @@ Eigen::MatrixXd ReachableDefects(const Eigen::MatrixXd& gradient)
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(gradient, Eigen::ComputeThinU);
   Eigen::Index rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > LeastInfluence)
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > MinimumInfluence)
   {
     ++rank;
   }
   return svd.matrixU().leftCols(rank);
 }
 
-/// A step and the multipliers of the reachable defects from the quadratic model,
-/// [B Aᵀ; A 0] [p; λ] = −[g; c].
+/// Step and multipliers of the reachable defects from the quadratic model
+///   [B Aᵀ; A 0] [p; λ] = −[g; c].
 struct QuadraticStep
 {
   Eigen::VectorXd step;
-  Eigen::VectorXd defects;    ///< The reachable ones, c.
-  Eigen::MatrixXd reachable;  ///< See ReachableDefects.
-  Eigen::VectorXd lagrangian; ///< Its derivatives at the start of the step.
-  Eigen::VectorXd pull;       ///< Aᵀ of the multipliers, for the curvature, in all defects: U λ.
+  Eigen::VectorXd defects;     ///< Reachable defects c.
+  Eigen::MatrixXd reachable;   ///< See ReachableDefects.
+  Eigen::VectorXd lagrangian;  ///< Gradient of the Lagrangian at the start of the step.
+  Eigen::VectorXd multipliers; ///< Multipliers of all defects, U λ.
 };
 
-/// The factor of a matrix, with as much added to its diagonal as makes it positive definite.
+/// Factors a matrix, after adding multiples of the identity until it is positive definite.
 Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
 {
   Eigen::LLT<Eigen::MatrixXd> factor(matrix);
@@ -82,57 +83,62 @@ Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
   return factor;
 }
 
-/// The model with a matrix for B.
-QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerPlace& here)
+/// Solves the model with a given matrix B.
+QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerState& current)
 {
   QuadraticStep result;
-  result.reachable = ReachableDefects(here.defectGradient);
-  result.defects = result.reachable.transpose() * here.defects;
-  const Eigen::MatrixXd rows = result.reachable.transpose() * here.defectGradient;
-  const Eigen::VectorXd gradient = here.ObjectiveGradient();
+  result.reachable = ReachableDefects(current.defectGradient);
+  result.defects = result.reachable.transpose() * current.defects;
+  const Eigen::MatrixXd rows = result.reachable.transpose() * current.defectGradient;
+  const Eigen::VectorXd gradient = current.ObjectiveGradient();
   const Eigen::LLT<Eigen::MatrixXd> factor = FactorShifted(matrix);
-  const Eigen::VectorXd free = factor.solve(gradient);
+  const Eigen::VectorXd unconstrained = factor.solve(gradient);
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(rows.rows());
   if (rows.rows() > 0)
   {
     const Eigen::MatrixXd schur = rows * factor.solve(rows.transpose());
-    multipliers = schur.ldlt().solve(result.defects - rows * free);
+    multipliers = schur.ldlt().solve(result.defects - rows * unconstrained);
   }
   result.lagrangian = gradient + rows.transpose() * multipliers;
   result.step = -factor.solve(result.lagrangian);
-  result.pull = result.reachable * multipliers;
+  result.multipliers = result.reachable * multipliers;
   return result;
 }
 
-/// Along a valley, as by rotation of a disk, the curvature by differences is zero but for rounding, and the step
-/// without end. So B gets more on its diagonal until no step is longer than a hundred diagonals of the
-/// domain, or it is the defects that ask for it: what is shorter is a direction, which the boundary cuts off.
-QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerPlace& here)
+/// Solves the model with bounded steps. Along a valley, as by rotation of a disk, the curvature by
+/// differences is zero up to rounding, and the step is unbounded. Multiples of the identity are
+/// added to B until no step is longer than a hundred diagonals of the domain, or until this no
+/// longer shortens the step, because the defects require its length. Shorter steps are still useful
+/// as directions, which the boundary cuts off.
+QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerState& current)
 {
-  constexpr double Longest = 100.0;
-  Eigen::MatrixXd matrix = hessian + here.barrier.hessian;
+  constexpr double MaximumStep = 100.0;
+  Eigen::MatrixXd matrix = hessian + current.barrier.hessian;
   double shift = 1e-6 * LargestEntry(matrix.diagonal());
-  QuadraticStep model = SolveModelWith(matrix, here);
+  QuadraticStep model = SolveModelWith(matrix, current);
   for (double before = std::numeric_limits<double>::infinity();
-       LargestEntry(model.step) > Longest && LargestEntry(model.step) < 0.9 * before; shift *= 4.0)
+       LargestEntry(model.step) > MaximumStep && LargestEntry(model.step) < 0.9 * before;
+       shift *= 4.0)
   {
     before = LargestEntry(model.step);
     matrix.diagonal().array() += shift;
-    model = SolveModelWith(matrix, here);
+    model = SolveModelWith(matrix, current);
   }
   return model;
 }
 
-/// The matrix with the absolute values of its eigenvalues: a step leaves a saddle along the directions in which it falls as
-/// fast as it comes to rest along the others, and the updates go on, which need a positive definite one.
-Eigen::MatrixXd WithoutSaddle(const Eigen::MatrixXd& hessian)
+/// Returns the matrix with the absolute values of its eigenvalues. A step then leaves a saddle
+/// along descent directions as fast as it converges along the others, and the matrix is positive
+/// definite, as the updates require.
+Eigen::MatrixXd WithAbsoluteEigenvalues(const Eigen::MatrixXd& hessian)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(hessian);
   return modes.eigenvectors() * modes.eigenvalues().cwiseAbs().asDiagonal() *
     modes.eigenvectors().transpose();
 }
 
-/// Damped BFGS update (Powell 1978): stays positive definite where the Lagrangian is not convex.
+/// Updates the Hessian by the damped BFGS formula (Powell 1978), which keeps it positive definite
+/// where the Lagrangian is not convex.
 void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen::VectorXd change)
 {
   const Eigen::VectorXd product = hessian * step;
@@ -150,26 +156,27 @@ void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen:
     change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
 }
 
-/// Halves a step until the merit, the objective + penalty × |reachable defects|, falls as it should.
-bool Search(const OptimizerObjective& objective, const OptimizerPlace& here,
-  const QuadraticStep& model, double penalty, OptimizerPlace& next)
+/// Halves a step until the merit function, the objective + penalty × |reachable defects|, decreases
+/// sufficiently. Returns whether such a step was found.
+bool SearchLine(const OptimizerObjective& objective, const OptimizerState& current,
+  const QuadraticStep& model, double penalty, OptimizerState& next)
 {
   const double infeasibility = model.defects.norm();
-  const double slope = here.ObjectiveGradient().dot(model.step) - penalty * infeasibility;
-  const double rounding = 1e-13 * (1.0 + std::abs(here.energy));
-  constexpr int MostHalvings = 40; // then the step is lost in the rounding of the places
-  double part = objective.LongestPart(here.place, model.step);
-  for (int halving = 0; halving < MostHalvings; ++halving, part *= 0.5)
+  const double slope = current.ObjectiveGradient().dot(model.step) - penalty * infeasibility;
+  const double rounding = 1e-13 * (1.0 + std::abs(current.energy));
+  constexpr int MaximumHalvings = 40; // smaller steps are below the rounding of the coordinates
+  double fraction = objective.LargestFraction(current.positions, model.step);
+  for (int halving = 0; halving < MaximumHalvings; ++halving, fraction *= 0.5)
   {
-    const Eigen::VectorXd place = here.place + part * model.step;
-    if (!std::isfinite(objective.EvaluateBarrier(place).energy))
+    const Eigen::VectorXd positions = current.positions + fraction * model.step;
+    if (!std::isfinite(objective.EvaluateBarrier(positions).energy))
     {
       continue;
     }
-    next = objective.Evaluate(place);
-    const double gain = here.Objective() - next.Objective() +
+    next = objective.Evaluate(positions);
+    const double gain = current.Objective() - next.Objective() +
       penalty * (infeasibility - (model.reachable.transpose() * next.defects).norm());
-    if (gain >= -1e-4 * part * slope - rounding)
+    if (gain >= -1e-4 * fraction * slope - rounding)
     {
       return true;
     }
@@ -179,50 +186,51 @@ bool Search(const OptimizerObjective& objective, const OptimizerPlace& here,
 }
 
 OptimizerEnd OptimizerIteration::Run(
-  const OptimizerObjective& objective, const Progress& progress, OptimizerPlace& here)
+  const OptimizerObjective& objective, const Progress& progress, OptimizerState& current)
 {
   double penalty = 0.0;
-  bool fresh = false; // whether the curvature was just forgotten
-  int shortSteps = 0; // that followed each other
+  bool isReset = false; // whether the Hessian was just reset
+  int shortSteps = 0;   // in succession
   for (;;)
   {
-    if (this->Hessian.rows() != here.place.size())
+    if (this->Hessian.rows() != current.positions.size())
     {
-      // A first step of about a twentieth of the diagonal; the updates find the curvature.
-      this->Hessian = std::max(20.0 * LargestEntry(here.gradient), 1.0) *
-        Eigen::MatrixXd::Identity(here.place.size(), here.place.size());
-      fresh = true;
+      // The first step has a length of about a twentieth of the diagonal; the updates determine the
+      // curvature.
+      this->Hessian = std::max(20.0 * LargestEntry(current.gradient), 1.0) *
+        Eigen::MatrixXd::Identity(current.positions.size(), current.positions.size());
+      isReset = true;
     }
-    const QuadraticStep model = SolveModel(this->Hessian, here);
-    this->unreachableDefect = LargestEntry(here.defects - model.reachable * model.defects);
+    const QuadraticStep model = SolveModel(this->Hessian, current);
+    this->unreachableDefect = LargestEntry(current.defects - model.reachable * model.defects);
     const double residual = LargestEntry(model.lagrangian);
     const double defect = LargestEntry(model.defects);
-    const OptimizerStep now{ here.fullEnergy, here.energy, residual, LargestEntry(here.defects),
-      this->Moved * objective.Unit() };
+    const OptimizerStep latest{ current.fullEnergy, current.energy, residual,
+      LargestEntry(current.defects), this->LastDisplacement * objective.LengthUnit() };
     if (this->history.size() == static_cast<std::size_t>(this->iterations) + 1)
     {
-      this->history.back() = now; // the same place on another mesh
+      this->history.back() = latest; // the same positions on another mesh
     }
     else
     {
-      this->history.push_back(now);
+      this->history.push_back(latest);
     }
     if ((residual <= this->tolerance && defect <= this->tolerance) ||
-      IsValley(this->history, this->tolerance))
+      IsInValley(this->history, this->tolerance))
     {
-      return OptimizerEnd::Rest;
+      return OptimizerEnd::Converged;
     }
-    if (this->changes && this->changes(here))
+    if (this->stopsForChange && this->stopsForChange(current))
     {
-      return OptimizerEnd::Change;
+      return OptimizerEnd::ChangeRequested;
     }
-    if (this->watchesMesh && objective.OutgrowsMesh(here.place))
+    if (this->checksMesh && objective.NeedsFinerMesh(current.positions))
     {
-      return OptimizerEnd::Mesh;
+      return OptimizerEnd::MeshTooCoarse;
     }
     if (this->iterations == this->maximumIterations)
     {
-      return OptimizerEnd::Limit;
+      return OptimizerEnd::IterationLimit;
     }
     try
     {
@@ -233,40 +241,43 @@ OptimizerEnd OptimizerIteration::Run(
       return OptimizerEnd::Aborted;
     }
 
-    // The penalty makes every step of the model one that lowers the merit.
-    penalty = std::max(penalty, 1.5 * model.pull.norm());
-    OptimizerPlace next;
-    if (!Search(objective, here, model, penalty, next))
+    // With this penalty every step of the model is a descent direction of the merit function.
+    penalty = std::max(penalty, 1.5 * model.multipliers.norm());
+    OptimizerState next;
+    if (!SearchLine(objective, current, model, penalty, next))
     {
-      if (fresh)
+      if (isReset)
       {
-        return OptimizerEnd::Stuck;
+        return OptimizerEnd::NoDescent;
       }
       this->Restart();
       continue;
     }
-    const Eigen::VectorXd step = next.place - here.place;
-    const Eigen::VectorXd change = next.gradient - here.gradient +
-      (next.defectGradient - here.defectGradient).transpose() * model.pull +
-      next.barrier.bend * step;
-    if (fresh && step.dot(change) > 0.0)
+    const Eigen::VectorXd step = next.positions - current.positions;
+    const Eigen::VectorXd change = next.gradient - current.gradient +
+      (next.defectGradient - current.defectGradient).transpose() * model.multipliers +
+      next.barrier.negativeHessian * step;
+    if (isReset && step.dot(change) > 0.0)
     {
       this->Hessian = (change.squaredNorm() / step.dot(change)) *
         Eigen::MatrixXd::Identity(step.size(), step.size());
     }
-    fresh = false;
+    isReset = false;
     UpdateHessian(this->Hessian, step, change);
-    here = next;
-    this->Moved = LongestMove(step);
+    current = next;
+    this->LastDisplacement = LargestDisplacement(step);
     ++this->iterations;
-    // Held by barriers that bend, updates may learn a curvature that is none: steps become short.
-    constexpr int MostShortSteps = 5;
-    constexpr double Short = 0.01;               // of the clearance
-    constexpr Eigen::Index MostCoordinates = 60; // more would take longer than going on
-    shortSteps = this->Moved < Short * objective.Clearance() ? shortSteps + 1 : 0;
-    if (shortSteps == MostShortSteps && here.place.size() <= MostCoordinates)
+    // Where the barrier is strongly curved, the updates may accumulate wrong curvature, and steps
+    // become short.
+    constexpr int MaximumShortSteps = 5;
+    constexpr double ShortStep = 0.01; // relative to the clearance
+    // With more coordinates, differences cost more than further iterations.
+    constexpr Eigen::Index MaximumCoordinates = 60;
+    shortSteps = this->LastDisplacement < ShortStep * objective.Clearance() ? shortSteps + 1 : 0;
+    if (shortSteps == MaximumShortSteps && current.positions.size() <= MaximumCoordinates)
     {
-      this->Hessian = WithoutSaddle(DifferenceHessian(objective, here, model.pull));
+      this->Hessian =
+        WithAbsoluteEigenvalues(DifferenceHessian(objective, current, model.multipliers));
       shortSteps = 0;
     }
   }

@@ -8,55 +8,57 @@
 
 namespace crossfield
 {
-/// One configuration on the way.
+/// One step of the iteration.
 struct OptimizerStep
 {
   double energy = 0.0;    ///< W.
-  double objective = 0.0; ///< W, or W + μ J, single-valued, without the barrier.
-  double gradientNorm =
-    0.0; ///< Of the Lagrangian, times the diagonal of the domain; largest entry.
-  double holonomyDefect = 0.0; ///< Largest.
-  double stepLength = 0.0;     ///< Longest way that a singularity went to here.
+  double objective = 0.0; ///< Single-valued W, or W + μ J, without the barrier.
+  /// Largest entry of the gradient of the Lagrangian, multiplied by the diagonal of the domain.
+  double gradientNorm = 0.0;
+  double holonomyDefect = 0.0; ///< Maximum, radians.
+  double stepLength = 0.0;     ///< Largest displacement of a singularity in this step.
 };
 
 /// Why an iteration on one mesh ended.
 enum class OptimizerEnd
 {
-  Rest,   ///< All derivatives are below the tolerance, or steps gain nothing any more.
-  Mesh,   ///< A singularity came nearer to the boundary than the mesh resolves.
-  Change, ///< The caller's wish; see OptimizerIteration::changes.
-  Limit,  ///< The iterations are used up.
-  Stuck,  ///< No step lowers the merit.
+  Converged, ///< All derivatives are below the tolerance, or steps no longer lower the objective.
+  MeshTooCoarse,   ///< A singularity came closer to the boundary than the mesh resolves.
+  ChangeRequested, ///< The caller asked for it; see OptimizerIteration::stopsForChange.
+  IterationLimit,  ///< The maximum number of iterations was reached.
+  NoDescent,       ///< No step lowers the merit function.
   Aborted
 };
 
 /// Sequential quadratic programming on W with the holonomy defects as equality constraints
-/// (docs/method.md §5.5). What it has learnt about the curvature outlives a mesh.
+/// (docs/method.md §5.5). The approximation of the Hessian is kept when the domain is meshed again.
 struct OptimizerIteration
 {
   double tolerance = 1e-6;
   int maximumIterations = 200;
-  int iterations = 0;                 ///< In all.
-  std::vector<OptimizerStep> history; ///< From the start on.
-  /// The defects that no singularity can change, largest entry.
+  int iterations = 0;                 ///< Total number, over all meshes.
+  std::vector<OptimizerStep> history; ///< Steps from the start on.
+  /// Largest entry of the defects that no singularity can change, radians.
   double unreachableDefect = 0.0;
 
-  /// Asked after every step; an iteration ends when it says true.
-  std::function<bool(const OptimizerPlace&)> changes;
-  /// Whether to end with OptimizerEnd::Mesh.
-  bool watchesMesh = true;
+  /// Called after every step; the iteration ends with OptimizerEnd::ChangeRequested when it returns
+  /// true.
+  std::function<bool(const OptimizerState&)> stopsForChange;
+  /// Whether the iteration may end with OptimizerEnd::MeshTooCoarse.
+  bool checksMesh = true;
 
-  /// Moves `here` to where the iteration ends.
+  /// Iterates from `current`, and stores the last positions there.
   OptimizerEnd Run(
-    const OptimizerObjective& objective, const Progress& progress, OptimizerPlace& here);
+    const OptimizerObjective& objective, const Progress& progress, OptimizerState& current);
 
-  /// Forgets the curvature, when the singularities are other ones.
+  /// Discards the approximation of the Hessian, for other singularities.
   void Restart() { this->Hessian.resize(0, 0); }
 
 private:
-  /// Of the Lagrangian without the positive part of the barrier: where that holds two against W the
-  /// curvature of both along their circle cancels.
+  /// Approximates the Hessian of the Lagrangian without the positive part of the barrier. Where the
+  /// barrier balances the gradient of W between two singularities, the curvatures of both along the
+  /// circle around each other cancel.
   Eigen::MatrixXd Hessian;
-  double Moved = 0.0;
+  double LastDisplacement = 0.0;
 };
 }

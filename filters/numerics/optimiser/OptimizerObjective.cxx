@@ -15,13 +15,13 @@ namespace
 /// μ; see OptimizerGoal.
 constexpr double UniformityWeight = 1e4;
 
-Point PlaceOf(const Eigen::VectorXd& place, std::size_t i)
+Point PositionOf(const Eigen::VectorXd& positions, std::size_t i)
 {
-  return place.segment<2>(2 * static_cast<Eigen::Index>(i));
+  return positions.segment<2>(2 * static_cast<Eigen::Index>(i));
 }
 
-/// Length of the edge of the boundary that is nearest to a point.
-double NearestEdge(const std::vector<BoundaryHalf>& halves, const Point& point)
+/// Returns the length of the boundary edge nearest to a point.
+double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& point)
 {
   double nearest = std::numeric_limits<double>::infinity();
   double length = 0.0;
@@ -50,7 +50,7 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
         : nullptr)
   , Symmetry(options.keepSymmetry
         ? FindKeptSymmetry(*this->Points, domain, configuration, this->SymmetryTest())
-        : NoSymmetry(*this->Points, configuration))
+        : TrivialSymmetry(*this->Points, configuration))
 {
 }
 
@@ -61,145 +61,146 @@ IsometryTest OptimizerObjective::SymmetryTest() const
     return {};
   }
   return [sizes = this->Sizes, potential = this->Points](const Isometry& map)
-  { return sizes->IsKeptBy(*potential, map); };
+  { return sizes->IsInvariantUnder(*potential, map); };
 }
 
 OptimizerObjective OptimizerObjective::WithoutSymmetry() const
 {
   OptimizerObjective free = *this;
-  free.Symmetry = NoSymmetry(*this->Points, this->Started);
+  free.Symmetry = TrivialSymmetry(*this->Points, this->Started);
   return free;
 }
 
-Configuration OptimizerObjective::At(const Eigen::VectorXd& place) const
+Configuration OptimizerObjective::At(const Eigen::VectorXd& positions) const
 {
   Configuration moved = this->Started;
   for (std::size_t i = 0; i < moved.size(); ++i)
   {
-    moved[i].position = this->Length * PlaceOf(place, i);
+    moved[i].position = this->Length * PositionOf(positions, i);
   }
   return moved;
 }
 
-Eigen::VectorXd OptimizerObjective::PlaceOfAll(const Configuration& configuration) const
+Eigen::VectorXd OptimizerObjective::PositionsOf(const Configuration& configuration) const
 {
-  Eigen::VectorXd place(2 * static_cast<Eigen::Index>(configuration.size()));
+  Eigen::VectorXd positions(2 * static_cast<Eigen::Index>(configuration.size()));
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
-    place.segment<2>(2 * static_cast<Eigen::Index>(i)) = configuration[i].position / this->Length;
+    positions.segment<2>(2 * static_cast<Eigen::Index>(i)) =
+      configuration[i].position / this->Length;
   }
-  return place;
+  return positions;
 }
 
 Eigen::VectorXd OptimizerObjective::Start() const
 {
-  return this->PlaceOfAll(this->Started);
+  return this->PositionsOf(this->Started);
 }
 
-ClearanceBarrier::Value OptimizerObjective::EvaluateBarrier(const Eigen::VectorXd& place) const
+ClearanceBarrier::Value OptimizerObjective::EvaluateBarrier(const Eigen::VectorXd& positions) const
 {
-  ClearanceBarrier::Value value = this->Barrier.Evaluate(this->Length * place);
-  value.gradient = this->Length * this->Symmetry.places.ProjectDirections(value.gradient);
+  ClearanceBarrier::Value value = this->Barrier.Evaluate(this->Length * positions);
+  value.gradient = this->Length * this->Symmetry.positions.ProjectDirections(value.gradient);
   value.hessian *= this->Length * this->Length;
-  value.bend *= this->Length * this->Length;
+  value.negativeHessian *= this->Length * this->Length;
   return value;
 }
 
-OptimizerPlace OptimizerObjective::Evaluate(const Eigen::VectorXd& asked) const
+OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) const
 {
-  Configuration moved = this->At(asked);
-  this->Symmetry.places.Project(moved);
-  OptimizerPlace result;
-  result.place = this->PlaceOfAll(moved);
-  const Eigen::VectorXd& place = result.place;
+  Configuration moved = this->At(unprojected);
+  this->Symmetry.positions.Project(moved);
+  OptimizerState result;
+  result.positions = this->PositionsOf(moved);
+  const Eigen::VectorXd& positions = result.positions;
   const PointPotential::Solution solution = this->Points->Solve(moved);
   const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(*this->Points, solution);
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
   Eigen::VectorXd gradient =
-    Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), place.size());
+    Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), positions.size());
   if (this->Sizes)
   {
-    const SizeUniformity::Value evenness = this->Sizes->Evaluate(*this->Points, solution);
-    result.energy += UniformityWeight * evenness.energy;
-    result.sizeSpread = evenness.Spread();
-    gradient += UniformityWeight * evenness.gradient;
+    const SizeUniformity::Value uniformity = this->Sizes->Evaluate(*this->Points, solution);
+    result.energy += UniformityWeight * uniformity.energy;
+    result.sizeSpread = uniformity.Spread();
+    gradient += UniformityWeight * uniformity.gradient;
   }
-  // Of the functions of the projected place.
-  result.gradient = this->Length * this->Symmetry.places.ProjectDirections(gradient);
-  result.barrier = this->EvaluateBarrier(place);
+  // These are the gradients of the functions of the projected positions.
+  result.gradient = this->Length * this->Symmetry.positions.ProjectDirections(gradient);
+  result.barrier = this->EvaluateBarrier(positions);
   const auto defects = static_cast<Eigen::Index>(value.holonomyDefect.size());
   result.defects.resize(defects);
-  result.defectGradient.resize(defects, place.size());
+  result.defectGradient.resize(defects, positions.size());
   for (Eigen::Index k = 0; k < defects; ++k)
   {
     const auto& derivative = value.defectGradient[static_cast<std::size_t>(k)];
     result.defects[k] = value.holonomyDefect[static_cast<std::size_t>(k)];
     result.defectGradient.row(k) = this->Length *
-      this->Symmetry.places.ProjectDirections(
-        Eigen::Map<const Eigen::VectorXd>(derivative.data(), place.size()));
+      this->Symmetry.positions.ProjectDirections(
+        Eigen::Map<const Eigen::VectorXd>(derivative.data(), positions.size()));
   }
   result.defects = (this->Symmetry.defects * result.defects).eval();
   result.defectGradient = (this->Symmetry.defects * result.defectGradient).eval();
   return result;
 }
 
-double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& place, std::size_t i) const
+double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& positions, std::size_t i) const
 {
-  return SignedDistance(this->Length * PlaceOf(place, i), this->Domain) / this->Length;
+  return SignedDistance(this->Length * PositionOf(positions, i), this->Domain) / this->Length;
 }
 
-double OptimizerObjective::LongestPart(
-  const Eigen::VectorXd& place, const Eigen::VectorXd& step) const
+double OptimizerObjective::LargestFraction(
+  const Eigen::VectorXd& positions, const Eigen::VectorXd& step) const
 {
-  constexpr double Least = 1e-9; // of no use
-  // In one step along a boundary, as far as the first step goes.
-  constexpr double Farthest = 0.05;
-  double part = 1.0;
+  constexpr double MinimumMove = 1e-9; // a smaller step would be of no use
+  // Maximum move along the boundary in one step, equal to the length of the first step.
+  constexpr double MaximumMove = 0.05;
+  double fraction = 1.0;
   for (std::size_t i = 0; i < this->Count(); ++i)
   {
-    const Point from = PlaceOf(place, i);
-    const Point way = PlaceOf(step, i);
-    const double room = this->BoundaryDistance(place, i);
-    const auto fits = [&]
+    const Point from = PositionOf(positions, i);
+    const Point move = PositionOf(step, i);
+    const double distance = this->BoundaryDistance(positions, i);
+    const auto isAllowed = [&]
     {
-      // Within half its room it cannot have met anything.
-      if (part * way.norm() > 0.5 * room)
+      // No obstacle can be closer than half the distance from the boundary.
+      if (fraction * move.norm() > 0.5 * distance)
       {
-        const double clear =
-          ClearWay(this->Domain, this->Length * from, way.normalized()) / this->Length;
-        const Eigen::VectorXd next = place + part * step;
-        if (part * way.norm() > Farthest || clear < part * way.norm() ||
-          this->BoundaryDistance(next, i) < 0.5 * room)
+        const double freeDistance =
+          ClearWay(this->Domain, this->Length * from, move.normalized()) / this->Length;
+        const Eigen::VectorXd next = positions + fraction * step;
+        if (fraction * move.norm() > MaximumMove || freeDistance < fraction * move.norm() ||
+          this->BoundaryDistance(next, i) < 0.5 * distance)
         {
           return false;
         }
       }
       for (std::size_t j = 0; j < i; ++j)
       {
-        const double apart = (PlaceOf(place, j) - from).norm();
-        if (part * std::max(way.norm(), PlaceOf(step, j).norm()) > 0.5 * apart)
+        const double separation = (PositionOf(positions, j) - from).norm();
+        if (fraction * std::max(move.norm(), PositionOf(step, j).norm()) > 0.5 * separation)
         {
           return false;
         }
       }
       return true;
     };
-    while (part * way.norm() > Least && !fits())
+    while (fraction * move.norm() > MinimumMove && !isAllowed())
     {
-      part *= 0.5;
+      fraction *= 0.5;
     }
   }
-  return part;
+  return fraction;
 }
 
-bool OptimizerObjective::OutgrowsMesh(const Eigen::VectorXd& place) const
+bool OptimizerObjective::NeedsFinerMesh(const Eigen::VectorXd& positions) const
 {
   for (std::size_t i = 0; i < this->Started.size(); ++i)
   {
-    const Point here = this->Length * PlaceOf(place, i);
-    if (NearestEdge(this->Points->GetHalves(), here) >
-      this->Length * this->BoundaryDistance(place, i))
+    const Point position = this->Length * PositionOf(positions, i);
+    if (NearestEdgeLength(this->Points->GetHalves(), position) >
+      this->Length * this->BoundaryDistance(positions, i))
     {
       return true;
     }

@@ -6,10 +6,11 @@
 
 namespace crossfield
 {
-/// The configuration with one pair of opposite signs more: of the best ones of FindPairs that which after some
-/// steps for even sizes has the least ½ spread² + ¼ Σ δ² of the holonomy defects. Nothing where there is no room.
-/// Throws Aborted.
+/// Returns the configuration with one additional pair of opposite signs. Of the best pairs of
+/// FindPairs, it is the one that has the minimum of ½ spread² + ¼ Σ δ² after some steps towards
+/// uniform sizes, where δ are the holonomy defects. Returns nothing if there is no space for a
+/// pair. Throws Aborted.
 std::optional<TrackedConfiguration> FindBestPair(const PlanarDomain& domain,
-  const OptimizerStage& stage, const OptimizerPlace& here, const StageOptions& options,
+  const OptimizerStage& stage, const OptimizerState& current, const StageOptions& options,
   const Progress& progress);
 }

@@ -7,7 +7,7 @@
 
 namespace crossfield
 {
-std::string Short(double value)
+std::string FormatShort(double value)
 {
   std::ostringstream text;
   text.precision(4);
@@ -15,30 +15,30 @@ std::string Short(double value)
   return text.str();
 }
 
-std::string ReasonOf(
+std::string EndReason(
   OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations)
 {
   switch (end)
   {
-  case OptimizerEnd::Rest:
+  case OptimizerEnd::Converged:
     if (singularities == 0)
     {
-      return "No singularity lies inside that could move.";
+      return "There is no interior singularity to move.";
     }
     if (objective.goal == OptimizerGoal::Energy)
     {
       return "The singularities are at a stationary point of the renormalised energy.";
     }
     return objective.sizes.sizing == Sizing::Field
-      ? "The singularities are where sizes are nearest to the target sizes."
-      : "The singularities are where sizes are most even.";
+      ? "The singularities are at positions where sizes are closest to the target sizes."
+      : "The singularities are at positions where sizes are most uniform.";
   case OptimizerEnd::Aborted:
     return "The iteration was aborted; this is the best configuration so far.";
-  case OptimizerEnd::Limit:
+  case OptimizerEnd::IterationLimit:
     return "The iteration stopped after " + std::to_string(iterations) +
-      " steps before the singularities came to rest; allow more steps.";
+      " steps before the singularities converged; allow more steps.";
   default:
-    return "No step lowers the renormalised energy any more, though its derivatives are "
+    return "No step lowers the renormalised energy any more, although its derivatives are "
            "not zero; choose a larger tolerance or a finer mesh.";
   }
 }
@@ -49,13 +49,13 @@ std::vector<std::string> ShrinkRadii(const PlanarDomain& domain, Configuration& 
   const Configuration given = configuration;
   for (std::size_t i = 0; i < given.size(); ++i)
   {
-    const double room = RoomOf(domain, given, i);
-    if (given[i].radius > 0.75 * room && room > BoundaryReach * domain.Diagonal())
+    const double available = RoomOf(domain, given, i);
+    if (given[i].radius > 0.75 * available && available > BoundaryReach * domain.Diagonal())
     {
       configuration[i].radius = ChosenRadius(domain, given, i, given[i].radius);
       events.push_back("The radius of singularity " + std::to_string(i + 1) +
-        " of the result was shrunk from " + Short(given[i].radius) + " to " +
-        Short(configuration[i].radius) + " to fit.");
+        " of the result was reduced from " + FormatShort(given[i].radius) + " to " +
+        FormatShort(configuration[i].radius) + " to fit.");
     }
   }
   return events;

@@ -9,14 +9,15 @@
 
 namespace crossfield
 {
-/// A number with four digits, for messages.
-std::string Short(double value);
+/// Formats a number with four digits, for messages.
+std::string FormatShort(double value);
 
-/// Why a run ended, in one sentence.
-std::string ReasonOf(
+/// Returns the sentence that states why a run ended.
+std::string EndReason(
   OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations);
 
-/// A given hole that leaves less than a quarter of the way to the boundary, or of half of that to
-/// another one, has no room for a mesh in between: it becomes smaller. Returns a sentence for each.
+/// Reduces the radii of given holes that leave too little space for a mesh: less than a quarter of
+/// the distance to the boundary, or of half of the distance to another hole. Returns a sentence for
+/// each.
 std::vector<std::string> ShrinkRadii(const PlanarDomain& domain, Configuration& configuration);
 }

@@ -15,68 +15,68 @@ struct OptimizerOptions
   double meshSize = 0.0; ///< As in DrillOptions.
   std::vector<CornerChoice> corners;
   int maximumIterations = 200;
-  /// The iteration stops when the derivatives of the Lagrangian, times the diagonal of the domain,
-  /// and the holonomy defects are below this.
+  /// Bound on the derivatives of the Lagrangian, multiplied by the diagonal of the domain, and on
+  /// the holonomy defects. The iteration has converged when all are below it.
   double tolerance = 1e-6;
-  /// Least distance of the singularities inside to the boundary and to each other, a length. 0:
-  /// 1/400 of the diagonal, a tenth of the default mesh size; nearer to the boundary no mesh for a
-  /// field would resolve them.
+  /// Minimum distance of interior singularities from the boundary and from each other, a length. 0
+  /// stands for 1/400 of the diagonal, a tenth of the default mesh size: no mesh for a field would
+  /// resolve singularities closer to the boundary.
   double clearance = 0.0;
-  /// Every singularity stays what it is: none moves into the boundary or out of it, none are taken
-  /// out.
+  /// Keeps the number and kind of singularities: none moves into the boundary or out of it, and
+  /// none is removed.
   bool keepAll = false;
-  /// Target sizes of quads (docs/method.md §5.7). Conformal: the run ends at the minimum of W.
-  /// Uniform and Field: it goes on, with the same singularities and as many iterations again, to
-  /// the minimum of W + 10,000 J (SizeUniformity.h), where the sizes of the field are nearest to
-  /// the target sizes.
+  /// Target sizes of quads (docs/method.md §5.7). With Conformal, the run ends at the minimum of W.
+  /// With Uniform and Field it continues, with the same singularities and up to as many further
+  /// iterations, to the minimum of W + 10,000 J (SizeUniformity.h), where the sizes of the field
+  /// are closest to the target sizes.
   TargetSizes sizes;
-  /// Maximum number of pairs of quarter indices 1 and −1 that are added after that where they
-  /// reduce the spread of sizes most (docs/method.md §5.8), as long as each reduces it by 15 % or
-  /// halves a holonomy defect. With pairs, Conformal is treated as Uniform.
+  /// Maximum number of pairs of quarter indices 1 and −1 that are added afterwards where they
+  /// reduce the spread of sizes most (docs/method.md §5.8). Pairs are added as long as each reduces
+  /// the spread by 15 % or halves a holonomy defect. With pairs, Conformal is treated as Uniform.
   int pairs = 0;
 };
 
-/// What evenness costs: a point of the front of numbers of singularities against spreads of sizes.
+/// Point of the Pareto front of the number of singularities and the spread of sizes.
 struct FrontPoint
 {
-  int singularities = 0; ///< Those on the boundary included.
-  double sizeSpread =
-    0.0; ///< Standard deviation of log size, or of size over wanted size, over the area.
+  int singularities = 0; ///< Including those on the boundary.
+  /// Standard deviation of log size, or of the logarithm of size over target size, over the area.
+  double sizeSpread = 0.0;
   double energy = 0.0;         ///< W.
   double holonomyDefect = 0.0; ///< Largest, radians.
 };
 
-/// Standard deviations of log size, or of the logarithm of size over wanted size, over the area.
+/// Standard deviations of log size, or of the logarithm of size over target size, over the area.
 struct SizeSpreads
 {
-  double before = 0.0; ///< Where W is least,
-  double after = 0.0;  ///< and of the result.
+  double before = 0.0; ///< At the minimum of W.
+  double after = 0.0;  ///< At the result.
 };
 
 struct OptimizerResult
 {
-  /// In the order given, without those that were taken out; then those that left the boundary, and
-  /// added pairs.
+  /// Singularities in the order given, without those that were removed, followed by those that left
+  /// the boundary and by added pairs.
   Configuration configuration;
-  double energyBefore = 0.0;              ///< W of the start,
-  double energyAfter = 0.0;               ///< and of the result.
-  std::optional<SizeSpreads> sizeSpreads; ///< None where the sizing is Conformal.
-  /// Where sizes are Uniform or Field: at the least W, with even sizes, and with each pair that was
-  /// added.
+  double energyBefore = 0.0;              ///< W at the start.
+  double energyAfter = 0.0;               ///< W at the result.
+  std::optional<SizeSpreads> sizeSpreads; ///< Empty if the sizing is Conformal.
+  /// Points of the Pareto front if sizes are Uniform or Field: at the minimum of W, with uniform
+  /// sizes, and after each added pair.
   std::vector<FrontPoint> front;
   int iterations = 0;
   bool converged = false;
   bool aborted = false;
-  /// One sentence: converged, or why not.
+  /// Why the run ended, one sentence.
   std::string reason;
-  /// What happened besides moving, a sentence each; singularities count from 1 in the order given.
+  /// Events other than moves, one sentence each; singularities are counted from 1 in the order
+  /// given.
   std::vector<std::string> events;
-  /// Rows of the start that met with opposite signs and were taken out, or merged to one of the
-  /// sum.
+  /// Pairs of rows of the start that met with opposite signs and were removed or merged.
   std::vector<std::array<int, 2>> annihilations;
   std::vector<double> holonomyDefect;
-  /// Standard deviation of log size over the area, of the result.
+  /// Standard deviation of log size over the area, at the result.
   double sizeSpread = 0.0;
-  std::vector<OptimizerStep> history; ///< From the start on.
+  std::vector<OptimizerStep> history; ///< Steps from the start on.
 };
 }

@@ -13,14 +13,14 @@ namespace crossfield
 {
 namespace
 {
-/// Below this a defect may come from the mesh; radians.
+/// Defects below this may be errors of the mesh; radians.
 constexpr double NotableDefect = 0.01;
 }
 
 OptimizerRun::OptimizerRun(
   const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result)
   : Domain(domain)
-  , MostIterations(options.maximumIterations)
+  , MaximumIterations(options.maximumIterations)
   , KeepAll(options.keepAll)
   , Result(result)
 {
@@ -29,11 +29,11 @@ OptimizerRun::OptimizerRun(
     throw Error(
       "The clearance of the singularities must be positive, or 0 for 1/400 of the diagonal.");
   }
-  this->Stages.meshSize = options.meshSize;
-  this->Stages.corners = options.corners;
-  this->Stages.objective.clearance =
+  this->Options.meshSize = options.meshSize;
+  this->Options.corners = options.corners;
+  this->Options.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
-  this->Stages.objective.sizes = options.sizes;
+  this->Options.objective.sizes = options.sizes;
   this->Iteration.tolerance = options.tolerance;
   this->Iteration.maximumIterations = options.maximumIterations;
 }
@@ -42,49 +42,51 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 {
   TrackedConfiguration tracked{ start, std::vector<int>(start.size()), {} };
   std::iota(tracked.origins.begin(), tracked.origins.end(), 0);
-  const double asked = this->Stages.objective.clearance;
-  this->Stages.objective.clearance = ClearStart(this->Domain, asked, tracked.singularities);
-  if (this->Stages.objective.clearance < asked)
+  const double requested = this->Options.objective.clearance;
+  this->Options.objective.clearance =
+    EnforceClearance(this->Domain, requested, tracked.singularities);
+  if (this->Options.objective.clearance < requested)
   {
-    this->Say(
-      "Two singularities, or one and the boundary, are too near each other for a clearance of " +
-      Short(asked) + "; it is " + Short(this->Stages.objective.clearance) + " in this run.");
+    this->AddEvent("Two singularities, or one and the boundary, are too close for a clearance of " +
+      FormatShort(requested) + "; this run uses " + FormatShort(this->Options.objective.clearance) +
+      ".");
   }
   for (std::size_t i = 0; i < start.size(); ++i)
   {
-    const double way = (tracked.singularities[i].position - start[i].position).norm();
-    if (way > 0.0)
+    const double distance = (tracked.singularities[i].position - start[i].position).norm();
+    if (distance > 0.0)
     {
-      this->Say("Singularity " + std::to_string(i + 1) + " at " + Describe(start[i].position) +
-        " was moved by " + Short(way) + " to have the clearance at the start.");
+      this->AddEvent("Singularity " + std::to_string(i + 1) + " at " + Describe(start[i].position) +
+        " was moved by " + FormatShort(distance) + " to keep the clearance at the start.");
     }
   }
-  this->Begin(tracked, progress.Part(0.0, 0.2));
+  this->StartStage(tracked, progress.Part(0.0, 0.2));
   this->StartsSymmetric = this->Stage.objective->KeepsSymmetry();
-  this->Result.energyBefore = this->Here.fullEnergy;
+  this->Result.energyBefore = this->Current.fullEnergy;
   progress.Report(0.2);
 }
 
-OptimizerEnd OptimizerRun::Move(const Progress& progress)
+OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
 {
-  constexpr int MostMeshes = 30; // then W on the present one has to do
+  constexpr int MaximumMeshes = 30; // afterwards the present mesh is kept
   for (int meshes = 1;; ++meshes)
   {
-    this->Iteration.watchesMesh = meshes < MostMeshes;
-    this->Iteration.changes = [this](const OptimizerPlace& place)
-    { return !this->KeepAll && this->Persists(place); };
-    const OptimizerEnd end = this->Iteration.Run(*this->Stage.objective, progress, this->Here);
-    if (end == OptimizerEnd::Mesh)
+    this->Iteration.checksMesh = meshes < MaximumMeshes;
+    this->Iteration.stopsForChange = [this](const OptimizerState& state)
+    { return !this->KeepAll && this->IsChangeDue(state); };
+    const OptimizerEnd end = this->Iteration.Run(*this->Stage.objective, progress, this->Current);
+    if (end == OptimizerEnd::MeshTooCoarse)
     {
-      this->Begin(this->Stage.At(this->Here.place), {});
+      this->StartStage(this->Stage.At(this->Current.positions), {});
     }
-    else if (end == OptimizerEnd::Aborted || end == OptimizerEnd::Limit || !this->Change())
+    else if (end == OptimizerEnd::Aborted || end == OptimizerEnd::IterationLimit ||
+      !this->MakeChange())
     {
-      if (end == OptimizerEnd::Rest && (this->LeaveSaddle() || this->RestoreSymmetry()))
+      if (end == OptimizerEnd::Converged && (this->LeaveSaddle() || this->RestoreSymmetry()))
       {
         continue;
       }
-      if (end != OptimizerEnd::Change)
+      if (end != OptimizerEnd::ChangeRequested)
       {
         return end;
       }
@@ -92,69 +94,71 @@ OptimizerEnd OptimizerRun::Move(const Progress& progress)
   }
 }
 
-OptimizerEnd OptimizerRun::Even(const Progress& progress)
+OptimizerEnd OptimizerRun::MakeSizesUniform(const Progress& progress)
 {
-  this->Stages.objective.goal = OptimizerGoal::UniformSizes;
+  this->Options.objective.goal = OptimizerGoal::UniformSizes;
   this->KeepAll = true;
-  this->Begin(this->Stage.At(this->Here.place), {});
-  this->Result.sizeSpreads = SizeSpreads{ this->Here.sizeSpread, this->Here.sizeSpread };
+  this->StartStage(this->Stage.At(this->Current.positions), {});
+  this->Result.sizeSpreads = SizeSpreads{ this->Current.sizeSpread, this->Current.sizeSpread };
   this->AddToFront();
   this->Iteration.Restart();
-  this->Iteration.maximumIterations = this->Iteration.iterations + this->MostIterations;
-  const OptimizerEnd end = this->Move(progress);
+  this->Iteration.maximumIterations = this->Iteration.iterations + this->MaximumIterations;
+  const OptimizerEnd end = this->Minimise(progress);
   this->AddToFront();
   return end;
 }
 
-OptimizerEnd OptimizerRun::AddPairs(int most, OptimizerEnd end, const Progress& progress)
+OptimizerEnd OptimizerRun::AddPairs(int maximumPairs, OptimizerEnd end, const Progress& progress)
 {
-  // A pair has to bring so much; nobody sees less, or what is left of unevenness below the second.
-  constexpr double LeastGain = 0.15;
-  constexpr double EvenEnough = 0.04;
-  constexpr double LeastDefect = 0.2; // by which crosses miss by 0.05
-  for (int pair = 0; pair < most; ++pair)
+  // Minimum relative reduction of the spread by a pair, and the spread below which no pair is
+  // tried: neither is visible in a mesh.
+  constexpr double MinimumGain = 0.15;
+  constexpr double UniformSpread = 0.04;
+  constexpr double MinimumDefect = 0.2; // crosses do not match by an angle of 0.05
+  for (int pair = 0; pair < maximumPairs; ++pair)
   {
-    const double defect = this->Here.defects.lpNorm<Eigen::Infinity>();
+    const double defect = this->Current.defects.lpNorm<Eigen::Infinity>();
     if (end == OptimizerEnd::Aborted ||
-      (this->Here.sizeSpread < EvenEnough && defect < LeastDefect))
+      (this->Current.sizeSpread < UniformSpread && defect < MinimumDefect))
     {
       return end;
     }
     const OptimizerStage stage = this->Stage;
-    const OptimizerPlace here = this->Here;
+    const OptimizerState current = this->Current;
     const OptimizerIteration iteration = this->Iteration;
-    const Progress part =
-      progress.Part(static_cast<double>(pair) / most, static_cast<double>(pair + 1) / most);
-    std::optional<TrackedConfiguration> with;
+    const Progress part = progress.Part(
+      static_cast<double>(pair) / maximumPairs, static_cast<double>(pair + 1) / maximumPairs);
+    std::optional<TrackedConfiguration> extended;
     try
     {
-      with = FindBestPair(this->Domain, stage, here, this->Stages, part.Part(0.0, 0.5));
+      extended = FindBestPair(this->Domain, stage, current, this->Options, part.Part(0.0, 0.5));
     }
     catch (const Aborted&)
     {
       return OptimizerEnd::Aborted;
     }
-    if (!with)
+    if (!extended)
     {
       return end;
     }
-    this->Begin(*with, {});
+    this->StartStage(*extended, {});
     this->Iteration.Restart();
-    this->Iteration.maximumIterations = this->Iteration.iterations + this->MostIterations;
-    const OptimizerEnd reached = this->Move(part.Part(0.5, 1.0));
-    const std::string gain =
-      "the spread of sizes from " + Short(here.sizeSpread) + " to " + Short(this->Here.sizeSpread);
-    const bool mends =
-      defect > LeastDefect && this->Here.defects.lpNorm<Eigen::Infinity>() < 0.5 * defect;
-    if (!mends && !(this->Here.sizeSpread < (1.0 - LeastGain) * here.sizeSpread))
+    this->Iteration.maximumIterations = this->Iteration.iterations + this->MaximumIterations;
+    const OptimizerEnd reached = this->Minimise(part.Part(0.5, 1.0));
+    const std::string gain = "the spread of sizes from " + FormatShort(current.sizeSpread) +
+      " to " + FormatShort(this->Current.sizeSpread);
+    const bool reducesDefect =
+      defect > MinimumDefect && this->Current.defects.lpNorm<Eigen::Infinity>() < 0.5 * defect;
+    if (!reducesDefect && !(this->Current.sizeSpread < (1.0 - MinimumGain) * current.sizeSpread))
     {
-      this->Say("A further pair of singularities would change " + gain + ", and was left out.");
+      this->AddEvent(
+        "A further pair of singularities would change " + gain + " and was not added.");
       this->Stage = stage;
-      this->Here = here;
+      this->Current = current;
       this->Iteration = iteration;
       return end;
     }
-    this->Say("A pair of singularities was added, which changed " + gain + ".");
+    this->AddEvent("A pair of singularities was added, which changed " + gain + ".");
     this->AddToFront();
     end = reached;
   }
@@ -165,58 +169,58 @@ void OptimizerRun::AddToFront()
 {
   FrontPoint point;
   point.singularities = static_cast<int>(this->Stage.tracked.singularities.size());
-  point.sizeSpread = this->Here.sizeSpread;
-  point.energy = this->Here.fullEnergy;
-  point.holonomyDefect = this->Here.defects.lpNorm<Eigen::Infinity>();
+  point.sizeSpread = this->Current.sizeSpread;
+  point.energy = this->Current.fullEnergy;
+  point.holonomyDefect = this->Current.defects.lpNorm<Eigen::Infinity>();
   this->Result.front.push_back(point);
 }
 
-void OptimizerRun::Finish(OptimizerEnd end)
+void OptimizerRun::WriteResult(OptimizerEnd end)
 {
-  const TrackedConfiguration last = this->Stage.At(this->Here.place);
+  const TrackedConfiguration last = this->Stage.At(this->Current.positions);
   OptimizerResult& result = this->Result;
   result.configuration = last.singularities;
-  result.energyAfter = this->Here.fullEnergy;
+  result.energyAfter = this->Current.fullEnergy;
   if (result.sizeSpreads)
   {
-    result.sizeSpreads->after = this->Here.sizeSpread;
+    result.sizeSpreads->after = this->Current.sizeSpread;
   }
-  result.holonomyDefect.assign(this->Here.defects.begin(), this->Here.defects.end());
+  result.holonomyDefect.assign(this->Current.defects.begin(), this->Current.defects.end());
   const PointPotential& potential = *this->Stage.potential;
   result.sizeSpread = SizeUniformity(potential).SpreadOf(
-    potential, potential.Solve(this->Stage.objective->At(this->Here.place)));
+    potential, potential.Solve(this->Stage.objective->At(this->Current.positions)));
   result.iterations = this->Iteration.iterations;
   result.history = this->Iteration.history;
-  result.converged = end == OptimizerEnd::Rest;
+  result.converged = end == OptimizerEnd::Converged;
   result.aborted = end == OptimizerEnd::Aborted;
   result.reason =
-    ReasonOf(end, this->Stages.objective, this->Stage.objective->Count(), result.iterations);
-  for (const std::size_t i : HeldSingularities(this->Stage, this->Here))
+    EndReason(end, this->Options.objective, this->Stage.objective->Count(), result.iterations);
+  for (const std::size_t i : StoppedSingularities(this->Stage, this->Current))
   {
-    this->Say("The clearance holds " + last.Name(this->Stage.placed.rows[i]) + " at " +
+    this->AddEvent("The clearance stops " + last.Name(this->Stage.placed.rows[i]) + " at " +
       Describe(last.singularities[this->Stage.placed.rows[i]].position) +
-      "; it would go nearer to the boundary.");
+      "; without it, the singularity would move closer to the boundary.");
   }
   if (this->Iteration.unreachableDefect > NotableDefect)
   {
-    this->Say("A holonomy defect of " + Short(this->Iteration.unreachableDefect) +
-      " remains that no singularity inside can change; add two of opposite sign.");
+    this->AddEvent("A holonomy defect of " + FormatShort(this->Iteration.unreachableDefect) +
+      " remains that no interior singularity can change; add two singularities of opposite sign.");
   }
-  if (!this->Changed && this->Stages.objective.goal == OptimizerGoal::Energy &&
+  if (!this->Changed && this->Options.objective.goal == OptimizerGoal::Energy &&
     result.energyAfter > result.energyBefore + 1e-3 * (1.0 + std::abs(result.energyBefore)))
   {
-    this->Say("The holonomy defects were removed at the price of a renormalised energy of " +
-      Short(result.energyAfter) + " instead of " + Short(result.energyBefore) + ".");
+    this->AddEvent("Removing the holonomy defects raised the renormalised energy from " +
+      FormatShort(result.energyBefore) + " to " + FormatShort(result.energyAfter) + ".");
   }
   for (const std::string& event : ShrinkRadii(this->Domain, result.configuration))
   {
-    this->Say(event);
+    this->AddEvent(event);
   }
 }
 
-void OptimizerRun::Begin(const TrackedConfiguration& tracked, const Progress& progress)
+void OptimizerRun::StartStage(const TrackedConfiguration& tracked, const Progress& progress)
 {
-  this->Stage = MakeStage(this->Domain, tracked, this->Stages, progress);
-  this->Here = this->Stage.objective->Evaluate(this->Stage.objective->Start());
+  this->Stage = MakeStage(this->Domain, tracked, this->Options, progress);
+  this->Current = this->Stage.objective->Evaluate(this->Stage.objective->Start());
 }
 }

@@ -9,55 +9,60 @@
 
 namespace crossfield
 {
-/// The optimiser between its meshes: the stage, the place on it, and what has happened
-/// (docs/method.md §5.5).
+/// Run of the optimiser over several meshes: the present stage, the positions on it, and the events
+/// so far (docs/method.md §5.5).
 class OptimizerRun
 {
 public:
-  /// What happens is told to the result. Throws Error when the clearance is negative.
+  /// Stores events in `result`. Throws Error if the clearance is negative.
   OptimizerRun(
     const PlanarDomain& domain, const OptimizerOptions& options, OptimizerResult& result);
 
   void Start(const Configuration& start, const Progress& progress);
-  /// To the least of what is minimised, from mesh to mesh and from change to change.
-  OptimizerEnd Move(const Progress& progress);
-  /// From the least W on to the evenest sizes, with the singularities that there are.
-  OptimizerEnd Even(const Progress& progress);
-  /// Then adds up to so many pairs of opposite signs, as long as they bring something, and moves all to the
-  /// evenest sizes with each (docs/method.md §5.8). Returns how the last move ended, or `end` before that.
-  OptimizerEnd AddPairs(int most, OptimizerEnd end, const Progress& progress);
-  void Finish(OptimizerEnd end);
+  /// Minimises the objective, meshing again and changing the configuration where necessary.
+  OptimizerEnd Minimise(const Progress& progress);
+  /// Continues from the minimum of W to the most uniform sizes, with the present singularities.
+  OptimizerEnd MakeSizesUniform(const Progress& progress);
+  /// Adds up to `maximumPairs` pairs of opposite signs, as long as each is an improvement, and
+  /// minimises after each (docs/method.md §5.8). Returns how the last minimisation ended, or `end`
+  /// if there was none.
+  OptimizerEnd AddPairs(int maximumPairs, OptimizerEnd end, const Progress& progress);
+  void WriteResult(OptimizerEnd end);
 
 private:
-  void Say(const std::string& sentence) { this->Result.events.push_back(sentence); }
-  void Begin(const TrackedConfiguration& tracked, const Progress& progress);
-  /// Leaves symmetric places at which the energy is least among symmetric ones only.
+  void AddEvent(const std::string& sentence) { this->Result.events.push_back(sentence); }
+  void StartStage(const TrackedConfiguration& tracked, const Progress& progress);
+  /// Moves off a stationary point that is a minimum among symmetric configurations only. Returns
+  /// whether it did.
   bool LeaveSaddle();
-  /// Changes are made one after the other, and the singularities go on in between. What is about as
-  /// symmetric as the start after them goes on from the symmetric place next to it.
+  /// Restores the symmetry of the start. Changes are made one after the other, and the
+  /// singularities move in between; if the configuration is approximately symmetric again after
+  /// them, the iteration continues from the nearest symmetric one. Returns whether it does.
   bool RestoreSymmetry();
-  /// Whether singularities have met or been pressed for so many steps that they will stay so.
-  bool Persists(const OptimizerPlace& place);
-  /// Makes one change that the singularities want, if there is one that helps.
-  bool Change();
-  /// Goes on from a change if the energy with cores is lower after a few steps.
-  bool Try(const ConfigurationChange& change);
+  /// Returns whether singularities have met or been stopped at the boundary for several steps, so
+  /// that the configuration should be changed.
+  bool IsChangeDue(const OptimizerState& state);
+  /// Makes one change of the configuration that lowers the energy, if there is one.
+  bool MakeChange();
+  /// Tries a change, and keeps it if the energy with cores is lower after a few steps. Returns
+  /// whether it is kept.
+  bool TryChange(const ConfigurationChange& change);
   void AddToFront();
 
   const PlanarDomain& Domain;
-  int MostIterations;
+  int MaximumIterations;
   bool KeepAll;
   OptimizerResult& Result;
-  StageOptions Stages;
+  StageOptions Options;
   OptimizerStage Stage;
-  OptimizerPlace Here;
+  OptimizerState Current;
   OptimizerIteration Iteration;
-  std::set<std::string> Refused; ///< Changes that were tried in vain.
-  int Slides = 0;
-  Eigen::VectorXd Last; ///< Where the singularities were a step ago.
-  int Wanted = 0;       ///< Steps for which a change has been wanted.
+  std::set<std::string> Rejected; ///< Keys of changes that did not lower the energy.
+  int BoundaryMoves = 0;
+  Eigen::VectorXd PreviousPositions; ///< Positions one step ago.
+  int StepsDue = 0;                  ///< Number of successive steps for which a change was due.
   bool Changed = false;
   bool StartsSymmetric = false;
-  bool Restored = false; ///< Whether RestoreSymmetry had its turn.
+  bool SymmetryTried = false; ///< Whether RestoreSymmetry has been tried.
 };
 }

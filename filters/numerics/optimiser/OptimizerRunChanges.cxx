@@ -1,4 +1,5 @@
-// What a run does besides moving: it leaves symmetries, comes back to them, and changes what singularities are.
+// Changes made by a run between minimisations: breaking and restoring symmetries, and changing the
+// configuration.
 #include "OptimizerRun.h"
 
 #include "Error.h"
@@ -12,8 +13,9 @@ namespace crossfield
 {
 namespace
 {
-/// Moves along the boundary; each is a few clearances long, and a nose has no room for more.
-constexpr int MostSlides = 10;
+/// Maximum number of moves along the boundary; each is several clearances long, and no more are
+/// needed around a leading edge.
+constexpr int MaximumBoundaryMoves = 10;
 }
 
 bool OptimizerRun::LeaveSaddle()
@@ -24,136 +26,137 @@ bool OptimizerRun::LeaveSaddle()
   }
   const auto free =
     std::make_shared<const OptimizerObjective>(this->Stage.objective->WithoutSymmetry());
-  const auto direction = FindDescent(*this->Stage.objective, *free, this->Here.place);
+  const auto direction = FindDescent(*this->Stage.objective, *free, this->Current.positions);
   if (!direction)
   {
     return false;
   }
   Eigen::VectorXd step = 0.5 * free->Clearance() * *direction;
-  step *= free->LongestPart(this->Here.place, step);
-  while (!std::isfinite(free->EvaluateBarrier(this->Here.place + step).energy))
+  step *= free->LargestFraction(this->Current.positions, step);
+  while (!std::isfinite(free->EvaluateBarrier(this->Current.positions + step).energy))
   {
-    step *= 0.5; // at zero it is finite
+    step *= 0.5; // the barrier is finite at a step of zero
   }
-  this->Here = free->Evaluate(this->Here.place + step);
+  this->Current = free->Evaluate(this->Current.positions + step);
   this->Stage.objective = free;
-  this->Stages.objective.keepSymmetry = false;
+  this->Options.objective.keepSymmetry = false;
   this->Iteration.Restart();
-  this->Say("The singularities left a symmetry of the domain, which kept them at a saddle of "
-            "what is minimised.");
+  this->AddEvent(
+    "The singularities no longer follow a symmetry of the domain, which kept them at a saddle "
+    "point of the objective.");
   return true;
 }
 
 bool OptimizerRun::RestoreSymmetry()
 {
-  if (!this->StartsSymmetric || !this->Stages.objective.keepSymmetry || !this->Changed ||
-    this->Restored || this->Stage.objective->KeepsSymmetry())
+  if (!this->StartsSymmetric || !this->Options.objective.keepSymmetry || !this->Changed ||
+    this->SymmetryTried || this->Stage.objective->KeepsSymmetry())
   {
     return false;
   }
-  this->Restored = true;
-  Configuration interior = this->Stage.objective->At(this->Here.place);
+  this->SymmetryTried = true;
+  Configuration interior = this->Stage.objective->At(this->Current.positions);
   const ConfigurationSymmetry symmetry =
     MatchWithBoundary(*this->Stage.potential, FindSymmetries(this->Domain), interior,
-      this->Stages.objective.clearance, this->Stage.objective->SymmetryTest());
+      this->Options.objective.clearance, this->Stage.objective->SymmetryTest());
   if (symmetry.IsTrivial())
   {
     return false;
   }
   symmetry.Project(interior);
-  TrackedConfiguration tracked = this->Stage.At(this->Here.place);
+  TrackedConfiguration tracked = this->Stage.At(this->Current.positions);
   for (std::size_t i = 0; i < interior.size(); ++i)
   {
     tracked.singularities[this->Stage.placed.rows[i]].position = interior[i].position;
   }
-  this->Begin(tracked, {});
+  this->StartStage(tracked, {});
   this->Iteration.Restart();
   return true;
 }
 
-bool OptimizerRun::Persists(const OptimizerPlace& place)
+bool OptimizerRun::IsChangeDue(const OptimizerState& state)
 {
-  constexpr int Steps = 5;
-  constexpr double Still =
-    0.2; // of the clearance: one that glides along the boundary is not there yet
-  bool still = this->Last.size() == place.place.size();
-  for (const std::size_t i : HeldSingularities(this->Stage, place))
+  constexpr int RequiredSteps = 5;
+  // relative to the clearance: a singularity that still moves along the boundary has not arrived
+  constexpr double StillTolerance = 0.2;
+  bool isStill = this->PreviousPositions.size() == state.positions.size();
+  for (const std::size_t i : StoppedSingularities(this->Stage, state))
   {
     const Eigen::Index row = 2 * static_cast<Eigen::Index>(i);
-    still = still &&
-      (place.place - this->Last).segment<2>(row).norm() <
-        Still * this->Stage.objective->Clearance();
+    isStill = isStill &&
+      (state.positions - this->PreviousPositions).segment<2>(row).norm() <
+        StillTolerance * this->Stage.objective->Clearance();
   }
-  this->Last = place.place;
-  const bool wanted =
-    FindMeeting(this->Stage, place) || FindPressed(this->Stage, place, this->Refused);
-  this->Wanted = wanted && still ? this->Wanted + 1 : 0;
-  return this->Wanted >= Steps;
+  this->PreviousPositions = state.positions;
+  const bool isDue =
+    FindAnnihilation(this->Stage, state) || FindAbsorption(this->Stage, state, this->Rejected);
+  this->StepsDue = isDue && isStill ? this->StepsDue + 1 : 0;
+  return this->StepsDue >= RequiredSteps;
 }
 
-bool OptimizerRun::Change()
+bool OptimizerRun::MakeChange()
 {
-  this->Wanted = 0;
+  this->StepsDue = 0;
   while (!this->KeepAll)
   {
-    auto change = FindMeeting(this->Stage, this->Here);
-    change = change ? change : FindPressed(this->Stage, this->Here, this->Refused);
-    change = change ? change : FindLoose(this->Stage, this->Here, this->Refused);
-    change = change || this->Slides == MostSlides
+    auto change = FindAnnihilation(this->Stage, this->Current);
+    change = change ? change : FindAbsorption(this->Stage, this->Current, this->Rejected);
+    change = change ? change : FindRelease(this->Stage, this->Current, this->Rejected);
+    change = change || this->BoundaryMoves == MaximumBoundaryMoves
       ? change
-      : FindSlide(this->Stage, this->Here, this->Refused);
+      : FindBoundaryMove(this->Stage, this->Current, this->Rejected);
     if (!change)
     {
       return false;
     }
-    if (this->Try(*change))
+    if (this->TryChange(*change))
     {
-      this->Say(change->event);
+      this->AddEvent(change->event);
       this->Changed = true;
-      this->Slides += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
-      if (change->meets)
+      this->BoundaryMoves += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
+      if (change->annihilates)
       {
         this->Result.annihilations.push_back(change->pair);
       }
       return true;
     }
-    this->Refused.insert(change->key);
+    this->Rejected.insert(change->key);
   }
   return false;
 }
 
-bool OptimizerRun::Try(const ConfigurationChange& change)
+bool OptimizerRun::TryChange(const ConfigurationChange& change)
 {
   constexpr int TrialSteps = 30;
   const OptimizerStage stage = this->Stage;
-  const OptimizerPlace here = this->Here;
+  const OptimizerState current = this->Current;
   const OptimizerIteration iteration = this->Iteration;
-  const double before = stage.CoreEnergy(here);
+  const double before = stage.CoreEnergy(current);
   try
   {
-    this->Begin(change.tracked, {});
+    this->StartStage(change.tracked, {});
     this->Iteration.Restart();
-    if (change.meets || this->Stage.CoreEnergy(this->Here) < before)
+    if (change.annihilates || this->Stage.CoreEnergy(this->Current) < before)
     {
       return true;
     }
-    this->Iteration.changes = nullptr;
-    this->Iteration.watchesMesh = false;
+    this->Iteration.stopsForChange = nullptr;
+    this->Iteration.checksMesh = false;
     this->Iteration.maximumIterations =
       std::min(iteration.maximumIterations, iteration.iterations + TrialSteps);
-    this->Iteration.Run(*this->Stage.objective, {}, this->Here);
+    this->Iteration.Run(*this->Stage.objective, {}, this->Current);
     this->Iteration.maximumIterations = iteration.maximumIterations;
-    if (this->Stage.CoreEnergy(this->Here) < before)
+    if (this->Stage.CoreEnergy(this->Current) < before)
     {
       return true;
     }
   }
   catch (const Error&)
   {
-    // Such a configuration cannot exist: it stays what it was.
+    // The changed configuration does not exist; the previous one is restored.
   }
   this->Stage = stage;
-  this->Here = here;
+  this->Current = current;
   this->Iteration = iteration;
   return false;
 }

@@ -27,10 +27,10 @@ void TrackedConfiguration::Erase(std::size_t row)
   this->origins.erase(this->origins.begin() + offset);
 }
 
-TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& place) const
+TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& positions) const
 {
   TrackedConfiguration moved = this->tracked;
-  const Configuration interior = this->objective->At(place);
+  const Configuration interior = this->objective->At(positions);
   for (std::size_t i = 0; i < interior.size(); ++i)
   {
     moved.singularities[this->placed.rows[i]].position = interior[i].position;
@@ -38,7 +38,7 @@ TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& place) const
   return moved;
 }
 
-double OptimizerStage::CoreEnergy(const OptimizerPlace& place) const
+double OptimizerStage::CoreEnergy(const OptimizerState& state) const
 {
   double coefficient = 0.0;
   for (const Singularity& singularity : this->placed.interior)
@@ -49,7 +49,7 @@ double OptimizerStage::CoreEnergy(const OptimizerPlace& place) const
   {
     coefficient += 0.5 * corner.angle * corner.strength * corner.strength;
   }
-  return place.fullEnergy - coefficient * std::log(CoreRadius(this->potential->GetDomain()));
+  return state.fullEnergy - coefficient * std::log(CoreRadius(this->potential->GetDomain()));
 }
 
 double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
@@ -88,7 +88,8 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   for (const Singularity& singularity : singularities)
   {
     const double distance = SignedDistance(singularity.position, refined);
-    // Edges grow by a quarter of the way, to half the distance at the boundary: it may halve.
+    // Edge lengths grow by a quarter of the distance, to half the distance at the boundary, so that
+    // the distance may halve before the domain has to be meshed again.
     if (distance > reach)
     {
       drill.refinements.push_back(

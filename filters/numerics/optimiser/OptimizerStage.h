@@ -9,44 +9,47 @@
 
 namespace crossfield
 {
-/// Origins of singularities that are in no row of the start: from the boundary, and of a pair that was added.
+/// Origins of singularities that were not in the start: moved inside from the boundary, or added in
+/// a pair.
 constexpr int BoundaryOrigin = -1;
 constexpr int AddedOrigin = -2;
 
-/// Singularities that remember which row of the start they were.
+/// Configuration with the row of the start that each singularity comes from.
 struct TrackedConfiguration
 {
   Configuration singularities;
   std::vector<int> origins; ///< Row of the start, counted from 0, or one of the origins above.
-  std::set<int> absorbed;   ///< Origins of those that became singularities of the boundary.
+  std::set<int> absorbed;   ///< Origins of the singularities that became part of the boundary.
 
-  /// "singularity 3", counted from 1 in the order of the start.
+  /// Returns "singularity 3", for example, counted from 1 in the order of the start.
   std::string Name(std::size_t row) const;
   void Erase(std::size_t row);
 };
 
-/// A configuration with a mesh that resolves it: refined where an interior singularity is near the
-/// boundary, so that an edge there is at most half as long as the distance.
+/// Configuration with a mesh that resolves it: the mesh is refined near interior singularities
+/// close to the boundary, so that edges there are at most half as long as their distance from the
+/// boundary.
 struct OptimizerStage
 {
   TrackedConfiguration tracked;
-  PlacedConfiguration placed;        ///< Of tracked.singularities.
-  std::vector<CornerChoice> corners; ///< As they were given.
+  PlacedConfiguration placed;        ///< Placement of tracked.singularities.
+  std::vector<CornerChoice> corners; ///< As given.
   std::shared_ptr<const PointPotential> potential;
-  std::shared_ptr<const OptimizerObjective> objective; ///< Of placed.interior.
+  std::shared_ptr<const OptimizerObjective> objective; ///< Objective for placed.interior.
 
-  /// The singularities with the interior ones at a place of the objective.
-  TrackedConfiguration At(const Eigen::VectorXd& place) const;
-  /// Energy E_ρ of a place, but for what vanishes with ρ = 1/400 of the diagonal: comparable whatever
-  /// the number of singularities.
-  double CoreEnergy(const OptimizerPlace& place) const;
-  /// The same of another configuration on this mesh, of which singularities on the boundary are at
-  /// vertices; infinite if it cannot exist. It costs no factorisation.
+  /// Returns the singularities with the interior ones at given positions.
+  TrackedConfiguration At(const Eigen::VectorXd& positions) const;
+  /// Returns the energy E_ρ without terms that vanish with ρ, at ρ = 1/400 of the diagonal. It is
+  /// comparable between configurations with different numbers of singularities.
+  double CoreEnergy(const OptimizerState& state) const;
+  /// Returns the same energy for another configuration on this mesh whose boundary singularities
+  /// are at vertices; infinity if the configuration cannot exist. Needs no factorisation.
   double CoreEnergyOf(const Configuration& configuration) const;
 };
 
-/// Radius of cores, and least distances where none is asked for: a tenth of the default mesh size;
-/// nearer to each other or to the boundary no mesh for a field would tell them apart.
+/// Returns the core radius, which is also the default clearance: 1/400 of the diagonal, a tenth of
+/// the default mesh size. No mesh for a field would resolve smaller distances between singularities
+/// or from the boundary.
 double CoreRadius(const PlanarDomain& domain);
 
 struct StageOptions
@@ -56,7 +59,8 @@ struct StageOptions
   ObjectiveOptions objective;
 };
 
-/// Meshes and factors. Throws Error when the quarter indices violate Poincaré-Hopf.
+/// Meshes the domain and factors the Laplacian. Throws Error if the quarter indices violate
+/// Poincaré-Hopf.
 OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration& tracked,
   const StageOptions& options, const Progress& progress = {});
 }

@@ -12,95 +12,102 @@ namespace crossfield
 {
 namespace
 {
-/// The way from the nearest point of the boundary.
-Point FromBoundary(const PlanarDomain& domain, const Point& place)
+/// Returns the vector from the nearest point of the boundary to a point.
+Point OffsetFromBoundary(const PlanarDomain& domain, const Point& point)
 {
   Point nearest = Point::Constant(std::numeric_limits<double>::infinity());
   for (const Loop& loop : domain.loops)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const Point apart = WayFromSegment(place, loop[i], loop[(i + 1) % loop.size()]);
-      nearest = apart.squaredNorm() < nearest.squaredNorm() ? apart : nearest;
+      const Point offset = WayFromSegment(point, loop[i], loop[(i + 1) % loop.size()]);
+      nearest = offset.squaredNorm() < nearest.squaredNorm() ? offset : nearest;
     }
   }
   return nearest;
 }
 
-/// Moves singularities inside apart.
-class Spreading
+/// Pushes interior singularities away from the boundary and from each other.
+class Separation
 {
 public:
-  Spreading(const PlanarDomain& domain, const Configuration& configuration)
-    : Places(configuration)
+  Separation(const PlanarDomain& domain, const Configuration& configuration)
+    : Moved(configuration)
     , Domain(domain)
-    , Reach(BoundaryReach * domain.Diagonal())
+    , BoundaryTolerance(BoundaryReach * domain.Diagonal())
   {
     for (std::size_t i = 0; i < configuration.size(); ++i)
     {
       if (configuration[i].position.allFinite() &&
-        SignedDistance(configuration[i].position, domain) > this->Reach)
+        SignedDistance(configuration[i].position, domain) > this->BoundaryTolerance)
       {
         this->Inside.push_back(i);
       }
     }
     for (const std::size_t i : this->Inside)
     {
-      this->Least = std::min(this->Least, FromBoundary(domain, configuration[i].position).norm());
+      this->MinimumDistance = std::min(
+        this->MinimumDistance, OffsetFromBoundary(domain, configuration[i].position).norm());
       for (const std::size_t j : this->Inside)
       {
-        const double apart = (configuration[i].position - configuration[j].position).norm();
-        this->Least = j < i && apart > this->Reach ? std::min(this->Least, apart) : this->Least;
+        const double distance = (configuration[i].position - configuration[j].position).norm();
+        this->MinimumDistance = j < i && distance > this->BoundaryTolerance
+          ? std::min(this->MinimumDistance, distance)
+          : this->MinimumDistance;
       }
     }
   }
 
-  /// The least distance at the start.
-  double GetLeast() const { return this->Least; }
+  /// Returns the minimum distance at the start.
+  double GetMinimumDistance() const { return this->MinimumDistance; }
 
-  const Configuration& GetPlaces() const { return this->Places; }
+  const Configuration& GetMoved() const { return this->Moved; }
 
-  /// Pushes what is nearer than the clearance until nothing is; whether it succeeded.
-  bool To(double clearance)
+  /// Pushes singularities until all distances are sufficient for the clearance. Returns whether it
+  /// succeeded.
+  bool Separate(double clearance)
   {
-    constexpr int MostSweeps = 100;
-    for (int sweep = 0; sweep < MostSweeps; ++sweep)
+    constexpr int MaximumSweeps = 100;
+    for (int sweep = 0; sweep < MaximumSweeps; ++sweep)
     {
       if (!this->Sweep(clearance))
       {
         return std::all_of(this->Inside.begin(), this->Inside.end(),
           [&](std::size_t i)
-          { return SignedDistance(this->Places[i].position, this->Domain) > 0.0; });
+          { return SignedDistance(this->Moved[i].position, this->Domain) > 0.0; });
       }
     }
     return false;
   }
 
-  static constexpr double Enough = 1.2;
+  static constexpr double RequiredFactor = 1.2;
 
 private:
-  /// Whether anything moved.
+  /// Pushes each singularity once. Returns whether anything moved.
   bool Sweep(double clearance)
   {
-    constexpr double Target = 1.3; // a little more than enough, so that it ends
+    // Slightly larger than RequiredFactor, so that the sweeps end.
+    constexpr double TargetFactor = 1.3;
     bool moved = false;
     for (const std::size_t i : this->Inside)
     {
-      Point& here = this->Places[i].position;
-      const Point apart = FromBoundary(this->Domain, here);
-      if (apart.norm() < Enough * clearance)
+      Point& position = this->Moved[i].position;
+      const Point offset = OffsetFromBoundary(this->Domain, position);
+      if (offset.norm() < RequiredFactor * clearance)
       {
-        here += (Target * clearance - apart.norm()) * apart.normalized();
+        position += (TargetFactor * clearance - offset.norm()) * offset.normalized();
         moved = true;
       }
       for (const std::size_t j : this->Inside)
       {
-        const Point between = here - this->Places[j].position;
-        if (j < i && between.norm() > this->Reach && between.norm() < Enough * clearance)
+        const Point difference = position - this->Moved[j].position;
+        if (j < i && difference.norm() > this->BoundaryTolerance &&
+          difference.norm() < RequiredFactor * clearance)
         {
-          const Point way = 0.5 * (Target * clearance - between.norm()) * between.normalized();
-          here += way;
-          this->Places[j].position -= way;
+          const Point push =
+            0.5 * (TargetFactor * clearance - difference.norm()) * difference.normalized();
+          position += push;
+          this->Moved[j].position -= push;
           moved = true;
         }
       }
@@ -108,60 +115,61 @@ private:
     return moved;
   }
 
-  Configuration Places;
+  Configuration Moved;
   const PlanarDomain& Domain;
-  double Reach;
+  double BoundaryTolerance;
   std::vector<std::size_t> Inside;
-  double Least = std::numeric_limits<double>::infinity();
+  double MinimumDistance = std::numeric_limits<double>::infinity();
 };
 
-/// ClearStart without regard to symmetries.
+/// Implements EnforceClearance without regard to symmetries.
 double MoveApart(const PlanarDomain& domain, double clearance, Configuration& configuration)
 {
-  // The clearance grows by so much at a time that a push is smaller than the distances that there are: in a sharp corner one
-  // push by all of it would go through the other side.
+  // The clearance grows gradually, so that each push is smaller than the present distances: in a
+  // sharp corner a single push by the full clearance would cross the opposite side.
   constexpr double Growth = 1.2;
-  Spreading spreading(domain, configuration);
-  const double least = spreading.GetLeast();
-  double reached = std::min(clearance, least / Spreading::Enough);
+  Separation separation(domain, configuration);
+  const double minimumDistance = separation.GetMinimumDistance();
+  double reached = std::min(clearance, minimumDistance / Separation::RequiredFactor);
   while (reached < clearance)
   {
     reached = std::min(clearance, Growth * reached);
-    if (!spreading.To(reached))
+    if (!separation.Separate(reached))
     {
-      return std::min(clearance, 0.5 * least);
+      return std::min(clearance, 0.5 * minimumDistance);
     }
   }
-  configuration = spreading.GetPlaces();
+  configuration = separation.GetMoved();
   return clearance;
 }
 }
 
-double ClearStart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+double EnforceClearance(const PlanarDomain& domain, double clearance, Configuration& configuration)
 {
   Configuration moved = configuration;
   const double reached = MoveApart(domain, clearance, moved);
-  const auto same = [](const Configuration& a, const Configuration& b)
+  const auto equal = [](const Configuration& a, const Configuration& b)
   {
     return std::equal(a.begin(), a.end(), b.begin(),
       [](const Singularity& x, const Singularity& y) { return x.position == y.position; });
   };
-  if (same(configuration, moved))
+  if (equal(configuration, moved))
   {
     return reached;
   }
-  // They move one after the other, so the symmetric place between is a little nearer.
-  constexpr int MostTurns = 5;
+  // Singularities are pushed one after the other, so that the symmetrised positions may be slightly
+  // too close and have to be separated again.
+  constexpr int MaximumRounds = 5;
   const ConfigurationSymmetry symmetry =
     MatchSymmetry(configuration, FindSymmetries(domain), 1e-9 * domain.Diagonal());
   configuration = moved;
-  for (int turn = 0; turn < MostTurns && !symmetry.IsTrivial(); ++turn)
+  for (int round = 0; round < MaximumRounds && !symmetry.IsTrivial(); ++round)
   {
     Configuration symmetric = moved;
     symmetry.Project(symmetric);
     moved = symmetric;
-    const double again = MoveApart(domain, clearance, moved);
-    if (again == clearance && same(symmetric, moved))
+    const double projected = MoveApart(domain, clearance, moved);
+    if (projected == clearance && equal(symmetric, moved))
     {
       configuration = symmetric;
       break;

@@ -10,33 +10,34 @@ namespace crossfield
 {
 namespace
 {
-/// Of the diagonal, as for the symmetries of the domain itself.
-constexpr double Rounding = 1e-9;
-/// Of half a turn: meshes change defects by less than the rest.
-constexpr double HalfTurn = 0.9;
+/// Tolerance relative to the diagonal, as for the symmetries of the domain itself.
+constexpr double SymmetryTolerance = 1e-9;
+/// Threshold relative to π: the error of meshes in defects is smaller than the remainder.
+constexpr double NearHalfTurn = 0.9;
 
-double DistanceTo(const Loop& loop, const Point& place)
+double DistanceTo(const Loop& loop, const Point& point)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    least = std::min(least, WayFromSegment(place, loop[i], loop[(i + 1) % loop.size()]).norm());
+    nearest = std::min(nearest, WayFromSegment(point, loop[i], loop[(i + 1) % loop.size()]).norm());
   }
-  return least;
+  return nearest;
 }
 
-/// The island that a symmetry of the domain takes an island to: the one that it takes a vertex onto.
+/// Returns the island that a symmetry of the domain maps an island to: the one onto which it maps a
+/// vertex of the island.
 Eigen::Index ImageOf(const PlanarDomain& domain, const Isometry& map, Eigen::Index island)
 {
-  const Point place = map(domain.loops[static_cast<std::size_t>(island) + 1][0]);
-  double least = std::numeric_limits<double>::infinity();
+  const Point point = map(domain.loops[static_cast<std::size_t>(island) + 1][0]);
+  double nearest = std::numeric_limits<double>::infinity();
   Eigen::Index image = island;
   for (std::size_t loop = 1; loop < domain.loops.size(); ++loop)
   {
-    const double distance = DistanceTo(domain.loops[loop], place);
-    if (distance < least)
+    const double distance = DistanceTo(domain.loops[loop], point);
+    if (distance < nearest)
     {
-      least = distance;
+      nearest = distance;
       image = static_cast<Eigen::Index>(loop) - 1;
     }
   }
@@ -70,12 +71,13 @@ ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const S
   ConfigurationSymmetry symmetry = MatchSymmetry(all, group, distance, keeps);
   for (std::vector<std::size_t>& images : symmetry.images)
   {
-    images.resize(interior.size()); // at the clearance none is the image of one on the boundary
+    // singularities at the clearance are never images of ones on the boundary
+    images.resize(interior.size());
   }
   return symmetry;
 }
 
-OptimizerSymmetry NoSymmetry(const PointPotential& potential, const Configuration& interior)
+OptimizerSymmetry TrivialSymmetry(const PointPotential& potential, const Configuration& interior)
 {
   const Eigen::Index islands = potential.GetPeriodBasis().cols();
   return { MatchSymmetry(interior, SymmetryGroup(), 0.0),
@@ -87,24 +89,24 @@ OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const Planar
 {
   if (interior.empty())
   {
-    return NoSymmetry(potential, interior);
+    return TrivialSymmetry(potential, interior);
   }
-  const double distance = Rounding * domain.Diagonal();
+  const double distance = SymmetryTolerance * domain.Diagonal();
   SymmetryGroup group = FindSymmetries(domain);
   OptimizerSymmetry symmetry;
-  symmetry.places = MatchWithBoundary(potential, group, interior, distance, keeps);
+  symmetry.positions = MatchWithBoundary(potential, group, interior, distance, keeps);
   if (!symmetry.IsTrivial() && group.reflects)
   {
     const std::vector<double> defects = potential.Solve(interior).holonomyDefect;
     if (std::any_of(defects.begin(), defects.end(),
-          [](double defect) { return std::abs(defect) > HalfTurn * Pi; }))
+          [](double defect) { return std::abs(defect) > NearHalfTurn * Pi; }))
     {
       group.reflects = false;
-      symmetry.places = MatchWithBoundary(potential, group, interior, distance, keeps);
+      symmetry.positions = MatchWithBoundary(potential, group, interior, distance, keeps);
     }
   }
   symmetry.defects = DefectProjection(
-    potential.GetDomain(), symmetry.places.elements, potential.GetPeriodBasis().cols());
+    potential.GetDomain(), symmetry.positions.elements, potential.GetPeriodBasis().cols());
   return symmetry;
 }
 }

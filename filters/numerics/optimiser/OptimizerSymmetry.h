@@ -5,31 +5,33 @@
 
 namespace crossfield
 {
-/// The symmetries that the optimiser keeps (docs/method.md §5.5): of a domain with singularities inside
-/// and the quarter indices chosen on its boundary, within 1e-9 of the diagonal.
+/// Symmetries that the optimiser keeps (docs/method.md §5.5): those of the domain that the interior
+/// singularities and the quarter indices chosen on the boundary have to 1e-9 of the diagonal.
 struct OptimizerSymmetry
 {
-  ConfigurationSymmetry places; ///< Images are rows of the interior singularities.
-  /// Projects holonomy defects, one per island, to those that symmetric places have: a rotation takes the
-  /// defect of an island to that of its image, a reflection to its opposite. Meshes are not symmetric, so
-  /// that without it their error would ask for what no symmetric place can give.
+  /// Symmetry of the positions; images are rows of the interior singularities.
+  ConfigurationSymmetry positions;
+  /// Projects the holonomy defects, one per island, onto those that symmetric configurations have:
+  /// a rotation maps the defect of an island to that of its image, a reflection to its negative.
+  /// Meshes are not symmetric; without the projection their error would prescribe values that no
+  /// symmetric configuration has.
   Eigen::MatrixXd defects;
 
-  bool IsTrivial() const { return this->places.IsTrivial(); }
+  bool IsTrivial() const { return this->positions.IsTrivial(); }
 };
 
-/// Reflections are left out where a defect is near half a turn: half a turn is its own opposite, so that of
-/// an island on the axis would stay.
+/// Finds the symmetries to keep. Reflections are left out if a defect is near π: π is its own
+/// negative, so the defect of an island on the axis would remain.
 /// `keeps`: as for MatchSymmetry.
 OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const PlanarDomain& domain,
   const Configuration& interior, const IsometryTest& keeps = {});
 
-/// None but the identity.
-OptimizerSymmetry NoSymmetry(const PointPotential& potential, const Configuration& interior);
+/// Returns the identity alone.
+OptimizerSymmetry TrivialSymmetry(const PointPotential& potential, const Configuration& interior);
 
-/// The largest group of symmetries of a domain that a configuration keeps within a distance, those on
-/// the boundary in the places where they are. The vertices to which a quarter index was given by
-/// anything else than the configuration count as part of it. `keeps`: as for MatchSymmetry.
+/// Returns the largest group of symmetries of a domain that a configuration has within a distance.
+/// Singularities on the boundary are compared at their positions. Vertices whose quarter index was
+/// given by other means than the configuration count as part of it. `keeps`: as for MatchSymmetry.
 ConfigurationSymmetry MatchWithBoundary(const PointPotential& potential, const SymmetryGroup& group,
   const Configuration& interior, double distance, const IsometryTest& keeps = {});
 }

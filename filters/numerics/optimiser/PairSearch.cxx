@@ -11,19 +11,20 @@ namespace crossfield
 {
 namespace
 {
-/// Places, and about how far they are from each other.
-struct SpacedPlaces
+/// Positions and their approximate spacing.
+struct SpacedPositions
 {
-  std::vector<Point> places;
+  std::vector<Point> positions;
   double spacing = 0.0;
 };
 
-/// Vertices of the mesh, each the farthest one from those before it and from the singularities.
-SpacedPlaces FindPlaces(
+/// Selects vertices of the mesh, each the farthest from the previous ones and from the
+/// singularities.
+SpacedPositions FindPositions(
   const PointPotential& potential, const Configuration& interior, const PairSearchOptions& options)
 {
   std::vector<Point> candidates;
-  std::vector<double> room; // to what is taken already
+  std::vector<double> distances; // to singularities and selected positions
   for (const Point& point : potential.GetProblem().Topology().mesh.points)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -35,49 +36,50 @@ SpacedPlaces FindPlaces(
       SignedDistance(point, potential.GetDomain()) > options.clearance)
     {
       candidates.push_back(point);
-      room.push_back(nearest);
+      distances.push_back(nearest);
     }
   }
-  SpacedPlaces result;
-  while (result.places.size() < options.places && !candidates.empty())
+  SpacedPositions result;
+  while (result.positions.size() < options.positions && !candidates.empty())
   {
-    const auto farthest = std::max_element(room.begin(), room.end());
+    const auto farthest = std::max_element(distances.begin(), distances.end());
     if (*farthest <= options.clearance)
     {
       break;
     }
     result.spacing = *farthest;
-    const Point place = candidates[static_cast<std::size_t>(farthest - room.begin())];
-    result.places.push_back(place);
+    const Point position = candidates[static_cast<std::size_t>(farthest - distances.begin())];
+    result.positions.push_back(position);
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      room[i] = std::min(room[i], (candidates[i] - place).norm());
+      distances[i] = std::min(distances[i], (candidates[i] - position).norm());
     }
   }
   return result;
 }
 
-/// What one of index 1 at every place adds to H and to the holonomy defects, all less that of the first place.
-struct Influences
+/// Contribution of a singularity of index 1 at each position to H and to the holonomy defects,
+/// relative to the first position.
+struct PositionInfluences
 {
-  Eigen::MatrixXd sizes;   ///< At vertices; a column for every place.
-  Eigen::MatrixXd defects; ///< Per inner loop.
+  Eigen::MatrixXd sizes;   ///< At vertices, one column per position.
+  Eigen::MatrixXd defects; ///< One row per inner loop.
 };
 
-Influences Evaluate(const PointPotential& potential, const SizeUniformity& evenness,
-  const Configuration& interior, const std::vector<Point>& places, const Eigen::VectorXd& h,
+PositionInfluences Evaluate(const PointPotential& potential, const SizeUniformity& uniformity,
+  const Configuration& interior, const std::vector<Point>& positions, const Eigen::VectorXd& h,
   const Eigen::VectorXd& defects)
 {
-  const auto count = static_cast<Eigen::Index>(places.size());
-  Influences result{ Eigen::MatrixXd::Zero(h.size(), count),
+  const auto count = static_cast<Eigen::Index>(positions.size());
+  PositionInfluences result{ Eigen::MatrixXd::Zero(h.size(), count),
     Eigen::MatrixXd::Zero(defects.size(), count) };
   for (Eigen::Index p = 1; p < count; ++p)
   {
-    Configuration with = interior;
-    with.push_back({ places[static_cast<std::size_t>(p)], 1, 0.0 });
-    with.push_back({ places[0], -1, 0.0 });
-    const PointPotential::Solution solution = potential.Solve(with);
-    result.sizes.col(p) = evenness.SizesOf(potential, solution) - h;
+    Configuration extended = interior;
+    extended.push_back({ positions[static_cast<std::size_t>(p)], 1, 0.0 });
+    extended.push_back({ positions[0], -1, 0.0 });
+    const PointPotential::Solution solution = potential.Solve(extended);
+    result.sizes.col(p) = uniformity.LogSizeDeviations(potential, solution) - h;
     result.defects.col(p) = Eigen::Map<const Eigen::VectorXd>(solution.holonomyDefect.data(),
                               static_cast<Eigen::Index>(solution.holonomyDefect.size())) -
       defects;
@@ -92,21 +94,22 @@ bool AreNear(const SingularityPair& a, const SingularityPair& b, double distance
 }
 
 std::vector<SingularityPair> FindPairs(const PointPotential& potential,
-  const SizeUniformity& evenness, const Configuration& interior, const PairSearchOptions& options)
+  const SizeUniformity& uniformity, const Configuration& interior, const PairSearchOptions& options)
 {
-  const auto [places, spacing] = FindPlaces(potential, interior, options);
+  const auto [positions, spacing] = FindPositions(potential, interior, options);
   const PointPotential::Solution solution = potential.Solve(interior);
-  const Eigen::VectorXd h = evenness.SizesOf(potential, solution);
+  const Eigen::VectorXd h = uniformity.LogSizeDeviations(potential, solution);
   const Eigen::VectorXd defects = Eigen::Map<const Eigen::VectorXd>(
     solution.holonomyDefect.data(), static_cast<Eigen::Index>(solution.holonomyDefect.size()));
-  const Influences all = Evaluate(potential, evenness, interior, places, h, defects);
+  const PositionInfluences influences =
+    Evaluate(potential, uniformity, interior, positions, h, defects);
 
-  // J of every pair from products.
-  const Eigen::VectorXd weighted = evenness.GetMasses().cwiseProduct(h);
+  // J for each pair, from products.
+  const Eigen::VectorXd weighted = uniformity.GetMasses().cwiseProduct(h);
   const double energy = 0.5 * weighted.dot(h);
-  const Eigen::VectorXd slope = all.sizes.transpose() * weighted;
+  const Eigen::VectorXd slope = influences.sizes.transpose() * weighted;
   const Eigen::MatrixXd gram =
-    all.sizes.transpose() * evenness.GetMasses().asDiagonal() * all.sizes;
+    influences.sizes.transpose() * uniformity.GetMasses().asDiagonal() * influences.sizes;
   std::vector<SingularityPair> pairs;
   for (Eigen::Index x = 0; x < slope.size(); ++x)
   {
@@ -117,14 +120,15 @@ std::vector<SingularityPair> FindPairs(const PointPotential& potential,
         continue;
       }
       SingularityPair pair;
-      pair.positive = places[static_cast<std::size_t>(x)];
-      pair.negative = places[static_cast<std::size_t>(y)];
+      pair.positive = positions[static_cast<std::size_t>(x)];
+      pair.negative = positions[static_cast<std::size_t>(y)];
       pair.energy =
         energy + slope[x] - slope[y] + 0.5 * (gram(x, x) + gram(y, y) - 2.0 * gram(x, y));
       pair.score = pair.energy;
       for (Eigen::Index k = 0; k < defects.size(); ++k)
       {
-        const double defect = WrapAngle(defects[k] + all.defects(k, x) - all.defects(k, y));
+        const double defect =
+          WrapAngle(defects[k] + influences.defects(k, x) - influences.defects(k, y));
         pair.largestDefect = std::max(pair.largestDefect, std::abs(defect));
         pair.score += 0.25 * defect * defect;
       }
@@ -134,7 +138,8 @@ std::vector<SingularityPair> FindPairs(const PointPotential& potential,
 
   std::stable_sort(pairs.begin(), pairs.end(),
     [](const SingularityPair& a, const SingularityPair& b) { return a.score < b.score; });
-  constexpr double Apart = 2.0; // of the spacing; nearer ones end at the same minimum, as a rule
+  // relative to the spacing; closer pairs usually converge to the same minimum
+  constexpr double MinimumSpacing = 2.0;
   std::vector<SingularityPair> best;
   for (const SingularityPair& pair : pairs)
   {
@@ -143,7 +148,7 @@ std::vector<SingularityPair> FindPairs(const PointPotential& potential,
       break;
     }
     if (std::none_of(best.begin(), best.end(),
-          [&pair, distance = Apart * spacing](const SingularityPair& better)
+          [&pair, distance = MinimumSpacing * spacing](const SingularityPair& better)
           { return AreNear(better, pair, distance); }))
     {
       best.push_back(pair);

@@ -10,15 +10,15 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   OptimizerResult result;
   OptimizerRun run(domain, options, result);
   run.Start(start, progress);
-  const bool even = options.sizes.sizing != Sizing::Conformal || options.pairs > 0;
-  const double share = options.pairs > 0 ? 0.4 : even ? 0.6 : 1.0;
-  OptimizerEnd end = run.Move(progress.Part(0.2, share));
-  if (even && end != OptimizerEnd::Aborted)
+  const bool uniform = options.sizes.sizing != Sizing::Conformal || options.pairs > 0;
+  const double share = options.pairs > 0 ? 0.4 : uniform ? 0.6 : 1.0;
+  OptimizerEnd end = run.Minimise(progress.Part(0.2, share));
+  if (uniform && end != OptimizerEnd::Aborted)
   {
-    end = run.Even(progress.Part(share, options.pairs > 0 ? 0.6 : 1.0));
+    end = run.MakeSizesUniform(progress.Part(share, options.pairs > 0 ? 0.6 : 1.0));
     end = run.AddPairs(options.pairs, end, progress.Part(0.6, 1.0));
   }
-  run.Finish(end);
+  run.WriteResult(end);
   return result;
 }
 }

@@ -9,9 +9,10 @@ namespace crossfield
 {
 namespace
 {
-/// Of a mean edge. Values at vertices stand for means over cells, and a logarithm is finite in the mean:
-/// log r of the disk that a vertex stands for, of area (√3/2) h², has the mean log(0.32 h).
-constexpr double Core = 0.35;
+/// ε relative to the mean edge length. Values at vertices represent means over cells, and the mean
+/// of a logarithm is finite: log r over the disk that a vertex represents, of area (√3/2) h², has
+/// the mean log(0.32 h).
+constexpr double CoreFactor = 0.35;
 }
 
 double SizeUniformity::Value::Spread() const
@@ -33,9 +34,9 @@ SizeUniformity::SizeUniformity(const PointPotential& potential, TargetSizes targ
     }
   }
   const double area = this->Masses.sum();
-  // Edges of an equilateral triangle of mean area.
-  this->SquaredCore =
-    Core * Core * 4.0 / std::sqrt(3.0) * area / static_cast<double>(mesh.triangles.size());
+  // The edge length of an equilateral triangle of mean area.
+  this->SquaredCore = CoreFactor * CoreFactor * 4.0 / std::sqrt(3.0) * area /
+    static_cast<double>(mesh.triangles.size());
   this->Masses /= area;
   this->LogTarget = Eigen::VectorXd::Zero(this->Masses.size());
   for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
@@ -44,9 +45,9 @@ SizeUniformity::SizeUniformity(const PointPotential& potential, TargetSizes targ
   }
 }
 
-bool SizeUniformity::IsKeptBy(const PointPotential& potential, const Isometry& map) const
+bool SizeUniformity::IsInvariantUnder(const PointPotential& potential, const Isometry& map) const
 {
-  constexpr double MostDifference = 0.01;
+  constexpr double MaximumDifference = 0.01;
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
   double squares = 0.0;
   for (Eigen::Index v = 0; v < this->LogTarget.size(); ++v)
@@ -54,7 +55,7 @@ bool SizeUniformity::IsKeptBy(const PointPotential& potential, const Isometry& m
     const Point image = map(mesh.points[static_cast<std::size_t>(v)]);
     const double difference = std::log(this->Target.At(image)) - this->LogTarget[v];
     squares += this->Masses[v] * difference * difference;
-    if (squares > MostDifference * MostDifference)
+    if (squares > MaximumDifference * MaximumDifference)
     {
       return false;
     }
@@ -62,7 +63,7 @@ bool SizeUniformity::IsKeptBy(const PointPotential& potential, const Isometry& m
   return true;
 }
 
-Eigen::VectorXd SizeUniformity::SizesOf(
+Eigen::VectorXd SizeUniformity::LogSizeDeviations(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {
   const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
@@ -82,7 +83,7 @@ Eigen::VectorXd SizeUniformity::SizesOf(
 double SizeUniformity::SpreadOf(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {
-  return std::sqrt(this->Masses.dot(this->SizesOf(potential, solution).cwiseAbs2()));
+  return std::sqrt(this->Masses.dot(this->LogSizeDeviations(potential, solution).cwiseAbs2()));
 }
 
 SizeUniformity::Value SizeUniformity::Evaluate(
@@ -93,16 +94,18 @@ SizeUniformity::Value SizeUniformity::Evaluate(
   const auto inside =
     static_cast<Eigen::Index>(solution.logs.size() - potential.GetBoundaryLogs().size());
 
-  // 1. D, and J.
-  const Eigen::VectorXd d = this->SizesOf(potential, solution);
+  // 1. D and J.
+  const Eigen::VectorXd d = this->LogSizeDeviations(potential, solution);
   Value result;
   const Eigen::VectorXd weighted = this->Masses.cwiseProduct(d);
   result.energy = 0.5 * weighted.dot(d);
 
-  // 2. The logarithms move, and the sources of R: its operator is symmetric, so one solution is enough.
+  // 2. The logarithms and the sources of R depend on the positions. The operator of R is symmetric,
+  // so that one adjoint solution suffices.
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(solution.sources.size());
   sources.head(vertices) = weighted;
-  sources[0] -= weighted.sum(); // rounding, which a Neumann problem must not see as a source
+  // removes rounding errors, since the sources of a Neumann problem must sum to zero
+  sources[0] -= weighted.sum();
   const Eigen::VectorXd adjoint = potential.SolveSingleValued(sources);
   result.gradient = Eigen::VectorXd::Zero(2 * inside);
   for (Eigen::Index j = 0; j < inside; ++j)

@@ -11,7 +11,7 @@ double CornerCoefficient(const Corner& corner, int quarters)
 }
 
 BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
-  : reach(BoundaryReach * stage.objective->Unit())
+  : reach(BoundaryReach * stage.objective->LengthUnit())
 {
   const MeshTopology& topology = stage.potential->GetProblem().Topology();
   const Alignment& alignment = stage.potential->GetProblem().alignment;
@@ -43,7 +43,7 @@ bool BoundaryVertices::IsSmooth(const Point& position) const
 std::size_t RowAt(const OptimizerStage& stage, const Point& position)
 {
   const Configuration& all = stage.tracked.singularities;
-  const double reach = BoundaryReach * stage.objective->Unit();
+  const double reach = BoundaryReach * stage.objective->LengthUnit();
   return static_cast<std::size_t>(
     std::find_if(all.begin(), all.end(),
       [&](const Singularity& other) { return (other.position - position).norm() <= reach; }) -

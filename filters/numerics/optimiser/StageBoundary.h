@@ -6,26 +6,28 @@
 
 namespace crossfield
 {
-/// Coefficient of log(1/ρ) of a corner with a quarter index: s²/(2α), s the jump of the phase
-/// (docs/method.md §6.4).
+/// Returns the coefficient of log(1/ρ) of a corner with a quarter index: s²/(2α), where s is the
+/// jump of the phase and α the angle (docs/method.md §6.4).
 double CornerCoefficient(const Corner& corner, int quarters);
 
-/// The boundary vertices of a stage as corners, with the quarter index that each has.
+/// Boundary vertices of a stage as corners, with the quarter index of each.
 struct BoundaryVertices
 {
   std::vector<Corner> vertices;
   std::vector<int> quarters;
-  double reach = 0.0; ///< Nearer than this is the same place.
+  double reach = 0.0; ///< Distance below which two points are considered equal.
 
   explicit BoundaryVertices(const OptimizerStage& stage);
-  /// Whether a place is a vertex that takes no quarter index of its own.
+  /// Returns whether a point is a vertex where the boundary does not turn by a quarter: its
+  /// smallest rotation has index 0.
   bool IsSmooth(const Point& position) const;
 };
 
-/// Row of a singularity at a place, or the number of rows.
+/// Returns the row of the singularity at a point, or the number of rows if there is none.
 std::size_t RowAt(const OptimizerStage& stage, const Point& position);
 
-/// The configuration with the quarters of one row added to those of boundary vertex v.
+/// Returns the configuration in which the quarter index of one row is added to that of boundary
+/// vertex v.
 TrackedConfiguration MovedToVertex(const OptimizerStage& stage, TrackedConfiguration tracked,
   std::size_t row, const BoundaryVertices& boundary, std::size_t v);
 }

@@ -1,4 +1,4 @@
-// What is proposed: consistent, near what the energy wants, and ranked by energies that can be compared.
+// Proposals are consistent, close to minima of the energy, and ranked by comparable energies.
 
 #include "ConfigurationEnergy.h"
 #include "ConfigurationPairs.h"
@@ -23,7 +23,7 @@ int Required(const PlanarDomain& domain, const std::vector<CornerChoice>& corner
   return CountQuarters(domain.loops, 0, DefaultCornerAngle, corners).requiredInteriorQuarters;
 }
 
-/// The singularities of the best proposal.
+/// Returns the singularities of the best proposal.
 Configuration ProposeConfiguration(const PlanarDomain& domain, const ProposalOptions& options = {})
 {
   return ProposeConfigurations(domain, options).front().singularities;
@@ -34,14 +34,14 @@ Loop Rectangle(double width, double height)
   return { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
 }
 
-/// A plate of 120 by 80 with three round holes.
+/// Returns a plate of 120 by 80 with three round holes.
 PlanarDomain Plate()
 {
   return MakePlanarDomain({ Rectangle(120.0, 80.0), RegularPolygon(60, 12.0, { 30.0, 40.0 }),
     RegularPolygon(60, 8.0, { 75.0, 25.0 }), RegularPolygon(60, 8.0, { 85.0, 58.0 }) });
 }
 
-/// W of a configuration that is not moved.
+/// Returns W of a configuration, without moving it.
 double EnergyOf(const PlanarDomain& domain, const Configuration& configuration)
 {
   OptimizerOptions options;
@@ -75,9 +75,10 @@ TEST(ConfigurationProposal, IsConsistentWithItsCorners)
   }
 }
 
-TEST(ConfigurationProposal, HasNoPairThatHasMet)
+TEST(ConfigurationProposal, ExcludesOverlappingPairs)
 {
-  // Where none is needed a pair more runs into itself: at a hundredth of the L its energy at the core radius was below that of none.
+  // Where no singularity is needed, an additional pair meets: at a hundredth of the diagonal of the
+  // L, its energy at the core radius was below that of no singularity.
   const PlanarDomain domain = Builtin("l-shape");
   ProposalOptions options;
   options.variations = true;
@@ -97,9 +98,10 @@ TEST(ConfigurationProposal, HasNoPairThatHasMet)
   }
 }
 
-TEST(ConfigurationProposal, StartsFarBelowWhatIsSpread)
+TEST(ConfigurationProposal, FieldHasLowerEnergyThanSpread)
 {
-  // Around a hole four of −1, as near to it as they are drawn: 80 instead of 278 was measured.
+  // Four singularities of −1 around each hole, at the distance of their natural positions: 80
+  // instead of 278 was measured.
   const PlanarDomain plate = Plate();
   const FieldConfiguration field = ReadConfiguration(plate, SolveCoarseField(plate));
   EXPECT_EQ(field.singularities.size(), 12u);
@@ -109,9 +111,9 @@ TEST(ConfigurationProposal, StartsFarBelowWhatIsSpread)
     EnergyOf(plate, ProposeConfiguration(plate)), 1.1 * EnergyOf(plate, field.singularities));
 }
 
-TEST(ConfigurationProposal, FindsTheOptimumOfTheDisk)
+TEST(ConfigurationProposal, FindsMinimumOnDisk)
 {
-  // Four of +1 on the circle of radius 0.850 (docs/method.md §9).
+  // Four singularities of +1 on the circle of radius 0.850 (docs/method.md §9).
   const Configuration proposal = ProposeConfiguration(Builtin("disk"));
   ASSERT_EQ(proposal.size(), 4u);
   for (const Singularity& singularity : proposal)
@@ -121,14 +123,14 @@ TEST(ConfigurationProposal, FindsTheOptimumOfTheDisk)
   }
 }
 
-TEST(ConfigurationProposal, HasNothingWhereNothingIsNeeded)
+TEST(ConfigurationProposal, IsEmptyIfNoSingularityIsNeeded)
 {
   EXPECT_TRUE(ProposeConfiguration(Builtin("square")).empty());
   EXPECT_TRUE(ProposeConfiguration(Builtin("l-shape")).empty());
   EXPECT_TRUE(ProposeConfiguration(Builtin("ring")).empty()) << "its defect is zero";
 }
 
-TEST(ConfigurationProposal, KeepsWhatIsGiven)
+TEST(ConfigurationProposal, KeepsGivenSingularities)
 {
   ProposalOptions options;
   options.given = { { Point(0.3, 0.0), -1, 0.05 }, { Point(-0.3, 0.0), 2, 0.1 } };
@@ -142,9 +144,10 @@ TEST(ConfigurationProposal, KeepsWhatIsGiven)
   EXPECT_TRUE(Refuses([&] { ProposeConfiguration(disk, options); }, { "outside" }));
 }
 
-TEST(ConfigurationProposal, RanksByAnEnergyThatCanBeCompared)
+TEST(ConfigurationProposal, RanksByEnergyAtCoreRadius)
 {
-  // On the disk W of two of k = 2 is below that of four of k = 1, which are far better nevertheless.
+  // On the disk, W of two singularities of k = 2 is lower than that of four of k = 1, which are
+  // much better nevertheless.
   const PlanarDomain disk = Builtin("disk", 0.02);
   const Configuration four = OnCircle(4, 0.42 * std::sqrt(2.0), 0.25 * Pi, 1, 0.01);
   const Configuration two = OnCircle(2, 0.5, 0.0, 2, 0.01);
@@ -168,9 +171,9 @@ TEST(ConfigurationProposal, RanksByAnEnergyThatCanBeCompared)
   EXPECT_GT(merged->energy, proposals.front().energy);
 }
 
-TEST(ConfigurationProposal, IsAsSymmetricAsTheDomain)
+TEST(ConfigurationProposal, HasSymmetriesOfDomain)
 {
-  // Four holes of a plate: two reflections.
+  // A plate with four holes has two reflections.
   std::vector<Loop> loops = { Rectangle(4.0, 2.4) };
   for (const Point& centre : { Point(1.0, 0.7), Point(3.0, 0.7), Point(1.0, 1.7), Point(3.0, 1.7) })
   {
@@ -186,7 +189,7 @@ TEST(ConfigurationProposal, IsAsSymmetricAsTheDomain)
   }
 }
 
-TEST(ConfigurationProposal, TheCoefficientIsThatOfTheEnergies)
+TEST(ConfigurationProposal, CoefficientMatchesComputedEnergies)
 {
   for (const char* name : { "disk", "star", "quarter-disk" })
   {
@@ -194,7 +197,8 @@ TEST(ConfigurationProposal, TheCoefficientIsThatOfTheEnergies)
     const PlanarDomain domain = Builtin(name);
     const Configuration proposal = ProposeConfiguration(domain);
     const auto energies = CompareConfigurations(domain, { proposal });
-    // Where an arc meets a line, half an edge of the polygon is between the angles of the two.
+    // Where an arc meets a line, the angle of the polygon differs from that of the curves by half
+    // of the turn of an edge.
     EXPECT_NEAR(
       LogarithmCoefficient(domain, proposal), energies[0].renormalized.logarithmCoefficient, 1e-2);
   }
@@ -216,7 +220,7 @@ TEST(ConfigurationProposal, IsScaleInvariant)
   }
 }
 
-TEST(ConfigurationPairs, CancelMergeAndAdd)
+TEST(ConfigurationPairs, CancelsMergesAndAdds)
 {
   const PlanarDomain disk = Builtin("disk");
   Configuration row = { { Point(0.0, 0.0), 1, 0.0 }, { Point(0.1, 0.0), -1, 0.0 },
@@ -224,7 +228,7 @@ TEST(ConfigurationPairs, CancelMergeAndAdd)
   Configuration near = row;
   CancelOpposites(near, 0.2);
   ASSERT_EQ(near.size(), 2u);
-  EXPECT_EQ(near[0].position, row[0].position) << "the nearest pair goes";
+  EXPECT_EQ(near[0].position, row[0].position) << "the closest pair is removed first";
   CancelOpposites(near, 10.0);
   EXPECT_TRUE(near.empty());
 

@@ -1,4 +1,4 @@
-// Which quarter indices corners may have together: against counts by hand, and what it brings.
+// Sets of corner indices, compared with counts by hand, and their effect on proposals.
 
 #include "CornerSets.h"
 
@@ -15,13 +15,14 @@ namespace crossfield::test
 {
 namespace
 {
-TEST(CornerSets, OfAHexagonAreOneOrTwoFlatCornersInEveryWay)
+TEST(CornerSets, HexagonHasOneOrTwoFlatCorners)
 {
-  // A corner of 120 degrees costs as much more at k = 0 than at 1 as an interior quarter: of the six 1's, of which
-  // four are wanted, one or two may be 0; the two next to each other, with one between them, or opposite.
+  // The energy of a corner of 120 degrees at k = 0 exceeds that at k = 1 by that of an interior
+  // quarter. The six corners have k = 1 and the sum must be four, so one or two may be 0; two may
+  // be neighbours, have one between them, or be opposite.
   const PlanarDomain hexagon = MakePlanarDomain({ RegularPolygon(6) });
   const auto sets = FindCornerSets(hexagon, {});
-  std::map<int, int> byDistance; // of the two, in tenths of the side; 0 for a single one
+  std::map<int, int> byDistance; // distance of the two in tenths of the side, 0 for a single one
   for (const std::vector<CornerChoice>& set : sets)
   {
     ASSERT_TRUE(set.size() == 1 || set.size() == 2);
@@ -36,7 +37,7 @@ TEST(CornerSets, OfAHexagonAreOneOrTwoFlatCornersInEveryWay)
   CornerSetOptions others;
   others.known = { sets.back() };
   EXPECT_EQ(FindCornerSets(hexagon, others).size(), 3U);
-  // Of equal angles and sides of different lengths all are different.
+  // With equal angles and sides of different lengths, all sets are different.
   Loop irregular = { Point::Zero() };
   for (const double side : { 1.0, 2.0, 1.5, 1.3, 1.7 })
   {
@@ -50,27 +51,28 @@ TEST(CornerSets, OfAHexagonAreOneOrTwoFlatCornersInEveryWay)
   EXPECT_EQ(FindCornerSets(MakePlanarDomain({ irregular }), all).size(), 4U + 6U);
 }
 
-TEST(CornerSets, ThereAreNoneWhereEverythingIsDecided)
+TEST(CornerSets, AreEmptyIfAllCornersAreDecided)
 {
   EXPECT_TRUE(FindCornerSets(LShape(), {}).empty());
   EXPECT_TRUE(FindCornerSets(Builtin("disk"), {}).empty());
   const PlanarDomain square = MakePlanarDomain({ RegularPolygon(4) });
   CornerSetOptions options;
   EXPECT_TRUE(FindCornerSets(square, options).empty());
-  // What a field takes counts as much as the smallest rotation.
-  options.ofField = { { { 1.0, 0.0 }, 0 } };
+  // The index of a field counts like the smallest rotation.
+  options.fieldCorners = { { { 1.0, 0.0 }, 0 } };
   const auto sets = FindCornerSets(square, options);
   ASSERT_EQ(sets.size(), 1U);
   ASSERT_EQ(sets[0].size(), 1U);
   EXPECT_EQ(sets[0][0].quarterIndex, 0);
-  // But not where another index is given.
+  // This does not apply if another index is given.
   options.given = { { { 1.0, 0.0 }, 1 } };
   EXPECT_TRUE(FindCornerSets(square, options).empty());
 }
 
-TEST(CornerSets, AlternativesOfAHexagonHaveTheBestPair)
+TEST(CornerSets, HexagonAlternativesIncludeBestPair)
 {
-  // Opposite flat corners make two trapezia of it; neighbours, which the classifier takes, make sizes uneven.
+  // Opposite flat corners divide the hexagon into two trapezia; neighbours, which the classifier
+  // chooses, make sizes less uniform.
   const PlanarDomain hexagon = MakePlanarDomain({ RegularPolygon(6) });
   ProposalOptions options;
   options.chooseCorners = true;
@@ -85,9 +87,9 @@ TEST(CornerSets, AlternativesOfAHexagonHaveTheBestPair)
       CountQuarters(hexagon.loops, given, options.cornerAngle, proposal.corners).Consistent());
     if (proposal.singularities.empty() && proposal.corners.size() == 2)
     {
-      const double apart = (proposal.corners[0].position - proposal.corners[1].position).norm();
-      opposite = apart > 1.9 ? &proposal : opposite;
-      neighbours = apart < 1.1 ? &proposal : neighbours;
+      const double distance = (proposal.corners[0].position - proposal.corners[1].position).norm();
+      opposite = distance > 1.9 ? &proposal : opposite;
+      neighbours = distance < 1.1 ? &proposal : neighbours;
     }
   }
   ASSERT_NE(opposite, nullptr);

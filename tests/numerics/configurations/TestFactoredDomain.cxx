@@ -11,20 +11,20 @@ namespace crossfield::test
 {
 namespace
 {
-double LeastAngle(const TriangleMesh& mesh)
+double MinimumAngle(const TriangleMesh& mesh)
 {
-  double least = Pi;
+  double minimum = Pi;
   for (const auto& v : mesh.triangles)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Point& at = mesh.points[static_cast<std::size_t>(v[i])];
-      least = std::min(least,
+      minimum = std::min(minimum,
         AngleBetween(mesh.points[static_cast<std::size_t>(v[(i + 1) % 3])] - at,
           mesh.points[static_cast<std::size_t>(v[(i + 2) % 3])] - at));
     }
   }
-  return least;
+  return minimum;
 }
 
 double Area(const TriangleMesh& mesh)
@@ -47,7 +47,7 @@ Configuration At(const std::vector<Point>& points)
   return configuration;
 }
 
-TEST(FactoredDomain, PutsVerticesIntoItsMesh)
+TEST(FactoredDomain, InsertsVertices)
 {
   const FactoredDomain ring(Builtin("ring", 0.08), {}, 0.08);
   const MeshTopology& base = ring.GetPotential()->GetTopology();
@@ -68,7 +68,7 @@ TEST(FactoredDomain, PutsVerticesIntoItsMesh)
       }
     }
     const TriangleMesh mesh = ring.MeshOn(At(points));
-    const MeshTopology topology(mesh); // throws unless it is a mesh
+    const MeshTopology topology(mesh); // throws if the mesh is invalid
     EXPECT_EQ(topology.edges.EulerCharacteristic(mesh), 0);
     EXPECT_NEAR(Area(mesh), Area(base.mesh), 1e-12);
     EXPECT_EQ(topology.loops.size(), 2u);
@@ -77,10 +77,10 @@ TEST(FactoredDomain, PutsVerticesIntoItsMesh)
       EXPECT_EQ(topology.loops[loop].kind, base.loops[loop].kind);
       EXPECT_EQ(topology.loops[loop].edges.size(), base.loops[loop].edges.size());
     }
-    // A vertex goes for nearly every one that comes.
+    // Almost every inserted vertex replaces one.
     EXPECT_NEAR(
       static_cast<double>(mesh.points.size()), static_cast<double>(base.mesh.points.size()), 5.0);
-    EXPECT_GT(LeastAngle(mesh), 0.15);
+    EXPECT_GT(MinimumAngle(mesh), 0.15);
     for (const Point& point : points)
     {
       EXPECT_EQ(std::count(mesh.points.begin(), mesh.points.end(), point), 1);
@@ -88,7 +88,7 @@ TEST(FactoredDomain, PutsVerticesIntoItsMesh)
   }
 }
 
-TEST(FactoredDomain, IsItsOwnMeshWithVerticesOfIt)
+TEST(FactoredDomain, KeepsVertexCountForExistingVertices)
 {
   const FactoredDomain disk(Builtin("disk", 0.1), {}, 0.1);
   const MeshTopology& base = disk.GetPotential()->GetTopology();
@@ -107,7 +107,7 @@ TEST(FactoredDomain, IsItsOwnMeshWithVerticesOfIt)
   EXPECT_GT(tried, 50);
 }
 
-TEST(FactoredDomain, MeshesAnewWhereThereIsNoRoom)
+TEST(FactoredDomain, MeshesAgainIfPointsAreClose)
 {
   const FactoredDomain disk(Builtin("disk", 0.1), {}, 0.1);
   for (const Configuration& close : { At({ { 0.0, 0.0 }, { 0.03, 0.01 } }), At({ { 0.97, 0.0 } }) })
@@ -116,7 +116,7 @@ TEST(FactoredDomain, MeshesAnewWhereThereIsNoRoom)
   }
 }
 
-TEST(FactoredDomain, KnowsWhetherItHasTheVerticesOfTheBoundary)
+TEST(FactoredDomain, ChecksVerticesOnBoundary)
 {
   const PlanarDomain square = Builtin("square", 0.1);
   const Configuration onSide = At({ { 0.123, 0.0 } });

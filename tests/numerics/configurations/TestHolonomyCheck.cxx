@@ -13,12 +13,12 @@ namespace crossfield::test
 {
 namespace
 {
-/// The image of the ring inner ≤ |z| ≤ 1.
+/// Image of the ring inner ≤ |z| ≤ 1.
 struct RingImage : DiskImage
 {
   double inner = 0.4;
 
-  /// Both circles as polygons with sides of about this length.
+  /// Returns both circles as polygons with sides of about a given length.
   PlanarDomain Domain(double edgeLength) const
   {
     const auto count = [edgeLength](double radius)
@@ -28,25 +28,27 @@ struct RingImage : DiskImage
   }
 };
 
-/// Singularities given on the ring, and where they lie on its image.
+/// Singularities given on the ring, and their positions on its image.
 struct RingCase
 {
   RingImage image;
   std::vector<Complex> preimages;
   Configuration configuration;
 
-  /// On a ring around 0 the defect is wrap(Σ k_j arg b_j). On both circles the tangent is at
-  /// arg z + π/2, so alignment is φ = 4 arg z modulo 2π. Put ψ = φ − 4 arg z and Ψ = Φ − 4 log|z|, its
-  /// single-valued potential: ∂Ψ/∂r = 0 on both circles, where ψ is constant, and ΔΨ = 2π Σ k_j δ(b_j).
-  /// The defect is ψ on the inner circle less that on the outer one,
-  ///   D = −∫ ∂ψ/∂r dr = ∫ (1/r) ∂Ψ/∂θ dr
-  /// along a ray at angle θ. From r ΔΨ = (r Ψ_r)_r + Ψ_θθ / r and Ψ_r = 0 at both ends,
-  /// dD/dθ = 2π Σ k_j δ(θ − arg b_j), and D has the mean 0 over θ because Ψ is single-valued. So, with
-  /// arg b_j in [0, 2π) and Σ k_j = 0, D = 2π Σ_{arg b_j < θ} k_j + Σ k_j arg b_j.
+  /// Returns the exact defect.
   ///
-  /// An injective f carries the field over: τ grows by arg f′, which is the same for the field as for the
-  /// boundary and has no turns where |f′ − 1| < 1, and Φ by the conjugate of 4 arg f′, a multiple of
-  /// log|f′|, which is single-valued. So the defect is that of the preimages.
+  /// On a ring around 0 the defect is wrap(Σ k_j arg b_j). On both circles the tangent is at arg z
+  /// + π/2, so alignment is φ = 4 arg z modulo 2π. Let ψ = φ − 4 arg z, and let Ψ = Φ − 4 log|z| be
+  /// its single-valued potential: ∂Ψ/∂r = 0 on both circles, where ψ is constant, and ΔΨ = 2π Σ k_j
+  /// δ(b_j). The defect is ψ on the inner circle minus ψ on the outer one,
+  ///   D = −∫ ∂ψ/∂r dr = ∫ (1/r) ∂Ψ/∂θ dr
+  /// along a ray at angle θ. From r ΔΨ = (r Ψ_r)_r + Ψ_θθ / r and Ψ_r = 0 at both ends, dD/dθ = 2π
+  /// Σ k_j δ(θ − arg b_j), and D has the mean 0 over θ because Ψ is single-valued. So, with arg b_j
+  /// in [0, 2π) and Σ k_j = 0, D = 2π Σ_{arg b_j < θ} k_j + Σ k_j arg b_j.
+  ///
+  /// An injective map f transports the field: τ increases by arg f′, which is the same for the
+  /// field and for the boundary and has no turns where |f′ − 1| < 1, and Φ by the conjugate of 4
+  /// arg f′, a multiple of log|f′|, which is single-valued. So the defect is that of the preimages.
   double Defect() const
   {
     double sum = 0.0;
@@ -58,7 +60,7 @@ struct RingCase
   }
 };
 
-/// Two to six singularities of sum 0, 0.08 apart and from the circles.
+/// Returns two to six singularities with sum 0, at least 0.08 apart and away from the circles.
 RingCase RandomCase(Random& random, Complex a, int n)
 {
   RingCase result;
@@ -80,7 +82,7 @@ RingCase RandomCase(Random& random, Complex a, int n)
   return result;
 }
 
-/// Twice as many, half of them on rings and half on images of them.
+/// Returns 2 count cases, half of them on rings and half on images of rings.
 std::vector<RingCase> RandomCases(int count)
 {
   Random random(23);
@@ -94,12 +96,13 @@ std::vector<RingCase> RandomCases(int count)
   return cases;
 }
 
-double Off(double found, double exact)
+/// Returns the difference of two angles modulo 2π.
+double AngularError(double found, double exact)
 {
   return std::abs(std::remainder(found - exact, 2.0 * Pi));
 }
 
-TEST(HolonomyCheck, IsExactOnRingsAndTheirImages)
+TEST(HolonomyCheck, MatchesExactDefectOnRingImages)
 {
   for (const RingCase& ring : RandomCases(12))
   {
@@ -107,12 +110,13 @@ TEST(HolonomyCheck, IsExactOnRingsAndTheirImages)
       HolonomyDefects(ring.image.Domain(0.02), ring.configuration);
     ASSERT_EQ(defects.size(), 1u);
     EXPECT_LE(std::abs(defects[0]), Pi);
-    // The square of the default mesh size, 1/40 of the diagonal, relative to the domain's size.
-    EXPECT_LT(Off(defects[0], ring.Defect()), 5e-3);
+    // The bound is the square of the default mesh size, 1/40 of the diagonal, relative to the size
+    // of the domain.
+    EXPECT_LT(AngularError(defects[0], ring.Defect()), 5e-3);
   }
 }
 
-TEST(HolonomyCheck, IsThatOfTheFieldWhichConvergesAtSecondOrder)
+TEST(HolonomyCheck, EqualsFieldAndConvergesAtSecondOrder)
 {
   const std::vector<double> sizes = { 0.08, 0.04, 0.02 };
   std::vector<double> errors(sizes.size(), 0.0);
@@ -127,7 +131,7 @@ TEST(HolonomyCheck, IsThatOfTheFieldWhichConvergesAtSecondOrder)
           ShareTopology(MeshForPoints(domain, ring.configuration, meshSize));
         return SolveHField(topology, ring.configuration).field.holonomyDefect;
       };
-      errors[i] += std::pow(Off(defects(sizes[i]).at(0), ring.Defect()), 2);
+      errors[i] += std::pow(AngularError(defects(sizes[i]).at(0), ring.Defect()), 2);
       if (i == 0)
       {
         EXPECT_EQ(HolonomyDefects(domain, ring.configuration), defects(0.0));
@@ -141,22 +145,22 @@ TEST(HolonomyCheck, IsThatOfTheFieldWhichConvergesAtSecondOrder)
   EXPECT_GE(ConvergenceRate(sizes, errors), 1.8);
 }
 
-TEST(HolonomyCheck, IsTheSameAtAllExtents)
+TEST(HolonomyCheck, IsInvariantUnderScaling)
 {
   const RingCase ring = RandomCases(1).back();
   const PlanarDomain domain = ring.image.Domain(0.05);
   const double plain = HolonomyDefects(domain, ring.configuration).at(0);
-  for (const int exponent : { -196, -133, 133, 196 }) // about 1e±40 and 1e±59
+  for (const int exponent : { -196, -133, 133, 196 }) // scales of about 1e±40 and 1e±59
   {
     const Similarity move{ 0.0, std::ldexp(1.0, exponent), Point::Zero() };
     EXPECT_NEAR(HolonomyDefects(move(domain), move(ring.configuration)).at(0), plain, 1e-9);
   }
 }
 
-TEST(HolonomyCheck, SeveralLoopsHaveThatOfTheField)
+TEST(HolonomyCheck, EqualsFieldWithSeveralLoops)
 {
   EXPECT_TRUE(HolonomyDefects(Builtin("disk"), OnCircle(4, 0.6, 0.3, 1, 0.0)).empty());
-  // Two rectangles in a disk; then a corner of one has no quarter.
+  // Two rectangles in a disk; in the second configuration a corner of one has no quarter.
   const PlanarDomain domain = MakePlanarDomain(
     { Builtin("disk", 0.05).loops[0], { { 0.3, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.3, 0.1 } },
       { { -0.5, -0.1 }, { -0.3, -0.1 }, { -0.3, 0.15 }, { -0.5, 0.15 } } });
@@ -172,7 +176,7 @@ TEST(HolonomyCheck, SeveralLoopsHaveThatOfTheField)
   }
 }
 
-TEST(HolonomyCheck, RadiiDoNotMatterAndSumsDo)
+TEST(HolonomyCheck, IgnoresRadiiAndRequiresConsistentSum)
 {
   const PlanarDomain ring = Builtin("ring");
   const Configuration bare = { { { 0.7, 0.0 }, 1, 0.0 }, { { 0.2, 0.65 }, -1, 0.0 } };

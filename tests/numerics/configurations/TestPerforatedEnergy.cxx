@@ -13,7 +13,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// On the mesh that energies have by default.
+/// Computes bounds on the default mesh for energies.
 PerforatedEnergy Compute(
   const PlanarDomain& domain, const Configuration& holes, double meshSize, int holeEdges = 0)
 {
@@ -22,10 +22,10 @@ PerforatedEnergy Compute(
   return ComputePerforatedEnergy(ShareTopology(DrillHoles(domain, holes, options)));
 }
 
-/// Below the default size of the disk and the ring, 0.07.
+/// Mesh sizes below the default size of the disk and the ring, 0.07.
 const std::vector<double> Sizes = { 0.06, 0.03, 0.015 };
 
-/// Expects that the exact energy is between the bounds on every mesh, and that these close in at
+/// Expects that the exact energy is between the bounds on every mesh, and that their gap closes at
 /// second order.
 void ExpectBracket(const std::function<std::array<double, 2>(double)>& bounds, double exact)
 {
@@ -42,7 +42,7 @@ void ExpectBracket(const std::function<std::array<double, 2>(double)>& bounds, d
   EXPECT_LT(gaps.back(), 2e-3 * exact);
 }
 
-TEST(PerforatedEnergy, TheMiddleOfTheBoundsOfACentredHoleIsExactForItsPolygons)
+TEST(PerforatedEnergy, MeanOfBoundsIsExactForCentredHole)
 {
   const double exact = 16.0 * Pi * std::log(1.0 / 0.3);
   for (const double size : Sizes)
@@ -55,9 +55,9 @@ TEST(PerforatedEnergy, TheMiddleOfTheBoundsOfACentredHoleIsExactForItsPolygons)
     EXPECT_LT(energy.alignedLower, exact);
     EXPECT_GT(energy.alignedUpper, exact);
     EXPECT_LT(gap, 95.0 * size * size);
-    // docs/method.md §5.2: the hole's polygon is narrower than its circle. That of the disk lies inside,
-    // too, in the mean by s²/12 with sides s: there Φ = 4 log r, with the flux 8π in all, is as much
-    // lower.
+    // docs/method.md §5.2: the polygon of the hole is narrower than its circle. The polygon of the
+    // disk is also inside its circle, by s²/12 on average for sides of length s; Φ = 4 log r, with
+    // a total flux of 8π, is lower there by the corresponding amount.
     const double side = (disk.loops[0][1] - disk.loops[0][0]).norm();
     const double polygons = exact + 16.0 * std::pow(Pi, 3) / (3.0 * edges * edges) -
       0.5 * 8.0 * Pi * 4.0 * side * side / 12.0;
@@ -66,7 +66,7 @@ TEST(PerforatedEnergy, TheMiddleOfTheBoundsOfACentredHoleIsExactForItsPolygons)
   }
 }
 
-TEST(PerforatedEnergy, BoundsOfARing)
+TEST(PerforatedEnergy, BoundsEncloseExactEnergyOfRing)
 {
   ExpectBracket(
     [](double size)
@@ -79,7 +79,7 @@ TEST(PerforatedEnergy, BoundsOfARing)
     16.0 * Pi * std::log(1.0 / 0.4));
 }
 
-TEST(PerforatedEnergy, BoundsOfAnEccentricHole)
+TEST(PerforatedEnergy, BoundsEncloseExactEnergyOfEccentricHole)
 {
   // docs/method.md §5: π d² acosh((1 + ρ² − s²) / (2ρ)).
   for (const auto& [distance, radius] : { std::pair{ 0.5, 0.2 }, std::pair{ 0.3, 0.1 } })
@@ -119,17 +119,17 @@ std::vector<BoundedCase> BoundedCases()
     { two, { { { 1.6, 1.3 }, -1, 0.1 }, { { 1.6, 0.4 }, 1, 0.1 } } } };
 }
 
-TEST(ConfigurationEnergy, BoundsCloseInAtSecondOrderByDefault)
+TEST(ConfigurationEnergy, GapClosesAtSecondOrder)
 {
   for (const BoundedCase& test : BoundedCases())
   {
     std::vector<double> sizes;
     std::vector<double> gaps;
     std::vector<double> freeGaps;
-    for (const double part : { 1.0, 0.4 })
+    for (const double fraction : { 1.0, 0.4 })
     {
       ConfigurationEnergyOptions options;
-      options.meshSize = part * test.domain.Diagonal() / 40.0;
+      options.meshSize = fraction * test.domain.Diagonal() / 40.0;
       const PerforatedEnergy energy =
         CompareConfigurations(test.domain, { test.holes }, options).at(0).perforated.value();
       sizes.push_back(options.meshSize);
@@ -137,16 +137,16 @@ TEST(ConfigurationEnergy, BoundsCloseInAtSecondOrderByDefault)
       freeGaps.push_back(energy.degreeOnlyUpper - energy.degreeOnlyLower);
       EXPECT_GT(gaps.back(), 0.0);
       EXPECT_GT(freeGaps.back(), 0.0);
-      EXPECT_LT(energy.DegreeOnly(), energy.Aligned()); // less is asked of the field
+      EXPECT_LT(energy.DegreeOnly(), energy.Aligned()); // there are fewer conditions on the field
     }
     EXPECT_GE(ConvergenceRate(sizes, gaps), 1.8);
     EXPECT_GE(ConvergenceRate(sizes, freeGaps), 1.8);
   }
 }
 
-TEST(PerforatedEnergy, TheMiddleIsNearTheLimitOnThePolygon)
+TEST(PerforatedEnergy, MeanOfBoundsIsCloseToLimit)
 {
-  // Both bounds tend to the energy of this polygon when triangles are divided into four.
+  // Both bounds tend to the energy of this polygon when each triangle is divided into four.
   for (const BoundedCase& test : BoundedCases())
   {
     TriangleMesh mesh =
@@ -174,7 +174,7 @@ TEST(PerforatedEnergy, TheMiddleIsNearTheLimitOnThePolygon)
   }
 }
 
-TEST(PerforatedEnergy, TheLowerBoundIsThatOfTheUnitNormFieldWhereNoSideIsDivided)
+TEST(PerforatedEnergy, LowerBoundEqualsUnitNormEnergyOnUndividedSides)
 {
   const TriangleMesh mesh =
     DrillHoles(LShape(), { { { 0.5, 0.5 }, 1, 0.1 }, { { 1.4, 0.4 }, -1, 0.1 } });
@@ -182,7 +182,7 @@ TEST(PerforatedEnergy, TheLowerBoundIsThatOfTheUnitNormFieldWhereNoSideIsDivided
   EXPECT_NEAR(ComputePerforatedEnergy(ShareTopology(mesh)).alignedLower, energy, 1e-10 * energy);
 }
 
-TEST(ConfigurationEnergy, SortsTheBestFirst)
+TEST(ConfigurationEnergy, SortsByEnergy)
 {
   const double optimum = std::pow(3.0 / 11.0, 0.125);
   Configuration six = OnCircle(5, 0.6, 0.0, 1, 0.05);
@@ -216,10 +216,11 @@ TEST(ConfigurationEnergy, SortsTheBestFirst)
     { "outside the domain" }));
 }
 
-TEST(ConfigurationEnergy, WhereOnItsPolygonASingularityOfACurveLiesDoesNotDecide)
+TEST(ConfigurationEnergy, OrderDoesNotDependOnPositionOnPolygon)
 {
-  // Three inside, one on the circle: 5π for all, so W decides. The worse ones are at vertices, whose
-  // polygon is narrower than the circle.
+  // Three interior singularities and one on the circle: the coefficient is 5π for all, so W
+  // decides. The worse configurations have theirs at vertices, where the polygon is narrower than
+  // the circle.
   const auto at = [](double radius, Place place)
   {
     Configuration configuration = OnCircle(3, radius, 1.3, 1, 0.05);
@@ -239,9 +240,10 @@ TEST(ConfigurationEnergy, WhereOnItsPolygonASingularityOfACurveLiesDoesNotDecide
   }
 }
 
-TEST(ConfigurationEnergy, CoordinatesOfSinglePrecisionDoNotDecide)
+TEST(ConfigurationEnergy, OrderDoesNotDependOnSinglePrecision)
 {
-  // One of four equal corners of a square, in any of them, without its quarter; turned and rounded.
+  // A square, rotated and rounded to single precision, with one of its four equal corners without
+  // its quarter.
   std::vector<Configuration> configurations;
   PlanarDomain square;
   const Similarity turn{ 0.4, 1.0, Point(3.0, 2.0) };
@@ -252,9 +254,9 @@ TEST(ConfigurationEnergy, CoordinatesOfSinglePrecisionDoNotDecide)
   }
   for (std::size_t corner = 0; corner < 4; ++corner)
   {
-    const double off = 0.1 * static_cast<double>(corner);
+    const double shift = 0.1 * static_cast<double>(corner);
     configurations.push_back({ { square.loops[0][corner], 0, 0.0 },
-      { turn(Loop{ Point(0.3 + off, 0.35) })[0], 1, 0.05 } });
+      { turn(Loop{ Point(0.3 + shift, 0.35) })[0], 1, 0.05 } });
   }
   ConfigurationEnergyOptions options;
   options.meshSize = 0.1;

@@ -25,7 +25,7 @@ Configuration Four(double radius, double turn)
   return configuration;
 }
 
-TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
+TEST(LayoutDesign, MatchesLayoutOnSeparateMesh)
 {
   const PlanarDomain disk = Builtin("disk", 0.05);
   const FactoredDomain factored(disk, {}, 0.05);
@@ -40,17 +40,17 @@ TEST(LayoutDesign, IsThatOfAMeshOfItsOwn)
     const LayoutDesign live = DesignLayout(factored, configuration);
     const SeamlessMap map =
       SolveSeamlessMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
-    const TMesh own = MakeTMesh(map, TraceLines(map));
-    EXPECT_EQ(live.mesh.patches.size(), own.patches.size()) << i;
-    EXPECT_NEAR(live.mesh.longest, own.longest, 0.02) << i;
+    const TMesh separate = MakeTMesh(map, TraceLines(map));
+    EXPECT_EQ(live.mesh.patches.size(), separate.patches.size()) << i;
+    EXPECT_NEAR(live.mesh.longest, separate.longest, 0.02) << i;
     EXPECT_LT(live.mesh.Mismatch(), 1e-12);
   }
 }
 
-TEST(LayoutDesign, OfAHandThatDragsHasAMeshThatIsNotTooFine)
+TEST(LayoutDesign, LiveMeshSizeLimitsTriangles)
 {
   const PlanarDomain disk = Builtin("disk", 0.05);
-  EXPECT_EQ(LiveMeshSize(disk, 0.1), 0.1) << "what is coarse enough stays";
+  EXPECT_EQ(LiveMeshSize(disk, 0.1), 0.1) << "a coarse mesh size is kept";
   const double live = LiveMeshSize(disk, 0.001);
   EXPECT_EQ(LiveMeshSize(disk, 0.002), live);
   EXPECT_EQ(LiveMeshSize(disk, live), live);
@@ -65,26 +65,27 @@ TEST(LayoutDesign, OfAHandThatDragsHasAMeshThatIsNotTooFine)
   EXPECT_NEAR(LiveMeshSize(large, 1e-3), 1e6 * live, 1e-6 * live);
 }
 
-TEST(LayoutDesign, NeitherMeshesNorFactorsTheDomainAgain)
+TEST(LayoutDesign, ReusesMeshAndFactors)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
   const MeshTopology& base = factored.GetPotential()->GetTopology();
   DesignLayout(
-    factored, Four(0.45, 0.3)); // the first energy factors the Laplacian of the inner vertices, too
+    // The first energy also factors the Laplacian of the inner vertices.
+    factored, Four(0.45, 0.3));
   for (int i = 0; i < 10; ++i)
   {
     const Configuration configuration = Four(0.5 + 0.02 * i, 0.3);
     const TriangleMesh mesh = factored.MeshOn(configuration);
-    // Local changes only.
+    // The mesh differs by local changes only.
     EXPECT_LE(mesh.points.size(), base.mesh.points.size() + 4);
     const long before = SparseCholesky::CountOfAll();
     const LayoutDesign design = DesignLayout(factored, configuration);
-    const long factored_ = SparseCholesky::CountOfAll() - before;
-    EXPECT_EQ(factored_, 4); // two halves of the map's, and of its potential
+    const long factorisations = SparseCholesky::CountOfAll() - before;
+    EXPECT_EQ(factorisations, 4); // two halves of the map and of its potential
   }
 }
 
-TEST(LayoutDesign, MeshesAnewWhereSingularitiesAreNear)
+TEST(LayoutDesign, MeshesAgainIfSingularitiesAreClose)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
   Configuration configuration = Four(0.5, 0.3);
@@ -94,7 +95,7 @@ TEST(LayoutDesign, MeshesAnewWhereSingularitiesAreNear)
   EXPECT_NO_THROW(DesignLayout(factored, configuration));
 }
 
-TEST(LayoutDesign, RefusesWithASentence)
+TEST(LayoutDesign, ThrowsForInvalidConfigurations)
 {
   const FactoredDomain factored(Builtin("disk", 0.07), {}, 0.07);
   Configuration three = Four(0.5, 0.3);

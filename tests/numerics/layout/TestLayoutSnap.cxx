@@ -23,10 +23,10 @@ Configuration AroundTwo(double turn)
   return configuration;
 }
 
-TEST(LayoutSnap, MakesLinesMeetThatNearlyDid)
+TEST(LayoutSnap, JoinsNearMisses)
 {
   const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
-  // Four that are nearly a square, whose fourth side follows from the other three.
+  // Four singularities close to a square, the fourth side of which follows from the other three.
   Random random(3);
   for (int i = 0; i < 3; ++i)
   {
@@ -46,22 +46,22 @@ TEST(LayoutSnap, MakesLinesMeetThatNearlyDid)
     EXPECT_EQ(snap.leftOut, 0);
     EXPECT_LE(snap.largestMove, 0.05);
     const LayoutDesign after = DesignLayout(disk, snap.singularities);
-    // The sides of the square in the middle.
+    // These are the sides of the square in the middle.
     EXPECT_EQ(after.mesh.headOn, 4);
     EXPECT_LT(after.mesh.patches.size(), before.mesh.patches.size());
     EXPECT_GT(after.shortestArc, 0.2);
-    // Snapped is snapped.
+    // Snapping again changes nothing.
     const LayoutSnap again = SnapLayout(disk, snap.singularities, {}, 0.1);
     EXPECT_EQ(again.joined, 0);
     EXPECT_EQ(again.largestMove, 0.0);
   }
 }
 
-TEST(LayoutSnap, KeepsWhatItMayNotMove)
+TEST(LayoutSnap, RespectsTolerance)
 {
   const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
   const Configuration start = AroundTwo(0.1);
-  // Nothing comes that near.
+  // No separatrix is that close to a singularity.
   const LayoutSnap none = SnapLayout(disk, start, {}, 1e-6);
   EXPECT_EQ(none.joined, 0);
   for (std::size_t i = 0; i < start.size(); ++i)
@@ -76,9 +76,9 @@ TEST(LayoutSnap, KeepsWhatItMayNotMove)
   EXPECT_GT(after.mesh.headOn, before.mesh.headOn);
 }
 
-TEST(LayoutSnap, LeavesWhatCannotMove)
+TEST(LayoutSnap, AcceptsNoSingularities)
 {
-  // An L has no singularity that could.
+  // An L has no singularity that could move.
   const FactoredDomain domain(Builtin("l-shape", 0.1), {}, 0.1);
   double last = 0.0;
   const LayoutSnap snap = SnapLayout(domain, {}, {}, 10.0,
@@ -94,12 +94,12 @@ TEST(LayoutSnap, LeavesWhatCannotMove)
   EXPECT_EQ(last, 1.0);
 }
 
-TEST(LayoutSnap, LaysOffsetsExactly)
+TEST(LayoutSnap, OffsetsMatchTracedDistances)
 {
-  // The offset of a near miss is the length on the line that is hit.
+  // The absolute offset of a near miss is the length on the separatrix that is hit.
   const FactoredDomain disk(Builtin("disk", 0.07), {}, 0.07);
   const LayoutDesign design = DesignLayout(disk, AroundTwo(0.1));
-  const std::vector<NearMiss> misses = FindNearMisses(design.lines, 0.1);
+  const std::vector<NearMiss> misses = FindNearMisses(design.separatrices, 0.1);
   ASSERT_FALSE(misses.empty());
   for (const NearMiss& miss : misses)
   {

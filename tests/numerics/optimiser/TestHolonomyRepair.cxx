@@ -25,19 +25,20 @@ double Largest(const std::vector<double>& defects)
   return largest;
 }
 
-/// The defect of a ring is Σ k_j arg b_j modulo 2π (docs/method.md §7.3).
+/// Returns the defect of a ring, Σ k_j arg b_j modulo 2π (docs/method.md §7.3).
 double RingDefect(const Configuration& configuration)
 {
   double sum = 0.0;
-  for (const Singularity& one : configuration)
+  for (const Singularity& singularity : configuration)
   {
-    sum += one.quarterIndex * std::atan2(one.position.y(), one.position.x());
+    sum +=
+      singularity.quarterIndex * std::atan2(singularity.position.y(), singularity.position.x());
   }
   return std::remainder(sum, 2.0 * Pi);
 }
 }
 
-TEST(HolonomyRepair, MovesTheSingularitiesOfARingTheLeastWay)
+TEST(HolonomyRepair, FindsSmallestMoveOnRing)
 {
   const PlanarDomain ring = RingOfEdges(0.05);
   for (const double turn : { 0.03, 0.1, -0.2 })
@@ -47,23 +48,23 @@ TEST(HolonomyRepair, MovesTheSingularitiesOfARingTheLeastWay)
     const HolonomyRepair repair = RepairHolonomy(ring, given, {}, 0.1);
     EXPECT_GT(Largest(repair.before), 0.1);
     EXPECT_LE(Largest(repair.after), 1e-6);
-    EXPECT_NEAR(RingDefect(repair.singularities), 0.0, 2e-3); // of the mesh
-    // The gradient of the defect at b_j is k_j e_θ / r_j, so to first order the least move is
-    // −d (k_j / r_j) / Σ 1/r² along e_θ.
+    EXPECT_NEAR(RingDefect(repair.singularities), 0.0, 2e-3); // error of the mesh
+    // The gradient of the defect at b_j is k_j e_θ / r_j, so to first order the smallest move is −d
+    // (k_j / r_j) / Σ 1/r² along e_θ.
     const double defect = RingDefect(given);
     double squares = 0.0;
-    for (const Singularity& one : given)
+    for (const Singularity& singularity : given)
     {
-      squares += 1.0 / one.position.squaredNorm();
+      squares += 1.0 / singularity.position.squaredNorm();
     }
     double largest = 0.0;
     for (std::size_t j = 0; j < given.size(); ++j)
     {
-      const Point& place = given[j].position;
-      const Point along = Point(-place.y(), place.x()) / place.norm();
-      const Point expected = -defect * given[j].quarterIndex / place.norm() / squares * along;
-      const Point moved = repair.singularities[j].position - place;
-      // Second order of the move, and the mesh.
+      const Point& position = given[j].position;
+      const Point tangent = Point(-position.y(), position.x()) / position.norm();
+      const Point expected = -defect * given[j].quarterIndex / position.norm() / squares * tangent;
+      const Point moved = repair.singularities[j].position - position;
+      // Up to second order of the move and the error of the mesh.
       EXPECT_LT((moved - expected).norm(), 2.0 * expected.squaredNorm() + 0.03 * expected.norm());
       EXPECT_EQ(repair.singularities[j].quarterIndex, given[j].quarterIndex);
       largest = std::max(largest, moved.norm());
@@ -72,7 +73,7 @@ TEST(HolonomyRepair, MovesTheSingularitiesOfARingTheLeastWay)
   }
 }
 
-TEST(HolonomyRepair, OfSeveralInnerLoops)
+TEST(HolonomyRepair, RemovesDefectsOfTwoInnerLoops)
 {
   const auto square = [](double x, double size)
   {
@@ -81,7 +82,7 @@ TEST(HolonomyRepair, OfSeveralInnerLoops)
   PlanarDomain plate;
   plate.loops = { { { -1.0, -0.5 }, { 1.0, -0.5 }, { 1.0, 0.5 }, { -1.0, 0.5 } },
     square(-0.5, 0.12), square(0.5, 0.12) };
-  // On the axis there would be no defects, by symmetry.
+  // Positions on the axis would have no defects, by symmetry.
   const Configuration given = { { { -0.8, 0.05 }, 1 }, { { -0.2, -0.04 }, -1 },
     { { 0.2, 0.06 }, -1 }, { { 0.8, 0.07 }, 1 } };
   const HolonomyRepair repair = RepairHolonomy(plate, given, {}, 0.06);
@@ -89,17 +90,17 @@ TEST(HolonomyRepair, OfSeveralInnerLoops)
   EXPECT_GT(Largest(repair.before), 0.1);
   EXPECT_LE(Largest(repair.after), 1e-6);
   EXPECT_GT(repair.largestMove, 0.0);
-  // On a mesh of its own.
+  // The defect is small on another mesh as well.
   EXPECT_LT(Largest(HolonomyDefects(plate, repair.singularities)), 0.02);
 }
 
-TEST(HolonomyRepair, DoesNothingWithoutNeedAndRefusesWithoutMeans)
+TEST(HolonomyRepair, MovesNothingOrThrowsIfImpossible)
 {
   const Configuration four = OnCircle(4, 0.6, 0.3, 1, 0.0);
   const HolonomyRepair none = RepairHolonomy(Builtin("disk", 0.1), four);
   EXPECT_EQ(none.largestMove, 0.0);
   EXPECT_TRUE(none.after.empty());
-  // A twisted hole without singularities.
+  // A rotated hole without singularities has a defect that nothing can change.
   PlanarDomain twisted;
   twisted.loops = { { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } },
     { { 0.3, 0.1 }, { 0.1, -0.3 }, { -0.3, -0.1 }, { -0.1, 0.3 } } };

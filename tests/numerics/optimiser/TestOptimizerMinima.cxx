@@ -14,22 +14,23 @@ namespace crossfield::test
 {
 namespace
 {
-Eigen::VectorXd PlacesOf(const Configuration& configuration)
+Eigen::VectorXd CoordinatesOf(const Configuration& configuration)
 {
-  Eigen::VectorXd places(2 * static_cast<Eigen::Index>(configuration.size()));
+  Eigen::VectorXd coordinates(2 * static_cast<Eigen::Index>(configuration.size()));
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
-    places.segment<2>(2 * static_cast<Eigen::Index>(i)) = configuration[i].position;
+    coordinates.segment<2>(2 * static_cast<Eigen::Index>(i)) = configuration[i].position;
   }
-  return places;
+  return coordinates;
 }
 
-/// W of the image, with the preimages of singularities inside at these places.
-double ExactEnergy(const DiskImage& image, Configuration preimages, const Eigen::VectorXd& places)
+/// Returns W of the image with the preimages of interior singularities at given positions.
+double ExactEnergy(
+  const DiskImage& image, Configuration preimages, const Eigen::VectorXd& coordinates)
 {
   for (std::size_t i = 0; i < preimages.size(); ++i)
   {
-    preimages[i].position = places.segment<2>(2 * static_cast<Eigen::Index>(i));
+    preimages[i].position = coordinates.segment<2>(2 * static_cast<Eigen::Index>(i));
     if (preimages[i].position.norm() > 0.999)
     {
       return std::numeric_limits<double>::infinity();
@@ -38,7 +39,7 @@ double ExactEnergy(const DiskImage& image, Configuration preimages, const Eigen:
   return image.Energy(preimages);
 }
 
-TEST(OptimizerMinima, OnDiskImagesTheyAreThoseOfTheExactEnergy)
+TEST(OptimizerMinima, MatchExactEnergyOnDiskImages)
 {
   const std::vector<Configuration> starts = { { { { 0.1, 0.2 }, 1, 0.0 }, { { -0.3, 0.5 }, 1, 0.0 },
                                                 { { -0.5, -0.6 }, 1, 0.0 },
@@ -56,30 +57,32 @@ TEST(OptimizerMinima, OnDiskImagesTheyAreThoseOfTheExactEnergy)
       const OptimizerResult result = OptimizeSingularities(domain, image(start), options);
       EXPECT_TRUE(result.converged) << result.reason;
       ASSERT_EQ(result.configuration.size(), start.size());
-      const auto energy = [&](const Eigen::VectorXd& places)
-      { return ExactEnergy(image, start, places); };
+      const auto energy = [&](const Eigen::VectorXd& coordinates)
+      { return ExactEnergy(image, start, coordinates); };
       Configuration found = start;
       for (std::size_t i = 0; i < found.size(); ++i)
       {
         const std::complex<double> z = image.Preimage(result.configuration[i].position);
         found[i].position = Point(z.real(), z.imag());
       }
-      const Eigen::VectorXd places = PlacesOf(found);
-      // A minimum of the exact W is near, and none below it is on the way from the start.
-      const Eigen::VectorXd least = Minimise(energy, places);
-      const Derivatives there = Differentiate(energy, least, 1e-4);
+      const Eigen::VectorXd coordinates = CoordinatesOf(found);
+      // A minimum of the exact W is nearby, and descending the exact W from the start reaches none
+      // below it.
+      const Eigen::VectorXd minimum = Minimise(energy, coordinates);
+      const Derivatives derivatives = Differentiate(energy, minimum, 1e-4);
       EXPECT_GT(
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(there.hessian).eigenvalues()[0], 0.1);
-      EXPECT_LT(there.gradient.norm(), 1e-3);
-      EXPECT_LT((places - least).cwiseAbs().maxCoeff(), 0.01);
-      EXPECT_LT(energy(places) - energy(least), 5e-3);
-      EXPECT_NEAR(result.energyAfter, energy(least), 0.05);
-      EXPECT_LT(energy(places), energy(Minimise(energy, PlacesOf(start))) + 5e-3);
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(derivatives.hessian).eigenvalues()[0], 0.1);
+      EXPECT_LT(derivatives.gradient.norm(), 1e-3);
+      EXPECT_LT((coordinates - minimum).cwiseAbs().maxCoeff(), 0.01);
+      EXPECT_LT(energy(coordinates) - energy(minimum), 5e-3);
+      EXPECT_NEAR(result.energyAfter, energy(minimum), 0.05);
+      EXPECT_LT(energy(coordinates), energy(Minimise(energy, CoordinatesOf(start))) + 5e-3);
     }
   }
 }
 
-/// Three to five singularities of sum 4, their preimages at least 0.1 apart, as near to the circle as 0.01.
+/// Returns three to five singularities with sum 4, with preimages at least 0.1 apart and up to 0.01
+/// close to the circle.
 Configuration RandomPreimages(Random& random)
 {
   const std::vector<std::vector<int>> quarters = { { 1, 1, 1, 1 }, { 2, 1, 1 }, { 3, 2, -1 },
@@ -88,21 +91,22 @@ Configuration RandomPreimages(Random& random)
   Configuration preimages;
   for (const int quarter : quarters[static_cast<std::size_t>(random.Integer(0, last))])
   {
-    Point place;
+    Point position;
     do
     {
       const Complex z = std::sqrt(random.Uniform(0.0, 0.98)) * random.UnitComplex();
-      place = Point(z.real(), z.imag());
+      position = Point(z.real(), z.imag());
     } while (std::any_of(preimages.begin(), preimages.end(),
-      [&](const Singularity& other) { return (other.position - place).norm() < 0.1; }));
-    preimages.push_back({ place, quarter, 0.0 });
+      [&](const Singularity& other) { return (other.position - position).norm() < 0.1; }));
+    preimages.push_back({ position, quarter, 0.0 });
   }
   return preimages;
 }
 
-TEST(OptimizerMinima, TheBoundaryOfADiskImageTakesAndHoldsNone)
+TEST(OptimizerMinima, SmoothBoundaryNeitherAbsorbsNorStops)
 {
-  // W of docs/method.md §5.3 has −πk² log(1 − |b|²): at a curve it repels every singularity, whatever its sign.
+  // W of docs/method.md §5.3 contains −πk² log(1 − |b|²): a smooth boundary repels every
+  // singularity, whatever its sign.
   const double size = 0.06;
   const DiskImage image{ { 0.2, 0.1 }, 2 };
   const PlanarDomain domain =
@@ -118,8 +122,8 @@ TEST(OptimizerMinima, TheBoundaryOfADiskImageTakesAndHoldsNone)
     EXPECT_TRUE(result.converged) << result.reason;
     for (const std::string& event : result.events)
     {
-      EXPECT_EQ(event.find("pressed"), std::string::npos) << event;
-      EXPECT_EQ(event.find("clearance holds"), std::string::npos) << event;
+      EXPECT_EQ(event.find("reached the boundary"), std::string::npos) << event;
+      EXPECT_EQ(event.find("clearance stops"), std::string::npos) << event;
     }
     EXPECT_EQ(TotalQuarters(result.configuration), 4);
     Configuration found = result.configuration;
@@ -127,23 +131,23 @@ TEST(OptimizerMinima, TheBoundaryOfADiskImageTakesAndHoldsNone)
     {
       const std::complex<double> z = image.Preimage(singularity.position);
       singularity.position = Point(z.real(), z.imag());
-      EXPECT_GT(singularity.quarterIndex, 0); // unlike signs attract
+      EXPECT_GT(singularity.quarterIndex, 0); // opposite signs attract each other and are merged
     }
-    const auto energy = [&](const Eigen::VectorXd& places)
-    { return ExactEnergy(image, found, places); };
-    const Eigen::VectorXd places = PlacesOf(found);
-    const Eigen::VectorXd least = Minimise(energy, places);
+    const auto energy = [&](const Eigen::VectorXd& coordinates)
+    { return ExactEnergy(image, found, coordinates); };
+    const Eigen::VectorXd coordinates = CoordinatesOf(found);
+    const Eigen::VectorXd minimum = Minimise(energy, coordinates);
     EXPECT_GT(
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Differentiate(energy, least, 1e-4).hessian)
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Differentiate(energy, minimum, 1e-4).hessian)
         .eigenvalues()[0],
       0.1);
-    EXPECT_LT((places - least).cwiseAbs().maxCoeff(), 0.02);
-    EXPECT_NEAR(result.energyAfter, energy(least), 0.1);
+    EXPECT_LT((coordinates - minimum).cwiseAbs().maxCoeff(), 0.02);
+    EXPECT_NEAR(result.energyAfter, energy(minimum), 0.1);
   }
 }
 
-/// The configuration at places of the ring in polar coordinates, the last angle of which follows from the others: no
-/// holonomy defect. Its quarter index is −1.
+/// Returns the configuration at polar coordinates on the ring. The last angle follows from the
+/// others, so that there is no holonomy defect; the quarter index of the last singularity is −1.
 Configuration WithoutDefect(Configuration configuration, const Eigen::VectorXd& polar)
 {
   double turns = 0.0;
@@ -158,7 +162,7 @@ Configuration WithoutDefect(Configuration configuration, const Eigen::VectorXd& 
   return configuration;
 }
 
-TEST(OptimizerMinima, OnARingTheyAreThoseOfTheExactEnergyAmongFieldsWithoutDefect)
+TEST(OptimizerMinima, MatchExactConstrainedEnergyOnRing)
 {
   const ExactRing ring;
   Configuration eight = OnCircle(4, 0.85, 0.25 * Pi, 1, 0.0);
@@ -176,34 +180,34 @@ TEST(OptimizerMinima, OnARingTheyAreThoseOfTheExactEnergyAmongFieldsWithoutDefec
     Eigen::VectorXd polar(2 * static_cast<Eigen::Index>(start.size()) - 1);
     for (std::size_t i = 0; i < start.size(); ++i)
     {
-      const Point& place = result.configuration[i].position;
-      polar[static_cast<Eigen::Index>(2 * i)] = place.norm();
+      const Point& position = result.configuration[i].position;
+      polar[static_cast<Eigen::Index>(2 * i)] = position.norm();
       if (i + 1 < start.size())
       {
-        polar[static_cast<Eigen::Index>(2 * i + 1)] = std::atan2(place.y(), place.x());
+        polar[static_cast<Eigen::Index>(2 * i + 1)] = std::atan2(position.y(), position.x());
       }
     }
     const auto energy = [&](const Eigen::VectorXd& at)
     {
-      const Configuration there = WithoutDefect(start, at);
-      const bool inside = std::all_of(there.begin(), there.end(),
+      const Configuration moved = WithoutDefect(start, at);
+      const bool inside = std::all_of(moved.begin(), moved.end(),
         [&](const Singularity& s)
         { return s.position.norm() > ring.inner && s.position.norm() < 1.0; });
-      return inside ? ring.SingleValuedEnergy(there) : std::numeric_limits<double>::infinity();
+      return inside ? ring.SingleValuedEnergy(moved) : std::numeric_limits<double>::infinity();
     };
     EXPECT_NEAR(ring.Defect(result.configuration), 0.0, 2e-3);
-    const Configuration least = WithoutDefect(start, Minimise(energy, polar));
+    const Configuration minimum = WithoutDefect(start, Minimise(energy, polar));
     for (std::size_t i = 0; i < start.size(); ++i)
     {
-      EXPECT_NEAR(result.configuration[i].position.norm(), least[i].position.norm(), 3e-3);
+      EXPECT_NEAR(result.configuration[i].position.norm(), minimum[i].position.norm(), 3e-3);
     }
-    EXPECT_NEAR(result.energyAfter, ring.SingleValuedEnergy(least), 0.1);
+    EXPECT_NEAR(result.energyAfter, ring.SingleValuedEnergy(minimum), 0.1);
   }
 }
 
-TEST(OptimizerMinima, ASaddleIsNone)
+TEST(OptimizerMinima, SaddleHasNegativeEigenvalue)
 {
-  // Four in a row are pushed off it by each other.
+  // Four singularities in a row repel each other off the axis.
   const Configuration row = { { { -0.8, 0.0 }, 1, 0.0 }, { { -0.3, 0.0 }, 1, 0.0 },
     { { 0.3, 0.0 }, 1, 0.0 }, { { 0.8, 0.0 }, 1, 0.0 } };
   EXPECT_LT(CheckMinimum(Builtin("disk", 0.1), row, 0.1).lowestEigenvalue, -1.0);

@@ -9,14 +9,14 @@ namespace crossfield::test
 {
 namespace
 {
-/// A wedge with its tip at the origin, its bisector along x, of unit length.
+/// Returns a wedge of unit length with its sharp corner at the origin and its bisector along x.
 PlanarDomain Wedge(double angle)
 {
   const Point side = Point(std::cos(0.5 * angle), std::sin(0.5 * angle));
   return PlanarDomain{ { { Point::Zero(), { side.x(), -side.y() }, side } } };
 }
 
-TEST(OptimizerStart, LeavesASharpCornerThatAPushWouldGoThrough)
+TEST(OptimizerStart, LeavesSharpCorner)
 {
   for (const double degrees : { 20.0, 45.0, 80.0, 130.0 })
   {
@@ -30,37 +30,38 @@ TEST(OptimizerStart, LeavesASharpCornerThatAPushWouldGoThrough)
       const double across = 0.2 * along * std::tan(0.5 * degrees * Pi / 180.0);
       Configuration configuration = { { { along, across }, 1, 0.0 } };
       const double clearance = 0.2 * inradius;
-      EXPECT_EQ(ClearStart(wedge, clearance, configuration), clearance);
+      EXPECT_EQ(EnforceClearance(wedge, clearance, configuration), clearance);
       EXPECT_GE(SignedDistance(configuration[0].position, wedge), 1.2 * clearance);
-      // No farther than the least way that there is, but for the overshoot of pushes.
+      // Not farther than necessary, except for the overshoot of pushes.
       EXPECT_LE(configuration[0].position.x(),
         std::max(along, 2.0 * clearance / std::sin(0.5 * degrees * Pi / 180.0)));
     }
   }
 }
 
-TEST(OptimizerStart, KeepsWhatHasRoomAndWhatHasNone)
+TEST(OptimizerStart, KeepsPositionsThatAreClearOrCannotBe)
 {
   const PlanarDomain wedge = Wedge(Pi / 3.0);
   const double inradius = std::sqrt(3.0) / 6.0;
   const Configuration centre = { { { std::sqrt(3.0) / 3.0, 0.0 }, 1, 0.0 } };
   Configuration configuration = centre;
-  EXPECT_EQ(ClearStart(wedge, 0.8 * inradius, configuration), 0.8 * inradius);
+  EXPECT_EQ(EnforceClearance(wedge, 0.8 * inradius, configuration), 0.8 * inradius);
   EXPECT_EQ(configuration[0].position, centre[0].position);
 
   const Configuration corner = { { { 0.1, 0.0 }, 1, 0.0 } };
   configuration = corner;
-  EXPECT_NEAR(ClearStart(wedge, inradius, configuration), 0.5 * 0.1 * std::sin(Pi / 6.0), 1e-12);
+  EXPECT_NEAR(
+    EnforceClearance(wedge, inradius, configuration), 0.5 * 0.1 * std::sin(Pi / 6.0), 1e-12);
   EXPECT_EQ(configuration[0].position, corner[0].position);
 }
 
-TEST(OptimizerStart, MovesSingularitiesApartFromEachOther)
+TEST(OptimizerStart, SeparatesSingularities)
 {
   const PlanarDomain wedge = Wedge(Pi / 3.0);
   Configuration configuration = { { { 0.55, 0.01 }, 1, 0.0 }, { { 0.551, 0.01 }, -1, 0.0 },
     { { 0.55, -0.02 }, 1, 0.0 } };
   constexpr double Clearance = 0.05;
-  EXPECT_EQ(ClearStart(wedge, Clearance, configuration), Clearance);
+  EXPECT_EQ(EnforceClearance(wedge, Clearance, configuration), Clearance);
   for (std::size_t i = 0; i < configuration.size(); ++i)
   {
     EXPECT_GE(SignedDistance(configuration[i].position, wedge), 1.2 * Clearance);

@@ -1,4 +1,4 @@
-// The optimiser keeps the symmetry of its start, where that is not a saddle.
+// The optimiser keeps the symmetry of its start unless that leads to a saddle.
 
 #include "ConfigurationSymmetry.h"
 #include "MakePlanarDomain.h"
@@ -19,7 +19,7 @@ Loop Rectangle(double width, double height)
   return { { 0.0, 0.0 }, { width, 0.0 }, { width, height }, { 0.0, height } };
 }
 
-/// How many symmetries of a domain a configuration has, to 1e-9 of the diagonal.
+/// Returns the number of symmetries of a domain that a configuration has, to 1e-9 of the diagonal.
 std::size_t SymmetryCount(const PlanarDomain& domain, const Configuration& configuration)
 {
   return MatchSymmetry(configuration, FindSymmetries(domain), 1e-9 * domain.Diagonal())
@@ -35,15 +35,15 @@ OptimizerResult Optimize(const PlanarDomain& domain, const Configuration& start)
   return result;
 }
 
-bool Says(const OptimizerResult& result, const std::string& words)
+bool Reports(const OptimizerResult& result, const std::string& words)
 {
   return std::any_of(result.events.begin(), result.events.end(),
     [&words](const std::string& event) { return event.find(words) != std::string::npos; });
 }
 
-TEST(OptimizerSymmetry, RegularPolygonsKeepAllOfTheirs)
+TEST(OptimizerSymmetry, KeepsSymmetriesOfRegularPolygons)
 {
-  // Corners of less than 135° take a quarter each; what is left goes inside.
+  // Corners below 135° take a quarter each; the remaining quarters are inside.
   const Point centre(2.0, -1.0);
   for (const auto& [sides, inside, quarters] :
     { std::tuple(3, 1, 1), std::tuple(5, 1, -1), std::tuple(6, 2, -1), std::tuple(16, 4, 1) })
@@ -53,7 +53,8 @@ TEST(OptimizerSymmetry, RegularPolygonsKeepAllOfTheirs)
     Configuration start;
     for (int i = 0; i < inside; ++i)
     {
-      // At the vertices of the last one, which is round but for a saddle there, they would go either way.
+      // In the last polygon, which is almost round, positions at the vertices would be a saddle,
+      // and the result would be arbitrary.
       const double angle = 2.0 * Pi * i / inside + (sides == 16 ? Pi / sides : 0.0);
       const double radius = inside == 1 ? 0.0 : 0.6;
       start.push_back({ centre + radius * Point(std::cos(angle), std::sin(angle)), quarters, 0.0 });
@@ -65,7 +66,8 @@ TEST(OptimizerSymmetry, RegularPolygonsKeepAllOfTheirs)
   }
 }
 
-/// Two holes side by side, four of -1 around each; the second half is the image of the first.
+/// Returns four singularities of −1 around each of two holes side by side; the second half is the
+/// image of the first.
 Configuration AroundTwoHoles(double shift)
 {
   Configuration around;
@@ -79,7 +81,7 @@ Configuration AroundTwoHoles(double shift)
   return around;
 }
 
-TEST(OptimizerSymmetry, PlatesWithHolesKeepTheirsAndHaveNoDefects)
+TEST(OptimizerSymmetry, KeepsSymmetriesOfPlateAndRemovesDefects)
 {
   const PlanarDomain plate = MakePlanarDomain({ Rectangle(6.0, 2.0),
     RegularPolygon(40, 0.4, { 1.5, 1.0 }), RegularPolygon(40, 0.4, { 4.5, 1.0 }) });
@@ -92,14 +94,14 @@ TEST(OptimizerSymmetry, PlatesWithHolesKeepTheirsAndHaveNoDefects)
   {
     EXPECT_NEAR(defect, 0.0, 1e-6);
   }
-  // Another start ends at about the same places, as the mesh has them.
+  // Another start ends at approximately the same positions, up to the error of the mesh.
   const OptimizerResult forced = Optimize(plate, AroundTwoHoles(0.1));
   EXPECT_LT(SymmetryCount(plate, forced.configuration), 4u)
-    << "what is not symmetric is not made so";
+    << "an asymmetric start is not symmetrised";
   EXPECT_NEAR(forced.energyAfter, result.energyAfter, 0.01 * std::abs(result.energyAfter));
 }
 
-TEST(OptimizerSymmetry, IslandsOnAnAxisMakeReflectionsNegateTheirDefect)
+TEST(OptimizerSymmetry, ReflectionsNegateDefectsOfIslands)
 {
   const PlanarDomain plate = MakePlanarDomain({ Rectangle(6.0, 2.0),
     RegularPolygon(40, 0.4, { 1.5, 1.0 }), RegularPolygon(40, 0.4, { 4.5, 1.0 }) });
@@ -107,35 +109,37 @@ TEST(OptimizerSymmetry, IslandsOnAnAxisMakeReflectionsNegateTheirDefect)
   options.meshSize = 0.3;
   const PointPotential potential = PointPotentialOn(DrillHoles(plate, {}, options), {}, -8);
   const OptimizerSymmetry all = FindKeptSymmetry(potential, plate, AroundTwoHoles(0.0));
-  EXPECT_EQ(all.places.elements.size(), 4u);
+  EXPECT_EQ(all.positions.elements.size(), 4u);
   EXPECT_LT(all.defects.norm(), 1e-15);
-  // Of a configuration with the half turn alone the two have the same defect.
+  // In a configuration with the half turn alone, the two islands have the same defect.
   Configuration turned = AroundTwoHoles(0.0);
   turned[0].position += Point(0.1, 0.03);
   turned[6].position -= Point(0.1, 0.03);
   const OptimizerSymmetry half = FindKeptSymmetry(potential, plate, turned);
-  EXPECT_EQ(half.places.elements.size(), 2u);
+  EXPECT_EQ(half.positions.elements.size(), 2u);
   EXPECT_LT((half.defects - Eigen::MatrixXd::Constant(2, 2, 0.5)).norm(), 1e-15);
-  // With one quarter index chosen on the boundary the domain is not what is symmetric.
+  // With a quarter index chosen on the boundary, the symmetries of the domain are not those of the
+  // problem.
   const PointPotential chosen = PointPotentialOn(
     DrillHoles(plate, {}, options), { { Point(0.0, 0.0), 0 }, { Point(6.0, 0.0), 2 } }, -8);
   EXPECT_TRUE(FindKeptSymmetry(chosen, plate, AroundTwoHoles(0.0)).IsTrivial());
 }
 
-TEST(OptimizerSymmetry, ASaddleIsLeft)
+TEST(OptimizerSymmetry, LeavesSymmetricSaddle)
 {
-  // Four on the axis of a disk cannot leave it by symmetric steps; two pairs beside it are far better.
+  // Four singularities on the axis of a disk cannot leave it by symmetric steps, but two pairs
+  // beside it have a much lower energy.
   Configuration line;
   for (const double x : { -0.7, -0.25, 0.25, 0.7 })
   {
     line.push_back({ { x, 0.0 }, 1, 0.0 });
   }
   const OptimizerResult result = Optimize(Builtin("disk", 0.1), line);
-  EXPECT_TRUE(Says(result, "left a symmetry of the domain"));
+  EXPECT_TRUE(Reports(result, "no longer follow a symmetry of the domain"));
   EXPECT_NEAR(result.energyAfter, -7.2962, 0.05);
 }
 
-TEST(OptimizerSymmetry, AStartAtTheBoundaryIsMovedOffSymmetrically)
+TEST(OptimizerSymmetry, MovesStartAwayFromBoundarySymmetrically)
 {
   const PlanarDomain polygon = MakePlanarDomain({ RegularPolygon(16, 1.0) });
   Configuration start;
@@ -145,7 +149,7 @@ TEST(OptimizerSymmetry, AStartAtTheBoundaryIsMovedOffSymmetrically)
     start.push_back({ 0.978 * Point(std::cos(angle), std::sin(angle)), 1, 0.0 });
   }
   const OptimizerResult result = Optimize(polygon, start);
-  EXPECT_TRUE(Says(result, "to have the clearance"));
+  EXPECT_TRUE(Reports(result, "to keep the clearance"));
   EXPECT_EQ(SymmetryCount(polygon, result.configuration), SymmetryCount(polygon, start));
 }
 }

@@ -1,4 +1,5 @@
-// Pairs for even sizes: the model of them is exact on its mesh, and the optimiser adds what brings something.
+// Pairs for uniform sizes: the prediction for a pair is exact on its mesh, and the optimiser adds
+// the pairs that improve sizes.
 
 #include "PairSearch.h"
 
@@ -15,14 +16,15 @@ namespace crossfield::test
 {
 namespace
 {
-/// A channel that becomes twice as wide: no singularity is needed, and sizes differ by 2.
+/// Returns a channel that becomes twice as wide: no singularity is needed, and sizes differ by a
+/// factor of 2.
 PlanarDomain Ramp()
 {
   return MakePlanarDomain(
     { { { 0.0, 0.0 }, { 6.0, 0.0 }, { 6.0, 2.0 }, { 4.0, 2.0 }, { 2.0, 1.0 }, { 0.0, 1.0 } } });
 }
 
-double LargestOf(const std::vector<double>& defects)
+double LargestDefect(const std::vector<double>& defects)
 {
   double largest = 0.0;
   for (const double defect : defects)
@@ -32,7 +34,7 @@ double LargestOf(const std::vector<double>& defects)
   return largest;
 }
 
-TEST(PairSearch, ItsModelIsExactOnItsMesh)
+TEST(PairSearch, PredictionIsExactOnMesh)
 {
   const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(5, 1.0),
     RegularPolygon(4, 0.15, { 0.3, -0.1 }), RegularPolygon(30, 0.15, { -0.3, 0.15 }) });
@@ -41,22 +43,22 @@ TEST(PairSearch, ItsModelIsExactOnItsMesh)
   const PointPotential potential = PointPotentialOn(DrillHoles(domain, {}, drill), {}, -5);
   const Configuration around = { { { 0.55, 0.2 }, -1, 0.0 }, { { 0.05, 0.4 }, -2, 0.0 },
     { { -0.5, -0.2 }, -2, 0.0 } };
-  const SizeUniformity evenness(potential);
+  const SizeUniformity uniformity(potential);
   PairSearchOptions options;
   options.clearance = 0.05;
-  options.places = 12;
+  options.positions = 12;
   options.count = 200;
-  const std::vector<SingularityPair> pairs = FindPairs(potential, evenness, around, options);
+  const std::vector<SingularityPair> pairs = FindPairs(potential, uniformity, around, options);
   ASSERT_GT(pairs.size(), 20U);
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     const SingularityPair& pair = pairs[i];
-    const Configuration with =
+    const Configuration extended =
       Join(around, { { pair.positive, 1, 0.0 }, { pair.negative, -1, 0.0 } });
-    const PointPotential::Solution solution = potential.Solve(with);
-    const double energy = evenness.Evaluate(potential, solution).energy;
+    const PointPotential::Solution solution = potential.Solve(extended);
+    const double energy = uniformity.Evaluate(potential, solution).energy;
     EXPECT_NEAR(pair.energy, energy, 1e-10 * energy);
-    EXPECT_NEAR(pair.largestDefect, LargestOf(solution.holonomyDefect), 1e-9);
+    EXPECT_NEAR(pair.largestDefect, LargestDefect(solution.holonomyDefect), 1e-9);
     double score = energy;
     for (const double defect : solution.holonomyDefect)
     {
@@ -69,7 +71,7 @@ TEST(PairSearch, ItsModelIsExactOnItsMesh)
   }
 }
 
-TEST(PairSearch, TheBestOnesAreNotTheSame)
+TEST(PairSearch, BestPairsDiffer)
 {
   DrillOptions drill;
   drill.meshSize = 0.2;
@@ -89,18 +91,19 @@ TEST(PairSearch, TheBestOnesAreNotTheSame)
         0.2);
     }
   }
-  // Rows of quads end where the channel is narrow and begin where it is wide: sizes are larger there.
-  EXPECT_LT(
-    pairs[0].energy, 0.5 * SizeUniformity(potential).Evaluate(potential, potential.Solve({})).energy);
+  // Rows of quads end where the channel is narrow and begin where it is wide, where sizes would be
+  // larger.
+  EXPECT_LT(pairs[0].energy,
+    0.5 * SizeUniformity(potential).Evaluate(potential, potential.Solve({})).energy);
 }
 
-TEST(SingularityOptimizer, PairsMakeARampEven)
+TEST(SingularityOptimizer, PairsMakeSizesOfRampUniform)
 {
   OptimizerOptions options;
   options.pairs = 2;
   const OptimizerResult result = OptimizeSingularities(Ramp(), {}, options);
   ASSERT_GE(result.front.size(), 3U);
-  // The least W and even sizes of no singularities are the same.
+  // Without singularities, the minimum of W and uniform sizes are the same.
   EXPECT_EQ(result.front[0].singularities, 0);
   EXPECT_NEAR(result.front[1].sizeSpread, result.front[0].sizeSpread, 1e-12);
   EXPECT_EQ(result.front[2].singularities, 2);
@@ -112,13 +115,13 @@ TEST(SingularityOptimizer, PairsMakeARampEven)
   EXPECT_TRUE(result.converged) << result.reason;
 }
 
-TEST(SingularityOptimizer, NoPairIsAddedWhereItBringsNothing)
+TEST(SingularityOptimizer, AddsNoPairWithoutImprovement)
 {
   OptimizerOptions options;
   options.pairs = 3;
-  const OptimizerResult even = OptimizeSingularities(LShape(), {}, options);
-  EXPECT_TRUE(even.configuration.empty());
-  EXPECT_EQ(even.front.size(), 2U);
+  const OptimizerResult uniform = OptimizeSingularities(LShape(), {}, options);
+  EXPECT_TRUE(uniform.configuration.empty());
+  EXPECT_EQ(uniform.front.size(), 2U);
 }
 }
 }

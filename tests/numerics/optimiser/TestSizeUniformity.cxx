@@ -1,4 +1,4 @@
-// J, its exact derivatives, and the optimiser that makes sizes even.
+// J and its exact derivatives, and the optimiser that makes sizes uniform.
 
 #include "SizeUniformity.h"
 
@@ -32,7 +32,7 @@ SizeUniformity::Value UniformityOf(
   return SizeUniformity(potential).Evaluate(potential, potential.Solve(configuration));
 }
 
-/// With two islands and a corner that has a logarithm.
+/// Returns a domain with two islands and corners with logarithms.
 PlanarDomain Pentagon()
 {
   return MakePlanarDomain({ RegularPolygon(5, 1.0), RegularPolygon(4, 0.15, { 0.3, -0.1 }),
@@ -45,18 +45,18 @@ Configuration AroundTheIslands()
     { { 0.1, 0.05 }, 1, 0.0 }, { { 0.1, -0.5 }, -1, 0.0 } };
 }
 
-/// The gradient of J is that of its values.
-void ExpectGradientOfJ(
-  const PointPotential& potential, const SizeUniformity& evenness, const Configuration& around)
+/// Expects that the gradient of J agrees with differences of its values.
+void ExpectGradientOfJ(const PointPotential& potential, const SizeUniformity& uniformity,
+  const Configuration& configuration)
 {
   const auto value = [&](const Configuration& at)
-  { return evenness.Evaluate(potential, potential.Solve(at)); };
-  const Eigen::VectorXd gradient = value(around).gradient;
+  { return uniformity.Evaluate(potential, potential.Solve(at)); };
+  const Eigen::VectorXd gradient = value(configuration).gradient;
   Eigen::VectorXd differences(gradient.size());
   const double step = 1e-5;
   for (Eigen::Index i = 0; i < gradient.size(); ++i)
   {
-    Configuration moved = around;
+    Configuration moved = configuration;
     double& coordinate = moved[static_cast<std::size_t>(i / 2)].position[i % 2];
     coordinate += step;
     const double above = value(moved).energy;
@@ -67,7 +67,7 @@ void ExpectGradientOfJ(
   EXPECT_LT((differences - gradient).norm(), 1e-6 * gradient.norm());
 }
 
-/// The mean over the unit disk of a function on a polar grid, by midpoints.
+/// Returns the mean of a function over the unit disk, by the midpoint rule on a polar grid.
 template <class F>
 double DiskMean(const F& f)
 {
@@ -86,7 +86,7 @@ double DiskMean(const F& f)
   return 2.0 * sum / (static_cast<double>(Rings) * Angles);
 }
 
-TEST(SizeUniformity, IsThatOfTheExactHOnTheDisk)
+TEST(SizeUniformity, MatchesExactSpreadOnDisk)
 {
   const Configuration four = { { { 0.6, 0.1 }, 1, 0.0 }, { { -0.2, 0.5 }, 1, 0.0 },
     { { -0.5, -0.3 }, 1, 0.0 }, { { 0.3, -0.6 }, 1, 0.0 } };
@@ -108,39 +108,39 @@ TEST(SizeUniformity, IsThatOfTheExactHOnTheDisk)
     UniformityOf(potential, four).Spread(), std::sqrt(variance), 0.01 * std::sqrt(variance));
 }
 
-TEST(SizeUniformity, IsZeroWhereAGridFits)
+TEST(SizeUniformity, IsZeroForGrid)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Builtin("l-shape"), 0.1), {}, 0);
   EXPECT_LT(UniformityOf(potential, {}).energy, 1e-20);
 }
 
-TEST(SizeUniformity, ItsGradientIsThatOfTheDiscreteJ)
+TEST(SizeUniformity, GradientMatchesDifferences)
 {
-  // One of the singularities next to a vertex.
+  // One singularity is close to a vertex.
   const TriangleMesh mesh = MeshOf(Pentagon(), 0.1);
   const PointPotential potential = PointPotentialOn(mesh, {}, -5);
-  Configuration around = AroundTheIslands();
+  Configuration configuration = AroundTheIslands();
   for (const Point& point : mesh.points)
   {
-    if ((point - around[3].position).norm() < 0.06)
+    if ((point - configuration[3].position).norm() < 0.06)
     {
-      around[3].position = point + Point(1e-3, 2e-3);
+      configuration[3].position = point + Point(1e-3, 2e-3);
     }
   }
-  ExpectGradientOfJ(potential, SizeUniformity(potential), around);
+  ExpectGradientOfJ(potential, SizeUniformity(potential), configuration);
 }
 
-/// Four of index 1 in the disk.
+/// Four singularities of index 1 in the disk.
 const Configuration Four = { { { 0.5, 0.1 }, 1, 0.0 }, { { -0.2, 0.6 }, 1, 0.0 },
   { { -0.6, -0.3 }, 1, 0.0 }, { { 0.3, -0.7 }, 1, 0.0 } };
 
 /// Returns e^H of four singularities of index 1 in the disk, smoothed where it vanishes.
 TargetSizes SizesOf(const Configuration& four)
 {
-  const auto size = [four](const Point& place)
+  const auto size = [four](const Point& point)
   {
     constexpr double SquaredCore = 1e-4;
-    const std::complex<double> z(place.x(), place.y());
+    const std::complex<double> z(point.x(), point.y());
     double h = 0.0;
     for (const Singularity& singularity : four)
     {
@@ -152,7 +152,8 @@ TargetSizes SizesOf(const Configuration& four)
   return { Sizing::Field, size };
 }
 
-/// Of each place in the configuration from the nearest of the other, the largest.
+/// Returns the maximum over one configuration of the distance to the nearest singularity of the
+/// other.
 double LargestDistance(const Configuration& one, const Configuration& other)
 {
   double largest = 0.0;
@@ -168,27 +169,27 @@ double LargestDistance(const Configuration& one, const Configuration& other)
   return largest;
 }
 
-TEST(SizeUniformity, ToAConstantSizeIsThatOfEvenSizes)
+TEST(SizeUniformity, ConstantTargetEqualsUniformSizes)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
   const PointPotential::Solution solution = potential.Solve(AroundTheIslands());
-  const SizeUniformity::Value even = SizeUniformity(potential).Evaluate(potential, solution);
+  const SizeUniformity::Value uniform = SizeUniformity(potential).Evaluate(potential, solution);
   const SizeUniformity::Value constant = SizeUniformity(potential,
     { Sizing::Field,
       [](const Point&) { return 17.0; } }).Evaluate(potential, solution);
-  EXPECT_NEAR(constant.energy, even.energy, 1e-13 * even.energy);
-  EXPECT_LT((constant.gradient - even.gradient).norm(), 1e-12 * even.gradient.norm());
+  EXPECT_NEAR(constant.energy, uniform.energy, 1e-13 * uniform.energy);
+  EXPECT_LT((constant.gradient - uniform.gradient).norm(), 1e-12 * uniform.gradient.norm());
 }
 
-TEST(SizeUniformity, DoesNotDependOnTheUnitOfWantedSizes)
+TEST(SizeUniformity, DoesNotDependOnUnitOfTargetSizes)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
   const PointPotential::Solution solution = potential.Solve(AroundTheIslands());
   const auto evaluate = [&](double unit)
   {
-    const auto wanted = [unit](const Point& x)
+    const auto target = [unit](const Point& x)
     { return unit * std::exp(0.5 * x.x() - x.y() * x.y()); };
-    return SizeUniformity(potential, { Sizing::Field, wanted }).Evaluate(potential, solution);
+    return SizeUniformity(potential, { Sizing::Field, target }).Evaluate(potential, solution);
   };
   const SizeUniformity::Value metres = evaluate(1.0);
   const SizeUniformity::Value millimetres = evaluate(1000.0);
@@ -196,17 +197,18 @@ TEST(SizeUniformity, DoesNotDependOnTheUnitOfWantedSizes)
   EXPECT_LT((millimetres.gradient - metres.gradient).norm(), 1e-11 * metres.gradient.norm());
 }
 
-TEST(SizeUniformity, ItsGradientIsThatOfTheDiscreteJOfWantedSizes)
+TEST(SizeUniformity, GradientMatchesDifferencesWithTargetSizes)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Pentagon(), 0.1), {}, -5);
-  const SizeUniformity evenness(potential,
+  const SizeUniformity uniformity(potential,
     { Sizing::Field, [](const Point& x) { return 0.3 + std::exp(x.x() - 2.0 * x.y()); } });
-  ExpectGradientOfJ(potential, evenness, AroundTheIslands());
+  ExpectGradientOfJ(potential, uniformity, AroundTheIslands());
 }
 
-TEST(SizeUniformity, IsZeroWhereTheSizesOfTheFieldAreWanted)
+TEST(SizeUniformity, ConvergesToZeroForSizesOfField)
 {
-  // s = e^H, not e^{-H}: J falls with the mesh size to 0, and the spread of uniform sizes does not.
+  // s = e^H, not e^{−H}: the spread tends to 0 with the mesh size, whereas the spread of uniform
+  // sizes does not.
   std::vector<double> spreads;
   for (const double size : { 0.08, 0.04 })
   {
@@ -220,7 +222,7 @@ TEST(SizeUniformity, IsZeroWhereTheSizesOfTheFieldAreWanted)
   EXPECT_GT(UniformityOf(potential, Four).Spread(), 0.1);
 }
 
-TEST(SizeUniformity, RefusesASizeThatIsNotPositive)
+TEST(SizeUniformity, RejectsNonPositiveSizes)
 {
   const PointPotential potential = PointPotentialOn(MeshOf(Builtin("l-shape"), 0.2), {}, 0);
   for (const double size : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
@@ -234,9 +236,10 @@ TEST(SizeUniformity, RefusesASizeThatIsNotPositive)
   }
 }
 
-TEST(SizeUniformity, TheOptimiserFindsTheSingularitiesThatHaveTheWantedSizes)
+TEST(SizeUniformity, OptimiserRecoversSingularitiesFromTargetSizes)
 {
-  // The four are at no minimum of W; those of that, where the run is first, are on another circle.
+  // The four are not at the minimum of W, which the run reaches first and which is on another
+  // circle.
   const PlanarDomain disk = Builtin("disk", 0.05);
   OptimizerOptions options;
   options.meshSize = 0.05;
@@ -246,20 +249,20 @@ TEST(SizeUniformity, TheOptimiserFindsTheSingularitiesThatHaveTheWantedSizes)
   {
     singularity.position += 0.1 * Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
   }
-  const OptimizerResult least = OptimizeSingularities(disk, start, options);
-  EXPECT_FALSE(least.sizeSpreads);
-  EXPECT_GT(LargestDistance(Four, least.configuration), 0.1);
+  const OptimizerResult conformal = OptimizeSingularities(disk, start, options);
+  EXPECT_FALSE(conformal.sizeSpreads);
+  EXPECT_GT(LargestDistance(Four, conformal.configuration), 0.1);
   options.sizes = SizesOf(Four);
   const OptimizerResult result = OptimizeSingularities(disk, start, options);
   EXPECT_TRUE(result.converged) << result.reason;
-  EXPECT_NE(result.reason.find("nearest to the target sizes"), std::string::npos);
+  EXPECT_NE(result.reason.find("closest to the target sizes"), std::string::npos);
   EXPECT_LT(LargestDistance(Four, result.configuration), 0.01);
   ASSERT_TRUE(result.sizeSpreads);
   EXPECT_LT(result.sizeSpreads->after, 0.02);
   EXPECT_GT(result.sizeSpreads->before, 0.1);
 }
 
-TEST(SizeUniformity, SymmetriesOfTheDomainThatWantedSizesHaveNotAreNotKept)
+TEST(SizeUniformity, OptimiserKeepsOnlySymmetriesOfTargetSizes)
 {
   const PlanarDomain disk = MakePlanarDomain({ RegularPolygon(64, 1.0) });
   OptimizerOptions options;
@@ -268,7 +271,7 @@ TEST(SizeUniformity, SymmetriesOfTheDomainThatWantedSizesHaveNotAreNotKept)
   const OptimizerResult none = OptimizeSingularities(disk, OnCircle(4, 0.6, 0.0, 1, 0.0), options);
   EXPECT_TRUE(none.converged) << none.reason;
   EXPECT_LT(LargestDistance(Four, none.configuration), 0.01);
-  // These have both axes and the half turn, but not the quarter turn.
+  // These have both axes and the half turn as symmetries, but not the quarter turn.
   const Configuration rectangle = { { { 0.7, 0.4 }, 1, 0.0 }, { { -0.7, 0.4 }, 1, 0.0 },
     { { -0.7, -0.4 }, 1, 0.0 }, { { 0.7, -0.4 }, 1, 0.0 } };
   options.sizes = SizesOf(rectangle);
@@ -283,7 +286,7 @@ TEST(SizeUniformity, SymmetriesOfTheDomainThatWantedSizesHaveNotAreNotKept)
   }
 }
 
-TEST(SizeUniformity, TheOptimiserEndsAtLessSpreadAndAtRest)
+TEST(SizeUniformity, OptimiserReducesSpreadAndConverges)
 {
   OptimizerOptions options;
   BuiltinDomain ellipse;
@@ -295,20 +298,21 @@ TEST(SizeUniformity, TheOptimiserEndsAtLessSpreadAndAtRest)
   options.meshSize = 0.05;
   const Configuration start = { { { 0.1, 0.2 }, 1, 0.0 }, { { -0.3, 0.3 }, 1, 0.0 },
     { { -0.4, -0.2 }, 1, 0.0 }, { { 0.3, 0.05 }, 1, 0.0 } };
-  const OptimizerResult least = OptimizeSingularities(domain, start, options);
-  EXPECT_FALSE(least.sizeSpreads);
+  const OptimizerResult conformal = OptimizeSingularities(domain, start, options);
+  EXPECT_FALSE(conformal.sizeSpreads);
   options.sizes.sizing = Sizing::Uniform;
-  const OptimizerResult even = OptimizeSingularities(domain, start, options);
-  EXPECT_TRUE(even.converged) << even.reason;
-  EXPECT_NE(even.reason.find("most even"), std::string::npos);
-  ASSERT_TRUE(even.sizeSpreads);
-  EXPECT_LT(even.sizeSpreads->after, even.sizeSpreads->before);
-  EXPECT_GT(even.energyAfter, least.energyAfter);
-  // Nowhere nearby is W + 10,000 J less, on another mesh.
+  const OptimizerResult uniform = OptimizeSingularities(domain, start, options);
+  EXPECT_TRUE(uniform.converged) << uniform.reason;
+  EXPECT_NE(uniform.reason.find("most uniform"), std::string::npos);
+  ASSERT_TRUE(uniform.sizeSpreads);
+  EXPECT_LT(uniform.sizeSpreads->after, uniform.sizeSpreads->before);
+  EXPECT_GT(uniform.energyAfter, conformal.energyAfter);
+  // W + 10,000 J is not lower at nearby configurations, on another mesh.
   const PointPotential potential = PointPotentialOn(MeshOf(domain, 0.03), {}, 4);
-  const double reached = UniformityOf(potential, even.configuration).energy;
-  EXPECT_NEAR(std::sqrt(2.0 * reached), even.sizeSpreads->after, 0.02 * even.sizeSpreads->after);
-  EXPECT_LT(reached, UniformityOf(potential, least.configuration).energy);
+  const double reached = UniformityOf(potential, uniform.configuration).energy;
+  EXPECT_NEAR(
+    std::sqrt(2.0 * reached), uniform.sizeSpreads->after, 0.02 * uniform.sizeSpreads->after);
+  EXPECT_LT(reached, UniformityOf(potential, conformal.configuration).energy);
   const auto goal = [&](const Configuration& at)
   {
     return EvaluateRenormalizedEnergy(potential, potential.Solve(at)).energy +
@@ -317,12 +321,12 @@ TEST(SizeUniformity, TheOptimiserEndsAtLessSpreadAndAtRest)
   Random random(5);
   for (int attempt = 0; attempt < 5; ++attempt)
   {
-    Configuration moved = even.configuration;
+    Configuration moved = uniform.configuration;
     for (Singularity& singularity : moved)
     {
       singularity.position += 0.05 * Point(random.Uniform(-1.0, 1.0), random.Uniform(-1.0, 1.0));
     }
-    EXPECT_GT(goal(moved), goal(even.configuration));
+    EXPECT_GT(goal(moved), goal(uniform.configuration));
   }
 }
 }
