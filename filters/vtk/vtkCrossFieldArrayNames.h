@@ -139,7 +139,7 @@ constexpr const char* Summary = "Summary";
 constexpr const char* Stale = "Stale";
 constexpr const char* Shade = "Shade";
 constexpr const char* ShortestArc = "ShortestArc";
-constexpr const char* LeastAngle = "LeastAngle";
+constexpr const char* MinimumAngle = "MinimumAngle";
 // Points, cells and field data: vtkQuadMesher.
 constexpr const char* BlockId = "BlockId";
 constexpr const char* I = "I";

@@ -92,7 +92,7 @@ int vtkCrossFieldMap::RequestData(
         topology = crossfield::ShareTopology(this->KeepMesh
             ? this->Cache->Factor(configuration, this->MeshSize, progress.Part(0.2, 0.3))
                 .MeshOn(configuration)
-            : crossfield::MeshOnPoints(
+            : crossfield::MeshThroughPoints(
                 input.domain, configuration, this->MeshSize, progress.Part(0.2, 0.3)));
       }
       this->StageSeconds[0] = stopwatch.Lap();

@@ -69,7 +69,8 @@ int vtkSeparatrices::RequestData(
       const double longest =
         this->LongestStreamline > 0.0 ? this->LongestStreamline : 10.0 * std::sqrt(area);
       crossfield::Stopwatch stopwatch;
-      const crossfield::TraceGraph graph = crossfield::TraceLines(map.map, progress.Part(0.2, 0.8));
+      const crossfield::TraceGraph graph =
+        crossfield::TraceSeparatrices(map.map, progress.Part(0.2, 0.8));
       const crossfield::TMesh mesh = crossfield::MakeTMesh(map.map, graph);
       this->StageSeconds = stopwatch.Lap();
       TMeshConversion::WriteTraces(map, graph, places, longest, lines);

@@ -43,7 +43,7 @@
  * vtkCrossFieldMap are missing, if a seed is outside the domain, or if the separatrices of the map
  * do not form rectangles.
  *
- * @sa vtkCrossFieldMap, crossfield::TraceLines, crossfield::MakeTMesh
+ * @sa vtkCrossFieldMap, crossfield::TraceSeparatrices, crossfield::MakeTMesh
  */
 
 #ifndef vtkSeparatrices_h

@@ -51,9 +51,9 @@ void Integers(benchmark::State& state)
   disk.edgeLength = 0.03;
   const SeamlessMap map = SolveSeamlessMap(
     ShareTopology(
-      MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), configuration, disk.edgeLength)),
+      MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), configuration, disk.edgeLength)),
     configuration);
-  const TMesh mesh = MakeTMesh(map, TraceLines(map));
+  const TMesh mesh = MakeTMesh(map, TraceSeparatrices(map));
   const QuantisationProblem problem = MakeQuantisationProblem(mesh, 0.1);
   EdgeCounts counts;
   for (auto _ : state)

@@ -206,7 +206,7 @@ SharedTopology TopologyOnPoints(std::int64_t triangles)
   BuiltinDomain disk;
   disk.edgeLength = MeshSizeFor(triangles);
   return ShareTopology(
-    MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
+    MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
 }
 
 /// Measures the steps from the mesh to a thousand quads. Compare with SolveH for the same number of
@@ -217,7 +217,7 @@ void MapToQuads(benchmark::State& state)
   for (auto _ : state)
   {
     const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), {});
+    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), {});
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
   }
 }
@@ -230,7 +230,7 @@ void Quads(benchmark::State& state)
   options.quadCount = static_cast<int>(state.range(0));
   for (auto _ : state)
   {
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
     state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
     state.counters["iterations"] = result.smoothing.iterations;
     state.counters["layout"] = result.layoutSeconds;
@@ -268,7 +268,7 @@ void MapAndLines(benchmark::State& state)
   BuiltinDomain disk;
   disk.edgeLength = MeshSizeFor(state.range(0));
   const SharedTopology topology = ShareTopology(
-    MeshOnPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
+    MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
   for (auto _ : state)
   {
     Stopwatch stopwatch;
@@ -276,7 +276,7 @@ void MapAndLines(benchmark::State& state)
     const double alone = stopwatch.Lap();
     const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
     const double mapped = stopwatch.Lap();
-    const TMesh lines = MakeTMesh(map, TraceLines(map));
+    const TMesh lines = MakeTMesh(map, TraceSeparatrices(map));
     const double traced = stopwatch.Lap();
     state.SetIterationTime(mapped + traced);
     state.counters["triangles"] = static_cast<double>(topology->mesh.triangles.size());

@@ -1,6 +1,6 @@
 #include "FilterChecks.h"
-#include "TestInputs.h"
 #include "ResultFiles.h"
+#include "TestInputs.h"
 #include "vtkDrillHoles.h"
 #include "vtkHField.h"
 #include "vtkPerforatedCrossField.h"

@@ -36,7 +36,7 @@ public:
 };
 }
 
-TEST_F(ConfigurationProposalFilter, KeepsTheRulesOfAFilter)
+TEST_F(ConfigurationProposalFilter, FollowsFilterConventions)
 {
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->Source->SetDomainName("disk"); },

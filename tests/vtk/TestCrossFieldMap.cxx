@@ -1,5 +1,5 @@
+#include "DiskTest.h"
 #include "FilterChecks.h"
-#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldMap.h"
 #include "vtkPlanarDomainSource.h"
@@ -20,7 +20,7 @@
 
 namespace
 {
-using CrossFieldMap = OnTheDisk<vtkCrossFieldMap>;
+using CrossFieldMap = DiskTest<vtkCrossFieldMap>;
 }
 
 TEST_F(CrossFieldMap, FollowsFilterConventions)

@@ -1,9 +1,9 @@
+#include "DiskTest.h"
 #include "FieldReading.h"
 #include "FilterChecks.h"
-#include "OnTheDisk.h"
 #include "PerforatedCrossFieldTest.h"
-#include "TestInputs.h"
 #include "ResultFiles.h"
+#include "TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkCrossGlyphs.h"
@@ -20,7 +20,7 @@
 
 namespace
 {
-using HField = OnTheDisk<vtkHField>;
+using HField = DiskTest<vtkHField>;
 }
 
 TEST_F(HField, FollowsFilterConventions)

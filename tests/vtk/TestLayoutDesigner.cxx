@@ -116,7 +116,7 @@ TEST_F(LayoutDesigner, AgreesWithTheOtherFilters)
   EXPECT_NEAR(this->Value("RenormalizedEnergy"), 2.05, 0.8);
   // docs/method.md §14.10: number of quads at h = 0.1 of five patches around one at 0.6.
   EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
-  EXPECT_GT(this->Value("LeastAngle"), 50);
+  EXPECT_GT(this->Value("MinimumAngle"), 50);
   EXPECT_NE(this->Text("Summary").find("quads in"), std::string::npos) << this->Text("Summary");
   EXPECT_EQ(this->TextInView(false), this->Text("Summary"));
   this->Filter->SetQuadsToNone();
@@ -162,7 +162,7 @@ TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
   this->Filter->SetMeshSize(0.015);
   FilterChecks::UpdateWithoutError(this->Filter);
   const double energy = this->Value("RenormalizedEnergy");
-  const double angle = this->Value("LeastAngle");
+  const double angle = this->Value("MinimumAngle");
   const double arc = this->Value("ShortestArc");
   const vtkIdType points = this->Filter->GetOutput()->GetNumberOfPoints();
   this->Filter->DraggingOn();
@@ -170,7 +170,7 @@ TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
   EXPECT_LT(static_cast<double>(this->Filter->GetOutput()->GetNumberOfPoints()),
     0.7 * static_cast<double>(points))
     << "a separatrix has a point on every side of a triangle that it crosses";
-  EXPECT_LT(this->Value("LeastAngle"), angle) << "drafts are not smoothed";
+  EXPECT_LT(this->Value("MinimumAngle"), angle) << "drafts are not smoothed";
   // The same results up to the error of the coarser mesh.
   EXPECT_EQ(this->Value("Faces"), 9);
   EXPECT_NEAR(this->Value("RenormalizedEnergy"), energy, 0.02);
@@ -181,7 +181,7 @@ TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
   this->Filter->DraggingOff();
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("RenormalizedEnergy"), energy);
-  EXPECT_EQ(this->Value("LeastAngle"), angle);
+  EXPECT_EQ(this->Value("MinimumAngle"), angle);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
 }
 

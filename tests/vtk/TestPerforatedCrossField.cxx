@@ -1,8 +1,8 @@
 #include "FieldReading.h"
 #include "FilterChecks.h"
 #include "PerforatedCrossFieldTest.h"
-#include "TestInputs.h"
 #include "ResultFiles.h"
+#include "TestInputs.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,5 +1,5 @@
+#include "DiskTest.h"
 #include "FilterChecks.h"
-#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldErrorCodes.h"
@@ -80,18 +80,18 @@ std::vector<Place> PointsOfSide(vtkMultiBlockDataSet* blocks, int block, int sid
   return places;
 }
 
-class QuadMesher : public OnTheDisk<vtkQuadMesher>
+class QuadMesher : public DiskTest<vtkQuadMesher>
 {
 public:
   void SetUp() override
   {
-    OnTheDisk::SetUp();
+    DiskTest::SetUp();
     this->Filter->SetQuadSize(0.1);
   }
 };
 }
 
-TEST_F(QuadMesher, KeepsTheRulesOfAFilter)
+TEST_F(QuadMesher, FollowsFilterConventions)
 {
   FilterChecks::UpdateWithoutError(this->Filter);
   FilterChecks::CheckInputUntouched(this->Filter);
@@ -269,9 +269,9 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
 TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
 {
   this->Filter->SetQuadSize(1e-6);
-  EXPECT_EQ(
-    FilterChecks::CaptureError(this->Filter,
-      { "This number of quads would need about", "GiB available; use a larger size or fewer quads." }),
+  EXPECT_EQ(FilterChecks::CaptureError(this->Filter,
+              { "This number of quads would need about",
+                "GiB available; use a larger size or fewer quads." }),
     vtkCrossFieldErrorCodes::BadInput);
   this->Filter->SetQuadSize(0.1);
   FilterChecks::UpdateWithoutError(this->Filter);

@@ -1,5 +1,5 @@
+#include "DiskTest.h"
 #include "FilterChecks.h"
-#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldMap.h"
@@ -24,12 +24,12 @@
 
 namespace
 {
-class Separatrices : public OnTheDisk<vtkCrossFieldMap>
+class Separatrices : public DiskTest<vtkCrossFieldMap>
 {
 public:
   void SetUp() override
   {
-    OnTheDisk::SetUp();
+    DiskTest::SetUp();
     this->Lines->SetInputConnection(this->Filter->GetOutputPort());
   }
 

@@ -1,5 +1,5 @@
+#include "DiskTest.h"
 #include "FilterChecks.h"
-#include "OnTheDisk.h"
 #include "TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkPerforatedCrossField.h"
@@ -27,7 +27,7 @@
 
 namespace
 {
-class SingularityOptimizer : public OnTheDisk<vtkSingularityOptimizer>
+class SingularityOptimizer : public DiskTest<vtkSingularityOptimizer>
 {
 public:
   std::string Reason()

@@ -162,7 +162,7 @@ typename BlockCholesky<Scalar>::Traces BlockCholesky<Scalar>::ComputeTraces(
   ForBothHalves(inverse.rows() >= MinimumRowsForHalves,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
+      const auto [begin, end] = HalfRange(static_cast<int>(count), half);
       for (Eigen::Index j = begin; j < end; ++j)
       {
         add(j);

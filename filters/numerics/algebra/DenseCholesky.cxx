@@ -44,7 +44,7 @@ typename DenseCholesky<Scalar>::Matrix DenseCholesky<Scalar>::Form(Matrix column
     ForBothHalves(size >= MinimumRowsForHalves,
       [&](std::size_t half)
       {
-        const auto [begin, end] = HalfOf(static_cast<int>(columns.cols()), half);
+        const auto [begin, end] = HalfRange(static_cast<int>(columns.cols()), half);
         const int count = end - begin;
         Lapack<Scalar>::SolveTriangle("L", "L", "N", "N", &size, &count, &one, this->Lower.data(),
           &size, columns.data() + begin * columns.rows(), &size, 1, 1, 1, 1);

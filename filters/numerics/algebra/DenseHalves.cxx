@@ -91,7 +91,7 @@ bool FactorInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& matri
     ForBothHalves(true,
       [&](std::size_t half)
       {
-        const auto [begin, end] = HalfOf(rest, half);
+        const auto [begin, end] = HalfRange(rest, half);
         SolveFromRight(triangle, Part<Scalar>(matrix, next + begin, first, end - begin, width));
       });
     // The remaining triangle: one task updates its first columns, the other one the remaining
@@ -139,14 +139,14 @@ void InvertInHalves(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& lower
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(upper, half);
+      const auto [begin, end] = HalfRange(upper, half);
       MultiplyByTriangle(
         "L", "N", MinusOne, second, Part<Scalar>(lower, upper, begin, rest, end - begin));
     });
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(rest, half);
+      const auto [begin, end] = HalfRange(rest, half);
       MultiplyByTriangle(
         "R", "N", One, first, Part<Scalar>(lower, upper + begin, 0, end - begin, upper));
     });

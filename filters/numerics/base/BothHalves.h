@@ -14,7 +14,7 @@ namespace crossfield
 void ForBothHalves(bool parallel, const std::function<void(std::size_t)>& function);
 
 /// Returns the half-open range [begin, end) of indices of one half of `count` items.
-inline std::pair<int, int> HalfOf(int count, std::size_t half)
+inline std::pair<int, int> HalfRange(int count, std::size_t half)
 {
   return half == 0 ? std::pair(0, count / 2) : std::pair(count / 2, count);
 }
@@ -22,16 +22,16 @@ inline std::pair<int, int> HalfOf(int count, std::size_t half)
 /// Minimum number of simple items that are divided between two threads. With fewer, the threads
 /// wait for each other longer than they compute when other programs use the processors, as in an
 /// optimiser that solves ten thousand times on a coarse mesh.
-constexpr int FewestToHalve = 20000;
+constexpr int MinimumParallelCount = 20000;
 
 /// Calls function(begin, end) for both halves of `count` items that are independent of each other.
 template <typename Function>
-void ForHalvesOf(std::ptrdiff_t count, const Function& function)
+void ParallelForHalves(std::ptrdiff_t count, const Function& function)
 {
-  ForBothHalves(count >= FewestToHalve,
+  ForBothHalves(count >= MinimumParallelCount,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(static_cast<int>(count), half);
+      const auto [begin, end] = HalfRange(static_cast<int>(count), half);
       function(begin, end);
     });
 }

@@ -91,8 +91,8 @@ std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domai
       DrillForEnergies(domain, placed.interior, options.meshSize), drilling);
     return ComputePerforatedEnergy(ShareTopology(std::move(drilled)), placed.corners);
   };
-  return Compare(std::make_shared<const PotentialSolver>(ShareTopology(
-                   MeshForAll(domain, configurations, options.meshSize, progress.Part(0.0, 0.05)))),
+  return Compare(std::make_shared<const PotentialSolver>(ShareTopology(MeshForConfigurations(
+                   domain, configurations, options.meshSize, progress.Part(0.0, 0.05)))),
     ResolveCoreRadius(options.coreRadius, domain), configurations, options.corners, perforate,
     progress.Part(0.1, 1.0));
 }

@@ -82,7 +82,7 @@ bool AddPair(const PlanarDomain& domain, Configuration& configuration)
 {
   for (const int quarterIndex : { 1, -1 })
   {
-    const std::optional<Point> position = RoomiestPlace(domain, configuration);
+    const std::optional<Point> position = FindFreePlace(domain, configuration);
     if (!position)
     {
       return false;

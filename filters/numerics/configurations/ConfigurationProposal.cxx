@@ -180,7 +180,7 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
       if (std::all_of(options.given.begin(), options.given.end(),
             [](const Singularity& given) { return given.radius > 0.0; }))
       {
-        GiveRadii(domain, proposal.singularities, options.given.size());
+        AssignRadii(domain, proposal.singularities, options.given.size());
       }
       distinct.push_back(std::move(proposal));
     }

@@ -19,7 +19,7 @@ DrillOptions OptionsOfSize(double meshSize)
   return options;
 }
 
-std::unique_ptr<const KeptTriangulation> Triangulate(const MeshTopology& topology)
+std::unique_ptr<const BaseTriangulation> Triangulate(const MeshTopology& topology)
 {
   std::vector<bool> onBoundary(topology.mesh.points.size(), false);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -39,7 +39,7 @@ std::unique_ptr<const KeptTriangulation> Triangulate(const MeshTopology& topolog
   {
     marks.push_back({ { 0, 0 }, loop.kind, loop.id, loop.quarterIndex });
   }
-  return std::make_unique<const KeptTriangulation>(
+  return std::make_unique<const BaseTriangulation>(
     PlanarDomain{ topology.AlignedLoops() }, marks, inside);
 }
 }
@@ -55,7 +55,7 @@ FactoredDomain::FactoredDomain(PlanarDomain domain, const Configuration& configu
 {
 }
 
-bool FactoredDomain::Serves(const Configuration& configuration) const
+bool FactoredDomain::HasBoundaryVertices(const Configuration& configuration) const
 {
   const double tolerance = BoundaryReach * this->Domain.Diagonal();
   const std::vector<Loop> loops = this->Potential->GetTopology().AlignedLoops();
@@ -90,7 +90,7 @@ TriangleMesh FactoredDomain::MeshOn(const Configuration& configuration) const
         [&](const Point& other) { return (other - singularity.position).norm() >= clearance; });
     if (!isClear)
     {
-      return MeshOnPoints(this->Domain, configuration, this->MeshSize);
+      return MeshThroughPoints(this->Domain, configuration, this->MeshSize);
     }
     inside.push_back(singularity.position);
   }

@@ -26,12 +26,12 @@ public:
   const std::shared_ptr<const PotentialSolver>& GetPotential() const { return this->Potential; }
 
   /// Returns whether all singularities of a configuration on the boundary are vertices of the mesh.
-  bool Serves(const Configuration& configuration) const;
+  bool HasBoundaryVertices(const Configuration& configuration) const;
 
   /// Returns the mesh with a vertex at every interior singularity, as SolveSeamlessMap requires. If
   /// the singularities are at least two edge lengths away from the boundary and from each other,
   /// this is the Delaunay triangulation in which they replace the vertices near them; otherwise it
-  /// is the mesh of MeshOnPoints.
+  /// is the mesh of MeshThroughPoints.
   TriangleMesh MeshOn(const Configuration& configuration) const;
 
 private:
@@ -40,6 +40,6 @@ private:
   std::shared_ptr<const PotentialSolver> Potential;
   /// Built by the first call of MeshOn; H and W do not need it.
   mutable std::once_flag IsTriangulated;
-  mutable std::unique_ptr<const KeptTriangulation> Triangulation;
+  mutable std::unique_ptr<const BaseTriangulation> Triangulation;
 };
 }

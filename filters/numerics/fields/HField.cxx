@@ -83,7 +83,7 @@ Eigen::VectorXd AssembleValues(
   {
     integral += log.strength * LogIntegral(boundary, log.position);
   }
-  ForHalvesOf(count,
+  ParallelForHalves(count,
     [&](int begin, int end)
     {
       for (int v = begin; v < end; ++v)
@@ -122,7 +122,7 @@ ComplexVector AssembleField(
   }
   const std::size_t singularities = solution.logs.size() - ofBoundary.size();
   ComplexVector u(phase.size());
-  ForHalvesOf(u.size(),
+  ParallelForHalves(u.size(),
     [&](int begin, int end)
     {
       for (int e = begin; e < end; ++e)

@@ -9,7 +9,7 @@
 
 namespace crossfield
 {
-Corner DescribeVertex(const std::vector<Loop>& loops, std::size_t loop, std::size_t vertex)
+Corner MakeCorner(const std::vector<Loop>& loops, std::size_t loop, std::size_t vertex)
 {
   const Loop& points = loops[loop];
   const Point& here = points[vertex];
@@ -31,7 +31,7 @@ std::vector<Corner> FindCorners(const std::vector<Loop>& loops, double cornerAng
   {
     for (std::size_t vertex = 0; vertex < loops[loop].size(); ++vertex)
     {
-      const Corner corner = DescribeVertex(loops, loop, vertex);
+      const Corner corner = MakeCorner(loops, loop, vertex);
       if (IsCorner(corner.Turning(), cornerAngle))
       {
         corners.push_back(corner);

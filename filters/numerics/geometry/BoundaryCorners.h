@@ -39,7 +39,7 @@ struct Corner
 };
 
 /// Describes a vertex as a corner, whatever its angle. The domain is on the left of the loops.
-Corner DescribeVertex(const std::vector<Loop>& loops, std::size_t loop, std::size_t vertex);
+Corner MakeCorner(const std::vector<Loop>& loops, std::size_t loop, std::size_t vertex);
 
 /// Returns the corners of loops that have the domain on their left, ordered by loop and vertex.
 std::vector<Corner> FindCorners(

@@ -36,7 +36,7 @@ double SignedDistance(const Point& point, const PlanarDomain& domain)
     {
       const Point& from = loop[i];
       const Point& to = loop[(i + 1) % loop.size()];
-      distance = std::min(distance, WayFromSegment(point, from, to).squaredNorm());
+      distance = std::min(distance, OffsetFromSegment(point, from, to).squaredNorm());
       winding += RayCrossing(point, from, to);
     }
   }
@@ -44,7 +44,7 @@ double SignedDistance(const Point& point, const PlanarDomain& domain)
   return winding > 0 ? std::sqrt(distance) : -std::sqrt(distance);
 }
 
-double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction)
+double DistanceAlongRay(const PlanarDomain& domain, const Point& from, const Point& direction)
 {
   // Segments that start or end at `from` do not count.
   const double nearby = 1e-9 * domain.Diagonal();

@@ -10,7 +10,7 @@ double SignedDistance(const Point& point, const PlanarDomain& domain);
 
 /// Returns the length of the ray that starts at a boundary point in a unit direction and ends where
 /// it first meets the boundary again; 0 if it never does.
-double ClearWay(const PlanarDomain& domain, const Point& from, const Point& direction);
+double DistanceAlongRay(const PlanarDomain& domain, const Point& from, const Point& direction);
 
 /// Throws Error, naming the singularity, if a singularity is outside the domain by more than 1e-6
 /// of its diagonal or has a coordinate that is not finite.

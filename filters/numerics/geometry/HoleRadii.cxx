@@ -24,13 +24,14 @@ double DistanceToNearest(const Configuration& configuration, std::size_t row)
 }
 }
 
-double RoomOf(const PlanarDomain& domain, const Configuration& configuration, std::size_t row)
+double LargestHoleRadius(
+  const PlanarDomain& domain, const Configuration& configuration, std::size_t row)
 {
   return std::min(SignedDistance(configuration[row].position, domain),
     0.5 * DistanceToNearest(configuration, row));
 }
 
-double ChosenRadius(
+double DefaultRadius(
   const PlanarDomain& domain, const Configuration& configuration, std::size_t row, double meshSize)
 {
   const Point& place = configuration[row].position;
@@ -46,7 +47,7 @@ double ChosenRadius(
     : meshSize;
 }
 
-Configuration WithChosenRadii(
+Configuration WithDefaultRadii(
   const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
   Configuration result = configuration;
@@ -54,7 +55,7 @@ Configuration WithChosenRadii(
   {
     if (result[i].radius == 0.0)
     {
-      result[i].radius = ChosenRadius(domain, configuration, i, meshSize);
+      result[i].radius = DefaultRadius(domain, configuration, i, meshSize);
     }
   }
   return result;

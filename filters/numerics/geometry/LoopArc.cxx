@@ -73,7 +73,7 @@ double LoopArc::Nearest(const Point& place) const
   {
     const Point& from = this->Polyline[side];
     const Point& to = this->End(side);
-    const double distance = WayFromSegment(place, from, to).norm();
+    const double distance = OffsetFromSegment(place, from, to).norm();
     const bool isNext = side == best + 1 || (best == 0 && side + 1 == count);
     if (std::abs(distance - smallest) <= rounding && isNext)
     {
@@ -149,13 +149,14 @@ double LargestDistance(const LoopArc& arc, const std::vector<ArcVertex>& vertice
       [](double at, const ArcVertex& vertex) { return at < vertex.at; });
     const ArcVertex& end = after == vertices.end() ? vertices.front() : *after;
     const ArcVertex& begin = after == vertices.begin() ? vertices.back() : *(after - 1);
-    largest = std::max(largest, WayFromSegment(arc.Vertices()[i], begin.place, end.place).norm());
+    largest =
+      std::max(largest, OffsetFromSegment(arc.Vertices()[i], begin.place, end.place).norm());
   }
   return largest;
 }
 
 //------------------------------------------------------------------------------
-Loop PlacesOf(const std::vector<ArcVertex>& vertices)
+Loop PositionsOf(const std::vector<ArcVertex>& vertices)
 {
   Loop loop;
   for (const ArcVertex& vertex : vertices)

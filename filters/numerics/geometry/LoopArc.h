@@ -72,5 +72,5 @@ struct ArcVertex
 double LargestDistance(const LoopArc& arc, const std::vector<ArcVertex>& vertices);
 
 /// Returns the positions of vertices.
-Loop PlacesOf(const std::vector<ArcVertex>& vertices);
+Loop PositionsOf(const std::vector<ArcVertex>& vertices);
 }

@@ -15,7 +15,7 @@ inline double NearestFraction(const Point& point, const Point& from, const Point
 }
 
 /// Returns the vector from the nearest point of a segment to `point`. Its norm is the distance.
-inline Point WayFromSegment(const Point& point, const Point& from, const Point& to)
+inline Point OffsetFromSegment(const Point& point, const Point& from, const Point& to)
 {
   return point - from - NearestFraction(point, from, to) * (to - from);
 }

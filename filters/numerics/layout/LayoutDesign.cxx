@@ -37,7 +37,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   progress.Report(0.1);
   design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities,
     options.map, progress.Part(0.1, 0.6));
-  design.separatrices = TraceLines(design.map, progress.Part(0.6, 0.7));
+  design.separatrices = TraceSeparatrices(design.map, progress.Part(0.6, 0.7));
   design.mesh = MakeTMesh(design.map, design.separatrices);
   design.shortestArc = std::numeric_limits<double>::infinity();
   for (const TArc& arc : design.mesh.arcs)

@@ -42,7 +42,7 @@ public:
       }
     }
     this->Extent = map.Extent();
-    std::vector<NearMiss> found = FindNearMisses(TraceLines(map), tolerance);
+    std::vector<NearMiss> found = FindNearMisses(TraceSeparatrices(map), tolerance);
     // Two separatrices that run towards each other give the same condition: one is enough.
     std::set<ConePair> known;
     for (NearMiss& miss : found)

@@ -25,7 +25,7 @@ struct LayoutSnap
 /// already meet continue to do so, and the holonomy defects of inner loops do not change.
 ///
 /// `tolerance`: a length; the map has the area of the domain. No singularity moves farther. Throws
-/// Error as SolveSeamlessMap and TraceLines do for the given configuration.
+/// Error as SolveSeamlessMap and TraceSeparatrices do for the given configuration.
 LayoutSnap SnapLayout(const FactoredDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double tolerance, const Progress& progress = {});
 }

@@ -20,7 +20,7 @@ const Point& PositionInChart(const SeamlessMap& map, int triangle, int vertex)
 
 /// Stores the path along a separatrix to its end, and back along the other one to its start.
 /// Returns false if they do not share the last triangle.
-bool StorePath(const TracedLine& line, const TracedLine& other, NearMiss& miss)
+bool StorePath(const TracedSeparatrix& line, const TracedSeparatrix& other, NearMiss& miss)
 {
   const int end = line.segments[Index(line.lastSegment)].triangle;
   for (int i = 0; i < line.lastSegment; ++i)
@@ -80,17 +80,18 @@ std::vector<NearMiss> FindNearMisses(const TraceGraph& graph, double tolerance)
   std::set<std::pair<int, int>> known; // separatrix and the cone that it passes
   for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
   {
-    const TracedLine& line = graph.separatrices[i];
+    const TracedSeparatrix& line = graph.separatrices[i];
     if (line.cone < 0 || line.other < 0)
     {
       continue;
     }
-    const TracedLine& other = graph.separatrices[Index(line.other)];
+    const TracedSeparatrix& other = graph.separatrices[Index(line.other)];
     NearMiss miss;
     miss.from = line.cone;
     miss.to = other.cone;
-    miss.meets = line.end == LineEnd::HeadOn;
-    const bool passes = miss.meets || (line.end == LineEnd::Line && line.otherLength <= tolerance);
+    miss.meets = line.end == SeparatrixEnd::HeadOn;
+    const bool passes =
+      miss.meets || (line.end == SeparatrixEnd::Line && line.otherLength <= tolerance);
     if (!passes || other.cone < 0 || other.cone == line.cone || !StorePath(line, other, miss) ||
       known.count({ line.other, line.cone }) > 0 ||
       (miss.meets && line.other < static_cast<int>(i)))

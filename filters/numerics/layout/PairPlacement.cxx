@@ -6,7 +6,8 @@
 
 namespace crossfield
 {
-std::array<Point, 2> PlacesForPair(const FactoredDomain& domain, const Configuration& configuration)
+std::array<Point, 2> PositionsForPair(
+  const FactoredDomain& domain, const Configuration& configuration)
 {
   Point best = Point::Zero();
   double farthest = -1.0;

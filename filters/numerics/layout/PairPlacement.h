@@ -9,6 +9,6 @@ namespace crossfield
 /// Returns positions for a pair of quarter indices 1 and −1, which does not change the sum: on
 /// either side of the mesh vertex farthest from the boundary and the singularities, at a third of
 /// that distance.
-std::array<Point, 2> PlacesForPair(
+std::array<Point, 2> PositionsForPair(
   const FactoredDomain& domain, const Configuration& configuration);
 }

@@ -78,11 +78,11 @@ double GradientEnergy(const TriangleMesh& mesh, const Eigen::MatrixXd& gradients
 {
   std::array<double, 2> energies = { 0.0, 0.0 };
   const auto count = static_cast<int>(mesh.triangles.size());
-  ForBothHalves(count >= FewestToHalve,
+  ForBothHalves(count >= MinimumParallelCount,
     [&](std::size_t half)
     {
       double energy = 0.0;
-      const auto [begin, end] = HalfOf(count, half);
+      const auto [begin, end] = HalfRange(count, half);
       for (int t = begin; t < end; ++t)
       {
         const double area = TriangleArea(mesh, mesh.triangles[static_cast<std::size_t>(t)]);

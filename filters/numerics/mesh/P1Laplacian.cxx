@@ -54,7 +54,7 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(vertexCount);
   std::vector<SymmetricEntry> ofEdge(static_cast<std::size_t>(edgeCount));
   // 1. Off-diagonal entries: each edge sums over its one or two triangles.
-  ForHalvesOf(edgeCount,
+  ParallelForHalves(edgeCount,
     [&](int begin, int end)
     {
       for (auto e = static_cast<std::size_t>(begin); e < static_cast<std::size_t>(end); ++e)
@@ -71,7 +71,7 @@ Eigen::SparseMatrix<double> P1Stiffness(const TriangleMesh& mesh, const EdgeNumb
       }
     });
   // 2. Diagonal: rows add up to zero, because the constants are the kernel.
-  ForHalvesOf(vertexCount,
+  ParallelForHalves(vertexCount,
     [&](int begin, int end)
     {
       for (const SymmetricEntry& entry : ofEdge)

@@ -84,7 +84,7 @@ Eigen::SparseMatrix<double> AssembleSymmetric(
   // Each thread reads all entries and processes those in its half of the columns.
   const auto size = static_cast<int>(diagonal.size());
   std::vector<int> next(static_cast<std::size_t>(size), 1);
-  ForHalvesOf(size,
+  ParallelForHalves(size,
     [&](int begin, int end)
     {
       for (const SymmetricEntry& entry : offDiagonal)
@@ -109,7 +109,7 @@ Eigen::SparseMatrix<double> AssembleSymmetric(
     position = starts[column];
   }
   std::atomic<bool> repeated = false;
-  ForHalvesOf(size,
+  ParallelForHalves(size,
     [&](int begin, int end)
     {
       int* const rows = matrix.innerIndexPtr();

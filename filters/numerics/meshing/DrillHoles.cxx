@@ -209,7 +209,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     MarkTriangles(domain, configuration, mesh);
     return mesh;
   }
-  const Configuration holes = WithChosenRadii(domain, configuration, meshSize);
+  const Configuration holes = WithDefaultRadii(domain, configuration, meshSize);
   CheckPlacement(domain, holes);
 
   PlanarDomain drilled = InsertBoundarySingularities(domain, configuration);

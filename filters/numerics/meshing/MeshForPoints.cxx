@@ -55,10 +55,10 @@ DrillOptions RefineAt(
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize, const Progress& progress)
 {
-  return MeshForAll(domain, { configuration }, meshSize, progress);
+  return MeshForConfigurations(domain, { configuration }, meshSize, progress);
 }
 
-TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
+TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize, const Progress& progress)
 {
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
@@ -74,7 +74,7 @@ TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& confi
   return DrillHoles(InsertBoundarySingularities(domain, configuration), {}, options, progress);
 }
 
-TriangleMesh MeshForAll(const PlanarDomain& domain,
+TriangleMesh MeshForConfigurations(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, double meshSize, const Progress& progress)
 {
   Configuration all;

@@ -17,11 +17,11 @@ TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& conf
 
 /// Triangulates a domain for several configurations. The mesh is fine enough for each of them; for
 /// a single one it equals that of MeshForPoints.
-TriangleMesh MeshForAll(const PlanarDomain& domain,
+TriangleMesh MeshForConfigurations(const PlanarDomain& domain,
   const std::vector<Configuration>& configurations, double meshSize = 0.0,
   const Progress& progress = {});
 
 /// Works as MeshForPoints with a vertex at each singularity, as SolveSeamlessMap requires.
-TriangleMesh MeshOnPoints(const PlanarDomain& domain, const Configuration& configuration,
+TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 }

@@ -51,7 +51,7 @@ constexpr std::size_t MaximumAddedVertices = 150000;
       const Point apex = FromCgal(face->vertex(i)->point());
       // Distance from the segment rather than from its line, because the next vertex of a fine
       // polyline is close to that line.
-      const double distance = WayFromSegment(apex, from, to).norm();
+      const double distance = OffsetFromSegment(apex, from, to).norm();
       if (face->is_constrained(i) && distance < narrowest)
       {
         narrowest = distance;
@@ -217,14 +217,14 @@ catch (const CGAL::Failure_exception&) // its message has several lines about CG
 }
 
 //------------------------------------------------------------------------------
-struct KeptTriangulation::State
+struct BaseTriangulation::State
 {
   Triangulation triangulation;
   PlanarDomain domain;
   std::vector<BoundaryEdge> loopMarks;
 };
 
-KeptTriangulation::KeptTriangulation(
+BaseTriangulation::BaseTriangulation(
   PlanarDomain domain, std::vector<BoundaryEdge> loopMarks, const std::vector<Point>& points)
 {
   Triangulation triangulation = TriangulateLoops(domain.loops);
@@ -236,9 +236,9 @@ KeptTriangulation::KeptTriangulation(
     State{ std::move(triangulation), std::move(domain), std::move(loopMarks) });
 }
 
-KeptTriangulation::~KeptTriangulation() = default;
+BaseTriangulation::~BaseTriangulation() = default;
 
-TriangleMesh KeptTriangulation::With(const std::vector<Point>& points, double clear) const
+TriangleMesh BaseTriangulation::With(const std::vector<Point>& points, double clear) const
 {
   Triangulation triangulation = this->Current->triangulation;
   std::vector<Triangulation::Vertex_handle> inserted;

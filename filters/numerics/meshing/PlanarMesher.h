@@ -33,12 +33,12 @@ TriangleMesh TriangulateDomain(const PlanarDomain& domain,
 
 /// Constrained Delaunay triangulation of the loops of a domain and of points inside it, without any
 /// additional points. It is the base of meshes that differ from it in a few points.
-class KeptTriangulation
+class BaseTriangulation
 {
 public:
-  KeptTriangulation(
+  BaseTriangulation(
     PlanarDomain domain, std::vector<BoundaryEdge> loopMarks, const std::vector<Point>& points);
-  ~KeptTriangulation();
+  ~BaseTriangulation();
 
   /// Returns a mesh in the form of TriangulateDomain that has additional points inside the domain,
   /// in place of the interior points closer than `clear` to one of them.

@@ -281,7 +281,7 @@ SimplifiedBoundary SmoothBoundary(
     const std::vector<ArcVertex> vertices =
       SmoothLoop(arc, FindKept(arc, given, length, cornerAngle), length);
     result.moved = std::max(result.moved, LargestDistance(arc, vertices));
-    loops.push_back(PlacesOf(vertices));
+    loops.push_back(PositionsOf(vertices));
   }
   try
   {

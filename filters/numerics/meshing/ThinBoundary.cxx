@@ -113,7 +113,7 @@ SimplifiedBoundary ThinBoundary(
     }
     isThinned = true;
     result.moved = std::max(result.moved, LargestDistance(arc, vertices));
-    loops.push_back(PlacesOf(vertices));
+    loops.push_back(PositionsOf(vertices));
   }
   if (!isThinned)
   {

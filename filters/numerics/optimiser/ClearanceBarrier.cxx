@@ -90,7 +90,7 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
     for (const Side& side : this->Sides)
     {
       const double t = NearestFraction(position, side.from, side.to);
-      const Point offset = WayFromSegment(position, side.from, side.to);
+      const Point offset = OffsetFromSegment(position, side.from, side.to);
       const double d = offset.norm();
       if (d < 2.0 * this->Distance)
       {

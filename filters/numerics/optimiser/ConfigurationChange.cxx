@@ -224,7 +224,7 @@ std::optional<ConfigurationChange> FindRelease(
       // Twice the clearance away from both sides of the corner, or halfway to the opposite boundary
       // if that is closer.
       const double distance = std::min(2.0 * clearance / std::sin(0.5 * std::min(corner.angle, Pi)),
-        0.5 * ClearWay(domain, corner.position, corner.inward));
+        0.5 * DistanceAlongRay(domain, corner.position, corner.inward));
       const Singularity inside{ corner.position + distance * corner.inward, quarters, 0.0 };
       ConfigurationChange change;
       change.key = key;

@@ -27,7 +27,7 @@ double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& p
   double length = 0.0;
   for (const BoundaryHalf& half : halves)
   {
-    const double distance = WayFromSegment(point, half.from, half.to).norm();
+    const double distance = OffsetFromSegment(point, half.from, half.to).norm();
     if (distance < nearest)
     {
       nearest = distance;
@@ -168,7 +168,7 @@ double OptimizerObjective::LargestFraction(
       if (fraction * move.norm() > 0.5 * distance)
       {
         const double freeDistance =
-          ClearWay(this->Domain, this->Length * from, move.normalized()) / this->Length;
+          DistanceAlongRay(this->Domain, this->Length * from, move.normalized()) / this->Length;
         const Eigen::VectorXd next = positions + fraction * step;
         if (fraction * move.norm() > MaximumMove || freeDistance < fraction * move.norm() ||
           this->BoundaryDistance(next, i) < 0.5 * distance)

@@ -49,10 +49,10 @@ std::vector<std::string> ShrinkRadii(const PlanarDomain& domain, Configuration& 
   const Configuration given = configuration;
   for (std::size_t i = 0; i < given.size(); ++i)
   {
-    const double available = RoomOf(domain, given, i);
+    const double available = LargestHoleRadius(domain, given, i);
     if (given[i].radius > 0.75 * available && available > BoundaryReach * domain.Diagonal())
     {
-      configuration[i].radius = ChosenRadius(domain, given, i, given[i].radius);
+      configuration[i].radius = DefaultRadius(domain, given, i, given[i].radius);
       events.push_back("The radius of singularity " + std::to_string(i + 1) +
         " of the result was reduced from " + FormatShort(given[i].radius) + " to " +
         FormatShort(configuration[i].radius) + " to fit.");

@@ -20,7 +20,7 @@ Point OffsetFromBoundary(const PlanarDomain& domain, const Point& point)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const Point offset = WayFromSegment(point, loop[i], loop[(i + 1) % loop.size()]);
+      const Point offset = OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]);
       nearest = offset.squaredNorm() < nearest.squaredNorm() ? offset : nearest;
     }
   }

@@ -20,7 +20,8 @@ double DistanceTo(const Loop& loop, const Point& point)
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    nearest = std::min(nearest, WayFromSegment(point, loop[i], loop[(i + 1) % loop.size()]).norm());
+    nearest =
+      std::min(nearest, OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]).norm());
   }
   return nearest;
 }

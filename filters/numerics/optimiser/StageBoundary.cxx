@@ -20,7 +20,7 @@ BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
   {
     for (std::size_t vertex = 0; vertex < loops[loop].size(); ++vertex)
     {
-      const Corner corner = DescribeVertex(loops, loop, vertex);
+      const Corner corner = MakeCorner(loops, loop, vertex);
       const auto chosen = alignment.chosenQuarters.find(topology.VertexOf(corner));
       this->vertices.push_back(corner);
       this->quarters.push_back(chosen != alignment.chosenQuarters.end()

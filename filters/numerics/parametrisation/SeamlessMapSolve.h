@@ -20,7 +20,7 @@ struct SeamlessMapOptions
 PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
   const SeamlessMapOptions& options);
 
-/// Solves for the seamless map on a mesh with a vertex at every singularity (MeshOnPoints). Takes
+/// Solves for the seamless map on a mesh with a vertex at every singularity (MeshThroughPoints). Takes
 /// one factorisation for H and one for w.
 ///
 /// Throws Error when a singularity has quarter index 3 or more or is at no vertex, when a corner

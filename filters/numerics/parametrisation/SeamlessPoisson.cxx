@@ -54,7 +54,7 @@ SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& fr
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(count, half);
+      const auto [begin, end] = HalfRange(count, half);
       auto near = std::lower_bound(frames.near.begin(), frames.near.end(), begin,
         [](const TriangleFrames::NearLog& log, int triangle) { return log.triangle < triangle; });
       for (int t = begin; t < end; ++t)

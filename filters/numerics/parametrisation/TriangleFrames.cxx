@@ -85,7 +85,7 @@ Eigen::VectorXd CentreValues(
   ForBothHalves(true,
     [&](std::size_t half)
     {
-      const auto [begin, end] = HalfOf(static_cast<int>(values.size()), half);
+      const auto [begin, end] = HalfRange(static_cast<int>(values.size()), half);
       for (int t = begin; t < end; ++t)
       {
         const auto& v = mesh.triangles[static_cast<std::size_t>(t)];
@@ -154,7 +154,7 @@ public:
     ForBothHalves(true,
       [&](std::size_t half)
       {
-        const auto [begin, end] = HalfOf(static_cast<int>(this->ToSide.size()), half);
+        const auto [begin, end] = HalfRange(static_cast<int>(this->ToSide.size()), half);
         for (int t = begin; t < end; ++t)
         {
           for (std::size_t i = 0; i < 3; ++i)

@@ -19,7 +19,7 @@ UnitNormField SolveUnitNorm(const PotentialProblem& problem)
     potential.gradient, topology.EdgeOfBoundary(first),
     Eigen::VectorXd::Constant(1, std::arg(problem.alignment.crosses[first])));
   result.u.resize(phase.size());
-  ForHalvesOf(phase.size(),
+  ParallelForHalves(phase.size(),
     [&](int begin, int end)
     {
       for (int e = begin; e < end; ++e)

@@ -144,7 +144,7 @@ void QuadEnergy::SetPositions(const Eigen::VectorXd& unknowns)
 
 double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient)
 {
-  const auto [begin, end] = HalfOf(static_cast<int>(this->Mesh.quads.size()), half);
+  const auto [begin, end] = HalfRange(static_cast<int>(this->Mesh.quads.size()), half);
   Eigen::VectorXd& gradient = this->Gradients[half];
   if (withGradient)
   {

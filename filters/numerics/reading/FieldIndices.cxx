@@ -36,7 +36,7 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
   {
     std::vector<double>& around = parts[half];
     around.assign(mesh.points.size(), 0.0);
-    const auto [begin, end] = HalfOf(triangleCount, half);
+    const auto [begin, end] = HalfRange(triangleCount, half);
     for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end); ++t)
     {
       double sum = 0.0;
@@ -53,7 +53,7 @@ FieldIndices ReadIndices(const MeshTopology& topology, const ComplexVector& u)
       indices.ofTriangle[t] = Turns(sum);
     }
   };
-  ForBothHalves(triangleCount >= FewestToHalve, read);
+  ForBothHalves(triangleCount >= MinimumParallelCount, read);
   std::vector<double>& around = parts[0];
   std::transform(
     around.begin(), around.end(), parts[1].begin(), around.begin(), std::plus<double>());

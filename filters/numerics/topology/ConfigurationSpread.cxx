@@ -119,13 +119,13 @@ Configuration CancelFlatCorners(const PlanarDomain& domain, const std::vector<Co
       ++i;
     }
     Singularity singularity;
-    const double distance = ClearWay(domain, from, inward);
+    const double distance = DistanceAlongRay(domain, from, inward);
     singularity.position = from + std::min(reach, 0.25 * distance) * inward;
     if (SignedDistance(singularity.position, domain) <= 0.0)
     {
       // The segment between two corners on a curve may leave the domain; the inward ray of the
       // first corner does not.
-      const double own = ClearWay(domain, corners[i].position, corners[i].inward);
+      const double own = DistanceAlongRay(domain, corners[i].position, corners[i].inward);
       singularity.position = corners[i].position + 0.25 * own * corners[i].inward;
     }
     added.push_back(singularity);
@@ -200,11 +200,11 @@ Configuration SpreadConfiguration(
       }
     }
   }
-  GiveRadii(domain, result, given);
+  AssignRadii(domain, result, given);
   return result;
 }
 
-std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configuration& others)
+std::optional<Point> FindFreePlace(const PlanarDomain& domain, const Configuration& others)
 {
   const Candidates candidates(domain);
   if (candidates.places.empty())
@@ -214,11 +214,11 @@ std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configurati
   return candidates.places[candidates.Best(others, others.size())];
 }
 
-void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first)
+void AssignRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first)
 {
   for (std::size_t i = first; i < configuration.size(); ++i)
   {
-    configuration[i].radius = ChosenRadius(domain, configuration, i, domain.Diagonal() / 40.0);
+    configuration[i].radius = DefaultRadius(domain, configuration, i, domain.Diagonal() / 40.0);
   }
 }
 }

@@ -26,16 +26,16 @@ struct SpreadOptions
 ///
 /// Positions are spread: each singularity is moved in turn to the centre of the largest disk that
 /// fits between the boundary and the disks of the others, on a grid of 1/64 of the domain's size.
-/// Radii are those of GiveRadii. Throws Error when a given singularity lies outside the domain, or
+/// Radii are those of AssignRadii. Throws Error when a given singularity lies outside the domain, or
 /// the domain is too thin.
 Configuration SpreadConfiguration(
   const PlanarDomain& domain, const SpreadOptions& options = {}, const Progress& progress = {});
 
 /// Returns the place with the largest free disk beside the given singularities, on the same grid;
 /// none where the domain is too thin.
-std::optional<Point> RoomiestPlace(const PlanarDomain& domain, const Configuration& others);
+std::optional<Point> FindFreePlace(const PlanarDomain& domain, const Configuration& others);
 
 /// Sets the radii of the singularities from index `first` on to those that a drilled mesh of the
 /// default size would choose (HoleRadii.h).
-void GiveRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first = 0);
+void AssignRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first = 0);
 }

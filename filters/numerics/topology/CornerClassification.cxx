@@ -220,8 +220,8 @@ void Split(const PlanarDomain& domain, CornerClassification& result)
     {
       corner.quarterIndex = 1;
       Singularity singularity;
-      singularity.position =
-        corner.position + 0.25 * ClearWay(domain, corner.position, corner.inward) * corner.inward;
+      singularity.position = corner.position +
+        0.25 * DistanceAlongRay(domain, corner.position, corner.inward) * corner.inward;
       result.split.push_back(singularity);
     }
   }

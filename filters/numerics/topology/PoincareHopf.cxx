@@ -49,7 +49,7 @@ PoincareHopfCount CountQuarters(const std::vector<Loop>& loops, int givenInterio
     LoopCount part;
     for (std::size_t v = 0; v < loops[l].size(); ++v)
     {
-      const Corner vertex = DescribeVertex(loops, l, v);
+      const Corner vertex = MakeCorner(loops, l, v);
       const double turning = vertex.Turning();
       if (!IsCorner(turning, cornerAngle) && !chosen[l][v])
       {

@@ -64,11 +64,11 @@ struct TMesh
   std::vector<THalfEdge> halfEdges;
   std::vector<TArc> arcs;
   std::vector<TPatch> patches;
-  int lineCount = 0;    ///< Number of separatrices.
-  int extraLines = 0;   ///< Number of those that start on a boundary loop.
-  int headOn = 0;       ///< Pairs of separatrices that meet head-on.
-  int crossings = 0;    ///< Nodes where two separatrices end on a third from opposite sides.
-  double longest = 0.0; ///< Length of the longest separatrix in the map.
+  int separatrixCount = 0;   ///< Number of separatrices.
+  int extraSeparatrices = 0; ///< Number of those that start on a boundary loop.
+  int headOn = 0;            ///< Pairs of separatrices that meet head-on.
+  int crossings = 0;         ///< Nodes where two separatrices end on a third from opposite sides.
+  double longest = 0.0;      ///< Length of the longest separatrix in the map.
 
   /// Returns the opposite direction of a half-edge.
   static int Twin(int halfEdge) { return halfEdge ^ 1; }

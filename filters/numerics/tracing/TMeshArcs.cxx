@@ -20,11 +20,11 @@ public:
     , Lines(graph.separatrices)
     , Stops(map, graph)
   {
-    this->Mesh.lineCount = static_cast<int>(graph.separatrices.size());
-    this->Mesh.extraLines = graph.extraLines;
+    this->Mesh.separatrixCount = static_cast<int>(graph.separatrices.size());
+    this->Mesh.extraSeparatrices = graph.extraSeparatrices;
     this->Mesh.headOn = graph.headOn;
     this->Mesh.crossings = this->Stops.CrossingCount();
-    for (const TracedLine& line : this->Lines)
+    for (const TracedSeparatrix& line : this->Lines)
     {
       this->Mesh.longest = std::max(this->Mesh.longest, line.length);
     }
@@ -84,7 +84,7 @@ private:
 
   /// Returns the points where a separatrix passes from triangle to triangle, strictly between two
   /// lengths.
-  std::vector<Point> Polyline(const TracedLine& line, double from, double to) const
+  std::vector<Point> Polyline(const TracedSeparatrix& line, double from, double to) const
   {
     std::vector<Point> points;
     for (const LineSegment& segment : line.segments)
@@ -99,7 +99,7 @@ private:
 
   /// Adds the pieces of a separatrix between two lengths, triangle by triangle.
   static void AddPieces(
-    const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces)
+    const TracedSeparatrix& line, double from, double to, std::vector<ChartPiece>& pieces)
   {
     for (const LineSegment& segment : line.segments)
     {
@@ -114,12 +114,12 @@ private:
 
   /// Adds the pieces of an arc on a separatrix, or on two that meet head-on.
   void AddArcPieces(
-    const TracedLine& line, double from, double to, std::vector<ChartPiece>& pieces) const
+    const TracedSeparatrix& line, double from, double to, std::vector<ChartPiece>& pieces) const
   {
     AddPieces(line, from, std::min(to, line.length), pieces);
-    if (line.end == LineEnd::HeadOn)
+    if (line.end == SeparatrixEnd::HeadOn)
     {
-      const TracedLine& other = this->Lines[Index(line.other)];
+      const TracedSeparatrix& other = this->Lines[Index(line.other)];
       std::vector<ChartPiece> ofOther;
       AddPieces(
         other, line.headOnLength - to, std::min(line.headOnLength - from, other.length), ofOther);
@@ -146,8 +146,8 @@ private:
   /// Adds the arcs of a separatrix, or of two that meet head-on.
   void AddSeparatrix(std::size_t i)
   {
-    const TracedLine& line = this->Lines[i];
-    const bool both = line.end == LineEnd::HeadOn;
+    const TracedSeparatrix& line = this->Lines[i];
+    const bool both = line.end == SeparatrixEnd::HeadOn;
     const std::vector<TMeshStop> stops = this->Stops.OnSeparatrix(i);
     for (std::size_t j = 0; j + 1 < stops.size(); ++j)
     {
@@ -165,7 +165,7 @@ private:
       add(this->Polyline(line, stops[j].at, std::min(stops[j + 1].at, line.length)));
       if (both)
       {
-        const TracedLine& other = this->Lines[Index(line.other)];
+        const TracedSeparatrix& other = this->Lines[Index(line.other)];
         std::vector<Point> ofOther = this->Polyline(other, line.headOnLength - stops[j + 1].at,
           std::min(line.headOnLength - stops[j].at, other.length));
         std::reverse(ofOther.begin(), ofOther.end());
@@ -254,7 +254,7 @@ private:
   const SeamlessMap& Map;
   const MeshTopology& Topology;
   const LineWalk Walk;
-  const std::vector<TracedLine>& Lines;
+  const std::vector<TracedSeparatrix>& Lines;
   const TMeshStops Stops;
   TMesh Mesh;
 };

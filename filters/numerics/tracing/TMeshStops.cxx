@@ -97,7 +97,7 @@ int TMeshStops::AddBoundaryNode(int position, const Point& w, const Point& place
 
 void TMeshStops::AddStart(std::size_t i)
 {
-  const TracedLine& line = this->Lines[i];
+  const TracedSeparatrix& line = this->Lines[i];
   TMeshStop start;
   start.node = line.cone;
   start.forward = line.slot;
@@ -113,18 +113,18 @@ void TMeshStops::AddStart(std::size_t i)
 
 void TMeshStops::AddEnd(std::size_t i)
 {
-  const TracedLine& line = this->Lines[i];
+  const TracedSeparatrix& line = this->Lines[i];
   const LineSegment& last = line.segments[Index(line.lastSegment)];
   TMeshStop end;
   end.at = line.length;
-  if (line.end == LineEnd::Boundary)
+  if (line.end == SeparatrixEnd::Boundary)
   {
     end.node = this->AddBoundaryNode(
       line.endPosition, last.At(line.length), this->Walk.PlaneAt(last.triangle, last.exit));
     end.backward = 1;
     this->OnLines[i].push_back(end);
   }
-  else if (line.end == LineEnd::Line)
+  else if (line.end == SeparatrixEnd::Line)
   {
     end.node =
       this->AddNode({ NodeKind::OnSeparatrix, -1, 4, this->Walk.PlaneAt(last, line.length) });
@@ -144,8 +144,8 @@ int TMeshStops::EndNode(std::size_t i) const
 
 std::vector<TMeshStop> TMeshStops::OnSeparatrix(std::size_t i) const
 {
-  const TracedLine& line = this->Lines[i];
-  const bool both = line.end == LineEnd::HeadOn;
+  const TracedSeparatrix& line = this->Lines[i];
+  const bool both = line.end == SeparatrixEnd::HeadOn;
   if (both && line.other < static_cast<int>(i))
   {
     return {};

@@ -66,7 +66,7 @@ private:
   const SeamlessMap& Map;
   const MeshTopology& Topology;
   const LineWalk Walk;
-  const std::vector<TracedLine>& Lines;
+  const std::vector<TracedSeparatrix>& Lines;
   std::vector<TNode> Nodes;
   std::vector<std::vector<TMeshStop>> OnLines;    ///< Per separatrix, in the order of addition.
   std::vector<std::vector<TMeshStop>> OnBoundary; ///< Per entry of mesh.boundary.

@@ -66,7 +66,7 @@ public:
     {
       for (std::size_t i = 0; i < departures[cone].size(); ++i)
       {
-        TracedLine line;
+        TracedSeparatrix line;
         line.cone = static_cast<int>(cone);
         // Slot 0 of a corner is the side that starts there.
         line.slot = static_cast<int>(i) + (this->Map.cones[cone].onBoundary ? 1 : 0);
@@ -77,11 +77,11 @@ public:
     this->TraceAll();
     for (int position = this->FreeLoop(); position >= 0; position = this->FreeLoop())
     {
-      TracedLine line;
+      TracedSeparatrix line;
       line.startPosition = position;
       line.segments.push_back(this->Walk.StartFromSide(position));
       line.delay = this->Now; // all others have passed
-      ++this->Graph.extraLines;
+      ++this->Graph.extraSeparatrices;
       this->Add(std::move(line));
       this->TraceAll();
     }
@@ -97,7 +97,7 @@ private:
     int next;
   };
 
-  void Add(TracedLine line)
+  void Add(TracedSeparatrix line)
   {
     const auto number = static_cast<int>(this->Graph.separatrices.size());
     line.delay += LargestDelay * this->Extent * std::fmod((number + 1) * GoldenRatio, 1.0);
@@ -123,7 +123,7 @@ private:
       const Event event = this->Events.top();
       this->Events.pop();
       this->Now = event.time;
-      if (this->Graph.separatrices[Index(event.line)].end != LineEnd::None)
+      if (this->Graph.separatrices[Index(event.line)].end != SeparatrixEnd::None)
       {
         continue;
       }
@@ -144,12 +144,12 @@ private:
 
   void Advance(int number)
   {
-    TracedLine& line = this->Graph.separatrices[Index(number)];
+    TracedSeparatrix& line = this->Graph.separatrices[Index(number)];
     const LineSegment& last = line.segments.back();
     if (this->Walk.Beyond(last) < 0)
     {
       const int edge = this->Topology.edges.ofTriangle[Index(last.triangle)][Index(last.exit.side)];
-      line.end = LineEnd::Boundary;
+      line.end = SeparatrixEnd::Boundary;
       line.length = last.exitLength;
       line.endPosition = this->BoundaryPosition(edge);
       line.lastSegment = static_cast<int>(line.segments.size()) - 1;
@@ -167,7 +167,7 @@ private:
   /// Finds the separatrices that one meets in the triangle that it has entered.
   void Enter(int number)
   {
-    const TracedLine& line = this->Graph.separatrices[Index(number)];
+    const TracedSeparatrix& line = this->Graph.separatrices[Index(number)];
     const auto segment = static_cast<int>(line.segments.size()) - 1;
     const LineSegment& mine = line.segments.back();
     for (int e = this->Latest[Index(mine.triangle)]; e >= 0; e = this->Entries[Index(e)].next)
@@ -251,21 +251,21 @@ private:
 
   /// Returns the length that a separatrix has reached or may still reach. Where two meet head-on,
   /// no other can pass between them.
-  double Reach(const TracedLine& line) const
+  double Reach(const TracedSeparatrix& line) const
   {
-    return line.end == LineEnd::None ? this->Extent * 2.0 * LongestLine
-      : line.end == LineEnd::HeadOn  ? line.length + this->Tolerance
-                                     : line.length;
+    return line.end == SeparatrixEnd::None ? this->Extent * 2.0 * LongestLine
+      : line.end == SeparatrixEnd::HeadOn  ? line.length + this->Tolerance
+                                           : line.length;
   }
 
   void Cross(const Event& event)
   {
-    TracedLine& line = this->Graph.separatrices[Index(event.line)];
+    TracedSeparatrix& line = this->Graph.separatrices[Index(event.line)];
     if (this->Reach(this->Graph.separatrices[Index(event.other)]) < event.otherLength)
     {
       return; // the other one stops before this point
     }
-    line.end = LineEnd::Line;
+    line.end = SeparatrixEnd::Line;
     line.length = event.length;
     line.other = event.other;
     line.otherLength = event.otherLength;
@@ -294,17 +294,17 @@ private:
 
   void Meet(const Event& event)
   {
-    TracedLine& line = this->Graph.separatrices[Index(event.line)];
-    TracedLine& other = this->Graph.separatrices[Index(event.other)];
-    if (other.end != LineEnd::None)
+    TracedSeparatrix& line = this->Graph.separatrices[Index(event.line)];
+    TracedSeparatrix& other = this->Graph.separatrices[Index(event.other)];
+    if (other.end != SeparatrixEnd::None)
     {
       return;
     }
     line.length = std::clamp(event.time - line.delay, 0.0, event.length);
     other.length = event.length - line.length;
-    const auto close = [&event](TracedLine& one, int partner)
+    const auto close = [&event](TracedSeparatrix& one, int partner)
     {
-      one.end = LineEnd::HeadOn;
+      one.end = SeparatrixEnd::HeadOn;
       one.other = partner;
       one.headOnLength = event.length;
       one.lastSegment = static_cast<int>(one.segments.size()) - 1;
@@ -341,7 +341,7 @@ private:
     {
       corner[Index(cone.vertex)] = true;
     }
-    for (const TracedLine& line : this->Graph.separatrices)
+    for (const TracedSeparatrix& line : this->Graph.separatrices)
     {
       for (const int position : { line.startPosition, line.endPosition })
       {
@@ -382,7 +382,7 @@ private:
 };
 }
 
-TraceGraph TraceLines(const SeamlessMap& map, const Progress& progress)
+TraceGraph TraceSeparatrices(const SeamlessMap& map, const Progress& progress)
 {
   progress.Report(0.0);
   TraceGraph graph = Tracer(map, progress).Run();

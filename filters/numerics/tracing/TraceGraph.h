@@ -11,7 +11,7 @@ namespace crossfield
 constexpr double SameIsoline = 4e-13;
 
 /// What stops a separatrix.
-enum class LineEnd
+enum class SeparatrixEnd
 {
   None,     ///< It has not been stopped.
   Line,     ///< It meets another separatrix from the side.
@@ -21,14 +21,14 @@ enum class LineEnd
 
 /// A separatrix: a straight line in the seamless map from a cone, or from a boundary loop, to where
 /// it is stopped.
-struct TracedLine
+struct TracedSeparatrix
 {
   int cone = -1; ///< Cone where it starts; −1 for extra ones, which start on the boundary.
   int slot = 0;  ///< Direction at the cone, counter-clockwise from 0.
   int startPosition = -1; ///< Entry of mesh.boundary where an extra one starts.
   double delay = 0.0;     ///< Delay of its start, as a length.
   double length = 0.0;    ///< Length in the map.
-  LineEnd end = LineEnd::None;
+  SeparatrixEnd end = SeparatrixEnd::None;
   int other = -1;            ///< Separatrix at its end.
   double otherLength = 0.0;  ///< Length along that one to the common point.
   double headOnLength = 0.0; ///< Length of both together where two meet head-on.
@@ -43,15 +43,16 @@ struct TracedLine
 /// (docs/method.md §13).
 struct TraceGraph
 {
-  std::vector<TracedLine> separatrices;
-  int extraLines = 0; ///< Number of extra ones, at the end: for boundary loops that no other meets.
-  int headOn = 0;     ///< Pairs that meet head-on.
+  std::vector<TracedSeparatrix> separatrices;
+  int extraSeparatrices =
+    0;            ///< Number of extra ones, at the end: for boundary loops that no other meets.
+  int headOn = 0; ///< Pairs that meet head-on.
 };
 
 /// Traces the separatrices of a map. All advance together, the shortest first; where two cross, the
 /// one that arrives later stops. Two on one isoline that meet head-on become one path. From each
 /// boundary loop that none meets, one extra separatrix starts at a right angle.
-TraceGraph TraceLines(const SeamlessMap& map, const Progress& progress = {});
+TraceGraph TraceSeparatrices(const SeamlessMap& map, const Progress& progress = {});
 
 /// Traces the straight line from a point of a triangle to the boundary, or up to length `longest`.
 std::vector<LineSegment> TraceStreamline(

@@ -40,6 +40,6 @@ RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopol
 RelativeSizes ComputeRelativeSizes(
   const PrescribedSizes& sizes, const PlanarDomain& domain, double meshSize)
 {
-  return ComputeRelativeSizes(sizes, *ShareTopology(MeshOnPoints(domain, {}, meshSize)));
+  return ComputeRelativeSizes(sizes, *ShareTopology(MeshThroughPoints(domain, {}, meshSize)));
 }
 }

@@ -53,8 +53,8 @@ public:
 
   SharedTopology Mesh(const Progress& progress)
   {
-    const SharedTopology topology = ShareTopology(
-      MeshOnPoints(this->Domain, this->Result.singularities, this->Request.meshSize, progress));
+    const SharedTopology topology = ShareTopology(MeshThroughPoints(
+      this->Domain, this->Result.singularities, this->Request.meshSize, progress));
     this->Result.seconds.mesh = this->Clock.Lap();
     return topology;
   }
@@ -76,7 +76,7 @@ public:
 
   TMesh Trace(const SeamlessMap& map, const Progress& progress)
   {
-    TMesh separatrices = MakeTMesh(map, TraceLines(map, progress));
+    TMesh separatrices = MakeTMesh(map, TraceSeparatrices(map, progress));
     this->Result.seconds.trace = this->Clock.Lap();
     return separatrices;
   }

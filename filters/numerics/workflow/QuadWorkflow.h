@@ -62,7 +62,7 @@ struct QuadWorkflowResult
 /// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
 /// makes quads.
 ///
-/// Throws Error as ChooseSingularities, RepairForMap, MeshOnPoints, SolveSeamlessMap, TraceLines,
+/// Throws Error as ChooseSingularities, RepairForMap, MeshThroughPoints, SolveSeamlessMap, TraceSeparatrices,
 /// MakeTMesh and MakeQuads do.
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});

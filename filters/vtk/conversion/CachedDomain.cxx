@@ -27,7 +27,7 @@ const crossfield::FactoredDomain& CachedDomain::Factor(
   {
     std::swap(last, other);
   }
-  if (!last.second || last.first != meshSize || !last.second->Serves(configuration))
+  if (!last.second || last.first != meshSize || !last.second->HasBoundaryVertices(configuration))
   {
     last = { meshSize, nullptr };
     last.second = std::make_unique<const crossfield::FactoredDomain>(

@@ -182,7 +182,7 @@ void DesignSession::ApplyCommand(
   }
   else if (request.command == DesignCommand::AddPair)
   {
-    const auto places = crossfield::PlacesForPair(
+    const auto places = crossfield::PositionsForPair(
       this->Domain.Factor(singularities, request.meshSize), singularities);
     singularities.push_back({ places[0], 1 });
     singularities.push_back({ places[1], -1 });

@@ -81,7 +81,7 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   if (const std::optional<double> angle = MinimumAngle(*design))
   {
-    ColumnWriting::AddNumbers(data, names::LeastAngle, { *angle });
+    ColumnWriting::AddNumbers(data, names::MinimumAngle, { *angle });
   }
 }
 }

@@ -120,7 +120,7 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
   LineWriter writer(traced.plane, output);
   for (std::size_t i = 0; i < graph.separatrices.size(); ++i)
   {
-    const crossfield::TracedLine& line = graph.separatrices[i];
+    const crossfield::TracedSeparatrix& line = graph.separatrices[i];
     const crossfield::LineSegment& first = line.segments.front();
     std::vector<Point> polyline = { walk.PlaneAt(first.triangle, first.entry) };
     for (int s = 0; s < line.lastSegment; ++s)
@@ -163,8 +163,8 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
       row.seed = static_cast<int>(seed);
       row.length = std::min(longest, segments.back().exitLength);
       const bool ends = walk.Beyond(segments.back()) < 0 && segments.back().exitLength <= longest;
-      row.endsAt =
-        static_cast<int>(ends ? crossfield::LineEnd::Boundary : crossfield::LineEnd::None);
+      row.endsAt = static_cast<int>(
+        ends ? crossfield::SeparatrixEnd::Boundary : crossfield::SeparatrixEnd::None);
       writer.Add(polyline, row);
     }
   }
@@ -175,10 +175,10 @@ void WriteTraces(const MapConversion::Map& traced, const crossfield::TraceGraph&
 void AddCounts(const crossfield::TMesh& mesh, vtkFieldData* field)
 {
   const auto count = [](std::size_t size) { return static_cast<int>(size); };
-  ColumnWriting::AddIntegers(field, names::Lines, { mesh.lineCount });
+  ColumnWriting::AddIntegers(field, names::Lines, { mesh.separatrixCount });
   ColumnWriting::AddIntegers(field, names::Faces, { count(mesh.patches.size()) });
   ColumnWriting::AddIntegers(field, names::Arcs, { count(mesh.arcs.size()) });
-  ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraLines });
+  ColumnWriting::AddIntegers(field, names::ExtraLines, { mesh.extraSeparatrices });
   ColumnWriting::AddIntegers(field, names::HeadOn, { mesh.headOn });
   ColumnWriting::AddIntegers(field, names::Flips, { 0 });
   ColumnWriting::AddNumbers(field, names::Longest, { mesh.longest });

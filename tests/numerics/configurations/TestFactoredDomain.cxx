@@ -112,7 +112,7 @@ TEST(FactoredDomain, MeshesAgainIfPointsAreClose)
   const FactoredDomain disk(Builtin("disk", 0.1), {}, 0.1);
   for (const Configuration& close : { At({ { 0.0, 0.0 }, { 0.03, 0.01 } }), At({ { 0.97, 0.0 } }) })
   {
-    EXPECT_EQ(disk.MeshOn(close).points, MeshOnPoints(disk.GetDomain(), close, 0.1).points);
+    EXPECT_EQ(disk.MeshOn(close).points, MeshThroughPoints(disk.GetDomain(), close, 0.1).points);
   }
 }
 
@@ -120,9 +120,10 @@ TEST(FactoredDomain, ChecksVerticesOnBoundary)
 {
   const PlanarDomain square = Builtin("square", 0.1);
   const Configuration onSide = At({ { 0.123, 0.0 } });
-  EXPECT_FALSE(FactoredDomain(square, {}, 0.1).Serves(onSide));
-  EXPECT_TRUE(FactoredDomain(square, onSide, 0.1).Serves(onSide));
-  EXPECT_TRUE(FactoredDomain(square, onSide, 0.1).Serves(At({ { 0.5, 0.5 }, { 0.0, 0.0 } })));
+  EXPECT_FALSE(FactoredDomain(square, {}, 0.1).HasBoundaryVertices(onSide));
+  EXPECT_TRUE(FactoredDomain(square, onSide, 0.1).HasBoundaryVertices(onSide));
+  EXPECT_TRUE(
+    FactoredDomain(square, onSide, 0.1).HasBoundaryVertices(At({ { 0.5, 0.5 }, { 0.0, 0.0 } })));
 }
 }
 }

@@ -69,7 +69,7 @@ TEST(LoopArc, MeasuresDistancesFromReplacementSides)
   const std::vector<ArcVertex> vertices = { { 0.0, { 0, 0 } }, { 2.0, { 2, 0 } }, { 6.0, { 4, 2 } },
     { 10.0, { 0, 2 } } };
   EXPECT_DOUBLE_EQ(LargestDistance(arc, vertices), std::sqrt(2.0));
-  EXPECT_EQ(PlacesOf(vertices)[2], Point(4, 2));
+  EXPECT_EQ(PositionsOf(vertices)[2], Point(4, 2));
 }
 }
 }

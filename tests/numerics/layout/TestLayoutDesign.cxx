@@ -39,8 +39,8 @@ TEST(LayoutDesign, MatchesLayoutOnSeparateMesh)
     }
     const LayoutDesign live = DesignLayout(factored, configuration);
     const SeamlessMap map =
-      SolveSeamlessMap(ShareTopology(MeshOnPoints(disk, configuration, 0.05)), configuration);
-    const TMesh separate = MakeTMesh(map, TraceLines(map));
+      SolveSeamlessMap(ShareTopology(MeshThroughPoints(disk, configuration, 0.05)), configuration);
+    const TMesh separate = MakeTMesh(map, TraceSeparatrices(map));
     EXPECT_EQ(live.mesh.patches.size(), separate.patches.size()) << i;
     EXPECT_NEAR(live.mesh.longest, separate.longest, 0.02) << i;
     EXPECT_LT(live.mesh.Mismatch(), 1e-12);

@@ -229,7 +229,7 @@ TEST(DrillHoles, MeshSizeDefaultsToAFortiethOfTheDiagonal)
   // The default radius is the mesh size, or a third of the distance to the boundary if that is
   // smaller.
   const Configuration holes = { { { 0.5, 0.5 }, 1, 0.0 } };
-  EXPECT_EQ(WithChosenRadii(square, holes, 0.1)[0].radius, 0.1);
+  EXPECT_EQ(WithDefaultRadii(square, holes, 0.1)[0].radius, 0.1);
   const Drilled drilled{ square, { { { 0.5, 0.5 }, 1, 0.5 / 3.0 } }, options,
     DrillHoles(square, holes, options) };
   EXPECT_GE(PolygonCorners(drilled, 0), 32);

@@ -15,7 +15,7 @@ SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration
   const SeamlessMapOptions& options = {})
 {
   return SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration, options);
+    ShareTopology(MeshThroughPoints(domain, configuration, meshSize)), configuration, options);
 }
 
 const Configuration Four = OnCircle(4, 0.6, Pi / 4.0, 1, 0.0);

@@ -122,7 +122,7 @@ SeamlessMap MapOf(const RandomCase& random)
 {
   const double meshSize = 0.05 * std::sqrt(random.domain.Area() / Pi);
   return SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(random.domain, random.configuration, meshSize)),
+    ShareTopology(MeshThroughPoints(random.domain, random.configuration, meshSize)),
     random.configuration);
 }
 
@@ -246,7 +246,7 @@ TEST(QuadProperties, HoldOnRandomDomains)
       {
         QuadOptions options;
         options.quadSize = part * extent;
-        const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+        const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
         ExpectSound(result, map, options.quadSize);
         ++meshes;
         far += FarApart(map, options.quadSize) ? 1 : 0;
@@ -307,7 +307,7 @@ TEST(QuadProperties, AreAsSymmetricAsDomainAndConfiguration)
       QuadOptions options;
       options.quadSize = 0.2;
       options.sizes.sizing = sizing;
-      const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+      const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
       EXPECT_GE(result.smoothing.symmetries, 4);
       const double extent = symmetric.domain.Diagonal();
       for (const Isometry& isometry :

@@ -18,7 +18,7 @@ SeamlessMap MapOfSix()
   const Configuration configuration =
     Join(OnCircle(6, 0.7, 0.1, 1, 0.0), { { { 0.2, 0.0 }, -1 }, { { -0.2, 0.0 }, -1 } });
   return SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(DiskOfEdges(0.04), configuration, 0.04)), configuration);
+    ShareTopology(MeshThroughPoints(DiskOfEdges(0.04), configuration, 0.04)), configuration);
 }
 
 QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Conformal)
@@ -26,7 +26,7 @@ QuadResult QuadsOf(const SeamlessMap& map, int count, Sizing sizing = Sizing::Co
   QuadOptions options;
   options.quadCount = count;
   options.sizes.sizing = sizing;
-  return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
 }
 
 std::vector<bool> AllButFixed(const QuadMesh& mesh)

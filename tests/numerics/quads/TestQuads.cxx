@@ -18,14 +18,14 @@ namespace
 SeamlessMap MapOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
   return SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
+    ShareTopology(MeshThroughPoints(domain, configuration, meshSize)), configuration);
 }
 
 QuadResult QuadsOf(const SeamlessMap& map, double size)
 {
   QuadOptions options;
   options.quadSize = size;
-  return MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  return MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
 }
 
 /// Expects the requested irregular points, the topology of the domain, boundary points on the
@@ -208,14 +208,15 @@ TEST(Quads, AreNearTheRequestedCount)
   {
     QuadOptions options;
     options.quadCount = count;
-    EXPECT_NEAR(static_cast<double>(
-                  MakeQuads(map, MakeTMesh(map, TraceLines(map)), options).mesh.quads.size()),
+    EXPECT_NEAR(
+      static_cast<double>(
+        MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options).mesh.quads.size()),
       count, 0.05 * count);
   }
   QuadOptions none;
   none.quadSize = -1.0;
   EXPECT_TRUE(Refuses(
-    [&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), none); }, { "size", "positive" }));
+    [&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), none); }, { "size", "positive" }));
 }
 
 TEST(Quads, OfUniformSizingHaveNearlyEqualSizes)
@@ -226,9 +227,9 @@ TEST(Quads, OfUniformSizingHaveNearlyEqualSizes)
   const SeamlessMap map = MapOf(DiskOfEdges(0.04), configuration, 0.05);
   QuadOptions options;
   options.quadCount = 600;
-  const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult conformal = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   options.sizes.sizing = Sizing::Uniform;
-  const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult uniform = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   EXPECT_GT(conformal.quality.variation, 0.2);
   EXPECT_LT(uniform.quality.variation, 0.12);
   EXPECT_GE(uniform.quality.jacobian.min, 0.5);
@@ -247,7 +248,7 @@ TEST(Quads, FollowASizeField)
   options.quadCount = 500;
   options.sizes.sizing = Sizing::Field;
   options.sizes.field = [](const Point& place) { return 1.0 + place.x() / 3.0; };
-  const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   EXPECT_EQ(result.quality.inverted, 0);
   double left = 0.0;
   double right = 0.0;
@@ -265,7 +266,7 @@ TEST(Quads, FollowASizeField)
   // 1.92.
   EXPECT_NEAR(left / right, 1.92 / 1.08, 0.35);
   options.sizes.field = [](const Point& place) { return place.x() - 1.0; };
-  EXPECT_TRUE(Refuses([&] { MakeQuads(map, MakeTMesh(map, TraceLines(map)), options); },
+  EXPECT_TRUE(Refuses([&] { MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options); },
     { "size", "not a positive number" }));
 }
 
@@ -278,9 +279,9 @@ TEST(Quads, OfCoarseLayoutsHaveFewerBlocks)
   const SeamlessMap map = MapOf(domain, configuration, 0.05);
   QuadOptions options;
   options.quadSize = 0.03;
-  const QuadResult fine = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult fine = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   options.coarse = true;
-  const QuadResult coarse = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult coarse = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   ExpectSound(coarse, map, 0.5 * fine.quality.jacobian.min);
   EXPECT_LT(coarse.blocks.blocks.size(), fine.blocks.blocks.size());
   EXPECT_NEAR(static_cast<double>(coarse.mesh.quads.size()),

@@ -15,7 +15,7 @@ SharedTopology Plate()
 {
   const PlanarDomain plate =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
-  return ShareTopology(MeshOnPoints(plate, {}, 0.1));
+  return ShareTopology(MeshThroughPoints(plate, {}, 0.1));
 }
 
 /// Returns exp(0.4 x − 0.7 y), whose logarithm is linear, hence a harmonic P1 function.

@@ -23,9 +23,9 @@ namespace
 {
 TMesh TMeshOf(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
-  const SeamlessMap map =
-    SolveSeamlessMap(ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration);
-  return MakeTMesh(map, TraceLines(map));
+  const SeamlessMap map = SolveSeamlessMap(
+    ShareTopology(MeshThroughPoints(domain, configuration, meshSize)), configuration);
+  return MakeTMesh(map, TraceSeparatrices(map));
 }
 
 /// Returns the minimum cost, at most `limit`, over all integer counts up to `largest`, with

@@ -38,12 +38,13 @@ TEST(DomainQueries, SignedDistance)
   EXPECT_NEAR(SignedDistance({ 0.0, -2.0 }, ring), -1.0, 1e-5);
 }
 
-TEST(DomainQueries, ClearWay)
+TEST(DomainQueries, DistanceAlongRay)
 {
   const PlanarDomain square = Builtin("square");
-  EXPECT_NEAR(ClearWay(square, { 0.0, 0.0 }, Point(1.0, 1.0).normalized()), std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(ClearWay(square, { 0.5, 0.0 }, { 0.0, 1.0 }), 1.0, 1e-12);
-  EXPECT_EQ(ClearWay(square, { 0.5, 0.0 }, { 0.0, -1.0 }), 0.0);
+  EXPECT_NEAR(
+    DistanceAlongRay(square, { 0.0, 0.0 }, Point(1.0, 1.0).normalized()), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(DistanceAlongRay(square, { 0.5, 0.0 }, { 0.0, 1.0 }), 1.0, 1e-12);
+  EXPECT_EQ(DistanceAlongRay(square, { 0.5, 0.0 }, { 0.0, -1.0 }), 0.0);
 }
 
 TEST(ConfigurationSpread, IsConsistentAndCanBeDrilledAndSolved)

@@ -11,8 +11,8 @@ TMesh LinesOf(const PlanarDomain& domain, const Configuration& configuration, do
   const SeamlessMapOptions& options)
 {
   const SeamlessMap map = SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(domain, configuration, meshSize)), configuration, options);
-  return MakeTMesh(map, TraceLines(map));
+    ShareTopology(MeshThroughPoints(domain, configuration, meshSize)), configuration, options);
+  return MakeTMesh(map, TraceSeparatrices(map));
 }
 
 double MapArea(const TMesh& mesh)
@@ -34,9 +34,9 @@ void ExpectSound(const TMesh& mesh, int euler)
     singularities += node.kind == NodeKind::Singularity ? 1 : 0;
     corners += node.kind == NodeKind::Corner ? 1 : 0;
   }
-  EXPECT_EQ(Count(mesh.patches.size()), mesh.lineCount - mesh.headOn - singularities + euler);
+  EXPECT_EQ(Count(mesh.patches.size()), mesh.separatrixCount - mesh.headOn - singularities + euler);
   EXPECT_EQ(Count(mesh.arcs.size()),
-    2 * mesh.lineCount + corners + mesh.extraLines - 3 * mesh.headOn - mesh.crossings);
+    2 * mesh.separatrixCount + corners + mesh.extraSeparatrices - 3 * mesh.headOn - mesh.crossings);
   EXPECT_LT(mesh.Mismatch(), 1e-12 * std::sqrt(MapArea(mesh)));
   const double area = MapArea(mesh);
   double domain = 0.0;
@@ -64,6 +64,6 @@ void ExpectSound(const TMesh& mesh, int euler)
 TMesh LinesOn(const TriangleMesh& mesh, const Configuration& configuration)
 {
   const SeamlessMap map = SolveSeamlessMap(ShareTopology(mesh), configuration);
-  return MakeTMesh(map, TraceLines(map));
+  return MakeTMesh(map, TraceSeparatrices(map));
 }
 }

@@ -100,7 +100,7 @@ TEST(TMesh, RingHasSidesInTheRatioOfLogarithms)
 {
   const TMesh mesh = LinesOf(RingOfEdges(0.02), {}, 0.02);
   ASSERT_EQ(mesh.patches.size(), 1U);
-  EXPECT_EQ(mesh.extraLines, 1);
+  EXPECT_EQ(mesh.extraSeparatrices, 1);
   const double a = mesh.SideLength(mesh.patches[0], 0);
   const double b = mesh.SideLength(mesh.patches[0], 1);
   EXPECT_NEAR(std::max(a, b) / std::min(a, b), 2.0 * Pi / std::log(2.5), 2e-3);
@@ -183,7 +183,7 @@ TEST(TMesh, SeparatricesMeetHeadOnOnAnExactlySymmetricMesh)
   quarter.emplace_back(0.0, 0.0);
   const Configuration one = OnCircle(1, 0.6, 0.7, 1, 0.0);
   const TriangleMesh mesh =
-    JoinMirrored(JoinMirrored(MeshOnPoints(MakePlanarDomain({ quarter }), one, 0.08), 0), 1);
+    JoinMirrored(JoinMirrored(MeshThroughPoints(MakePlanarDomain({ quarter }), one, 0.08), 0), 1);
   Configuration four;
   for (const double x : { -1.0, 1.0 })
   {

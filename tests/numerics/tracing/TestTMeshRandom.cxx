@@ -108,7 +108,7 @@ TEST(TMesh, IsInvariantUnderSimilaritiesMirroringAndRenumbering)
   {
     SCOPED_TRACE(number);
     const RandomCase random = MakeRandomCase(number, number % 3, 0.12);
-    const TriangleMesh mesh = MeshOnPoints(random.domain, random.configuration, 0.08);
+    const TriangleMesh mesh = MeshThroughPoints(random.domain, random.configuration, 0.08);
     const TMesh first = LinesOn(mesh, random.configuration);
     const std::vector<double> lengths = ArcLengths(first, 1.0);
     const auto expectSame = [&first, &lengths](const TMesh& other, double scale)
@@ -191,7 +191,7 @@ TEST(TMesh, IsAccurateWhereSizesDifferByOrdersOfMagnitude)
   // A single solve of the map has an error of 3e-6 here; renumbering and moving the mesh changes
   // the rounding.
   const RandomCase random = MakeRandomCase(548, 48, 0.06);
-  const TriangleMesh mesh = MeshOnPoints(random.domain, random.configuration, 0.04);
+  const TriangleMesh mesh = MeshThroughPoints(random.domain, random.configuration, 0.04);
   const Similarity move{ 0.7, 1.0, Point(0.3, -0.2) };
   const TMesh first = LinesOn(mesh, random.configuration);
   const TMesh second = LinesOn(move(mesh), move(random.configuration));

@@ -56,10 +56,10 @@ TEST(QuadWorkflow, MakesTheMeshOfItsSteps)
   request.meshSize = 0.1;
   const QuadWorkflowResult result = MakeQuadMesh(disk, request);
   const SeamlessMap map = SolveSeamlessMap(
-    ShareTopology(MeshOnPoints(disk, *request.singularities, 0.1)), *request.singularities);
+    ShareTopology(MeshThroughPoints(disk, *request.singularities, 0.1)), *request.singularities);
   QuadOptions options;
   options.quadSize = 0.1;
-  const QuadResult steps = MakeQuads(map, MakeTMesh(map, TraceLines(map)), options);
+  const QuadResult steps = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
   ExpectSamePoints(result.quads.mesh, steps.mesh, 0.0);
   EXPECT_EQ(result.holonomyDefect, map.holonomyDefect);
   EXPECT_EQ(result.singularities.size(), 4U);
@@ -156,7 +156,7 @@ TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
 {
   const PlanarDomain plate =
     MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 1.0 }, { 0.0, 1.0 } } });
-  const SharedTopology topology = ShareTopology(MeshOnPoints(plate, {}, 0.1));
+  const SharedTopology topology = ShareTopology(MeshThroughPoints(plate, {}, 0.1));
   const auto size = [](const Point& place) { return 0.2 * std::exp(0.4 * place.x()); };
   for (const bool isOnBoundaryOnly : { false, true })
   {

@@ -13,7 +13,7 @@
 
 /** Test of a filter with four singularities on the unit disk, the defaults of the sources. */
 template <class Algorithm>
-class OnTheDisk : public testing::Test
+class DiskTest : public testing::Test
 {
 public:
   void SetUp() override
