@@ -1,23 +1,21 @@
 /**
- * Seconds of every stage on the unit disk with eight holes, at 10,000, 100,000 and 1,000,000, ours also
- * at 4,000,000 and whole runs at 10,000,000 triangles, and beside them in the same run a bare CHOLMOD factorisation
- * (supernodal, AMD: analyse, factor, two solves) of the scalar Crouzeix-Raviart matrix of the same mesh. `of_bare` is the
- * ratio to it, `growth` the exponent from the size before.
+ * Seconds of every stage up to the field on the unit disk with eight holes, at 10,000, 100,000 and
+ * 1,000,000, ours also at 4,000,000 and whole runs at 10,000,000 triangles, and in the same run of a
+ * bare CHOLMOD factorisation (supernodal, AMD: analyse, factor, two solves) of the scalar
+ * Crouzeix-Raviart matrix of the same mesh. `of_bare` is the ratio to it, `growth` the exponent from
+ * the next smaller size. BenchQuads.cxx measures the stages from the map to quads.
  *
  *   build/bin/benchStages
  */
+#include "BenchDisk.h"
 #include "BuiltinDomains.h"
 #include "CrouzeixRaviart.h"
 #include "DrillHoles.h"
 #include "HField.h"
 #include "MakePlanarDomain.h"
-#include "MeshForPoints.h"
 #include "PerforatedSolve.h"
-#include "QuadMesher.h"
 #include "RenormalizedEnergy.h"
-#include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
-#include "TMeshPatches.h"
 
 #include <benchmark/benchmark.h>
 #include <cholmod.h>
@@ -39,26 +37,6 @@
 namespace
 {
 using namespace crossfield;
-
-/// Returns six k = +1 at radius 0.7 and two k = −1 at (±0.2, 0), radius 0.02 (docs/method.md §9).
-Configuration EightHoles()
-{
-  Configuration configuration;
-  for (int i = 0; i < 6; ++i)
-  {
-    const double angle = Pi * i / 3.0;
-    configuration.push_back({ 0.7 * Point(std::cos(angle), std::sin(angle)), 1, 0.02 });
-  }
-  configuration.push_back({ { 0.2, 0.0 }, -1, 0.02 });
-  configuration.push_back({ { -0.2, 0.0 }, -1, 0.02 });
-  return configuration;
-}
-
-/// Returns the edge length for about `triangles` equilateral triangles in a disk of area π.
-double MeshSizeFor(std::int64_t triangles)
-{
-  return std::sqrt(4.0 * Pi / (std::sqrt(3.0) * static_cast<double>(triangles)));
-}
 
 TriangleMesh MakeMesh(std::int64_t triangles, const Configuration& holes)
 {
@@ -200,45 +178,7 @@ void BareCholmod(benchmark::State& state)
   BareSeconds(true)[state.range(0)] = FactorBare(state, MeshOf(state.range(0)));
 }
 
-/// Returns the disk with a vertex at each of the eight points.
-SharedTopology TopologyOnPoints(std::int64_t triangles)
-{
-  BuiltinDomain disk;
-  disk.edgeLength = MeshSizeFor(triangles);
-  return ShareTopology(
-    MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
-}
-
-/// Measures the steps from the mesh to a thousand quads. Compare with SolveH for the same number of
-/// triangles, which is a part of it.
-void MapToQuads(benchmark::State& state)
-{
-  const SharedTopology topology = TopologyOnPoints(state.range(0));
-  for (auto _ : state)
-  {
-    const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), {});
-    state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
-  }
-}
-
-/// Measures smoothed quads of one map of 10,000 triangles, by their number.
-void Quads(benchmark::State& state)
-{
-  const SeamlessMap map = SolveSeamlessMap(TopologyOnPoints(10000), EightHoles());
-  QuadOptions options;
-  options.quadCount = static_cast<int>(state.range(0));
-  for (auto _ : state)
-  {
-    const QuadResult result = MakeQuads(map, MakeTMesh(map, TraceSeparatrices(map)), options);
-    state.counters["quads"] = static_cast<double>(result.mesh.quads.size());
-    state.counters["iterations"] = result.smoothing.iterations;
-    state.counters["layout"] = result.layoutSeconds;
-    state.counters["smooth"] = result.smoothSeconds;
-  }
-}
-
-/// Measures the same on the mesh without holes, for comparison with HField and FurtherConfiguration.
+/// Measures the same on the mesh without holes, for comparison with SolveH and FurtherConfiguration.
 void BareCholmodWithoutHoles(benchmark::State& state)
 {
   BareSeconds(false)[state.range(0)] = FactorBare(state, MeshOf(state.range(0), false));
@@ -258,33 +198,6 @@ void SolveH(benchmark::State& state)
     state.counters["factor"] = seconds.factor;
     state.counters["solve"] = seconds.solve;
     state.counters["wrong"] = result.field.unwantedSingularities;
-  }
-}
-
-/// Measures the seamless map of eight points, including H, and the separatrices and patches of its T-mesh.
-/// The time of the row is the total; the counter H is for assembling, factoring and solving H alone.
-void MapAndLines(benchmark::State& state)
-{
-  BuiltinDomain disk;
-  disk.edgeLength = MeshSizeFor(state.range(0));
-  const SharedTopology topology = ShareTopology(
-    MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
-  for (auto _ : state)
-  {
-    Stopwatch stopwatch;
-    const HField h = SolveHField(topology, EightHoles());
-    const double alone = stopwatch.Lap();
-    const SeamlessMap map = SolveSeamlessMap(topology, EightHoles());
-    const double mapped = stopwatch.Lap();
-    const TMesh lines = MakeTMesh(map, TraceSeparatrices(map));
-    const double traced = stopwatch.Lap();
-    state.SetIterationTime(mapped + traced);
-    state.counters["triangles"] = static_cast<double>(topology->mesh.triangles.size());
-    state.counters["h"] = alone;
-    state.counters["map"] = mapped;
-    state.counters["trace"] = traced;
-    state.counters["faces"] = static_cast<double>(lines.patches.size());
-    state.counters["wrong"] = h.field.unwantedSingularities;
   }
 }
 
@@ -414,11 +327,6 @@ void WholeRun(benchmark::State& state, const char* arrays)
   std::remove(json.c_str());
 }
 
-void Sizes(benchmark::internal::Benchmark* benchmark)
-{
-  benchmark->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->Iterations(1);
-}
-
 /// The last size takes 3 GiB.
 void SizesToFourMillion(benchmark::internal::Benchmark* benchmark)
 {
@@ -444,17 +352,6 @@ BENCHMARK_CAPTURE(Solve, UnitNorm, PerforatedMethod::UnitNorm)
   ->UseManualTime();
 BENCHMARK(BareCholmodWithoutHoles)->Apply(Sizes)->UseRealTime();
 BENCHMARK(SolveH)->Apply(SizesToFourMillion)->MeasureProcessCPUTime()->UseManualTime();
-// CPU time is that of both threads; on a busy machine it is more reliable than elapsed time.
-BENCHMARK(MapAndLines)->Apply(Sizes)->MeasureProcessCPUTime()->UseManualTime();
-BENCHMARK(MapToQuads)
-  ->Unit(benchmark::kMillisecond)
-  ->Arg(10000)
-  ->Arg(100000)
-  ->Arg(1000000)
-  ->Iterations(1)
-  ->MeasureProcessCPUTime()
-  ->UseRealTime();
-BENCHMARK(Quads)->Apply(Sizes)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(FurtherConfiguration)->Apply(Sizes)->UseRealTime();
 BENCHMARK_CAPTURE(ManyHoles, Harmonic, PerforatedStart::Harmonic)->Apply(HoleCounts);
 BENCHMARK_CAPTURE(ManyHoles, Best, PerforatedStart::Best)->Apply(HoleCounts);
