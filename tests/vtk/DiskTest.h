@@ -1,5 +1,5 @@
-#ifndef OnTheDisk_h
-#define OnTheDisk_h
+#ifndef DiskTest_h
+#define DiskTest_h
 
 #include "FilterChecks.h"
 #include "vtkPlanarDomainSource.h"

@@ -1,23 +1,18 @@
 #include "DiskTest.h"
 #include "FilterChecks.h"
 #include "TestInputs.h"
-#include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldErrorCodes.h"
-#include "vtkPlanarDomainSource.h"
 #include "vtkQuadMesher.h"
-#include "vtkSingularitySource.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -34,29 +29,7 @@
 
 namespace
 {
-/**
- * Returns the number of sentences in an array of the field data of a mesh; −1 without the array.
- */
-vtkIdType FieldStrings(vtkQuadMesher* mesher, const char* name)
-{
-  vtkAbstractArray* array = mesher->GetOutput()->GetFieldData()->GetAbstractArray(name);
-  return array == nullptr ? -1 : array->GetNumberOfTuples();
-}
-
 using Place = std::array<double, 3>;
-
-/** Returns the data of an output port that holds singularities or corners. */
-vtkPolyData* UsedPoints(vtkQuadMesher* mesher, int port)
-{
-  return vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(port));
-}
-
-Place PositionOf(vtkDataSet* points, vtkIdType i)
-{
-  Place position{};
-  points->GetPoint(i, position.data());
-  return position;
-}
 
 /** Returns the points of a side of a block in the order of increasing I or J. */
 std::vector<Place> PointsOfSide(vtkMultiBlockDataSet* blocks, int block, int side)
@@ -275,148 +248,4 @@ TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
     vtkCrossFieldErrorCodes::BadInput);
   this->Filter->SetQuadSize(0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
-}
-
-TEST_F(QuadMesher, OutputsGivenSingularitiesAsTheyAre)
-{
-  FilterChecks::UpdateWithoutError(this->Filter);
-  auto* given = this->Singularities->GetOutput();
-  vtkPolyData* used = UsedPoints(this->Filter, 3);
-  ASSERT_EQ(used->GetNumberOfPoints(), given->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < given->GetNumberOfPoints(); ++i)
-  {
-    EXPECT_EQ(PositionOf(used, i), PositionOf(given, i));
-    for (const char* name : { "QuarterIndex", "Radius" })
-    {
-      EXPECT_EQ(FilterChecks::RequireArray(used->GetPointData(), name)->GetTuple1(i),
-        FilterChecks::RequireArray(given->GetPointData(), name)->GetTuple1(i));
-    }
-  }
-  EXPECT_EQ(used->GetFieldData()->GetAbstractArray("Events"), nullptr);
-  EXPECT_EQ(UsedPoints(this->Filter, 4)->GetNumberOfPoints(), 0);
-  EXPECT_EQ(this->Filter->GetStageSeconds()[6], 0.0);
-}
-
-TEST_F(QuadMesher, OutputsAllCornersWithTheirIndices)
-{
-  this->Domain->SetDomainName("star");
-  this->Filter->SetSingularitiesConnection(nullptr);
-  FilterChecks::UpdateWithoutError(this->Filter);
-  double sum = 0.0;
-  for (const int port : { 3, 4 })
-  {
-    vtkPolyData* used = UsedPoints(this->Filter, port);
-    for (vtkIdType i = 0; i < used->GetNumberOfPoints(); ++i)
-    {
-      const double quarters =
-        FilterChecks::RequireArray(used->GetPointData(), "QuarterIndex")->GetTuple1(i);
-      EXPECT_LE(quarters, 1.0);
-      sum += quarters;
-    }
-  }
-  EXPECT_EQ(UsedPoints(this->Filter, 4)->GetNumberOfPoints(), 10);
-  EXPECT_EQ(sum, 4.0);
-}
-
-TEST_F(QuadMesher, OutputsPositionsAfterRepair)
-{
-  this->Domain->SetDomainName("ring");
-  std::vector<TestInputs::Row> rows;
-  for (int i = 0; i < 4; ++i)
-  {
-    const double turn = 0.5 * vtkMath::Pi() * i;
-    rows.push_back({ 0.8 * std::cos(turn + 0.25), 0.8 * std::sin(turn + 0.25), 1.0, 0.02 });
-    rows.push_back({ 0.55 * std::cos(turn + 0.1), 0.55 * std::sin(turn + 0.1), -1.0, 0.02 });
-  }
-  this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
-  this->Filter->RepairHolonomyOn();
-  FilterChecks::UpdateWithoutError(this->Filter);
-  vtkFieldData* field = this->Filter->GetOutput()->GetFieldData();
-  vtkDataArray* repaired = FilterChecks::RequireArray(field, "RepairedPositions");
-  vtkPolyData* used = UsedPoints(this->Filter, 3);
-  ASSERT_EQ(used->GetNumberOfPoints(), 8);
-  double largest = 0.0;
-  for (vtkIdType i = 0; i < 8; ++i)
-  {
-    const Place position = PositionOf(used, i);
-    const TestInputs::Row& row = rows[static_cast<std::size_t>(i)];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      EXPECT_EQ(position[static_cast<std::size_t>(axis)], repaired->GetComponent(i, axis));
-    }
-    largest = std::max(largest, std::hypot(position[0] - row[0], position[1] - row[1]));
-  }
-  EXPECT_NEAR(FilterChecks::RequireArray(field, "RepairDistance")->GetTuple1(0), largest, 1e-14);
-  EXPECT_GT(largest, 0.01);
-}
-
-TEST_F(QuadMesher, MakesTheSameMeshOfWhatItChose)
-{
-  // On an ellipse, sizes at the minimum of the energy are not far from uniform.
-  constexpr int Count = 40;
-  TestInputs::Curve ellipse;
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("Length");
-  for (int i = 0; i < Count; ++i)
-  {
-    const double angle = 2.0 * vtkMath::Pi() * i / Count;
-    ellipse.push_back({ 0.8 * std::cos(angle), 0.5 * std::sin(angle) });
-    lengths->InsertNextValue(1.0 + 0.4 * std::cos(angle));
-  }
-  const auto domain = TestInputs::Loops({ ellipse });
-  domain->GetPointData()->AddArray(lengths);
-  std::set<double> abscissas;
-  for (const int sizing :
-    { vtkQuadMesher::SizingConformal, vtkQuadMesher::SizingUniform, vtkQuadMesher::SizingField })
-  {
-    vtkNew<vtkQuadMesher> chosen;
-    vtkNew<vtkQuadMesher> given;
-    for (vtkQuadMesher* mesher : { chosen.Get(), given.Get() })
-    {
-      mesher->SetInputData(domain);
-      mesher->SetMeshSize(0.15);
-      mesher->SetQuadSize(0.1);
-      mesher->SetSizing(sizing);
-      mesher->SetSizeArray("Length");
-    }
-    given->SetSingularitiesConnection(chosen->GetOutputPort(3));
-    given->SetCornersConnection(chosen->GetOutputPort(4));
-    FilterChecks::UpdateWithoutError(given);
-    EXPECT_EQ(FieldStrings(given, "Events"), 0);
-    EXPECT_GT(FieldStrings(chosen, "Events"), 0);
-    vtkPolyData* used = UsedPoints(chosen, 3);
-    EXPECT_EQ(used->GetFieldData()->GetAbstractArray("Events")->GetNumberOfTuples(),
-      FieldStrings(chosen, "Events"));
-    EXPECT_GT(chosen->GetStageSeconds()[6], 0.0);
-    chosen->GetOutput()->GetFieldData()->RemoveArray("Events");
-    given->GetOutput()->GetFieldData()->RemoveArray("Events");
-    EXPECT_EQ(FilterChecks::Fingerprint(chosen->GetOutput()),
-      FilterChecks::Fingerprint(given->GetOutput()));
-    ASSERT_GT(used->GetNumberOfPoints(), 0);
-    abscissas.insert(used->GetPoint(0)[0]);
-  }
-  EXPECT_EQ(abscissas.size(), 3U); // each sizing has its own optimum
-}
-
-TEST_F(QuadMesher, ChoosesWhatTheProposalChoosesWhereSizesAreUniformEnough)
-{
-  // A clearance below that of the energy's minimum, and no target sizes: nothing moves after the
-  // proposal.
-  vtkNew<vtkConfigurationProposal> proposal;
-  proposal->SetInputConnection(this->Domain->GetOutputPort());
-  proposal->AutomaticOn();
-  proposal->SetMeshSize(0.1);
-  FilterChecks::UpdateWithoutError(proposal);
-  this->Filter->SetSingularitiesConnection(nullptr);
-  this->Filter->SetClearance(1e-3); // at most 1/400 of the diagonal
-  FilterChecks::UpdateWithoutError(this->Filter);
-  vtkPolyData* used = UsedPoints(this->Filter, 3);
-  ASSERT_EQ(used->GetNumberOfPoints(), proposal->GetOutput()->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < used->GetNumberOfPoints(); ++i)
-  {
-    const Place position = PositionOf(used, i);
-    const Place proposed = PositionOf(proposal->GetOutput(), i);
-    EXPECT_NEAR(position[0], proposed[0], 1e-3);
-    EXPECT_NEAR(position[1], proposed[1], 1e-3);
-  }
 }
