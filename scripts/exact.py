@@ -30,6 +30,9 @@ def on(radius, angle, quarter, hole=0.05):
     return (radius * math.cos(angle), radius * math.sin(angle), quarter, hole)
 
 
+SQUARE = [on(0.6, 0.3 + i * math.pi / 2, 1) for i in range(4)]
+
+
 def exact_energy(rows):
     """Returns W on the disk (docs/method.md §5.3); points may be on the circle."""
     total = 0.0
@@ -136,22 +139,33 @@ class Run:
         return found, exact_energy(exact)
 
 
-def rows(run):
-    """Yields name, exact value and computed values as text, and the errors of the computed values."""
-    square = [on(0.6, 0.3 + i * math.pi / 2, 1) for i in range(4)]
+def row(what, exact, found, digits=4, angle=False):
+    """Returns name, exact value and computed values as text, and the errors of the computed values."""
+    errors = [abs(math.remainder(value - exact, 2 * math.pi) if angle else value - exact)
+              for value in found]
+    text = ", ".join("%.*f" % (digits, value) for value in found)
+    return what, "%.*f" % (digits, exact), text, errors
+
+
+def circle(radius, size):
+    """Returns the vertices of a polygon of a circle with sides of about this length."""
+    count = round(2 * math.pi * radius / size)
+    return [cmath.rect(radius, 2 * math.pi * i / count) for i in range(count)]
+
+
+def images(rows):
+    """Returns the rows with their positions mapped by `image`."""
+    return [(image(complex(x, y)).real, image(complex(x, y)).imag, k, r) for x, y, k, r in rows]
+
+
+def disk_rows(run):
+    """Yields the rows of W and H on the disk."""
     inside = [(0.1, 0.5, 1, 0.05), (-0.5, -0.1, 1, 0.05), (0.3, -0.5, 1, 0.05)]
-
-    def row(what, exact, found, digits=4, angle=False):
-        errors = [abs(math.remainder(value - exact, 2 * math.pi) if angle else value - exact)
-                  for value in found]
-        text = ", ".join("%.*f" % (digits, value) for value in found)
-        return what, "%.*f" % (digits, exact), text, errors
-
     values = []
     for size in SIZES:
         run.polygon(size)
-        values.append(run.energy("disk.csv", square, "--size", size)["renormalized_energy"])
-    yield row("W, disk, four k = 1 at radius 0.6", exact_energy(square), values)
+        values.append(run.energy("disk.csv", SQUARE, "--size", size)["renormalized_energy"])
+    yield row("W, disk, four k = 1 at radius 0.6", exact_energy(SQUARE), values)
     for part, place in ((0.0, "at a vertex"), (0.5, "on a side")):
         # The position depends on the polygon: the exact value is that of the finest; each error uses its own.
         found = [run.on_circle(size, part, inside, [(0.3, 1)]) for size in SIZES]
@@ -178,20 +192,16 @@ def rows(run):
     yield row("largest error of H at vertices, disk, k = 2, 1, 1, 1, −1 inside, h = 0.08, 0.056, 0.04, 0.028", 0.0,
               [run.error_of_h(five, size) for size in (0.08, 0.056, 0.04, 0.028)], 6)
 
-    def circle(radius, size):
-        count = round(2 * math.pi * radius / size)
-        return [cmath.rect(radius, 2 * math.pi * i / count) for i in range(count)]
 
-    def moved(rows):
-        return [(image(complex(x, y)).real, image(complex(x, y)).imag, k, r) for x, y, k, r in rows]
-
+def image_and_ring_rows(run):
+    """Yields the rows of an image of the disk, of the ring and of its image."""
     # Both points on the circle are vertices of all three polygons.
     on_image = [(0.31, 0.42, 3, 0.05), (-0.52, 0.18, -2, 0.05), (-0.11, -0.61, 4, 0.05),
                 on(1, math.pi, 1), on(1, 1.5 * math.pi, -2)]
     values = []
     for count in (64, 128, 256):
         run.loops("image.csv", [image(cmath.rect(1, 2 * math.pi * i / count)) for i in range(count)])
-        values.append(run.energy("image.csv", moved(on_image), "--size", 2 * math.pi / count)["renormalized_energy"])
+        values.append(run.energy("image.csv", images(on_image), "--size", 2 * math.pi / count)["renormalized_energy"])
     yield row("W, image of the disk under z + (0.2 + 0.1 i) z², images of k = 3, −2, 4 inside, 1, −2 on the circle",
               exact_image_energy(on_image), values)
     pair = [(0.75, 0.05, 1, 0.05), (-0.1, 0.65, -1, 0.05)]
@@ -202,12 +212,16 @@ def rows(run):
     values = []
     for size in SIZES:
         run.loops("ring.csv", *([image(place) for place in circle(radius, size)] for radius in (1, 0.4)))
-        values.append(run("hfield", "ring.csv", moved(pair), "--size", size)["holonomy_defect"][0])
+        values.append(run("hfield", "ring.csv", images(pair), "--size", size)["holonomy_defect"][0])
     yield row("and of the image of a ring under the same", exact, values, 5, True)
     three = [(0.0, 0.8, 2, 0.05), (0.55, 0.1, -1, 0.05), (-0.5, -0.2, -1, 0.05)]
     for given, quarters in ((pair, "1, −1"), (three, "2, −1, −1")):
         yield row("W, ring, k = %s, with the field of the defect" % quarters, exact_ring_energy(given),
                   [run("hfield", "builtin:ring", given, "--size", size)["renormalized_energy"] for size in SIZES])
+
+
+def optimum_and_scale_rows(run):
+    """Yields the rows of the optimal radius and of other scales."""
     values = []
     for size in SIZES:
         run.polygon(size)
@@ -218,10 +232,14 @@ def rows(run):
     values = []
     for scale in (1e-50, 1e35, 1e50):
         run.polygon(0.04, scale)
-        large = [(scale * x, scale * y, k, scale * r) for x, y, k, r in square]
+        large = [(scale * x, scale * y, k, scale * r) for x, y, k, r in SQUARE]
         found = run("hfield", "disk.csv", large, "--size", 0.04 * scale)["renormalized_energy"]
         values.append(found - 4 * math.pi * math.log(scale))
-    yield row("W less 4π log(scale) for scales 1e−50, 1e35, 1e50, h = 0.04", exact_energy(square), values)
+    yield row("W less 4π log(scale) for scales 1e−50, 1e35, 1e50, h = 0.04", exact_energy(SQUARE), values)
+
+
+def hole_rows(run):
+    """Yields the rows of the energy of holes and of its bounds."""
     centre = [(0.0, 0.0, 4, 0.3)]
     bounds = []
     for size in (0.06, 0.03):
@@ -237,6 +255,12 @@ def rows(run):
     yield row("and the gap between its bounds", 0.0,
               [value["energy_upper_bound"] - value["energy_lower_bound"] for value in bounds])
     yield row("gap of the bounds on a square, k = ±1 of ρ = 0.1, h = 0.025, 0.0125, 0.00625", 0.0, gaps)
+
+
+def rows(run):
+    """Yields all rows of the table, as `row` returns them."""
+    for part in (disk_rows, image_and_ring_rows, optimum_and_scale_rows, hole_rows):
+        yield from part(run)
 
 
 def table(program):
