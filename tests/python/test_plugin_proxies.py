@@ -1,0 +1,102 @@
+"""The proxies of the plugin: pvpython test_plugin_proxies.py PLUGIN
+
+Every proxy exists, is documented and is listed in the menus.
+"""
+import glob
+import os
+import re
+import xml.dom.minidom
+
+from paraview import servermanager
+
+from checks import check, check_equal
+from loaded_plugin import *
+
+PLUGIN = os.path.join(os.path.dirname(__file__), "..", "..", "paraview-plugin")
+ICONS = os.path.join(PLUGIN, "icons")
+
+PROXIES = {
+    "BoundaryCornerClassifier": (
+        "filters", "Input CornerAngle PrintedCoefficient SplitHalves Overrides PointOverrides"),
+    "BoundarySimplifier": ("filters", "Input FixedPoints MeshSize ThinningLength SmoothingLength CornerAngle"),
+    "PoincareHopfCheck": ("filters", "Input Singularities Corners CornerAngle Holonomy"),
+    "ConfigurationProposal": (
+        "filters", "Input Singularities Corners CornerAngle CancelFlatCorners CapCorners Alternatives "
+        "CoreRadius"),
+    "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
+    "PlanarDomainReader": ("sources", "FileName"),
+    "SingularitySource": ("sources", "Domain Singularities FileName UseHandles Handles Plane"),
+    "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
+    "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
+    "PerforatedCrossField": (
+        "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
+        "MaximumIterations Tolerance"),
+    "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Propose Optimise Snap AddPair Undo Quads Dragging "
+                       "QuadSize QuadCount MeshSize CapCorners"),
+    "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
+    "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
+                   "RepairHolonomy"),
+    "Separatrices": ("filters", "Input Seeds LongestStreamline"),
+    "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
+    "SingularityOptimizer": (
+        "filters", "Input Singularities Corners MeshSize MaximumIterations Tolerance UniformSizes Sizing SizeArray Pairs"),
+    "CrossGlyphs": ("filters", "Input Spacing Scale ScaleByNorm"),
+}
+
+def properties_of(prototype):
+    iterator = prototype.NewPropertyIterator()
+    iterator.Begin()
+    while not iterator.IsAtEnd():
+        yield iterator.GetKey(), iterator.GetProperty()
+        iterator.Next()
+
+
+def check_tooltip(item, name):
+    """The tooltip of a parameter states what the parameter does and its default."""
+    documentation = item.GetDocumentation()
+    text = documentation.GetDescription() if documentation is not None else ""
+    check(text, "%s has no documentation" % name)
+    is_parameter = item.IsA("vtkSMVectorProperty") and not item.GetInformationOnly()
+    hidden = item.GetPanelVisibility() == "never"
+    if is_parameter and not item.IsA("vtkSMInputProperty") and not hidden:
+        check("Default: " in " ".join(text.split()), "%s states no default" % name)
+
+
+def test_proxies():
+    for name, (group, wanted) in PROXIES.items():
+        prototype = servermanager.ProxyManager().GetPrototypeProxy(group, name)
+        check(prototype is not None, "there is no proxy %s" % name)
+        documentation = prototype.GetDocumentation()
+        check(documentation.GetShortHelp() and documentation.GetLongHelp(), "%s has no help" % name)
+        for part in ("Example", "glossary"):
+            check(part in documentation.GetDescription(), "the help of %s has no %s" % (name, part))
+        # Python names come from labels, so a label must be the name with spaces.
+        check_equal(prototype.GetXMLLabel(), re.sub("(?<!^)(?=[A-Z])", " ", name), "the label")
+        if name != "PlanarDomainReader":  # which File, Open creates
+            menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
+            # A category here would come before menus.xml, and in another order.
+            check_equal(menu.GetAttribute("category"), None, "the menu of %s" % name)
+            icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
+            xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises if it is not valid XML
+        found = dict(properties_of(prototype))
+        check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
+        for key, item in found.items():
+            check_tooltip(item, "%s.%s" % (name, key))
+            check_equal(item.GetXMLLabel().replace(" ", ""), key, "the label")
+
+
+def test_menus():
+    """The menus, which are in the order of work, list every proxy of the plugin and no abstract one."""
+    menus = xml.dom.minidom.parse(os.path.join(PLUGIN, "menus", "menus.xml"))
+    listed = [(item.getAttribute("group"), item.getAttribute("name"))
+              for item in menus.getElementsByTagName("Proxy")]
+    shown = []
+    for file_name in glob.glob(os.path.join(PLUGIN, "CrossField*.xml")):
+        for menu in xml.dom.minidom.parse(file_name).getElementsByTagName("ShowInMenu"):
+            proxy = menu.parentNode.parentNode
+            shown.append((proxy.parentNode.getAttribute("name"), proxy.getAttribute("name")))
+    check_equal(sorted(listed), sorted(shown), "the proxies in the menus")
+
+
+run_tests(test_proxies, test_menus)

@@ -1,0 +1,155 @@
+"""The size field, layouts and quads in ParaView: pvpython test_plugin_quads.py PLUGIN"""
+import math
+
+import numpy as np
+from paraview import servermanager
+
+from checks import check, check_equal, value
+from loaded_plugin import *
+
+
+def test_h_field():
+    field = HField(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    data = fetch(field)
+    check(data.GetPointData().GetArray("SizeMap") is not None, "there is no size map")
+    # docs/method.md §9: W of four +1 at radius 0.6 is 2.05; this polygon of 0.07 is 0.5 off.
+    check(abs(value(data, "RenormalizedEnergy") - 2.05) < 0.5, "the renormalised energy")
+    check_equal(value(data, "UnwantedSingularities"), 0, "unwanted singularities")
+    drilled = fetch(HField(Input=DrillHoles(
+        Input=PlanarDomainSource(), Singularities=SingularitySource())))
+    check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
+
+
+def test_layout_designer():
+    designer = LayoutDesigner(Input=PlanarDomainSource())
+    lines = fetch(designer)
+    check_equal(value(lines, "Stale"), 0, "whether the layout is stale")
+    check_equal(value(lines, "Faces"), 9, "faces of the chosen singularities")
+    designer.UpdatePropertyInformation()
+    rows = list(designer.GetPropertyValue("Rows"))
+    check_equal(len(rows), 16, "values of the chosen rows")
+    # A user takes the rows over and moves one.
+    rows[0:2] = [0.3, 0.5]
+    designer.Singularities = rows
+    moved = fetch(designer)
+    check(value(moved, "RenormalizedEnergy") > value(lines, "RenormalizedEnergy"), "a move from the minimum raises W")
+    designer.InvokeCommand("Optimise")
+    designer.UpdatePipeline()
+    designer.UpdatePropertyInformation()
+    best = fetch(designer)
+    check(abs(value(best, "RenormalizedEnergy") - value(lines, "RenormalizedEnergy")) < 0.05, "the optimiser restores the minimum of W")
+    rows = list(designer.GetPropertyValue("Rows"))
+    rows[0] = 7.0
+    designer.Singularities = rows
+    stale = fetch(designer)
+    check_equal(value(stale, "Stale"), 1, "whether a layout with a singularity outside is stale")
+    check_equal(stale.GetNumberOfCells(), best.GetNumberOfCells(), "the separatrices of the last layout")
+    check("outside" in stale.GetFieldData().GetAbstractArray("Summary").GetValue(0), "the sentence")
+    check("outside" in servermanager.Fetch(designer, idx=4).GetValueByName(0, "Summary").ToString(), "the text")
+
+
+def test_layout_designer_in_a_tilted_plane():
+    tilted = Transform(Input=PlanarDomainSource())
+    tilted.Transform.Rotate, tilted.Transform.Translate = [60, 0, 0], [0, 0, 2]
+    designer = LayoutDesigner(Input=tilted)
+
+    def places():
+        designer.UpdatePipeline()
+        designer.UpdatePropertyInformation()
+        points = servermanager.Fetch(designer, idx=2)
+        return np.array([points.GetPoint(i) for i in range(points.GetNumberOfPoints())])
+
+    before = places()
+    origin, *axes = np.reshape(designer.GetProperty("Plane"), (3, 3))
+    rows = np.reshape(designer.GetProperty("Rows"), (-1, 4))
+    check(abs(origin + rows[:, :2] @ axes - before).max() < 1e-6, "the rows are not coordinates in the plane")
+    # z = 2 + y tan 60° is the plane, turned about x.
+    check(abs(before[:, 2] - 2 - np.sqrt(3) * before[:, 1]).max() < 1e-5, "singularities are off the plane")
+    check_equal([round(number, 6) for number in axes[0]], [1, 0, 0], "the first axis")
+    rows[0, :2] += [0.05, 0.1]
+    designer.Singularities = list(rows.ravel())
+    check(abs(places()[0] - before[0] - np.dot([0.05, 0.1], axes)).max() < 1e-6, "a row does not move in the plane")
+    check_equal(value(fetch(designer), "Stale"), 0, "whether the layout is stale")
+    # Without the domain a source is in z = 0.
+    source = SingularitySource(Singularities=list(rows.ravel()))
+    source.UpdatePipeline()
+    check_equal(source.GetDataInformation().GetBounds()[4:], (0, 0), "z without a domain")
+    source.Domain = tilted
+    source.UpdatePipeline()
+    check(abs(source.GetDataInformation().GetBounds()[5] - places()[:, 2].max()) < 1e-5, "z with the domain")
+
+
+def test_separatrices():
+    flat = CrossFieldMap(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    lines = Separatrices(Input=flat)
+    data = fetch(lines)
+    check_equal(data.GetNumberOfCells(), 12, "the number of lines")
+    faces = servermanager.Fetch(lines, idx=1)
+    # docs/method.md §13.3: T - N + 1 patches, less those of separatrices that meet head-on.
+    check_equal(faces.GetCellData().GetArray("FaceId").GetRange()[1] + 1,
+                9 - value(data, "HeadOn"), "the number of faces")
+    check(value(data, "Mismatch") < 1e-12, "opposite sides of faces")
+    lines.Seeds = SingularitySource(Singularities=[0.1, 0.2, 1, 0.1])
+    check_equal(fetch(lines).GetNumberOfCells(), 16, "the number of lines with streamlines")
+
+
+def test_energies():
+    better = SingularityOptimizer(Input=PlanarDomainSource(), Singularities=SingularitySource())
+    moved = fetch(better)
+    check_equal(value(moved, "Converged"), 1, "Converged")
+    check(abs(value(moved, "RenormalizedEnergyAfter") + 7.2962) < 0.1, "the minimum energy")
+    for i in range(4):
+        x, y, _ = moved.GetPoint(i)
+        check(abs(math.hypot(x, y) - 0.850092) < 2e-3, "the radius")
+    history = servermanager.Fetch(better, idx=1)
+    check_equal(history.GetNumberOfRows(), value(moved, "Iterations") + 1, "the rows of history")
+    energies = SingularityEnergy(
+        Input=PlanarDomainSource(), Configurations=[SingularitySource(), better])
+    table = fetch(energies)
+    check_equal(table.GetNumberOfRows(), 2, "the number of configurations")
+    check_equal([table.GetValueByName(row, "Configuration").ToInt() for row in (0, 1)], [1, 0],
+                "the order of the configurations")
+    energies.Configurations = [better]
+    check_equal(fetch(energies).GetNumberOfRows(), 1, "the number of configurations that are left")
+
+
+def test_size_arrays():
+    """A domain without arrays is accepted; the point arrays of a domain are offered as size arrays."""
+    bare = PlanarDomainSource()
+    sized = Calculator(Input=bare, ResultArrayName="Length", Function="1 + coordsX * coordsX")
+    sized.UpdatePipeline()  # makes its arrays known
+    for make in (QuadMesher, SingularityOptimizer):
+        for domain, arrays in ((bare, {"None"}), (sized, {"None", "Length"})):
+            proxy = make(Input=domain, Singularities=SingularitySource(), Sizing="Field").SMProxy
+            given = proxy.GetProperty("Input")
+            check(given.FindDomain("vtkSMInputArrayDomain").IsInDomain(given), "%s refuses it" % proxy.GetXMLName())
+            choice = proxy.GetProperty("SizeArray").FindDomain("vtkSMArrayListDomain")
+            choice.Update(given)
+            check_equal({choice.GetString(i) for i in range(choice.GetNumberOfStrings())}, arrays, "the arrays")
+    optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), UniformSizes=1,
+                                     Sizing="Field", SizeArray="Length")
+    moved = fetch(optimizer)
+    check_equal(value(moved, "Converged"), 1, "Converged")
+    check(value(moved, "SizeSpreadAfter") < 0.95 * value(moved, "SizeSpreadBefore"), "the spread of sizes does not shrink")
+
+
+def test_quad_mesher_outputs():
+    """The singularities and corners that Quad Mesher used are outputs; another one makes the same mesh of them."""
+    star = PlanarDomainSource(DomainName="star")
+    chosen = QuadMesher(Input=star, QuadCount=300)
+    quads = fetch(chosen)
+    used = [servermanager.Fetch(chosen, idx=port) for port in (3, 4)]
+    check_equal(used[1].GetNumberOfPoints(), 10, "the number of corners")
+    quarters = [data.GetPointData().GetArray("QuarterIndex") for data in used]
+    check_equal(sum(array.GetValue(i) for array in quarters for i in range(array.GetNumberOfTuples())), 4,
+                "the sum of the quarter indices")
+    given = fetch(QuadMesher(Input=star, QuadCount=300, CapCorners=0,
+                             Singularities=servermanager.OutputPort(chosen, 3),
+                             Corners=servermanager.OutputPort(chosen, 4)))
+    check_equal(given.GetNumberOfPoints(), quads.GetNumberOfPoints(), "the number of points")
+    for i in range(quads.GetNumberOfPoints()):
+        check(math.dist(given.GetPoint(i), quads.GetPoint(i)) < 1e-9, "point %d is elsewhere" % i)
+
+
+run_tests(test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
+          test_energies, test_size_arrays, test_quad_mesher_outputs)
