@@ -23,7 +23,7 @@ public:
   BlockCholesky() = default;
 
   /// Factors the matrix. `blocks` are Hermitian. The last `coupled[i]` unknowns of block i are
-  /// coupled through `coupling`, of which only the lower triangle is read.
+  /// coupled through `coupling`; only its lower triangle is read.
   BlockCholesky(
     const std::vector<Matrix>& blocks, const std::vector<Eigen::Index>& coupled, Matrix coupling);
 

@@ -19,7 +19,7 @@ public:
   /// Constructs the factor of an empty matrix.
   DenseCholesky() = default;
 
-  /// Factors the matrix, of which only the lower triangle is read.
+  /// Factors the matrix. Only its lower triangle is read.
   explicit DenseCholesky(Matrix matrix);
 
   /// Returns whether the matrix is positive definite; all other functions require it.

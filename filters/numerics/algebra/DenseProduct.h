@@ -11,7 +11,7 @@ namespace crossfield
 Eigen::MatrixXd DenseProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 
-/// Returns Aᴴ B, computed by BLAS as well.
+/// Returns Aᴴ B, computed by BLAS.
 Eigen::MatrixXd AdjointProduct(
   const Eigen::Ref<const Eigen::MatrixXd>& left, const Eigen::Ref<const Eigen::MatrixXd>& right);
 Eigen::MatrixXcd AdjointProduct(

@@ -27,9 +27,9 @@ Eigen::MatrixXd TimesTranspose(const Eigen::MatrixXd& lower)
   return product;
 }
 
-/// Minimum number of right-hand side values for a substitution in two threads. Below it the threads
-/// would wait for each other longer than they compute when other programs use the processors too;
-/// an example is an optimiser that solves ten thousand times on a coarse mesh.
+/// Minimum number of right-hand side values for a substitution in two threads. With fewer, the
+/// threads wait for each other longer than they compute when other programs use the processors too,
+/// as in an optimiser that solves ten thousand times on a coarse mesh.
 constexpr Eigen::Index MinimumValuesForTwoThreads = 20000;
 
 Eigen::Index Count(const std::vector<int>& list)
@@ -222,7 +222,8 @@ Eigen::MatrixXd DissectedCholesky::FactorHalf(
   std::iota(order.begin(), order.end(), 0);
   half.factor = std::make_unique<SparseCholesky>(part, order);
   half.borderFactor = half.factor->TrailingFactor(borderSize);
-  // Only the lower triangle, which is all that is read of it: the order of the border is kept.
+  // The lower triangle is sufficient: the half keeps the order of the border, so no entry moves to
+  // the upper one.
   return TimesTranspose(half.borderFactor) - before;
 }
 

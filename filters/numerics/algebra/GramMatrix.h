@@ -10,7 +10,7 @@ namespace crossfield
 struct GramNode
 {
   std::vector<int> blocks; ///< Block numbers, in increasing order.
-  /// Entries in the columns of the first of these blocks, then those of the next one.
+  /// Entries in the columns of these blocks, block after block.
   Eigen::MatrixXd rows;
 };
 

@@ -21,7 +21,7 @@ std::vector<int> NestedDissection(const Eigen::SparseMatrix<double>& matrix,
 /// by `trailing`. Unknowns in `leftOut` are in none of the three. The halves are ordered in two
 /// threads.
 ///
-/// `partners` holds, for every unknown, another one at the same place, or −1; it is empty where
+/// `partners` holds, for every unknown, another one at the same position, or −1; it is empty if
 /// there are none. Parts of such a mesh of two sheets may be disconnected, for example into the two
 /// sheets; connected components are then separated first, without a separator.
 struct Dissection

@@ -8,9 +8,9 @@ namespace crossfield
 /// computes, and disturbs the two threads that factor the halves of a mesh (DissectedCholesky). One
 /// thread also makes every result identical to the last bit, whatever the number of threads.
 ///
-/// The count of these is the only thing that functions of this library share between threads; it is
-/// protected by a lock. Functions may run in several threads at once, const functions of one object
-/// too, as long as no thread changes an object that another one reads.
+/// The number of these objects is the only state that functions of this library share between
+/// threads; it is protected by a lock. Functions may run in several threads at once, const
+/// functions of one object too, as long as no thread changes an object that another one reads.
 class SerialBlas
 {
 public:

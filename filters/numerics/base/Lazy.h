@@ -5,14 +5,14 @@
 
 namespace crossfield
 {
-/// A value that is made when it is first used, by one thread; the others wait for it. It does not
-/// change afterwards, so const functions that return it may be called from several threads at once.
+/// Value that is computed on first use, by one thread, while other threads wait. It does not change
+/// afterwards, so const functions that return it may be called from several threads concurrently.
 template <typename Value>
 class Lazy
 {
 public:
-  /// Returns the value; the first call makes it by `make()`, which returns a std::unique_ptr to it.
-  /// When `make` throws, the exception is passed on and the next call tries again.
+  /// Returns the value. The first call computes it by `make()`, which returns a std::unique_ptr to
+  /// it. When `make` throws, the exception is passed on and the next call tries again.
   template <typename Make>
   const Value& Get(const Make& make) const
   {

@@ -107,7 +107,7 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   Configuration singularities = start.singularities;
   for (std::size_t i = options.proposal.given.size(); i < singularities.size(); ++i)
   {
-    singularities[i].radius = 0.0; // of the start; holes of moved singularities may not fit
+    singularities[i].radius = 0.0; // radii of the start may not fit after a move
   }
   OptimizerOptions optimizerOptions = options.optimizer;
   optimizerOptions.corners = start.corners;
@@ -120,8 +120,8 @@ AutomaticConfiguration Optimize(const PlanarDomain& domain, const ProposedConfig
   return result;
 }
 
-/// Continues from the minimum of the energy with the clearance for quads, and to the target sizes
-/// if there are any, or to uniform ones if sizes are far from uniform.
+/// Continues the optimisation from the minimum of the energy with the clearance for quads, towards
+/// the target sizes if there are any, or towards uniform sizes if the sizes are far from uniform.
 void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, double clearance,
   const Progress& progress, AutomaticConfiguration& result)
 {

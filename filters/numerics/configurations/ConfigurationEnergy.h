@@ -38,9 +38,9 @@ double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 
 /// Computes the energies of configurations on a domain, sorted by the energy at the core radius ρ,
 /// W + coefficient × log(1/ρ) (docs/method.md §5.6), lowest first; inconsistent configurations come
-/// last. Singularities may be located on the boundary (ConfigurationPlacement.h). E_ρ takes a mesh
-/// for each configuration; W takes one mesh without holes for all of them (MeshForConfigurations), which is
-/// factored once.
+/// last. Singularities may be located on the boundary (ConfigurationPlacement.h). E_ρ needs a mesh
+/// for each configuration; W needs one mesh without holes for all of them (MeshForConfigurations),
+/// which is factored once.
 ///
 /// Throws Error if a singularity lies outside, or its hole intersects the boundary or another hole.
 std::vector<ConfigurationEnergy> CompareConfigurations(const PlanarDomain& domain,

@@ -77,7 +77,7 @@ Configuration AsPoints(const std::vector<CornerChoice>& corners)
 }
 
 /// Returns whether cores of a radius overlap: the energy at that radius is then meaningless, and
-/// the lower the closer they are.
+/// decreases as they approach each other.
 bool CoresOverlap(const Configuration& configuration, double radius)
 {
   for (std::size_t i = 0; i < configuration.size(); ++i)

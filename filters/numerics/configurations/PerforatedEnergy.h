@@ -10,15 +10,15 @@ namespace crossfield
 /// magnitude, so the estimate is their mean.
 struct PerforatedEnergy
 {
-  /// Aligned with outer and inner loops, the phase linear along their edges (LinearPhase of
-  /// AlignedSources.h): bounds from continuous piecewise linear Φ and φ. The gap is the
-  /// discretisation error. At a corner with a rotation of the cross, both grow with the logarithm
-  /// of the mesh size.
+  /// Bounds for a field aligned with outer and inner loops, with a phase that is linear along their
+  /// edges (LinearPhase of AlignedSources.h), computed from continuous piecewise linear Φ and φ.
+  /// The gap between them is the discretisation error. At a corner with a rotation of the cross,
+  /// both grow with the logarithm of the mesh size.
   double alignedLower = 0.0;
   double alignedUpper = 0.0;
-  /// Free to rotate along outer and inner loops, Φ = 0 there, so that the turns around inner loops
-  /// are free as well: bounds from Φ and φ. The lower bound is also the energy of the
-  /// Crouzeix-Raviart phase.
+  /// Bounds for a field that may rotate along outer and inner loops, computed from Φ and φ. Φ = 0
+  /// on these loops, so the turns around inner loops are free too. The lower bound is also the
+  /// energy of the Crouzeix-Raviart phase.
   double degreeOnlyLower = 0.0;
   double degreeOnlyUpper = 0.0;
   std::vector<double> holonomyDefect; ///< See AlignedPotential.

@@ -20,7 +20,8 @@ struct GinzburgLandauOptions
 {
   /// ε, a length: approximately the radius of the cores of singularities. 0 selects the mean edge
   /// length weighted by area, which represents most of the domain even if most edges are on a fine
-  /// boundary. Below a third of the edge length, the mesh pins singularities at arbitrary places.
+  /// boundary. Below a third of the edge length, the mesh pins singularities at arbitrary
+  /// positions.
   double epsilon = 0.0;
   GinzburgLandauStart start = GinzburgLandauStart::Harmonic;
   ComplexVector given; ///< One value per edge.

@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// Modification of the Ginzburg-Landau functional that pins singularities (paper, "Pinning
-/// strategy"). Singularities prefer places where either of the two values is small.
+/// strategy"). Singularities prefer positions where either of the two values is small.
 struct GinzburgLandauPinning
 {
   /// f ≥ 0, the target norm of the penalty: one value per triangle or one per edge. Empty: 1.

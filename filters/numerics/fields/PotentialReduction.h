@@ -32,7 +32,7 @@ public:
 
 private:
   const PotentialProblem& Problem;
-  PotentialSolver::Periods Periods;    ///< With periods around holes, constants on holes matter.
+  PotentialSolver::Periods Periods;    ///< Whether constants on holes matter.
   std::vector<int> HoleEdges;          ///< Edge numbers, hole by hole, counter-clockwise.
   PotentialFactor::Eliminated Aligned; ///< Eliminated sources of aligned loops, columns Re and Im.
 };

@@ -170,8 +170,7 @@ bool IsBetter(const Descent& other, const Descent& best, double rounding)
 
 /// Turns, from the best result so far, the phase of each hole in turn by π, lets the others follow,
 /// and descends again, until no hole gives an improvement. The objective is a single cosine of each
-/// phase, so the opposite phase is the worst one for the current others, which gradient them to turn
-/// as well.
+/// phase, so the opposite phase is the worst one for the current others and makes them turn too.
 Descent DescendFromManyStarts(const PhaseProblem& phases, const ComplexVector& start,
   const MinimiserOptions& options, const Progress& progress)
 {

@@ -111,7 +111,7 @@ HolonomyRepair RepairHolonomy(const PlanarDomain& domain, const Configuration& c
   current = RemoveDefects(objective, current, result.steps);
   // A sequence of shortest steps is the shortest displacement only up to the curvature of the
   // conditions. The point closest to the start that satisfies the conditions linearised here is
-  // closer; this is repeated as long as it helps.
+  // closer; this is repeated as long as the displacement decreases.
   constexpr int MaximumCorrections = 10;
   constexpr double MinimumGain = 1e-8; // relative to the diagonal
   // Nothing to improve if no step was needed.

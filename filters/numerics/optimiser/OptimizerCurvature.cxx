@@ -48,8 +48,8 @@ Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective,
       Step;
   }
   hessian = (0.5 * (hessian + hessian.transpose())).eval();
-  // The projected gradients do not change in directions that break the symmetry; no step goes
-  // there, and any positive stiffness will do.
+  // The projected gradients do not change in directions that break the symmetry; no step has such a
+  // component, so any positive stiffness is suitable.
   const double stiffness = hessian.diagonal().lpNorm<Eigen::Infinity>();
   for (Eigen::Index i = 0; i < current.positions.size(); ++i)
   {

@@ -24,7 +24,7 @@ enum class OptimizerEnd
 {
   Converged, ///< All derivatives are below the tolerance, or steps no longer lower the objective.
   MeshTooCoarse,   ///< A singularity came closer to the boundary than the mesh resolves.
-  ChangeRequested, ///< The caller asked for it; see OptimizerIteration::stopsForChange.
+  ChangeRequested, ///< Requested by the caller; see OptimizerIteration::stopsForChange.
   IterationLimit,  ///< The maximum number of iterations was reached.
   NoDescent,       ///< No step lowers the merit function.
   Aborted
@@ -55,9 +55,9 @@ struct OptimizerIteration
   void Restart() { this->Hessian.resize(0, 0); }
 
 private:
-  /// Approximates the Hessian of the Lagrangian without the positive part of the barrier. Where the
-  /// barrier balances the gradient of W between two singularities, the curvatures of both along the
-  /// circle around each other cancel.
+  /// Approximate Hessian of the Lagrangian without the positive part of the barrier. The negative
+  /// part is included: where the barrier balances the gradient of W between two singularities, the
+  /// curvatures of W and of the barrier along the circles around each other cancel.
   Eigen::MatrixXd Hessian;
   double LastDisplacement = 0.0;
 };

@@ -68,7 +68,7 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 
 OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
 {
-  constexpr int MaximumMeshes = 30; // afterwards the present mesh is kept
+  constexpr int MaximumMeshes = 30; // then no further mesh is made
   for (int meshes = 1;; ++meshes)
   {
     this->Iteration.checksMesh = meshes < MaximumMeshes;

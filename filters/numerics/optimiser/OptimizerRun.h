@@ -44,8 +44,8 @@ private:
   bool IsChangeDue(const OptimizerState& state);
   /// Makes one change of the configuration that lowers the energy, if there is one.
   bool MakeChange();
-  /// Tries a change, and keeps it if the energy with cores is lower after a few steps. Returns
-  /// whether it is kept.
+  /// Tries a change, and accepts it if the energy with cores is lower after a few steps. Returns
+  /// whether it was accepted.
   bool TryChange(const ConfigurationChange& change);
   void AddToFront();
 

@@ -26,7 +26,7 @@ struct OptimizerSymmetry
 OptimizerSymmetry FindKeptSymmetry(const PointPotential& potential, const PlanarDomain& domain,
   const Configuration& interior, const IsometryTest& keeps = {});
 
-/// Returns the identity alone.
+/// Returns a symmetry group that consists of the identity only.
 OptimizerSymmetry TrivialSymmetry(const PointPotential& potential, const Configuration& interior);
 
 /// Returns the largest group of symmetries of a domain that a configuration has within a distance.

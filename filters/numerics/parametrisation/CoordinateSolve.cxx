@@ -125,13 +125,13 @@ Order OrderUnknowns(const SeamlessMap& map, const Prolongation& prolongation)
     {
       const std::size_t unknown = Index(static_cast<int>(term.col()));
       ++dependents[unknown];
-      if (vertex < map.original.size()) // rows descend, so the first vertex sets the position
+      if (vertex < map.original.size()) // descending: the first vertex sets the position
       {
         order.places[unknown] = map.topology->PointAt(map.original[vertex]);
       }
     }
   }
-  // More dependents than a vertex inside a chain has, with its copy.
+  // A vertex inside a chain has fewer dependents than this, including those of its copy.
   constexpr int ManyDependents = 4;
   for (int j = 0; j < static_cast<int>(count); ++j)
   {

@@ -20,8 +20,8 @@ enum Rank
   Cones
 };
 
-/// Returns which of x and y (0 or 1), and with which sign, is the part (0: real, 1: imaginary) of
-/// i^quarters (x + iy).
+/// Returns the coordinate (0: x, 1: y) that is the given part (0: real, 1: imaginary) of i^quarters
+/// (x + iy), and its sign there.
 std::pair<int, double> PartOfTurned(int part, int quarters)
 {
   const Point real = TurnByQuarters(Point(1.0, 0.0), quarters);

@@ -20,8 +20,8 @@ struct SeamlessMapOptions
 PlacedConfiguration PlaceForMap(const MeshTopology& topology, const Configuration& configuration,
   const SeamlessMapOptions& options);
 
-/// Solves for the seamless map on a mesh with a vertex at every singularity (MeshThroughPoints). Takes
-/// one factorisation for H and one for w.
+/// Solves for the seamless map on a mesh with a vertex at every singularity (MeshThroughPoints).
+/// Needs one factorisation for H and one for w.
 ///
 /// Throws Error when a singularity has quarter index 3 or more or is at no vertex, when a corner
 /// has index 2 or more, when the configuration is not consistent, and, with the location, when the

@@ -103,7 +103,7 @@ std::vector<TriangleFrames::NearLog> FindNear(
   const MeshTopology& topology, const std::vector<LogSource>& logs, const PhaseWalk& walk)
 {
   constexpr double Edges = 6.0;
-  // Halfway between two logarithms neither is taken, which preserves symmetry.
+  // Halfway between two logarithms neither is used, which preserves symmetry.
   constexpr double EquallyNear = 1e-9;
   std::vector<TriangleFrames::NearLog> near;
   for (int t = 0; t < static_cast<int>(topology.mesh.triangles.size()); ++t)

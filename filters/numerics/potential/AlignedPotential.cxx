@@ -83,18 +83,18 @@ AlignedPotential SolveAligned(const PotentialProblem& problem, const AlignedSour
   const HoleElimination& holes = potential.GetHoles();
   const HoleResponse& response = potential.GetHoleResponse(Islands);
 
-  // 1. The potential with the sources of each hole spread over its vertices, and the sources ∇ᵀx,
-  //    without a sum, that make it constant there.
+  // 1. Solve for the potential with the sources of each hole spread over its vertices, and for the
+  //    sources ∇ᵀx, which sum to zero, that make it constant there.
   PotentialFactor::Eliminated load =
     factor.Eliminate(sources.atRows + TurnsOfHoles(potential.GetOperator(), -1.0), Islands);
   Eigen::VectorXd values = SolveGram(response.elastic, -holes.Differences(load));
 
-  // 2. The phase differences that the single-valued potential carries, and the periods that correct
+  // 2. Compute the phase differences of the single-valued potential, and the periods that correct
   //    them.
   AlignedPotential result;
   if (periods > 0)
   {
-    // The response of holes to sources at the periods, and with it that of the periods.
+    // Response of holes to sources at the periods, and the resulting response of the periods.
     const Eigen::MatrixXd onHoles = SolveGram(response.elastic, response.periods);
     const Eigen::MatrixXd lower = factor.PeriodFactor(Islands);
     const Eigen::MatrixXd inverse = DenseCholesky<double>(lower * lower.transpose()).Inverse() -

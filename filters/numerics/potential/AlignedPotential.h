@@ -13,7 +13,7 @@ struct AlignedPotential
   Eigen::Matrix2Xd gradient; ///< ∇Φ, a column per triangle.
   double energy = 0.0;       ///< ½ ∫ |∇Φ|².
   /// Per inner loop, in (−π, π]: the phase that the single-valued potential carries to it minus the
-  /// phase of its alignment. Where it is not zero, a harmonic field with a period was added.
+  /// phase of its alignment. If it is not zero, a harmonic field with a period was added.
   std::vector<double> holonomyDefect;
   /// Per inner loop: φ at the first edge of its strip minus φ at the last one, whole turns
   /// included.

@@ -46,7 +46,7 @@ constexpr double CompleteFraction = 1.0 - 1e-9;
 /// Maximum ratio of the length of a side to that of its neighbour on the same curve.
 constexpr double LargestRatio = 2.0;
 
-/// One loop of aligned boundary edges, walked with the domain on the left.
+/// One loop of aligned boundary edges, traversed with the domain on the left.
 class SpreadLoop
 {
 public:

@@ -36,17 +36,17 @@ struct CurveSources
 
 /// Returns the sources for the phase of the curves that a polygon approximates.
 ///
-/// Where the boundary turns by less than the corner angle, the jump is spread evenly over half of
-/// the polygon's side before and half of that after. A side of the polygon may consist of several
-/// mesh edges; PiecewiseConstantPhase would see corners between such sides. φ varies along a side,
-/// and for smooth curves the sources are the curvature up to second order. Of a side more than
-/// twice as long as its neighbour, such as a straight part beside a curve, only that length takes
-/// part. Where no side was divided and all have one length the sources equal those of
-/// PiecewiseConstantPhase.
+/// If the boundary turns by less than the corner angle at a vertex, the jump is spread evenly over
+/// half of the polygon's side before it and half of the side after it. A side of the polygon may
+/// consist of several mesh edges; PiecewiseConstantPhase would see corners between such sides. φ
+/// varies along a side, and for smooth curves the sources are the curvature up to second order. If
+/// a side is more than twice as long as its neighbour, such as a straight part next to a curve,
+/// only twice the neighbour's length is used. If no side was divided and all have the same length,
+/// the sources equal those of PiecewiseConstantPhase.
 ///
 /// Corners keep their jump, less the turn of a curve's tangent along half of a side next to them.
-/// The tangent passes smoothly through a chosen vertex that is no corner: of its jump only −2πk
-/// stays there. The curve passes through the ends of every side, with this tangent.
+/// The tangent is continuous at a chosen vertex that is no corner: only the part −2πk of its jump
+/// remains there. The curve passes through the ends of every side, with this tangent.
 CurveSources CurvePhase(const PotentialProblem& problem);
 
 /// Returns the sources for φ continuous and linear along every edge of the mesh, with the values of

@@ -11,7 +11,7 @@ namespace crossfield
 class DirichletSolver
 {
 public:
-  /// Refers to the operator, which must outlive it.
+  /// Stores a reference to the operator, which must outlive this object.
   explicit DirichletSolver(const PotentialOperator& laplacian);
 
   const PotentialFactor& GetFactor() const { return this->Factor; }

@@ -28,8 +28,8 @@ public:
   Eigen::VectorXd Solve(const Eigen::VectorXd& fluxes) const;
 
   /// ∫ ∇φ_k · ∇φ_l, φ_k the harmonic phase that is 1 on inner loop k and 0 on the other loops: an
-  /// upper bound of the exact matrix, of which the inverse of the Schur complement on the periods
-  /// is a lower bound (docs/method.md §2.3).
+  /// upper bound of the exact matrix. The inverse of the Schur complement on the periods is a lower
+  /// bound (docs/method.md §2.3).
   const Eigen::MatrixXd& CouplingOfIslands() const { return this->Coupling; }
 
 private:

@@ -87,7 +87,7 @@ HoleResponse::HoleResponse(const HoleElimination& holes, PotentialOperator::Peri
   std::vector<Eigen::Index> sizes(columns.firsts.size());
   std::adjacent_difference(columns.firsts.begin(), columns.firsts.end(), sizes.begin());
   sizes.erase(sizes.begin());
-  // The last rows are the periods; those that the problem does not have are held at zero.
+  // The last rows are the periods; those that the problem does not have are set to zero.
   std::vector<GramNode> nodes = columns.nodes;
   Eigen::MatrixXd& border = nodes.back().rows;
   const Eigen::Index without =

@@ -23,7 +23,7 @@ class HoleElimination
 public:
   using Periods = PotentialOperator::Periods;
 
-  /// Refers to the factor, which must outlive it.
+  /// Stores a reference to the factor, which must outlive this object.
   explicit HoleElimination(const PotentialFactor& factor);
 
   /// Returns ∇Ψ on all edges of holes, Ψ the solution.

@@ -76,8 +76,9 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
       BoundaryHalf& half = this->Halves[h];
       const auto [from, to] = this->Ends(h, m < this->CurveLogs);
       half.logFlux += log.strength * turns[h];
-      // The mean over a half is that of its ends. For points of curves, and along sides that pass
-      // through the position of the logarithm, it is integrated.
+      // The mean of a logarithm over a half is approximated by the mean of its values at both ends.
+      // For points of curves, and along sides on a line through the position of the logarithm, it
+      // is integrated exactly.
       const bool along = m < this->CurveLogs || std::abs(turns[h]) <= AngleRounding;
       half.logMean += along
         ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
@@ -255,7 +256,8 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     }
   }
   result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());
-  // The Neumann problem has no solution for the sum of rounding errors of the angles: remove it.
+  // Remove the sum of the rounding errors of the angles: the Neumann problem is solvable only for
+  // sources of sum zero.
   const Eigen::Index periods = this->Problem.potential->PeriodCount();
   const Eigen::Index vertices = result.sources.size() - periods;
   result.sources[this->Halves.front().vertex] -= result.sources.head(vertices).sum();

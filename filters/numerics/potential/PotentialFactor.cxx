@@ -57,7 +57,7 @@ PotentialFactor::PotentialFactor(
 PotentialFactor::Eliminated PotentialFactor::Eliminate(
   const Eigen::MatrixXd& sources, Periods periods) const
 {
-  // A Dirichlet boundary supplies whatever is missing.
+  // Only with a natural boundary must the sources add up to zero.
   const auto atVertices = sources.topRows(this->Operator.VertexCount());
   for (Eigen::Index column = 0; this->OnLoops == Boundary::Natural && column < sources.cols();
        ++column)

@@ -29,8 +29,8 @@ public:
     Dirichlet ///< Ψ on outer and inner loops and all periods are prescribed.
   };
 
-  /// Refers to the operator, which must outlive it. Throws Error when the mesh has degenerate
-  /// triangles, and NotPositiveDefinite when it is not connected.
+  /// Stores a reference to the operator, which must outlive this object. Throws Error when the mesh
+  /// has degenerate triangles, and NotPositiveDefinite when it is not connected.
   PotentialFactor(
     const PotentialOperator& laplacian, Boundary boundary, const Progress& progress = {});
 
@@ -60,7 +60,7 @@ public:
     return this->Factor.EliminateSparse(blocks);
   }
 
-  /// Number of periods that are unknowns: none with a Dirichlet boundary.
+  /// Returns the number of periods that are unknowns: none with a Dirichlet boundary.
   Eigen::Index UnknownPeriodCount(Periods periods) const
   {
     return this->OnLoops == Boundary::Natural ? this->Operator.PeriodCount(periods) : 0;

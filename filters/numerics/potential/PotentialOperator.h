@@ -43,7 +43,7 @@ public:
   const MeshTopology& GetTopology() const { return *this->Topology; }
   const SharedTopology& ShareTopology() const { return this->Topology; }
 
-  /// Number of rows: vertices of the mesh plus all periods.
+  /// Returns the number of rows: vertices of the mesh plus all periods.
   Eigen::Index Rows() const { return this->VertexCount() + this->PeriodCount(); }
   Eigen::Index VertexCount() const
   {
@@ -54,9 +54,9 @@ public:
     return periods == Periods::Islands ? this->IslandCount
                                        : static_cast<Eigen::Index>(this->Strips.size());
   }
-  /// Row of the k-th period.
+  /// Returns the row of the k-th period.
   Eigen::Index PeriodRow(Eigen::Index k) const { return this->VertexCount() + k; }
-  /// The strip of every period.
+  /// Returns the strip of every period.
   const std::vector<LoopStrip>& GetStrips() const { return this->Strips; }
 
   /// Assembles the matrix. Throws Error when the mesh has degenerate triangles.

@@ -24,20 +24,19 @@ public:
 
   /// Throws Error when the mesh is not connected or has degenerate triangles.
   explicit PotentialSolver(SharedTopology topology, const Progress& progress = {});
-  /// Its parts refer to each other.
+  /// Not copyable, because its parts store references to each other.
   PotentialSolver(const PotentialSolver&) = delete;
   PotentialSolver& operator=(const PotentialSolver&) = delete;
 
   const PotentialOperator& GetOperator() const { return this->Operator; }
   const PotentialFactor& GetFactor() const { return this->Factor; }
-  /// L⁻¹ ∇ᵀ of the edges of holes.
+  /// Returns L⁻¹ ∇ᵀ for the edges of holes.
   const HoleElimination& GetHoles() const;
   const HoleResponse& GetHoleResponse(Periods periods) const;
-  /// The same Laplacian with a Dirichlet boundary: energies need it, fields do not.
+  /// Returns the solver with a Dirichlet boundary, which energies need and fields do not.
   const DirichletSolver& GetDirichlet() const;
 
-  /// The following return what the member functions of the same names of the operator and the
-  /// factor return.
+  /// The following functions forward to those of the same name of the operator or the factor.
   const MeshTopology& GetTopology() const { return this->Operator.GetTopology(); }
   const SharedTopology& ShareTopology() const { return this->Operator.ShareTopology(); }
   Eigen::Index Rows() const { return this->Operator.Rows(); }

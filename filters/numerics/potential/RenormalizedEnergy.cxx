@@ -24,7 +24,7 @@ std::vector<HalfFlow> FlowsOf(
   std::vector<HalfFlow> flows;
   for (const BoundaryHalf& half : potential.GetHalves())
   {
-    // Those at the boundary have been integrated where they are large.
+    // Logarithms at the boundary have been integrated where they are large.
     HalfFlow flow{ half.logFlux, half.logMean };
     for (std::size_t j = 0; j < inside; ++j)
     {

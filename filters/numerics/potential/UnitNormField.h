@@ -15,7 +15,7 @@ struct UnitNormField
   /// boundary condition by rounding and by the linear solver.
   double residual = 0.0;
   /// Per inner loop, in (−π, π]: the phase that the single-valued potential carries to it minus the
-  /// phase of its alignment. Where it is not zero, a harmonic field with a period was added.
+  /// phase of its alignment. If it is not zero, a harmonic field with a period was added.
   std::vector<double> holonomyDefect;
   Eigen::VectorXd potential; ///< Φ at the vertices, then its periods around inner loops.
 };

@@ -15,8 +15,8 @@ std::size_t At(int i, int j, int row)
   return Index(j) * Index(row) + Index(i);
 }
 
-/// The position of a line between two kept ones: the index of the one before it, and the fraction
-/// of the distance to the next.
+/// Position of a grid line of the finer mesh between two lines of the coarser one: the index of the
+/// coarse line before it, and the fraction of the distance to the next one.
 struct LinePlace
 {
   int before;

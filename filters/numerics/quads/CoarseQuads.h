@@ -22,8 +22,8 @@ struct QuadLattice
 std::vector<QuadLattice> LatticesOf(const QuadMesh& mesh, const QuadBlocks& blocks);
 
 /// A coarser mesh of about every second grid line of the blocks, with the points of the finer mesh
-/// (docs/method.md §14.5). The lines kept depend on their number alone and are the same from both
-/// ends, so blocks agree on the sides that they share.
+/// (docs/method.md §14.5). Which lines remain depends only on their number, and is symmetric, so
+/// blocks agree on the sides that they share.
 ///
 /// Displacements are two numbers per point, as in QuadEnergy. They are prolonged from the coarser
 /// to the finer mesh by bilinear interpolation in the lattices, of positions inside and of arc
@@ -66,6 +66,7 @@ private:
   const std::vector<QuadLattice>& FineLattices;
 };
 
-/// Returns the lines kept of 0, ..., count, including both ends; all of them if there are few.
+/// Returns the lines out of 0, ..., count that remain, including both ends; all of them if there
+/// are few.
 std::vector<int> KeptLines(int count);
 }

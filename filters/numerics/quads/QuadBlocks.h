@@ -15,8 +15,8 @@ struct QuadBlocks
 };
 
 /// Divides a mesh into blocks along the lines of edges that leave its irregular points, each up to
-/// the boundary or another irregular point (docs/method.md §14.7). The pieces are rectangles, and
-/// annuli, which one more line cuts. So every side of a block is a full side of another block or
-/// part of the boundary. The result depends on the connectivity alone.
+/// the boundary or another irregular point (docs/method.md §14.7). The pieces are rectangles or
+/// annuli; an annulus is cut by one more line. Every side of a block is therefore a full side of
+/// another block or part of the boundary. The result depends only on the connectivity.
 QuadBlocks FindBlocks(const QuadMesh& mesh);
 }

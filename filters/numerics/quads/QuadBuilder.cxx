@@ -178,7 +178,8 @@ private:
     }
     const bool node = j == 0 || j == count;
     const int cone = node ? this->Separatrices.nodes[Index(number)].cone : -1;
-    // A corner takes its position from a boundary arc, which knows its place on the boundary.
+    // A corner takes its position from a boundary arc, whose points have a location on the
+    // boundary.
     const bool isCone = cone >= 0 && (arc.onBoundary || !this->Map.cones[Index(cone)].onBoundary);
     if (isCone)
     {

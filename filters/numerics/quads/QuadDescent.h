@@ -46,7 +46,7 @@ private:
 
   QuadEnergy& Energy;
   const Eigen::Index Size;
-  // Kept between steps and descents: large vectors are slow to allocate.
+  // Reused between steps and descents, because large vectors are slow to allocate.
   std::deque<Correction> Memory;
   std::deque<Correction> Spare;
   Eigen::VectorXd Gradient;

@@ -175,7 +175,8 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient
           ((1.0 - this->SizePart) * (a.squaredNorm() + b.squaredNorm()) +
             this->SizePart * (determinant * determinant + 1.0));
         energy += value;
-        // ∂ Cross(a, b) = (b_y, −b_x) by a and (−a_y, a_x) by b; ∂χ / ∂D = χ / root.
+        // The derivative of Cross(a, b) is (b_y, −b_x) with respect to a and (−a_y, a_x) with
+        // respect to b; ∂χ / ∂D = χ / root.
         const double byNorm = 2.0 * (1.0 - this->SizePart) * inverse;
         const double byDeterminant = 2.0 * this->SizePart * determinant * inverse - value / root;
         byA[i] += byNorm * a + byDeterminant * Point(b.y(), -b.x());

@@ -16,7 +16,7 @@ struct QuadOptions
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   TargetSizes sizes;    ///< Variation of the size over the domain.
-  bool smooth = true;   ///< If false, points stay where the map has them, for drafts.
+  bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;
 };

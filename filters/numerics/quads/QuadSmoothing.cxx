@@ -22,7 +22,7 @@ constexpr double UniformSizePart = 0.5;
 
 /// Limits without a coarser mesh: until a step gains 1e-7 of the energy, far below what is visible.
 constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
-/// Limits beside a coarser mesh, which corrects long wavelengths: until a step gains a hundredth of
+/// Limits with a coarser mesh, which corrects long wavelengths: until a step gains a hundredth of
 /// the energy above the ideal value.
 constexpr DescentLimits BesideCoarser = { 5, 1e-2, 1e-7 };
 

@@ -203,8 +203,9 @@ int MakeSymmetric(
     return 1;
   }
   Symmetriser symmetriser(mesh, curves, Tolerance * domain.Diagonal(), released);
-  // Neighbouring symmetries of a polygon with many sides are nearly equal. Those of the mesh match
-  // within this fraction of an edge, the best reflection is taken, and powers must be the identity.
+  // Neighbouring symmetries of a polygon with many sides are nearly equal. A symmetry is accepted
+  // only if images match points within this fraction of an edge. Of several reflections the best
+  // match is used, and the right power of a rotation must be the identity.
   constexpr double Near = 0.25;
   Permutation turn;
   double angle = 0.0;

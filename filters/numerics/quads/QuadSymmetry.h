@@ -9,8 +9,8 @@ namespace crossfield
 /// Makes a mesh as symmetric as its domain (docs/method.md §14.5). Uses those symmetries of the
 /// boundary that take quads to quads, and fixed points to fixed points of the same index within
 /// 1e-9 of the diagonal. Every other point moves to the mean of its images, on the boundary to the
-/// nearest place of the polyline: by as much as the triangles of the map were not symmetric. Cost:
-/// linear in points, times the number of symmetries.
+/// nearest point of the polyline. The displacement corresponds to the asymmetry of the triangles of
+/// the map. Cost: linear in points, times the number of symmetries.
 ///
 /// `released` means that inner singularities are not fixed. Returns the number of symmetries, 1 if
 /// there is none but the identity.

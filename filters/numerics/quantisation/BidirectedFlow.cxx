@@ -239,7 +239,7 @@ EdgeCounts SolveBidirectedFlow(const QuantisationProblem& problem)
   best.optimal = open.empty();
   if (best.counts.empty())
   {
-    // Twice a solution satisfies the equations, and lower bounds as well.
+    // Doubled counts also satisfy the equations and the lower bounds.
     best.counts = fallback;
     best.cost = problem.Cost(fallback);
   }

@@ -294,8 +294,8 @@ private:
   bool IsUnsolved = false;
   Node Present;
   std::vector<Node> Open;   ///< A heap, the lowest bound first.
-  std::vector<Node> Recent; ///< Left open since the lowest bound was taken.
-  int Backtracks = 0;       ///< To these, since then.
+  std::vector<Node> Recent; ///< Nodes created since a node with the lowest bound was selected.
+  int Backtracks = 0;       ///< Number of returns to recent nodes since then.
   std::array<std::vector<PseudoCost>, 2> PseudoCosts; ///< Down and up, per arc.
 };
 }

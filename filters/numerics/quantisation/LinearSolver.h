@@ -8,7 +8,7 @@ namespace crossfield
 /// Upper bound of a variable that has none.
 constexpr double Unbounded = std::numeric_limits<double>::infinity();
 
-/// lower ≤ x ≤ upper. Both are finite but for an upper bound that is Unbounded.
+/// Bounds lower ≤ x ≤ upper. Both are finite, except that `upper` may be Unbounded.
 struct VariableBounds
 {
   double lower = 0.0;

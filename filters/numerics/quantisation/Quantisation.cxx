@@ -68,8 +68,8 @@ public:
     std::iota(this->AllArcs.begin(), this->AllArcs.end(), 0);
   }
 
-  /// Improves counts that satisfy the separation constraints. `best.bound` is that of the flow, and
-  /// is improved as well.
+  /// Improves counts that satisfy the separation constraints. On entry, `best.bound` is the bound
+  /// of the flow; it is improved too.
   void Run(EdgeCounts& best, const Progress& progress)
   {
     const double flowBound = best.bound;
@@ -100,7 +100,7 @@ public:
   }
 
 private:
-  /// Starts without the rows known, so that counts that violate them are found as well.
+  /// Starts without the known rows, so that counts that violate them are found too.
   void SearchWindows(EdgeCounts& best, const Progress& progress)
   {
     std::vector<SeparationRow> generated;
@@ -161,7 +161,7 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
 {
   Stopwatch stopwatch;
   EdgeCounts best = SolveBidirectedFlow(problem);
-  best.nodes = 0; // counts those of branch and cut
+  best.nodes = 0; // only nodes of branch and cut are counted
   if (!FindViolations(mesh, best.counts).empty())
   {
     const EdgeCounts separated = CountAllArcs(mesh, problem);

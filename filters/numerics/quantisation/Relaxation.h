@@ -36,7 +36,7 @@ public:
   void SetCutoff(double cost) { this->Solver->SetCutoff(cost); }
   SolveStatus Solve() { return this->Solver->Solve(); }
 
-  // Of the optimum:
+  // Values at the optimum:
   double GetCost() const { return this->Solver->GetObjective(); }
   /// Returns n of an arc.
   double GetCount(int arc) const;

@@ -141,7 +141,7 @@ void ImproveInWindows(const TMesh& mesh, const QuantisationProblem& problem, std
   constexpr int MaximumNodes = 50;
   // A window of 100 arcs takes a millisecond, one of 200 takes ten; larger ones find no more than
   // the full problem does. Small windows come first, as they are cheaper. Windows of more than a
-  // third of all arcs are left to the full problem.
+  // third of all arcs are skipped, because the full problem covers them.
   constexpr std::array<std::size_t, 5> sizes = { 60, 100, 100, 200, 200 };
   for (std::size_t pass = 0; pass < sizes.size(); ++pass)
   {

@@ -7,7 +7,7 @@ namespace crossfield
 {
 namespace
 {
-/// Indices found at a place where a certain sum of quarter indices is expected.
+/// Indices found near a position at which a certain sum of quarter indices is expected.
 struct Found
 {
   int sum = 0;

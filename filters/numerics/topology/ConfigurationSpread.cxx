@@ -16,7 +16,7 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the radius of the largest disk around a place inside the domain that does not overlap
+/// Returns the radius of the largest disk around a position inside the domain that does not overlap
 /// equal disks around the other singularities.
 double FreeRadius(
   const Point& place, double clearance, const Configuration& others, std::size_t except)
@@ -32,7 +32,7 @@ double FreeRadius(
   return radius;
 }
 
-/// Candidate places inside the domain, with their distances to the boundary.
+/// Candidate positions inside the domain, with their distances to the boundary.
 struct Candidates
 {
   std::vector<Point> places;
@@ -65,7 +65,7 @@ struct Candidates
     }
   }
 
-  /// Returns the candidate with the largest free disk beside the others.
+  /// Returns the candidate with the largest free disk, given the other singularities.
   std::size_t Best(const Configuration& others, std::size_t except) const
   {
     std::size_t best = 0;
@@ -162,7 +162,7 @@ Configuration SpreadConfiguration(
       .requiredInteriorQuarters -
     TotalQuarters(result);
 
-  // 1. Add singularities one by one at the place with the largest free disk.
+  // 1. Add singularities one by one at the position with the largest free disk.
   const Candidates candidates(domain);
   progress.Report(0.5);
   if (candidates.places.empty() && missing != 0)

@@ -31,8 +31,8 @@ struct SpreadOptions
 Configuration SpreadConfiguration(
   const PlanarDomain& domain, const SpreadOptions& options = {}, const Progress& progress = {});
 
-/// Returns the place with the largest free disk beside the given singularities, on the same grid;
-/// none where the domain is too thin.
+/// Returns the position on the same grid with the largest free disk, given these singularities;
+/// none if the domain is too thin.
 std::optional<Point> FindFreePlace(const PlanarDomain& domain, const Configuration& others);
 
 /// Sets the radii of the singularities from index `first` on to those that a drilled mesh of the

@@ -15,17 +15,19 @@ namespace crossfield
 /// Input of MakeQuadMesh besides the domain.
 struct QuadRequest
 {
-  std::optional<Configuration> singularities; ///< Chosen for the domain where there are none.
+  std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
 
   Sizing sizing = Sizing::Conformal;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
-  /// Side length of quads, with Sizing::Field a factor; 0: by quadCount.
+  /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from
+  /// quadCount.
   double quadSize = 0.0;
-  int quadCount = 1000; ///< Target number of quads where quadSize is 0.
+  int quadCount = 1000; ///< Target number of quads if quadSize is 0.
 
   double meshSize = 0.0; ///< Edge length of triangles, as in DrillOptions.
-  /// Minimum distance of chosen singularities; 0: by quadSize or quadCount.
+  /// Minimum distance of chosen singularities from the boundary and from each other; 0: derived
+  /// from the size of quads.
   double clearance = 0.0;
   int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
   bool capCorners = true; ///< As in SeamlessMapOptions.
@@ -36,7 +38,7 @@ struct QuadRequest
 /// Wall-clock time of each step of MakeQuadMesh, in seconds.
 struct QuadSeconds
 {
-  double choose = 0.0; ///< 0 where singularities were given.
+  double choose = 0.0; ///< 0 if singularities were given.
   double mesh = 0.0;
   double map = 0.0;
   double trace = 0.0;
@@ -48,11 +50,11 @@ struct QuadSeconds
 /// A quad mesh, and the singularities and corners that it was made of.
 struct QuadWorkflowResult
 {
-  Configuration singularities;       ///< Those given or chosen, at their positions after repair.
+  Configuration singularities;       ///< Given or chosen, at their positions after repair.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
   std::vector<std::string> events;   ///< Decisions made in choosing, one sentence each.
-  std::optional<OptimizerResult> optimum; ///< The run that chose them; none where they were given.
-  std::optional<HolonomyRepair> repair;   ///< Where it was requested.
+  std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
+  std::optional<HolonomyRepair> repair;   ///< If it was requested.
   std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
   QuadResult quads;
   QuadSeconds seconds;
@@ -62,8 +64,8 @@ struct QuadWorkflowResult
 /// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
 /// makes quads.
 ///
-/// Throws Error as ChooseSingularities, RepairForMap, MeshThroughPoints, SolveSeamlessMap, TraceSeparatrices,
-/// MakeTMesh and MakeQuads do.
+/// Throws Error as ChooseSingularities, RepairForMap, MeshThroughPoints, SolveSeamlessMap,
+/// TraceSeparatrices, MakeTMesh and MakeQuads do.
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
 
