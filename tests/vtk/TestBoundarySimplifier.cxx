@@ -1,4 +1,4 @@
-#include "FilterChecks.h"
+#include "support/FilterChecks.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkDrillHoles.h"
 #include "vtkPlanarDomainSource.h"

@@ -1,5 +1,5 @@
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkDrillHoles.h"
 #include "vtkPlanarDomainSource.h"

@@ -1,5 +1,5 @@
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkCrossGlyphs.h"
 #include "vtkPerforatedCrossField.h"
 

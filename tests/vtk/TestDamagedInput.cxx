@@ -1,8 +1,8 @@
 // Data sets from damaged files or incorrect scripts are refused with one sentence, for every kind
 // of input.
 
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossGlyphs.h"

@@ -1,6 +1,6 @@
-#include "FilterChecks.h"
-#include "MeshReading.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/MeshReading.h"
+#include "support/TestInputs.h"
 #include "vtkDrillHoles.h"
 
 #include "vtkCellArray.h"

@@ -1,7 +1,7 @@
 // Every invalid input in the class comment of vtkDrillHoles causes one error with the reason.
 
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkDrillHoles.h"
 
 #include "vtkCellArray.h"

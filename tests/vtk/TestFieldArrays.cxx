@@ -1,7 +1,7 @@
 /** The property Arrays: the arrays it selects, and that other filters need the exact ones only. */
-#include "FilterChecks.h"
-#include "PerforatedCrossFieldTest.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/PerforatedCrossFieldTest.h"
+#include "support/TestInputs.h"
 #include "vtkCrossFieldArraySets.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkHField.h"

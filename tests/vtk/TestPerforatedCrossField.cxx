@@ -1,8 +1,8 @@
-#include "FieldReading.h"
-#include "FilterChecks.h"
-#include "PerforatedCrossFieldTest.h"
-#include "ResultFiles.h"
-#include "TestInputs.h"
+#include "support/FieldReading.h"
+#include "support/FilterChecks.h"
+#include "support/PerforatedCrossFieldTest.h"
+#include "support/ResultFiles.h"
+#include "support/TestInputs.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -1,9 +1,9 @@
 // Method, initial field and additional constraints of vtkPerforatedCrossField.
 
-#include "FieldReading.h"
-#include "FilterChecks.h"
-#include "PerforatedCrossFieldTest.h"
-#include "TestInputs.h"
+#include "support/FieldReading.h"
+#include "support/FilterChecks.h"
+#include "support/PerforatedCrossFieldTest.h"
+#include "support/TestInputs.h"
 
 #include <algorithm>
 #include <cmath>

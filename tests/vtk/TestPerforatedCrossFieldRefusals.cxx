@@ -1,7 +1,7 @@
 // Invalid meshes and inconsistent configurations for vtkPerforatedCrossField.
 
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkPerforatedCrossField.h"
 

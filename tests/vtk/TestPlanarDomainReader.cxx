@@ -1,4 +1,4 @@
-#include "FilterChecks.h"
+#include "support/FilterChecks.h"
 #include "vtkPlanarDomainReader.h"
 
 #include "vtkCellArray.h"

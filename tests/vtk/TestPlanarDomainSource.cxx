@@ -1,4 +1,4 @@
-#include "FilterChecks.h"
+#include "support/FilterChecks.h"
 #include "vtkPlanarDomainSource.h"
 
 #include "vtkCellArray.h"

@@ -1,6 +1,6 @@
 // Domains in any plane of space: every filter gives the output for z = 0, moved to the plane.
 
-#include "PlanesTest.h"
+#include "support/PlanesTest.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldSingularities.h"

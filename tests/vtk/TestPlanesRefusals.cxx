@@ -1,6 +1,6 @@
 // Invalid input in planes of space.
 
-#include "PlanesTest.h"
+#include "support/PlanesTest.h"
 #include "vtkBoundaryCornerClassifier.h"
 
 #include <gtest/gtest.h>

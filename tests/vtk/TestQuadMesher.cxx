@@ -1,6 +1,6 @@
-#include "DiskTest.h"
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/DiskTest.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkQuadMesher.h"
 

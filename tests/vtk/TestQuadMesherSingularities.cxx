@@ -1,8 +1,8 @@
 // The singularities and corners that QuadMesher used: its outputs at ports 3 and 4.
 
-#include "DiskTest.h"
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/DiskTest.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkConfigurationProposal.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkQuadMesher.h"

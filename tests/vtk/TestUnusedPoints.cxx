@@ -1,8 +1,8 @@
 // Points that no cell uses are ignored, wherever they are: every filter that reads a domain or a
 // mesh produces the same bytes without them.
 
-#include "FilterChecks.h"
-#include "TestInputs.h"
+#include "support/FilterChecks.h"
+#include "support/TestInputs.h"
 #include "vtkBoundaryCornerClassifier.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkConfigurationProposal.h"

@@ -1,8 +1,8 @@
 // Imprinted circles, single triangles, and the variants of vtkPerforatedCrossField for them.
-#include "FieldReading.h"
-#include "FilterChecks.h"
-#include "PerforatedCrossFieldTest.h"
-#include "TestInputs.h"
+#include "support/FieldReading.h"
+#include "support/FilterChecks.h"
+#include "support/PerforatedCrossFieldTest.h"
+#include "support/TestInputs.h"
 #include "vtkCrossFieldErrorCodes.h"
 #include "vtkCrossFieldSingularities.h"
 #include "vtkDrillHoles.h"
