@@ -85,7 +85,7 @@ int Compare(const CompareOptions& options)
   OutputFile::Blocks blocks;
   std::optional<PipelineRun::Error> refused;
   bool allConverged = true;
-  bool configurationAccepted = false; // by a method that uses it
+  bool configurationAccepted = false; // by at least one method that uses it
   for (const std::string& method : options.methods)
   {
     MethodRun run;

@@ -44,7 +44,7 @@ struct OptimizeOptions : MeshOptions
   int pairs = 0;
 };
 
-/** Returns what is wrong with the words after --sizing, or nothing. */
+/** Returns an error message for the words after --sizing, empty if they are valid. */
 std::string CheckSizing(const OptimizeOptions& options)
 {
   const std::string& sizing = options.sizing[0];

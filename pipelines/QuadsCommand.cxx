@@ -89,7 +89,7 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
   }
 }
 
-/** Returns what is wrong with the words after --sizing; empty if nothing is. */
+/** Returns an error message for the words after --sizing, empty if they are valid. */
 std::string CheckSizing(const QuadsOptions& options)
 {
   const std::string& sizing = options.sizing[0];

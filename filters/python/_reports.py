@@ -1,7 +1,7 @@
 """Reports of the functions, with the keys of `crossfield --json`.
 
-The table reports.json, which the program reads as well, lists the keys of every report and the arrays that they
-come from, and explains its kinds of entries.
+The table reports.json, which the program reads as well, lists the keys of every report and the
+arrays that they come from, and explains its kinds of entries.
 """
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def report_of(name: str, data: Any, seconds: Sequence[float] = (), **others: Any
 
 @dataclass
 class _Place:
-    """Where entries read their arrays: field data, or a row of a table or of points."""
+    """Source from which entries read arrays: field data, or a row of a table or of points."""
 
     arrays: Any
     points: Any = None
@@ -38,7 +38,7 @@ class _Place:
 
 
 def _has_height(data: Any) -> bool:
-    """Whether a domain or mesh is in no plane z = const; points alone do not count."""
+    """Returns whether a domain or mesh is in no plane z = const; false for points without cells."""
     if not isinstance(data, vtkDataSet) or data.GetMaxCellSize() < 2:
         return False
     bounds = data.GetBounds()
@@ -50,7 +50,7 @@ def _convert(array: Any, index: int, kind: str) -> Any:
 
 
 class _Reader:
-    """Evaluates entries of the table; None stands for one that is left out."""
+    """Evaluates entries of the table; None means that an entry is left out."""
 
     def __init__(self, sources: dict[str, Any], seconds: Sequence[float]) -> None:
         self._sources = sources

@@ -42,7 +42,7 @@ def write_grid(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) 
 
 
 def replace_file(text: str, path: Union[str, "os.PathLike[str]"]) -> None:
-    """Writes a file beside its place and renames it when it is complete, as the program does."""
+    """Writes a file under a temporary name and renames it when complete, as the program does."""
     place = os.path.realpath(path)
     is_file = os.path.isfile(place)
     if os.path.exists(place) and not is_file:  # a device or a pipe, which cannot be replaced

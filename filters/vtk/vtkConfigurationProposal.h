@@ -8,7 +8,7 @@
  * takes a few steps of vtkSingularityOptimizer, and the one with the minimum energy at the core
  * radius is output. Where singularities are given or flat corners are cancelled, nothing is moved.
  * The result is a start, not an optimum. With Automatic the singularities are then moved to a
- * minimum of the renormalised energy, as by vtkSingularityOptimizer. For quads, vtkQuadMesher
+ * minimum of the renormalised energy, as vtkSingularityOptimizer does. For quads, vtkQuadMesher
  * chooses singularities itself.
  *
  * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
@@ -20,17 +20,15 @@
  * corners, then the others. Point arrays `QuarterIndex` (int) and `Radius` (double): a third of the
  * distance to the boundary or the next singularity, at most 1/40 of the domain's diagonal; for
  * those of port 1 as given. If one of port 1 has no radius, the others have none either. With
- * Automatic there is `Radius` only where port 1 gives it, and there are the field data of
- * vtkSingularityOptimizer and `Events` (strings: one sentence for each decision).
- * Output port 1 (vtkPolyData): the corners whose quarter index was prescribed or chosen, with
- * `QuarterIndex`.
+ * Automatic, `Radius` exists only if port 1 has it, and the output has the field data of
+ * vtkSingularityOptimizer and `Events` (strings: one sentence for each decision). Output port 1
+ * (vtkPolyData): the corners whose quarter index was prescribed or chosen, with `QuarterIndex`.
  * Output port 2 (vtkTable): the proposal and the Alternatives, the best first, with `Alternative`
  * (int), `Origin` (text), `Singularities` (int), `LogarithmCoefficient`, `RenormalizedEnergy`,
  * `CoreRadius`, `EnergyAtCoreRadius`, by which they are ranked, `HolonomyDefect` (largest, radians)
- * and `SizeSpread` (standard deviation of log size, H, over the area). Empty with Automatic.
- * Output port 3 (vtkPolyData): the points of all rows of the table, with `Alternative` and
- * `QuarterIndex`; corners whose index is not that of the smallest rotation are points, too. Empty
- * with Automatic.
+ * and `SizeSpread` (standard deviation of log size, H, over the area). Empty with Automatic. Output
+ * port 3 (vtkPolyData): the points of all rows of the table, with `Alternative` and `QuarterIndex`;
+ * corners whose index is not that of the smallest rotation are points, too. Empty with Automatic.
  *
  * An empty domain gives an empty output. Failure, with an empty output: a domain that vtkDrillHoles
  * refuses; a singularity of port 1 outside of it; arrays that are missing or not integer; a corner
@@ -59,14 +57,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * Turning angle above which a boundary vertex is a corner, degrees. Default: 30. Range: 1 to 45.
+   * Sets the turning angle, in degrees, above which a boundary vertex is a corner. Default: 30.
+   * Range: 1 to 45.
    */
   vtkSetClampMacro(CornerAngle, double, 1.0, 45.0);
   vtkGetMacro(CornerAngle, double);
@@ -102,9 +101,10 @@ public:
 
   ///@{
   /**
-   * Number of alternatives listed besides the proposal: other starts, other quarter indices of
-   * undecided corners, one by one and together, with the interior singularities that these require,
-   * one of ±2 instead of two of ±1, and an additional pair. Default: 0. Range: 0 to 100.
+   * Sets the number of alternatives listed besides the proposal: other starts, other quarter
+   * indices of undecided corners, one by one and together, with the interior singularities that
+   * these require, one of ±2 instead of two of ±1, and an additional pair. Default: 0. Range: 0 to
+   * 100.
    */
   vtkSetClampMacro(Alternatives, int, 0, 100);
   vtkGetMacro(Alternatives, int);
@@ -112,8 +112,8 @@ public:
 
   ///@{
   /**
-   * Target edge length of the mesh of the optimiser; 0: 1/40 of the diagonal of the bounding box.
-   * Default: 0. Range: 0 or more.
+   * Sets the target edge length of the mesh of the optimiser. Default: 0, 1/40 of the diagonal of
+   * the bounding box. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Minimum distance, with Automatic, of interior singularities to the boundary and to each other,
-   * as of vtkSingularityOptimizer; 0: 1/400 of the diagonal of the bounding box. Default: 0. Range:
-   * 0 or more.
+   * Sets, for Automatic, the minimum distance of interior singularities from the boundary and from
+   * each other, as in vtkSingularityOptimizer. Default: 0, 1/400 of the diagonal of the bounding
+   * box. Range: 0 or more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -131,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Keeps every singularity, with Automatic, as KeepAll of vtkSingularityOptimizer does. Default:
-   * off.
+   * Preserves, with Automatic, all singularities, as KeepAll of vtkSingularityOptimizer does.
+   * Default: off.
    */
   vtkSetMacro(KeepAll, bool);
   vtkGetMacro(KeepAll, bool);
@@ -141,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Core radius of singularities at which energies are compared; 0: 1/100 of the diagonal of the
-   * bounding box. Default: 0. Range: 0 or more.
+   * Sets the core radius of singularities at which energies are compared. Default: 0, 1/100 of the
+   * diagonal of the bounding box. Range: 0 or more.
    */
   vtkSetClampMacro(CoreRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CoreRadius, double);

@@ -9,11 +9,10 @@
  * of quads, and nodes move, on the boundary along its polyline, until the quads have their best
  * shape.
  *
- * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles.
- * Port 1, optional, singularities (points), and port 2, optional, corners: as for vtkHField. Where
- * port 1 has no connection, singularities are chosen as by vtkConfigurationProposal with Automatic,
- * then moved to suit the requested quads. A connected data set without points means no
- * singularities.
+ * Port 0, the domain (vtkPolyData or vtkUnstructuredGrid): as for vtkDrillHoles. Port 1, optional,
+ * singularities (points), and port 2, optional, corners: as for vtkHField. If port 1 has no
+ * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
+ * to suit the requested quads. A connected data set without points means no singularities.
  *
  * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary
  * edge with the domain on the left, with
@@ -27,15 +26,15 @@
  * equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
  * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
  * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
- * same order; −1: the reversed order; 0: boundary). Every side is adjacent to exactly one whole
- * side.
+ * same order; −1: the reversed order; 0: boundary). Every side that is not on the boundary is
+ * adjacent to exactly one complete side.
  *
  * Output 2 (vtkPolyData): the sides of the blocks as polylines, with the cell array `Edges` (int):
  * quads along each.
  *
  * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
  * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at their positions after
- * RepairHolonomy. Where they were chosen, with the field data `Events`.
+ * RepairHolonomy. If they were chosen, with the field data `Events`.
  *
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
@@ -85,15 +84,15 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Port 1, the singularities, and port 2, the corners: connections or data objects. */
+  /** Connects port 1, the singularities, or port 2, the corners, or sets it to a data object. */
   vtkCrossFieldPortMacro(Singularities, 1);
   vtkCrossFieldPortMacro(Corners, 2);
   ///@}
 
   ///@{
   /**
-   * Side length of quads in the map, whose area is that of the domain: about area / size² quads. 0:
-   * by QuadCount. Default: 0. Range: 0 or more.
+   * Sets the side length of quads in the map, whose area is that of the domain: about area / size²
+   * quads. Default: 0, derived from QuadCount. Range: 0 or more.
    */
   vtkSetClampMacro(QuadSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(QuadSize, double);
@@ -101,14 +100,14 @@ public:
 
   ///@{
   /**
-   * Target number of quads where QuadSize is 0. Where the separatrices allow no number within 5 %
-   * of it, the nearest that was found is used, with a warning. Default: 1000. Range: 1 or more.
+   * Sets the target number of quads if QuadSize is 0. If the separatrices allow no number within 5
+   * % of it, the nearest one found is used, with a warning. Default: 1000. Range: 1 or more.
    */
   vtkSetClampMacro(QuadCount, int, 1, VTK_INT_MAX);
   vtkGetMacro(QuadCount, int);
   ///@}
 
-  /** How the size of quads varies over the domain. */
+  /** Variation of the size of quads over the domain. */
   enum SizingType
   {
     SizingConformal = 0,
@@ -118,12 +117,12 @@ public:
 
   ///@{
   /**
-   * SizingConformal: the sizes of the map, larger where its field spreads, which gives the best
-   * shapes. SizingUniform: the same size everywhere as far as the separatrices allow; singularities
-   * may move (`Moved`). SizingField: in the same manner, the lengths in the point array SizeArray
-   * of the domain. With these two, chosen singularities are moved to where the sizes of the map are
-   * nearest to the target sizes, as with UniformSizes of vtkSingularityOptimizer. Default:
-   * SizingConformal.
+   * Selects the sizes of quads: those of the map, larger where its field spreads, which gives the
+   * best shapes (SizingConformal); the same size everywhere, as far as the separatrices allow, for
+   * which singularities may move (SizingUniform; see `Moved`); or the lengths in the point array
+   * SizeArray of the domain, in the same manner (SizingField). With the last two, chosen
+   * singularities are moved to where the sizes of the map are nearest to the target sizes, as with
+   * UniformSizes of vtkSingularityOptimizer. Default: SizingConformal.
    */
   vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);
   vtkGetMacro(Sizing, int);
@@ -134,21 +133,21 @@ public:
 
   ///@{
   /**
-   * Point array of the domain with the target length of quads for SizingField, in units of the
-   * domain: linear on surface cells, or along curves, from which it is continued inside. QuadSize
-   * is then a factor of these lengths; where it is 0, only their proportions matter. Default: none.
+   * Sets the point array of the domain with the target length of quads for SizingField, in units of
+   * the domain: linear on surface cells, or along curves, from which it is continued inside.
+   * QuadSize is then a factor of these lengths; if it is 0, only their proportions matter. Default:
+   * none.
    */
   vtkSetMacro(SizeArray, std::string);
   vtkGetMacro(SizeArray, std::string);
   ///@}
-  /** Overload that ParaView calls. */
+  /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
   ///@{
   /**
-   * Merges separatrices that are nearer to each other than blocks need: the smallest number of
-   * blocks whose worst quad has at least half the scaled Jacobian of the worst quad with all
-   * blocks. Default: off.
+   * Merges separatrices that are close to each other: makes the smallest number of blocks for which
+   * the minimum scaled Jacobian is at least half of that with all blocks. Default: off.
    */
   vtkSetMacro(Coarse, bool);
   vtkGetMacro(Coarse, bool);
@@ -157,8 +156,8 @@ public:
 
   ///@{
   /**
-   * Target edge length of the triangles on which the map is solved; 0: 1/40 of the diagonal of the
-   * bounding box. Default: 0. Range: 0 or more.
+   * Sets the target edge length of the triangles on which the map is solved. Default: 0, 1/40 of
+   * the diagonal of the bounding box. Range: 0 or more.
    */
   vtkSetClampMacro(MeshSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MeshSize, double);
@@ -166,8 +165,8 @@ public:
 
   ///@{
   /**
-   * Minimum distance of chosen singularities to the boundary and to each other; 0: 0.7 of the size
-   * of quads. Default: 0. Range: 0 or more.
+   * Sets the minimum distance of chosen singularities from the boundary and from each other.
+   * Default: 0, 0.7 of the size of quads. Range: 0 or more.
    */
   vtkSetClampMacro(Clearance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Clearance, double);
@@ -175,9 +174,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of pairs of quarter indices 1 and −1 that are added to chosen singularities
-   * where they reduce the spread of sizes most, as long as each reduces it by 15 %; as of
-   * vtkSingularityOptimizer. Default: 0. Range: 0 to 100.
+   * Sets the maximum number of pairs of quarter indices 1 and −1 that are added to chosen
+   * singularities where they reduce the spread of sizes most, as long as each reduces it by 15 %;
+   * see vtkSingularityOptimizer. Default: 0. Range: 0 to 100.
    */
   vtkSetClampMacro(Pairs, int, 0, 100);
   vtkGetMacro(Pairs, int);
@@ -206,8 +205,9 @@ public:
   ///@}
 
   /**
-   * Seconds that the last run took for triangles, map, separatrices, edge counts, layout, smoothing
-   * and, last, for choosing singularities (0 where they were given). Not in the output.
+   * Returns the seconds that the last run took for triangles, map, separatrices, edge counts,
+   * layout, smoothing and, last, for choosing singularities (0 if they were given). They are not
+   * part of the output.
    */
   vtkGetVectorMacro(StageSeconds, double, 7);
 

@@ -203,7 +203,7 @@ void pqSingularityHandlesWidget::Press(int x, int y)
   {
     return;
   }
-  // A handle that is pressed off its centre does not jump.
+  // A handle does not jump when the mouse button is pressed off its centre.
   const SingularityRow& pressed = this->Rows[static_cast<std::size_t>(row)];
   const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
   this->Grip = { x - middle[0], y - middle[1] };

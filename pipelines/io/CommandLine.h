@@ -52,7 +52,7 @@ struct MeshOptions
 
 /** Options that several subcommands share; each function adds one of them. */
 ///@{
-/** Adds -s; `fallback` says what is used without it. */
+/** Adds -s; `fallback` describes what is used without it. */
 CLI::Option* AddSingularitiesTo(
   CLI::App& command, std::string& file, const std::string& fallback = "chosen for the domain");
 void AddSizeTo(CLI::App& command, double& size);

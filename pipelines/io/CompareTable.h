@@ -19,7 +19,7 @@ struct CompareRow
   /** Σ |k| of the requested singularities; for the reference method, the sum that the domain
    * requires. */
   int wanted = 0;
-  int reached = 0;  ///< Part of `wanted` that the field has at the requested places.
+  int reached = 0;  ///< Part of `wanted` that the field has at the requested positions.
   int unwanted = 0; ///< Number of unwanted singularities, as in the report of the field.
   int iterations = 0;
   double seconds = 0.0; ///< Time for the mesh and the solve.

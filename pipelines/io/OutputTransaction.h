@@ -5,13 +5,13 @@
 #include <vector>
 
 /**
- * Writes all files of a command, or none of them. Each is written beside its place, as
- * NAME.part<pid>, and Commit renames them when all are complete. Without a Commit, and if SIGINT,
+ * Writes all files of a command, or none of them. Each is first written to NAME.part<pid> in the
+ * same folder, and Commit renames them when all are complete. Without a Commit, and if SIGINT,
  * SIGTERM or SIGHUP end the program, these parts are removed. If a rename fails, the earlier ones
  * are undone. After a power cut or SIGKILL, parts and second names of old files may remain.
  *
- * Links are followed. A place that is not a regular file, like /dev/null or a named pipe, cannot be
- * replaced by a rename: Commit writes to it and to standard output before the renames.
+ * Links are followed. A target that is not a regular file, like /dev/null or a named pipe, cannot
+ * be replaced by a rename: Commit writes to it and to standard output before the renames.
  */
 class OutputTransaction
 {
@@ -21,7 +21,7 @@ public:
   OutputTransaction(const OutputTransaction&) = delete;
   OutputTransaction& operator=(const OutputTransaction&) = delete;
 
-  /** Writes a text beside its place; "-" is standard output. Throws PipelineRun::Error. */
+  /** Writes a text to its temporary file; "-" is standard output. Throws PipelineRun::Error. */
   void Write(const std::string& text, const std::string& file);
 
   /** Returns whether data go to standard output, so that no summary may be printed. */

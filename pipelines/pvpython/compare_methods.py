@@ -10,7 +10,8 @@ Usage:
         --output compared.vtm [--picture compared.png] [--singularities four.csv] [--domain disk]
         [--size 0.05] [--epsilon 0.05] [--methods constrained,unit-norm,penalty]
 
-Without a file of singularities, four of quarter index 1 lie on the diagonals, which suits the disk.
+Without a file of singularities, four singularities of quarter index 1 on the diagonals are used,
+which suits the disk.
 
 Sample run:
 
@@ -28,7 +29,7 @@ from paraview.simple import *
 from drawing import (draw_boundaries, draw_lines, draw_norm, draw_singularities, look_from_above,
                      white_view)
 
-# Mode of the mesh and properties of the solver of every method.
+# Mode of the mesh and properties of the solver for each method.
 METHODS = {
     "constrained": ("Perforate", {"Method": "Constrained"}),
     "unit-norm": ("Perforate", {"Method": "Unit Norm"}),
@@ -58,7 +59,7 @@ def parse_arguments():
 
 
 def solve(method, domain, singularities):
-    """The proxy of the field of one method."""
+    """Returns the proxy of the field of one method."""
     mode, properties = METHODS[method]
     values = {name: (arguments.epsilon or arguments.size) if value is None else value
               for name, value in properties.items()}
@@ -71,7 +72,8 @@ def solve(method, domain, singularities):
 
 
 def describe(method, field, seconds):
-    """One line of the table; ends the script when there is no field, ParaView itself goes on."""
+    """Returns one line of the table. Ends the script if there is no field, because ParaView
+    continues after an error."""
     report = servermanager.Fetch(field).GetFieldData()
     if report.GetArray("Converged") is None:
         sys.exit("The method %s gave no cross field; the error above says why." % method)
@@ -95,14 +97,14 @@ unknown = [method for method in methods if method not in METHODS]
 if unknown:
     sys.exit("There is no method '%s'; choose among %s." % (unknown[0], ", ".join(METHODS)))
 
-# 1. The domain and the configuration.
+# 1. Create the domain and the configuration.
 domain = PlanarDomainSource(DomainName=arguments.domain, EdgeLength=arguments.size)
 singularities = SingularitySource(FileName=arguments.singularities)
 domain.UpdatePipeline()
 bounds = domain.GetDataInformation().GetBounds()
 width = bounds[1] - bounds[0]
 
-# 2. Every method, the fields side by side, and the table.
+# 2. Solve with every method, place the fields side by side and print the table.
 print("%-18s %10s %17s %9s %9s %11s %8s" % (
     "method", "energy", "norm at points", "degrees", "unwanted", "iterations", "seconds"))
 fields = []
@@ -115,11 +117,12 @@ for number, method in enumerate(methods):
     moved.Transform.Translate = [1.2 * width * number, 0, 0]
     fields.append(moved)
 
-# 3. One file of all: inline binary, because Debian's VTK cannot read appended data back.
+# 3. Write one file with all fields, in inline binary, because Debian's VTK cannot read appended
+#    data.
 group = GroupDatasets(Input=fields, BlockNames=methods)
 SaveData(arguments.output, proxy=group, DataMode="Binary", CompressorType="ZLib")
 
-# 4. The picture: norm, crosses, holes and singularities of every field.
+# 4. Draw norm, crosses, holes and singularities of every field.
 if arguments.picture:
     view = white_view(500 * len(fields), 560)
     for field in fields:

@@ -33,7 +33,8 @@ LoadPlugin(arguments.plugin, ns=globals())
 columns = arguments.columns or len(arguments.files)
 rows = -(-len(arguments.files) // columns)
 
-# 1. The fields, all moved to their places in the grid that the first one sets.
+# 1. Read the fields and move each to its cell of a grid, whose cells have the size of the first
+#    field.
 fields = []
 bounds = None
 for number, name in enumerate(arguments.files):

@@ -1,8 +1,8 @@
 """Draw the scalar H of chosen singularities, its isolines, and the crosses that follow from it.
 
-The picture is that of the paper's "Further thoughts": red points have quarter index 1 (or more), green
-ones −1. Left: H with its isolines, which meet straight sides at right angles; right: the size map and
-the crosses, with quads that are small where the map is dark.
+The picture is that of the paper's "Further thoughts": red points have quarter index 1 (or more),
+green ones −1. Left: H with its isolines, which meet straight sides at right angles; right: the size
+map and the crosses, with quads that are small where the map is dark.
 
     domain, singularities -> H -> isolines, crosses
 
@@ -24,7 +24,7 @@ from paraview.simple import *
 
 RED, GREEN, BLACK = [0.85, 0.1, 0.1], [0.1, 0.6, 0.15], [0, 0, 0]
 
-# In an L-shape: red and green points inside, and a green one on the boundary.
+# Singularities in an L-shape: red and green points inside, and a green one on the boundary.
 ROWS = [(0.15, 0.2, 1), (0.9, 0.15, 1), (0.7, 0.38, 1), (0.2, 0.8, 1),
         (0.55, 0.15, -1), (0.2, 0.55, -1), (0.4, 0.36, -1), (0.85, 0.5, -1)]
 
@@ -55,7 +55,7 @@ def draw_coloured(field, view, name, preset, title):
     colours.ApplyPreset(preset, True)
     array = servermanager.Fetch(field).GetPointData().GetArray(name)
     values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
-    # H is infinite at singularities: without the outer values the rest keeps its colours.
+    # H is infinite at singularities; leaving out the extremes keeps the colours of the others.
     colours.AutomaticRescaleRangeMode = "Never"
     colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
     bar = GetScalarBar(colours, view)

@@ -1,6 +1,7 @@
-"""How the scripts of this folder draw cross fields: norm in bands, crosses, boundary, singularities.
+"""Draws cross fields for the scripts of this folder: norm in bands, crosses, boundary,
+singularities.
 
-Load the plugin before this is used; the proxies are those of paraview.simple.
+Load the plugin before calling these functions. Sources and filters are proxies of paraview.simple.
 """
 import argparse
 import os
@@ -9,7 +10,8 @@ import paraview.simple as pv
 
 
 def draw_each(description, view_of):
-    """The main program of a script that draws files: loads the plugin, and writes NAME.png of every view_of(path, width)."""
+    """Runs a script that draws files: loads the plugin, and writes NAME.png from view_of(path,
+    width) for every name."""
     parser = argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("--plugin", required=True, help="path of CrossFieldPlugin.so")
     parser.add_argument("--width", type=int, default=600, help="of the pictures, in pixels")
@@ -47,7 +49,7 @@ def draw_norm(field, view, least=None, largest=None, show_bar=True):
 
 
 def boundary(field, first_kind, last_kind):
-    """The lines of the mesh whose BoundaryKind is in a range."""
+    """Returns the lines of the mesh whose BoundaryKind is in a range."""
     return pv.Threshold(Input=field, Scalars=["CELLS", "BoundaryKind"],
                         LowerThreshold=first_kind, UpperThreshold=last_kind)
 
@@ -59,13 +61,13 @@ def draw_lines(source, view, colour, width):
 
 
 def draw_boundaries(field, view):
-    """Outer and inner loops in grey, holes and imprinted circles in red."""
+    """Draws outer and inner loops in grey, holes and imprinted circles in red."""
     draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
     draw_lines(boundary(field, 3, 4), view, [0.85, 0.1, 0.1], 4)
 
 
 def draw_singularities(points, view, size, array="QuarterIndex"):
-    """Positive ones in red, negative ones in blue, as discs of this radius; others not."""
+    """Draws positive singularities in red and negative ones in blue, as discs of this radius."""
     for sign, colour in ((1, [0.85, 0.1, 0.1]), (-1, [0.1, 0.2, 0.85])):
         kept = pv.Threshold(Input=points, Scalars=["POINTS", array],
                             LowerThreshold=min(sign, 10 * sign),
@@ -86,7 +88,8 @@ def white_view(width, height):
 
 
 def look_from_above(view, bounds, room_below=0.05):
-    """Shows the bounds in the middle, with some of their height left below for the colour bar."""
+    """Centres the bounds in the view, with a fraction of their height left free below for the
+    colour bar."""
     width, height = bounds[1] - bounds[0], bounds[3] - bounds[2]
     middle = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2 - room_below * height]
     across = width * view.ViewSize[1] / view.ViewSize[0]

@@ -1,18 +1,20 @@
-"""How the scripts of this folder draw quads: blocks in pale colours, irregular nodes in red and blue.
+"""Draws quads for the scripts of this folder: blocks in pale colours, irregular nodes in red and
+blue.
 
-Load the plugin before this is used; the proxies are those of paraview.simple.
+Load the plugin before calling these functions. Sources and filters are proxies of paraview.simple.
 """
 import paraview.simple as pv
 
 from drawing import draw_lines, draw_singularities, look_from_above, white_view
 
-# Pale colours that differ in tone, so that blocks beside each other do.
+# Pale colours of different tones, which distinguish adjacent blocks.
 PALE = [(0.98, 0.87, 0.72), (0.80, 0.88, 0.96), (0.85, 0.94, 0.80), (0.95, 0.82, 0.88), (0.99, 0.96, 0.75),
         (0.86, 0.83, 0.94), (0.80, 0.94, 0.93)]
 
 
 def draw_quads(quads, layout, width, node=0.008):
-    """A view of this width that shows the whole mesh; nodes have this radius, relative to its extent."""
+    """Returns a view of this width of the complete mesh; `node` is the radius of nodes relative to
+    its extent."""
     quads.UpdatePipeline()
     bounds = quads.GetDataInformation().GetBounds()
     across, high = bounds[1] - bounds[0], bounds[3] - bounds[2]
@@ -26,7 +28,7 @@ def draw_quads(quads, layout, width, node=0.008):
 
 
 def draw_blocks(quads, view):
-    """The quads with thin edges, coloured by their block."""
+    """Draws the quads with thin edges, coloured by their block."""
     faces = pv.Threshold(Input=quads, Scalars=["CELLS", "BlockId"], LowerThreshold=-0.5,
                          UpperThreshold=1e9)
     count = len(PALE)
@@ -43,7 +45,7 @@ def draw_blocks(quads, view):
 
 
 def draw_nodes(quads, view, size):
-    """Irregular nodes inside: valence 3 and less in red, 5 and more in blue."""
+    """Draws the irregular nodes inside: valence 3 or less in red, 5 or more in blue."""
     nodes = pv.MaskPoints(Input=quads, OnRatio=1, MaximumNumberofPoints=10**7, GenerateVertices=1,
                           SingleVertexPerCell=1)
     inside = pv.Threshold(Input=nodes, Scalars=["POINTS", "BoundarySide"], LowerThreshold=-1,

@@ -9,9 +9,9 @@ Usage:
     xvfb-run -a -s -noreset pvpython mesh_quads.py --plugin CrossFieldPlugin.so --domain part.vtp
         --output quads.vtu --picture quads.png [--quads 1000] [--singularities rows.csv]
 
-In the picture blocks have pale colours, quads thin and blocks thick lines; nodes of valence 5 are blue,
-those of valence 3 red. `crossfield --paths` prints where the plugin is. On a desktop pvpython needs no
-xvfb-run.
+In the picture blocks have pale colours, quads thin and blocks thick lines; nodes of valence 5 are
+blue, those of valence 3 red. `crossfield --paths` prints where the plugin is. On a desktop pvpython
+needs no xvfb-run.
 """
 import argparse
 import sys
@@ -34,7 +34,8 @@ def parse_arguments():
 
 
 def check(quads):
-    """Ends the script when the mesh is missing or not sound: ParaView itself goes on."""
+    """Ends the script if the mesh is missing or has inverted quads, because ParaView continues
+    after an error."""
     quads.UpdatePipeline()
     report = servermanager.Fetch(quads).GetFieldData()
     count = report.GetArray("Quads")
@@ -49,14 +50,14 @@ def check(quads):
 arguments = parse_arguments()
 LoadPlugin(arguments.plugin, ns=globals())
 
-# 1. The domain, and the quads: with the singularities that are given, or such as the mesher chooses.
+# 1. Read the domain and make the quads, with given singularities or those that the mesher chooses.
 domain = OpenDataFile(arguments.domain)
 quads = QuadMesher(Input=domain, QuadCount=arguments.quads)
 if arguments.singularities:
     quads.Singularities = SingularitySource(FileName=arguments.singularities)
 check(quads)
 
-# 2. The file: inline binary, because Debian's VTK cannot read appended data back.
+# 2. Write the file in inline binary, because Debian's VTK cannot read appended data.
 SaveData(arguments.output, proxy=quads, DataMode="Binary", CompressorType="ZLib")
 
 # 3. The picture.

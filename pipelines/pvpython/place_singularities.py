@@ -10,7 +10,7 @@ Usage:
         --output field.vtu --picture field.png [--singularities four.csv]
 
 The file of singularities has the header `x,y,quarter_index,radius`; without one, four
-singularities of quarter index 1 lie on the diagonals. `crossfield --paths` prints where the
+singularities of quarter index 1 on the diagonals are used. `crossfield --paths` prints where the
 plugin is. On a desktop pvpython needs no xvfb-run.
 
 Sample run:
@@ -38,7 +38,8 @@ def parse_arguments():
 
 
 def check(field):
-    """Ends the script when the field is missing or not a solution: ParaView itself goes on."""
+    """Ends the script if the field is missing or not converged, because ParaView continues after an
+    error."""
     field.UpdatePipeline()
     report = servermanager.Fetch(field).GetFieldData()
     converged = report.GetArray("Converged")
@@ -52,21 +53,21 @@ def check(field):
 arguments = parse_arguments()
 LoadPlugin(arguments.plugin, ns=globals())
 
-# 1. The domain, and its singularities. The circle has segments as long as the edges of
-#    the mesh: a finer mesh would see the corners of a coarse polygon instead of a circle.
+# 1. Create the domain and its singularities. The circle has segments as long as the edges of
+#    the mesh: a finer mesh would resolve the corners of a coarse polygon instead of a circle.
 edge_length = 0.02
 domain = PlanarDomainSource(DomainName="disk", EdgeLength=edge_length)
 singularities = SingularitySource(FileName=arguments.singularities)
 
-# 2. A mesh with a hole at every singularity, and the cross field on it.
+# 2. Make a mesh with a hole at every singularity, and compute the cross field on it.
 drilled = DrillHoles(Input=domain, Singularities=singularities, MeshSize=edge_length)
 field = PerforatedCrossField(Input=drilled, Method="Constrained")  # the paper's figure
 check(field)
 
-# 3. The file: inline binary, because Debian's VTK cannot read appended data back.
+# 3. Write the file in inline binary, because Debian's VTK cannot read appended data.
 SaveData(arguments.output, proxy=field, DataMode="Binary", CompressorType="ZLib")
 
-# 4. The picture: about forty crosses across the domain, holes in red.
+# 4. Draw about forty crosses across the domain, and holes in red.
 bounds = field.GetDataInformation().GetBounds()
 spacing = max(bounds[1] - bounds[0], bounds[3] - bounds[2]) / 40
 crosses = CrossGlyphs(Input=field, Spacing=spacing, Scale=0.7)

@@ -1,7 +1,7 @@
 """Choose where the singularities of a cross field on the unit disk are, with VTK alone.
 
-The twin of place_singularities.py without ParaView proxies and without a picture: the same filters
-as VTK classes of the Python package `crossfield`.
+Works as place_singularities.py without ParaView proxies and without a picture: the filters are VTK
+classes of the Python package `crossfield`.
 
 Usage:
 
@@ -32,7 +32,8 @@ def parse_arguments():
 
 
 def update(*filters):
-    """Runs the filters in order and ends the script at the first that fails: VTK itself goes on."""
+    """Updates the filters in order. Ends the script at the first failure, because VTK continues
+    after an error."""
     for algorithm in filters:
         algorithm.Update()
         if algorithm.GetErrorCode():
@@ -41,8 +42,8 @@ def update(*filters):
 
 arguments = parse_arguments()
 
-# 1. The domain, and its singularities. The circle has segments as long as the edges of
-#    the mesh: a finer mesh would see the corners of a coarse polygon instead of a circle.
+# 1. Create the domain and its singularities. The circle has segments as long as the edges of
+#    the mesh: a finer mesh would resolve the corners of a coarse polygon instead of a circle.
 edge_length = 0.02
 domain = crossfield.vtkPlanarDomainSource()
 domain.SetDomainName("disk")
@@ -50,7 +51,7 @@ domain.SetEdgeLength(edge_length)
 singularities = crossfield.vtkSingularitySource()
 singularities.SetFileName(arguments.singularities)
 
-# 2. A mesh with a hole at every singularity, and the cross field on it.
+# 2. Make a mesh with a hole at every singularity, and compute the cross field on it.
 drill = crossfield.vtkDrillHoles()
 drill.SetInputConnection(domain.GetOutputPort())
 drill.SetSingularitiesConnection(singularities.GetOutputPort())
@@ -68,7 +69,7 @@ print("degrees of the holes", *[degrees.GetValue(i) for i in range(degrees.GetNu
 if not report.GetArray("Converged").GetValue(0):
     sys.exit("The iteration did not converge; make the holes larger or move them.")
 
-# 4. The file: inline binary, because Debian's VTK cannot read appended data back.
+# 4. Write the file in inline binary, because Debian's VTK cannot read appended data.
 writer = vtkXMLUnstructuredGridWriter()
 writer.SetInputConnection(solver.GetOutputPort())
 writer.SetFileName(arguments.output)

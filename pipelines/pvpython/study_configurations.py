@@ -5,13 +5,14 @@ Usage:
     mpirun -n 2 pvbatch --sym study_configurations.py DOMAIN CONFIGURATIONS... --output table.csv
         [--size 0.05] [--fields FOLDER] [--method constrained]
 
-or with pvpython or python3 alone, which takes one after the other. PYTHONPATH has to name the Python
-package, see `crossfield --paths`. DOMAIN is a file or builtin:NAME. CONFIGURATIONS are .csv files with
-the header x,y,quarter_index[,radius][,z]; folders of such files; or tables with one more column
-`configuration`, whose rows of one name are one configuration.
+or with pvpython or python3, which process one configuration after the other. PYTHONPATH must
+contain the Python package, see `crossfield --paths`. DOMAIN is a file or builtin:NAME.
+CONFIGURATIONS are .csv files with the header x,y,quarter_index[,radius][,z]; folders of such files;
+or tables with one more column `configuration`, whose rows of one name are one configuration.
 
-The table has a row for every configuration, by increasing energy; those without a field come last and
-say why. It is the same for any number of ranks. Exit status: 0 all solved, 1 some not, 2 bad usage.
+The table has a row for every configuration, by increasing energy; configurations without a field
+come last, with the reason. It is the same for any number of ranks. Exit status: 0 all solved, 1
+some not, 2 bad usage.
 
 Sample run:
 
@@ -41,7 +42,7 @@ COLUMNS = ["configuration", "status"] + [column for column, _ in NUMBERS] + ["re
 
 
 class Ranks:
-    """The processes that mpirun has started; or this one alone."""
+    """The processes that mpirun has started, or only this one without mpirun."""
 
     def __init__(self):
         self.rank, self.count, self.world = 0, 1, None
@@ -57,24 +58,25 @@ class Ranks:
             self.world.Abort(2)
 
     def abort(self, kind, error, trace):
-        """A rank that ends alone would leave the others waiting."""
+        """Stops all ranks after an exception, because the others would wait for this one."""
         traceback.print_exception(kind, error, trace)
         sys.stderr.flush()
         self.world.Abort(3)
 
     def gather(self, rows):
-        """Everyone's rows, on the first rank."""
+        """Returns the rows of all ranks on the first rank, an empty list on the others."""
         if self.world is None:
             return rows
         parts = self.world.gather(rows)
         return sum(parts, []) if self.rank == 0 else []
 
     def agree(self, value):
-        """The value of the first rank."""
+        """Returns the value of the first rank on all ranks."""
         return value if self.world is None else self.world.bcast(value)
 
     def end(self, status):
-        """Ends with the status of the first rank. pvbatch finishes MPI only if a script just ends."""
+        """Exits with the status of the first rank. Finalises MPI, which pvbatch does only if a
+        script returns."""
         status = self.agree(status)
         if status == 0:
             return
@@ -95,7 +97,8 @@ def runs_on_first_rank_only():
 
 
 def read_table(name):
-    """Configurations of one file by name: the file itself, or rows if it has a column of names."""
+    """Returns the configurations of a file by name: the file itself, or rows if it has a column
+    `configuration`."""
     with open(name, encoding="utf-8-sig", newline="") as file:
         reader = csv.DictReader(file, skipinitialspace=True)
         header = [column.strip() for column in reader.fieldnames or []]
@@ -125,7 +128,7 @@ def read_configurations(names):
 
 
 def points_of(rows):
-    """What the filters read: the name of a file as it is, or points from rows of a table."""
+    """Returns points that filters read, from the name of a file or from rows of a table."""
     if isinstance(rows, str):
         source = crossfield.vtkSingularitySource()
         source.SetFileName(rows)
@@ -141,7 +144,7 @@ def points_of(rows):
 
 
 def updated(algorithm):
-    """Runs a filter; what it reports is raised."""
+    """Updates a filter and returns it; raises the error that it reports."""
     errors = []
 
     def keep(caller, event, text):
@@ -166,17 +169,18 @@ def read_domain():
 
 
 def solve(label, rows):
-    """The row of one configuration in the table."""
+    """Returns the row of one configuration in the table."""
     row = dict.fromkeys(COLUMNS, "")
     row.update(configuration=label, status="refused")
     try:
         points = points_of(rows)
-        # 1. Can it exist?
+        # 1. Check whether the configuration can exist.
         checked = crossfield.check(domain, points, holonomy=False)
         if not checked.consistent:
             row.update(status="inconsistent", reason=checked.reason)
             return row
-        # 2. Its energy; each alone, because the mesh of several would depend on who shares it.
+        # 2. Compute its energy, for one configuration at a time: a common mesh would depend on the
+        #    number of ranks.
         energy = crossfield.vtkSingularityEnergy()
         energy.SetInputData(domain)
         energy.AddConfigurationData(points)
@@ -184,7 +188,7 @@ def solve(label, rows):
         table = updated(energy).GetOutput()
         numbers = {column: repr(table.GetValueByName(0, array).ToDouble())
                    for column, array in NUMBERS}
-        # 3. Its field.
+        # 3. Compute its field.
         if arguments.fields:
             field = crossfield.solve(domain, points, size=arguments.size or None,
                                      method=arguments.method)
@@ -199,7 +203,8 @@ def solve(label, rows):
 
 
 def write_table(rows):
-    """Under another name first, so that a table that was there is replaced as a whole or not at all."""
+    """Writes the table to a temporary file and renames it, so that an error leaves an earlier table
+    unchanged."""
     unfinished = arguments.output + ".part"
     try:
         with open(unfinished, "w", encoding="utf-8", newline="") as file:
@@ -223,7 +228,7 @@ def parse_arguments():
     parser.add_argument("--fields", default="", help="folder for the cross fields, NAME.vtu each")
     parser.add_argument("--method", default="constrained", choices=("constrained", "unit-norm"),
                         help="of the cross fields")
-    # Every rank reads the same command line; one of them is enough to complain.
+    # Every rank reads the same command line; only the first one prints errors.
     with contextlib.redirect_stderr(sys.stderr if ranks.rank == 0 else open(os.devnull, "w")):
         return parser.parse_args()
 
@@ -244,7 +249,8 @@ if complaint:
         print(complaint, file=sys.stderr)
     ranks.end(2)
 
-# Every rank takes each ranks.count-th: on one domain and mesh size they cost about the same.
+# Each rank solves every ranks.count-th configuration; they cost about the same on one domain and
+# mesh size.
 mine = list(configurations)[ranks.rank::ranks.count]
 rows = ranks.gather([solve(label, configurations[label]) for label in mine])
 status = 0

@@ -71,7 +71,7 @@ class Panel:
 
 
 def nodes_of(mesh):
-    """(index, valence) of the irregular nodes inside."""
+    """Returns (index, valence) of the irregular nodes inside."""
     inner = np.ones(len(mesh.points), bool)
     inner[np.unique(boundary_edges(mesh))] = False
     count = np.bincount(mesh.quads.ravel(), minlength=len(mesh.points))
@@ -79,7 +79,7 @@ def nodes_of(mesh):
 
 
 def boundary_edges(mesh):
-    """Edges that belong to one quad."""
+    """Returns the edges that belong to only one quad."""
     sides = np.concatenate([mesh.quads[:, [i, (i + 1) % 4]] for i in range(4)])
     _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
     return sides[first[count == 1]]
@@ -169,7 +169,7 @@ def loops(folder):
 
 
 def chains(edges):
-    """Closed chains of directed edges."""
+    """Returns the closed chains of directed edges."""
     follows = dict(edges.tolist())
     found = []
     while follows:
@@ -287,7 +287,8 @@ def layout(folder):
 
 
 def chord_of(mesh, first):
-    """Whether each quad is in the chord through the first and third side of a quad."""
+    """Returns, for each quad, whether it is in the chord through the first and third side of a
+    given quad."""
     neighbours = {}
     for i, quad in enumerate(mesh.quads):
         for side in range(4):

@@ -21,7 +21,8 @@ def box(left, bottom, right, top):
 
 
 def profile(thickness=0.12, count=60, blunt=False, place=(0.0, 0.0), chord=1.0, turn=0.0):
-    """A symmetric NACA profile of four digits; `blunt` with its open trailing edge; `turn` in degrees."""
+    """Returns a symmetric NACA profile of four digits; `blunt` keeps its open trailing edge; `turn`
+    in degrees."""
     last = -0.1015 if blunt else -0.1036
 
     def half(s):
@@ -37,20 +38,20 @@ def profile(thickness=0.12, count=60, blunt=False, place=(0.0, 0.0), chord=1.0, 
 
 
 def bolts():
-    """A round flange with five bolt holes."""
+    """Returns a round flange with five bolt holes."""
     holes = [circle(0.65 * math.cos(2 * math.pi * i / 5), 0.65 * math.sin(2 * math.pi * i / 5), 0.1, 32)
              for i in range(5)]
     return [circle(0, 0, 1, 128), *holes]
 
 
 def fillet_t():
-    """A T-junction with rounded inner corners and square ends."""
+    """Returns a T-junction with rounded inner corners and square ends."""
     return [[(-2, 0), (2, 0), (2, 1), *arc(0.9, 1.4, 0.4, 270, 180), (0.5, 3), (-0.5, 3),
              *arc(-0.9, 1.4, 0.4, 0, -90), (-2, 1)]]
 
 
 def coast(count=2000, seed=3):
-    """A ragged coast around a bay: a closed curve of many scales."""
+    """Returns a ragged coast around a bay: a closed curve with details of many scales."""
     chance = random.Random(seed)
     waves = [(k, chance.gauss(0, 0.35 / k ** 1.5), chance.uniform(0, 2 * math.pi))
              for k in range(2, 60)]
@@ -63,7 +64,7 @@ def coast(count=2000, seed=3):
 
 
 def gear(teeth=12):
-    """A gear with straight teeth and a bore."""
+    """Returns a gear with straight teeth and a bore."""
     curve = []
     for i in range(teeth):
         for part, radius in ((0.0, 0.8), (0.2, 0.8), (0.3, 1.0), (0.7, 1.0), (0.8, 0.8)):
@@ -77,7 +78,7 @@ def solid_gear(teeth=12):
 
 
 def blade_passage():
-    """The passage between two blades of a cascade, with inlet and outlet."""
+    """Returns the passage between two blades of a cascade, with inlet and outlet."""
     def camber(x):
         return 0.35 * math.sin(math.pi * min(max(x, 0.0), 1.0)) - 0.25 * x
     stations = [-0.5 + 2.0 * i / 80 for i in range(81)]
@@ -98,7 +99,7 @@ def sharp_profile_in_circle():
 
 
 def three_elements():
-    """A wing with slat and flap."""
+    """Returns a wing with slat and flap."""
     return [box(-1.5, -1.5, 2.5, 1.5), profile(0.12, 40, place=(0, 0)),
             profile(0.1, 30, place=(-0.25, -0.12), chord=0.2, turn=25),
             profile(0.1, 30, place=(1.03, -0.06), chord=0.35, turn=-25)]
@@ -110,7 +111,7 @@ def twenty_holes():
 
 
 def slotted_link():
-    """A link with a slot between two pins, rounded ends."""
+    """Returns a link with rounded ends and a slot between two pins."""
     return [[*arc(3, 0, 1, -90, 90, 24), *arc(0, 0, 1, 90, 270, 24)], circle(0, 0, 0.4),
             circle(3, 0, 0.4), [*arc(2, 0, 0.2, -90, 90), *arc(1, 0, 0.2, 90, 270)]]
 

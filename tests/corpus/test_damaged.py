@@ -1,4 +1,4 @@
-"""Correct files that are truncated or have single bytes changed, always at the same positions."""
+"""Damages correct files: truncates them or changes single bytes, always at the same positions."""
 
 import json
 import random
@@ -28,7 +28,8 @@ class Damaged(CorpusTest):
         return path.read_bytes()
 
     def go_through(self, ending, data):
-        """Runs `check` and, if the file is a valid domain, a solve with the required sum of indices."""
+        """Runs `check` and, if the file is a valid domain, a solve with the required sum of
+        indices."""
         name = f"bad.{ending}"
         (self.folder / name).write_bytes(data)
         self.lay_out_old_files()

@@ -1,4 +1,5 @@
-"""Domains that are hard for the mesher: needles, slits, gaps, touching loops, many points, long shapes."""
+"""Domains that are difficult to mesh: needles, slits, gaps, touching loops, many points, long
+shapes."""
 
 import json
 import math
@@ -17,7 +18,8 @@ def wedge(degrees):
 
 
 def notch(degrees):
-    """Returns a square with a notch of this angle; the corner at its tip has 360° minus the angle."""
+    """Returns a square with a notch of this angle; the corner at its tip has 360° minus the
+    angle."""
     height = math.tan(math.radians(degrees) / 2.0)
     return [(-1.0, -1.0), (1.0, -1.0), (1.0, -height), (0.0, 0.0), (1.0, height), (1.0, 1.0),
             (-1.0, 1.0)]
@@ -118,7 +120,8 @@ class Geometry(CorpusTest):
         self.refuses("long.vtp", says="count as one")
 
     def circle(self, count):
-        """Writes a circle as .vtp and .csv, and four singularities at radius 0.6, whose W is 2.0498 (docs/method.md §9)."""
+        """Writes a circle as .vtp and .csv, and four singularities at radius 0.6, whose W is 2.0498
+        (docs/method.md §9)."""
         points = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count)) for i in range(count)]
         domain_files.write_loop(self.folder / "circle.vtp", points)
         domain_files.write_csv(self.folder / "circle.csv", points)
@@ -151,7 +154,8 @@ class Geometry(CorpusTest):
         self.solves("circle.csv", [], ("drill",), more=every)
 
     def test_points_as_near_as_forty_thousand_of_a_circle(self):
-        """Checks that flat triangles of neighbours on a circle are no gaps. Exact values: docs/method.md §9."""
+        """Checks that flat triangles of neighbours on a circle are no gaps. Exact values:
+        docs/method.md §9."""
         self.verify_all = False
         # Dense on a short arc, then increasingly sparse: all meshes stay small.
         steps = [2 * math.pi / 40000]

@@ -40,7 +40,7 @@ echo "== Its dependencies can be installed here"
 apt-get --quiet --simulate install "$deb" | grep '^Inst crossfield' || fail "apt-get cannot install its dependencies"
 
 echo "== Install the package"
-# A script of the package calls ldconfig, which would change the system. This stands in for it.
+# A script of the package calls ldconfig, which would change the system. This replaces it.
 mkdir "$folder/bin"
 printf '#!/bin/sh\necho ldconfig\n' >"$folder/bin/ldconfig"
 chmod +x "$folder/bin/ldconfig"

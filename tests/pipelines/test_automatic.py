@@ -25,7 +25,8 @@ def write_loops(path, loops):
 
 
 def write_aerofoil(path, points):
-    """Writes Selig's format: the name, then the points from the trailing edge around the profile."""
+    """Writes Selig's format: the name, then the points from the trailing edge around the
+    profile."""
     lines = [f" {x:.6f}  {y:.6f}" for x, y in points]
     pathlib.Path(path).write_text("\n".join(["NACA 0012", *lines]) + "\n")
 
@@ -41,7 +42,8 @@ class AutomaticTest(ProgramTest):
         self.assertEqual(report["unwanted_singularities"], 0)
         self.assertIs(report["consistent"], True)
         for defect in report.get("holonomy_defect", []):
-            # Zero for point singularities; holes and their mesh leave up to a few hundredths.
+            # The defect is zero for point singularities; holes and their mesh cause up to a few
+            # hundredths.
             self.assertLess(abs(defect), 0.05)
         self.assertGreater(len(report["events"]), 0)
 

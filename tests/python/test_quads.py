@@ -1,7 +1,7 @@
 """crossfield.quads: python3 test_quads.py PROGRAM
 
-Its numbers equal those of the program, its arrays are a conforming mesh of quads with the requested valences, the
-blocks are that mesh, and errors are exceptions.
+Its numbers equal those of the program, its arrays are a conforming mesh of quads with the requested
+valences, the blocks are that mesh, and errors are exceptions.
 """
 import contextlib
 import doctest
@@ -138,7 +138,7 @@ class Quads(unittest.TestCase):
                 crossfield.optimize(channel, [], size_array="Width", **options)
 
     def test_sizes_follow_an_array(self):
-        """Columns twice as wide at the right."""
+        """Columns of quads are twice as wide at the right."""
         strip = self.channel(0.3)
         mesh = crossfield.quads(strip, [], sizing="field", size_array="Length")
         x = np.sort(mesh.points[mesh.points[:, 1] == 0, 0])

@@ -1,14 +1,15 @@
-"""What the tree says about itself exists: sections, links, files.
+"""Checks that cited sections, links and files exist.
 
     python3 test_references.py
 
-- A reference `docs/method.md §3.1` has a heading of that number there, and every section sign follows its document.
-- A relative link of a .md page has its file, and its #anchor a heading.
-- A source or a page that is named in a comment or a page is in the tree.
-- Documents that are not in the tree are not cited.
-- The README is a page that is read in one sitting; longer explanations belong into docs.
+- A reference `docs/method.md §3.1` needs a heading with that number there, and every section sign
+  needs its document before it.
+- A relative link in a .md page needs an existing file, and its #anchor an existing heading.
+- A source or page that is named in a comment or page must be in the tree.
+- Documents outside the tree must not be cited.
+- The README must be short; longer explanations belong in docs.
 
-The tree is what git tracks and what is new in it; where there is no git, all files.
+The tree consists of the files that git tracks and new files; without git, of all files.
 """
 import os
 import re
@@ -19,16 +20,16 @@ import unittest
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 METHOD_PAGE = "docs/method.md"
 README_LINES = 150
-# Broken up, because this file is checked as well.
+# Broken up, because this file is checked too.
 ELSEWHERE = re.compile(
     r"(?<!\w)(?:MET" r"HOD|DES" r"IGN|STY" r"LE(?= ?§|\.md)|QUA" r"DS|\.\./sha" r"red)(?!\w)")
 SUFFIXES = r"(?:h|hpp|cxx|cpp|md|pyi?|sh|cmake|xml|yml|yaml|module|plugin)(?:\.in)?"
 MENTION = re.compile(r"(?<![\w./$}{%@*<>=-])((?:\.{1,2}/)*(?:[\w.-]+/)*[\w-][\w.-]*\." + SUFFIXES +
                      r")(?![\w*/(-]|\.\w)")
-# Files of other projects, of builds, and those that usages stand for with a word.
+# Files of other projects, files of builds, and placeholders in usage texts.
 FOREIGN = re.compile(r"(?:vtk\w*|CGAL/.*|Eigen/.*|cholmod|cblas|lapacke?)\.h$|Find\w+\.cmake$|build[\w-]*/"
                      r"|(?:PAGE\.md|SCRIPT\.py|STATE\.py|DRAW_H\.py)$")
-# A break of the line inside a comment.
+# A line break inside a comment.
 GAP = r"(?:[ \t`)\]]|\n[ \t]*(?:///?|#|\*)?[ \t]*)*"
 SECTION = re.compile(r"method\.md" + GAP + r",?" + GAP + r"(§\d+(?:\.\d+)?(?:(?:,|;|–| and| to| or)?" + GAP +
                      r"§\d+(?:\.\d+)?)*)")
@@ -43,7 +44,7 @@ KINDS = {".h": "cxx", ".cxx": "cxx", ".py": "py", ".pyi": "py", ".sh": "sh", ".c
 
 
 def tree(root):
-    """The names of all files, relative to the root."""
+    """Returns the names of all files, relative to the root."""
     names = []
     try:
         listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -64,7 +65,7 @@ def kind_of(name):
 
 
 def read(root):
-    """The text of all files that say something, None for the others, by their names."""
+    """Returns the text of every text file by its name, None for other files."""
     texts = {}
     for name in tree(root):
         texts[name] = None
@@ -75,13 +76,13 @@ def read(root):
 
 
 def slug(heading):
-    """The anchor that a heading gets."""
+    """Returns the anchor of a heading."""
     plain = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
     return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
 
 
 def without_code(page):
-    """A page without its code; lines keep their numbers."""
+    """Returns a page without its code; lines keep their numbers."""
     def blank(match):
         return "\n" * match.group().count("\n")
     return re.sub(r"`[^`\n]*`", "``", re.sub(r"^```.*?^```$", blank, page, flags=re.DOTALL | re.MULTILINE))
@@ -128,7 +129,7 @@ def section_findings(texts):
 def bare_findings(texts):
     found = []
     for name, text in texts.items():
-        # A list of sections may go on in the next comment.
+        # A list of sections may continue in the next comment.
         cited = [match.span() for match in SECTION.finditer(text or "")]
         for place, comment in comments(name, text) if text and name != METHOD_PAGE else ():
             found += ["%s:%d cites %s of no document" % (name, line_of(text, place + match.start()), match.group())
@@ -165,7 +166,7 @@ def link_findings(texts):
 
 
 def comments(name, text):
-    """(place, text) of what a file says to its readers."""
+    """Returns (position, text) of the comments of a file, or of the entire file if it is a page."""
     kind = kind_of(name)
     if kind == "all":
         return [(0, text)]
@@ -241,7 +242,7 @@ class References(unittest.TestCase):
                    ["a.md:1 names scripts/b.sh, which is not in the tree"])
 
     def test_finds_other_documents(self):
-        # METHODS is a name like others.
+        # METHODS is an ordinary name.
         self.check(document_findings, {"a.py": "METHODS = 1"}, [])
         self.check(document_findings, {"a.py": "# see DES" + "IGN\n"},
                    ["a.py:1 cites DES" + "IGN, which is not in the tree"])

@@ -16,7 +16,8 @@ def _root(parent, v):
 
 
 def _zero(mesh, field, t, sign):
-    """Returns the zero of the linear function on a triangle, if it has one with the winding `sign`."""
+    """Returns the zero of the linear function on a triangle, if it has one with the winding
+    `sign`."""
     w = field.in_triangle[t]
     corner = w.sum() - 2.0 * np.roll(w, -1)
     matrix = np.array([(corner[1:] - corner[0]).real, (corner[1:] - corner[0]).imag])
@@ -73,7 +74,8 @@ def find(mesh, field, indices, boundary):
 
 
 def give_to_boundary(data, mesh, boundary, found):
-    """Assigns singularities in triangles beside a vertex of a boundary singularity to the boundary. The file states their positions."""
+    """Assigns singularities in triangles beside a vertex of a boundary singularity to the boundary.
+    The file states their positions."""
     for x, y, z, quarter in data.field.get("PointSingularities", np.zeros((0, 4))):
         distance = np.linalg.norm(data.points[boundary.vertex] - [x, y, z], axis=1)
         vertex = boundary.vertex[distance.argmin()]
@@ -88,7 +90,8 @@ def give_to_boundary(data, mesh, boundary, found):
 
 
 def beyond_circles(mesh, found):
-    """Returns Σ |k| of singularities that the imprinted circles, with an edge around them, did not prescribe."""
+    """Returns Σ |k| of singularities that the imprinted circles, with an edge around them, did not
+    prescribe."""
     appeared = 0
     circles = []
     for loop in mesh.of_kind(IMPRINTED):
@@ -114,8 +117,8 @@ def check_unwanted(data, mesh, indices, boundary, chosen, found, report):
     if mesh.of_kind(IMPRINTED) or data.value("Epsilon") is not None:
         report.equal("UnwantedSingularities", stated, beyond_circles(mesh, found))
         return
-    # Corners and prescribed vertices may have any index. Singularities within two edges of a prescribed
-    # vertex belong to it; the file does not state which corners were prescribed.
+    # Corners and prescribed vertices may have any index. Singularities within two edges of a
+    # prescribed vertex belong to it; the file does not state which corners were prescribed.
     most = sum(abs(singularity.quarter) for singularity in found)
     free = mesh.points[boundary.vertex[boundary.corner | chosen]]
     reach = 2.0 * np.linalg.norm(mesh.tangent, axis=1).max()

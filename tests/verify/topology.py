@@ -1,4 +1,5 @@
-"""The drilled mesh: edges, loops and Euler characteristic, from triangles and lines alone."""
+"""Computes edges, loops and the Euler characteristic of a drilled mesh from its triangles and lines
+only."""
 import numpy as np
 
 from plane import Frame
@@ -61,9 +62,9 @@ class Mesh:
         self.free[position[aligned]] = False
 
     def rounding(self):
-        """Returns the relative rounding of equations on edges: one rounding per edge, which bounds the backward
-        error of a factorisation and of a sum along a path, and the rounding of coordinates, which is larger
-        in a tilted plane."""
+        """Returns the relative rounding of equations on edges: one rounding per edge, which bounds
+        the backward error of a factorisation and of a sum along a path, and the rounding of
+        coordinates, which is larger in a tilted plane."""
         shortest = np.linalg.norm(self.side, axis=2).min()
         return len(self.ends) * ROUNDING + 8.0 * self.frame.exactness / shortest
 
@@ -92,7 +93,8 @@ class Mesh:
         return self.points[self.lines[loop.lines, 0]]
 
     def centre(self, loop):
-        """Returns the centre of mass of the polygon's sides, which does not depend on their subdivision."""
+        """Returns the centre of mass of the polygon's sides, which does not depend on their
+        subdivision."""
         length = np.linalg.norm(self.tangent[loop.lines], axis=1)
         return length @ self.midpoint[self.edge_of_line[loop.lines]] / length.sum()
 
@@ -103,7 +105,8 @@ class Mesh:
         return polygon[turn > 64 * self.frame.exactness]
 
     def counter_clockwise(self, loop):
-        """Returns the edges of a hole or imprinted circle, counter-clockwise; its lines have the opposite direction."""
+        """Returns the edges of a hole or imprinted circle, counter-clockwise; its lines have the
+        opposite direction."""
         return self.edge_of_line[loop.lines[::-1]]
 
     def euler_characteristic(self):

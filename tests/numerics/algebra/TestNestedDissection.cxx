@@ -88,7 +88,7 @@ TEST(NestedDissection, ReturnsAPermutationWithTrailingUnknownsLast)
 
 TEST(NestedDissection, HandlesInseparableUnknowns)
 {
-  // All unknowns at one place, and all coupled to each other.
+  // All unknowns are at one position, and all are coupled to each other.
   const int count = 100;
   const SparseMatrix dense = Eigen::MatrixXd::Ones(count, count).sparseView();
   Random random(13);

@@ -1,4 +1,5 @@
-// From a bare domain to singularities at rest: against the count, symmetry and the disk's exact minimum.
+// Singularities chosen for a domain, compared with the Poincaré-Hopf count, the symmetry of the
+// domain and the exact minimum on the disk.
 
 #include "AutomaticConfiguration.h"
 
@@ -26,14 +27,15 @@ PlanarDomain BoxWithHole()
   return MakePlanarDomain({ Box(2.0, 1.5), RegularPolygon(32, 0.3, { 0.8, 0.7 }) });
 }
 
-/// Two holes in a row on the middle of a plate: two reflections.
+/// Returns a plate with two holes on its middle line, which has two reflections.
 PlanarDomain SymmetricPlate()
 {
   return MakePlanarDomain({ Box(3.0, 1.4), RegularPolygon(32, 0.25, { 0.8, 0.7 }),
     RegularPolygon(32, 0.25, { 2.2, 0.7 }) });
 }
 
-/// The least distance inside to the boundary and to others, and whether all are inside.
+/// Returns the minimum distance of singularities to the boundary and to each other; negative if one
+/// is outside.
 double LeastDistance(const PlanarDomain& domain, const Configuration& configuration)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -48,7 +50,7 @@ double LeastDistance(const PlanarDomain& domain, const Configuration& configurat
   return least;
 }
 
-/// W on a mesh of this size.
+/// Returns W on a mesh of this size.
 double EnergyOn(const PlanarDomain& domain, const Configuration& configuration, double meshSize)
 {
   DrillOptions options;
@@ -60,7 +62,7 @@ double EnergyOn(const PlanarDomain& domain, const Configuration& configuration, 
 
 TEST(AutomaticConfiguration, OfTheDiskIsTheSquareOfLeastEnergy)
 {
-  // W/π = −12 log r − 8 log 2 − 4 log(1 − r⁸) is least at r⁸ = 3/11 (docs/method.md §5.3).
+  // W/π = −12 log r − 8 log 2 − 4 log(1 − r⁸) is minimal at r⁸ = 3/11 (docs/method.md §5.3).
   const PlanarDomain disk = DiskOfEdges(0.05);
   const AutomaticConfiguration chosen = ChooseConfiguration(disk);
   EXPECT_TRUE(chosen.optimum.converged) << chosen.optimum.reason;
@@ -81,7 +83,7 @@ TEST(AutomaticConfiguration, OfTheDiskIsTheSquareOfLeastEnergy)
 
 TEST(AutomaticConfiguration, HasTheSumOfTheCountInsideTheDomain)
 {
-  // 4 (1 − inner loops) less the quarter indices of corners.
+  // Sum: 4 (1 − inner loops) minus the quarter indices of corners.
   struct Case
   {
     const char* name;
@@ -100,7 +102,7 @@ TEST(AutomaticConfiguration, HasTheSumOfTheCountInsideTheDomain)
     EXPECT_TRUE(chosen.optimum.converged) << chosen.optimum.reason;
     for (const double defect : chosen.optimum.holonomyDefect)
     {
-      EXPECT_NEAR(defect, 0.0, 1e-4); // without singularities that of the mesh
+      EXPECT_NEAR(defect, 0.0, 1e-4); // without singularities, the error of the mesh
     }
     EXPECT_LE(chosen.optimum.energyAfter, chosen.optimum.energyBefore + 1e-9);
     EXPECT_FALSE(chosen.events.empty());
@@ -141,7 +143,8 @@ TEST(AutomaticConfiguration, IsALocalMinimumOnAnotherMesh)
 
 TEST(AutomaticConfiguration, KeepsAClearanceByTheSizeOfQuads)
 {
-  // The least energy on the disk has them 0.15 off the boundary; sixty quads have sides of 0.23.
+  // At the minimum of the energy on the disk, singularities are 0.15 away from the boundary; sixty
+  // quads have sides of 0.23.
   const PlanarDomain disk = DiskOfEdges(0.1);
   AutomaticOptions options;
   options.quadCount = 60;
@@ -150,7 +153,7 @@ TEST(AutomaticConfiguration, KeepsAClearanceByTheSizeOfQuads)
   EXPECT_EQ(TotalQuarters(chosen.singularities), 4);
   EXPECT_GT(LeastDistance(disk, chosen.singularities), clearance);
   EXPECT_LT(LeastDistance(disk, chosen.singularities), 1.3 * clearance);
-  // A given clearance goes before.
+  // A given clearance takes precedence.
   options.optimizer.clearance = 0.01;
   EXPECT_LT(LeastDistance(disk, ChooseConfiguration(disk, options).singularities), clearance);
 }
@@ -167,7 +170,7 @@ TEST(AutomaticConfiguration, MovesOnToEvenSizesForQuads)
   const AutomaticConfiguration even = ChooseConfiguration(plate, options);
   ASSERT_TRUE(even.optimum.sizeSpreads);
   EXPECT_LT(even.optimum.sizeSpreads->after, even.optimum.sizeSpreads->before);
-  // What the singularities are is decided by the energy, as without.
+  // As without target sizes, the energy determines the number of singularities.
   EXPECT_EQ(even.singularities.size(), least.singularities.size());
   EXPECT_GT(
     LeastDistance(plate, even.singularities), 0.7 * std::sqrt(plate.Area() / options.quadCount));
@@ -176,7 +179,8 @@ TEST(AutomaticConfiguration, MovesOnToEvenSizesForQuads)
 
 TEST(AutomaticConfiguration, EvensSizesForQuadsThatAreFarFromEven)
 {
-  // The energy draws the one that a triangle needs into its corner of 45 degrees, whose index would be 3/2 by itself.
+  // The energy attracts the one singularity that a triangle needs into its corner of 45 degrees,
+  // whose optimal index is 3/2.
   const PlanarDomain triangle = MakePlanarDomain({ { { 0.0, 0.0 }, { 4.0, 0.0 }, { 1.0, 3.0 } } });
   AutomaticOptions options;
   options.quadCount = 1000;
@@ -187,14 +191,16 @@ TEST(AutomaticConfiguration, EvensSizesForQuadsThatAreFarFromEven)
   EXPECT_LT(chosen.optimum.sizeSpreads->after, 0.35);
   EXPECT_GT(
     LeastDistance(triangle, chosen.singularities), 0.7 * std::sqrt(triangle.Area() / 1000.0));
-  // Sizes on the disk are even enough at the least energy; and where no quads are to come it is all that counts.
+  // On the disk, sizes are uniform enough at the minimum of the energy. Without quads, only the
+  // energy is minimised.
   EXPECT_FALSE(ChooseConfiguration(DiskOfEdges(0.1), options).optimum.sizeSpreads);
   EXPECT_FALSE(ChooseConfiguration(triangle).optimum.sizeSpreads);
 }
 
 TEST(AutomaticConfiguration, AddsPairsForQuadsWhereTheyAreAllowed)
 {
-  // A ring whose gap is seven times as wide on one side: a map without singularities has such sizes.
+  // A ring whose gap is seven times as wide on one side as on the other. Sizes vary by the same
+  // factor in a map without singularities.
   const PlanarDomain ring =
     MakePlanarDomain({ RegularPolygon(80), RegularPolygon(50, 0.4, { 0.45, 0.0 }) });
   AutomaticOptions options;

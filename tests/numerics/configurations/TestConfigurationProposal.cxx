@@ -77,8 +77,9 @@ TEST(ConfigurationProposal, IsConsistentWithItsCorners)
 
 TEST(ConfigurationProposal, ExcludesOverlappingPairs)
 {
-  // Where no singularity is needed, an additional pair meets: at a hundredth of the diagonal of the
-  // L, its energy at the core radius was below that of no singularity.
+  // If no singularity is needed, the two singularities of an additional pair meet. When they were a
+  // hundredth of the diagonal of the L apart, their energy at the core radius was below that of no
+  // singularity.
   const PlanarDomain domain = Builtin("l-shape");
   ProposalOptions options;
   options.variations = true;

@@ -66,7 +66,7 @@ void ExpectSameAsDirect(const HardCase& hard)
   SCOPED_TRACE(hard.name);
   const PotentialProblem problem = ProblemOn(hard.mesh);
   const PotentialReduction solver(problem);
-  // Converged to rounding, so that the comparison is of the two forms, not of their stopping
+  // Both iterations converge to rounding, so that the comparison does not depend on their stopping
   // criteria.
   MinimiserOptions options;
   options.tolerance = 1e-14;

@@ -85,8 +85,8 @@ TEST(ManyHoles, OmittedCouplingsAreBelowTheirBound)
                   .eigenvalues()[0],
         -1e-13 * unit * static_cast<double>(reduced.matrix.Rows()));
     }
-    // A smaller tolerance keeps more couplings, but far from all values: couplings decrease like
-    // powers of a distance.
+    // A smaller tolerance keeps more couplings, but far from all: couplings decrease like powers of
+    // the distance.
     EXPECT_GE(dual.matrix.coupling.rows(), before);
     before = dual.matrix.coupling.rows();
     EXPECT_EQ(dual.InValues(dual.InBases(reduced.load)).size(), reduced.load.size());

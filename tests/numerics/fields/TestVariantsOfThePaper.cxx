@@ -185,7 +185,8 @@ TEST(VariantsOfThePaper, TheFlatEllipseKeepsARectangleOfHoles)
   const SolvedField relaxed = SolvePerforated(ShareTopology(drilled), options);
   EXPECT_TRUE(relaxed.converged);
   EXPECT_EQ(relaxed.wrongDegrees, 0);
-  // So far from the reference positions |u| vanishes beside the holes, unless it is held at one.
+  // At this distance from the reference positions, |u| vanishes next to the holes unless it is
+  // constrained to one.
   EXPECT_GT(relaxed.unwantedSingularities, 0);
   options.method = PerforatedMethod::UnitNorm;
   const SolvedField field = SolvePerforated(ShareTopology(drilled), options);

@@ -32,7 +32,7 @@ TEST(OptimizerStart, LeavesSharpCorner)
       const double clearance = 0.2 * inradius;
       EXPECT_EQ(EnforceClearance(wedge, clearance, configuration), clearance);
       EXPECT_GE(SignedDistance(configuration[0].position, wedge), 1.2 * clearance);
-      // Not farther than necessary, except for the overshoot of pushes.
+      // No singularity moves farther than necessary, except for the overshoot of pushes.
       EXPECT_LE(configuration[0].position.x(),
         std::max(along, 2.0 * clearance / std::sin(0.5 * degrees * Pi / 180.0)));
     }

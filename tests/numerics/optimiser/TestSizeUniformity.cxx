@@ -32,7 +32,7 @@ SizeUniformity::Value UniformityOf(
   return SizeUniformity(potential).Evaluate(potential, potential.Solve(configuration));
 }
 
-/// Returns a domain with two islands and corners with logarithms.
+/// Returns a domain with two islands, and with corners at which the potential has logarithms.
 PlanarDomain Pentagon()
 {
   return MakePlanarDomain({ RegularPolygon(5, 1.0), RegularPolygon(4, 0.15, { 0.3, -0.1 }),

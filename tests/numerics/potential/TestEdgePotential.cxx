@@ -43,8 +43,8 @@ TEST(EdgePotential, AgreesWithTheCrouzeixRaviartSolution)
   const Eigen::VectorXd fluxes = FluxesOn(*topology);
   const Eigen::VectorXd values = EdgePotential(solver).Solve(fluxes);
 
-  // The same by its own matrix, with something on the diagonal at the first outer edge, where the
-  // potential is 0.
+  // Compare with a direct solve. A term on the diagonal at the first outer edge makes the potential
+  // 0 there.
   SparseMatrix matrix = CrouzeixRaviartStiffness(topology->mesh, topology->edges);
   const int ground = topology->EdgeOfBoundary(topology->loops[0].edges.front());
   matrix.coeffRef(ground, ground) += 1.0;
@@ -69,7 +69,7 @@ TEST(EdgePotential, IsSymmetricAndHasMoreEnergyThanThePotentialAtVertices)
   const Eigen::VectorXd others = fluxes.reverse();
   EXPECT_NEAR(others.dot(edges.Solve(fluxes)), fluxes.dot(edges.Solve(others)), 1e-10);
 
-  // Half of the flux of an edge to each of its ends is exact for functions that are linear on
+  // Dividing the flux of an edge equally between its ends is exact for functions that are linear on
   // edges.
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(solver.Rows());
   for (Eigen::Index i = 0; i < fluxes.size(); ++i)
@@ -79,8 +79,8 @@ TEST(EdgePotential, IsSymmetricAndHasMoreEnergyThanThePotentialAtVertices)
       sources[vertex] += 0.5 * fluxes[i];
     }
   }
-  // Free periods leave more of it than periods of zero, as W has them, and still it is below that
-  // of the edges.
+  // With free periods the potential has more energy than with periods of zero, which W uses, but
+  // still less than the potential on edges.
   const Eigen::VectorXd atVertices = solver.Solve(sources, PotentialSolver::Periods::Islands);
   EXPECT_GT(fluxes.dot(edges.Solve(fluxes)), 1.01 * sources.dot(atVertices));
 }

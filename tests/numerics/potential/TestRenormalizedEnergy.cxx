@@ -210,8 +210,8 @@ TEST(RenormalizedEnergy, GradientIsTheDerivative)
 
 TEST(RenormalizedEnergy, EnergyOfADefectIsBetterThanItsLowerBound)
 {
-  // ½ δ² 2π / log(1 / a) in a ring of the inner radius a, which long triangles around a small
-  // polygon miss by P1 alone.
+  // The exact energy is ½ δ² 2π / log(1 / a) in a ring of inner radius a. With long triangles
+  // around a small polygon, P1 functions alone are not accurate enough.
   const double inner = 0.02;
   const PlanarDomain ring =
     MakePlanarDomain({ RegularPolygon(256, 1.0), RegularPolygon(24, inner) });
@@ -221,8 +221,9 @@ TEST(RenormalizedEnergy, EnergyOfADefectIsBetterThanItsLowerBound)
   const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(potential, solution);
   const double offset = solution.offsets[0];
   ASSERT_GT(std::abs(offset), 0.5);
-  // From outside a regular polygon is a circle of its capacity, Γ(1/n) / (2^(1 + 2/n) π^½ Γ(½ +
-  // 1/n)) of a side. The outer one is the unit circle within 1e-4.
+  // Outside of it, a regular polygon acts like a circle whose radius is its capacity, Γ(1/n) /
+  // (2^(1 + 2/n) π^½ Γ(½ + 1/n)) times a side. The outer polygon equals the unit circle within
+  // 1e-4.
   const double part = 1.0 / 24.0;
   const double radius = inner * 2.0 * std::sin(Pi * part) * std::tgamma(part) /
     (std::pow(2.0, 1.0 + 2.0 * part) * std::sqrt(Pi) * std::tgamma(0.5 + part));
@@ -280,7 +281,7 @@ TEST(RenormalizedEnergy, CornerEnergyGrowsWithItsCoefficient)
     for (const int index : { -2, -1, 0, 1, 2 })
     {
       SCOPED_TRACE(std::to_string(angle / Pi) + " pi, k = " + std::to_string(index));
-      // A sector: the centre is the corner, the others are right angles of k = 1.
+      // A sector with the corner at its centre; its other corners are right angles with k = 1.
       Loop sector = { { 0.0, 0.0 } };
       const int steps = static_cast<int>(std::ceil(angle / 0.05));
       for (int i = 0; i <= steps; ++i)
@@ -303,8 +304,8 @@ TEST(RenormalizedEnergy, CornerEnergyGrowsWithItsCoefficient)
         energies.push_back(SolveUnitNorm(ProblemOn(mesh, corners)).energy);
         mesh = Refine(mesh);
       }
-      // Refine halves polygons' edges too, whose vertices are corners of small angle, 2π/n: their
-      // slopes are part of the sum.
+      // Refine also halves the edges of the arc, whose vertices are corners that turn by a small
+      // angle; they contribute to the slope.
       double coefficient = 16.0 * CornerEnergy(angle, index);
       const double turn = angle / steps;
       coefficient += (steps - 1) * 16.0 * CornerEnergy(Pi - turn, 0);
@@ -339,8 +340,8 @@ TEST(RenormalizedEnergy, OnlyCornersWithAJumpHaveALogarithm)
 
 TEST(RenormalizedEnergy, VanishesOnAQuarterDiskWithIndexTwoAtItsCentre)
 {
-  // The centre carries 2: Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4, zero on the arc; inside of
-  // it, on its chords, Φ is below zero by O(h²).
+  // With index 2 at the centre, Φ = c log r with c = −(4 π/2 − 4 π)/(π/2) = 4. Φ is zero on the arc
+  // and below zero by O(h²) on its chords.
   for (const double size : { 0.1, 0.03 })
   {
     const TriangleMesh mesh = Mesh(Builtin("quarter-disk", size), size);

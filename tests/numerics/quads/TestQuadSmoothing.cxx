@@ -81,10 +81,10 @@ TEST(QuadEnergy, IsIdealForTargetRectangles)
   QuadMesh mesh = QuadsOf(map, 300).mesh;
   const BoundaryCurves curves(*map.topology);
   const std::vector<double> weights(mesh.quads.size(), 1.0);
-  // Distorted quads have more.
+  // Distorted quads have a higher energy.
   QuadEnergy energy(mesh, curves, AllButFixed(mesh), 0.2, weights);
   EXPECT_GT(energy.Value(energy.Unknowns(), 0.0, nullptr), energy.IdealValue());
-  // A single target rectangle has exactly that.
+  // A single target rectangle has exactly the ideal value.
   QuadMesh square;
   square.points.resize(4);
   square.points[1].place = { 0.0, 2.0 };

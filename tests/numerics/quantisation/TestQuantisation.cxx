@@ -131,7 +131,7 @@ TEST(Quantisation, AgreesWithBruteForce)
 }
 
 /// A separation row excludes the counts for which points coincide, and holds for the target counts.
-/// With these rows the optimum is proved, and not cheaper than the flow.
+/// With these rows the optimum is proved, and costs no less than the flow.
 TEST(Quantisation, SeparatesPointsThatAreDistinctInTheMap)
 {
   Random random(4711);
@@ -249,8 +249,8 @@ TEST(Relaxation, CutsKeepIntegerSolutions)
   EXPECT_GT(raised, 1.0);
 }
 
-/// Arcs that are not free keep their counts, and the equations hold. With all arcs free the result
-/// is the flow.
+/// Arcs that are not free keep their counts, and the equations hold. With all arcs free, the result
+/// equals the flow.
 TEST(BranchAndCut, KeepsArcsThatAreNotFree)
 {
   const TMesh mesh = TMeshOf(LShape(), { { { 0.5, 0.5 }, 1 }, { { 1.4, 0.4 }, -1 } }, 0.1);

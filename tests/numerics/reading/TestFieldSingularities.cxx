@@ -72,8 +72,8 @@ struct Disk
   EdgeNumbering edges;
 };
 
-/// Returns singularities of quarter indices ±1 and ±2 and sum 4 at places far from each other and
-/// from the boundary.
+/// Returns singularities of quarter indices ±1 and ±2 and sum 4 at positions far from each other
+/// and from the boundary.
 Configuration RandomSingularities(Random& random, double distance)
 {
   Configuration singularities;

@@ -148,8 +148,8 @@ TEST(TMesh, IsInvariantUnderSimilaritiesMirroringAndRenumbering)
   }
 }
 
-/// The cases whose T-mesh differs between three meshes: each has a near miss that these do not
-/// resolve.
+/// Returns the number of cases whose T-mesh differs between three meshes. Each of them has a near
+/// miss that these meshes do not resolve.
 int CountOfDifferent(int cases)
 {
   int different = 0;

@@ -1,5 +1,5 @@
-// From a domain to its quad mesh: the same as its steps one by one, and what it reports is what it
-// used.
+// MakeQuadMesh gives the same mesh as its steps called one by one, and reports the singularities
+// and corners that it used.
 
 #include "QuadWorkflow.h"
 
@@ -16,7 +16,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// An ellipse, on which no singularity is at a symmetric place by accident.
+/// Returns an ellipse, for which no singularity is at a symmetric position by chance.
 PlanarDomain Ellipse()
 {
   Loop loop = RegularPolygon(40);
