@@ -105,8 +105,8 @@ void vtkQuadMesher::ReportWarnings(
   if (!crossfield::HasRequestedCount(request, result.quads))
   {
     vtkWarningMacro(<< "No number of quads within 5 % of " << this->QuadCount
-                    << " was found for these lines, " << result.quads.mesh.quads.size()
-                    << " is the nearest; ask for another number.");
+                    << " was found for these separatrices; " << result.quads.mesh.quads.size()
+                    << " is the nearest; request another number.");
   }
   const crossfield::QuadQuality& quality = result.quads.quality;
   if (quality.inverted > 0)

@@ -144,8 +144,9 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
     result.optimum.sizeSpread > FarFromUniform)
   {
     result.events.push_back(
-      "Sizes are far from even, the standard deviation of their logarithm is " +
-      FormatShort(result.optimum.sizeSpread) + "; pairs of singularities would even them.");
+      "Sizes are far from uniform: the standard deviation of their logarithm is " +
+      FormatShort(result.optimum.sizeSpread) +
+      "; added pairs of singularities would make them more uniform.");
   }
 }
 }

@@ -357,8 +357,8 @@ private:
     {
       if (point.valence != (point.curve.loop < 0 ? 4 : 2) - point.quarterIndex)
       {
-        throw Error("The point at " + Describe(point.place) + " got " +
-          std::to_string(point.valence) + " quads; use a smaller size.");
+        throw Error("The node at " + Describe(point.place) + " has " +
+          std::to_string(point.valence) + " quads, not the requested number; use a smaller size.");
       }
     }
   }

@@ -136,7 +136,7 @@ std::string ConsistencyReason(
           ? "."
           : ", but at inner loop " + std::to_string(defect - holonomyDefects.begin() + 1) +
             " there is a holonomy defect of " + std::to_string(*defect) +
-            " radians; move singularities until it vanishes if H has to be single-valued.");
+            " radians, so grid lines around it do not close up; move singularities until it vanishes.");
   }
   const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
   const std::string difference = sums + " but the Poincaré-Hopf theorem requires " +
