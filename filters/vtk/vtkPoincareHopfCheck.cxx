@@ -101,8 +101,8 @@ Findings CheckField(
   progress.Report(0.5);
   std::vector<crossfield::CornerChoice> choices =
     CornerConversion::ReadCorners(corners, cells.plane);
-  // Singularities prescribed in vtkHField or vtkDrillHoles; those on the boundary are prescribed
-  // corners.
+  // Singularities prescribed in vtkHField or vtkDrillHoles. Singularities on the boundary are
+  // prescribed corners.
   vtkFieldData* data = input->GetFieldData();
   crossfield::Configuration points =
     SingularityRecord::Read(names::PointSingularities, cells.plane, data);

@@ -182,7 +182,7 @@ class Singularities(ProgramTest):
         write_configuration(self.folder / "three.csv", FOUR[:3])
         self.refuse_solve("builtin:disk", singularities="three.csv", status=1,
                           says=["add up to 3", "requires 4"])
-        # It can still be meshed.
+        # Such a configuration can still be meshed.
         self.succeed("drill", "builtin:disk", "-s", "three.csv", "-o", "mesh.vtu")
 
 

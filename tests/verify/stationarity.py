@@ -89,7 +89,7 @@ def check_constrained(data, mesh, field, report):
     for loop, multiplier in zip(held, multipliers):
         left[loop.edges] += multiplier * loop.gradient
     for loop in unit:
-        # Only a common rotation of all values is free.
+        # The constraint leaves only a common rotation of all values free.
         torque = (loop.u.conj() * force[loop.edges]).imag.sum() / len(loop.edges)
         left[loop.edges] = torque * 1j * loop.u
     on_loops = np.zeros(len(mesh.ends), bool)

@@ -30,7 +30,7 @@ struct SparseCholesky::Factor
     this->common.final_ll = 1;
     this->common.nmethods = 1;
     this->common.method[0].ordering = CHOLMOD_GIVEN;
-    // Otherwise trailing unknowns move when the rest of the matrix is disconnected.
+    // A postorder would move trailing unknowns when the other part of the matrix is disconnected.
     this->common.postorder = 0;
     // Always merge supernodes of up to 16 columns, and those of up to 32 and 64 columns if this
     // adds few zeros. Planar meshes have small supernodes, and fewer BLAS calls save a tenth of the

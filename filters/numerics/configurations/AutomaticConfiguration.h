@@ -11,8 +11,8 @@ struct AutomaticOptions
   /// Options of the runs that follow; their corners are those of the proposal. Target sizes and
   /// pairs take effect after the minimum of the energy has decided which singularities there are.
   OptimizerOptions optimizer;
-  /// Side length of the quads that singularities are chosen for, or else their number, which
-  /// determines it; both 0 where no quads are to be made. Sets the optimiser's clearance where that
+  /// Side length of the quads for which singularities are chosen; if it is 0, it follows from
+  /// quadCount. Both are 0 if no quads will be made. Determines the optimiser's clearance if that
   /// is 0 (ClearanceForQuads).
   double quadSize = 0.0;
   int quadCount = 0;
@@ -22,7 +22,7 @@ struct AutomaticOptions
 /// (docs/method.md §5.6).
 double ClearanceForQuads(double quadSize);
 
-/// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). Where there are any, sets
+/// Gives quarter index 1 to sharp corners of index 2 (PoincareHopf.h). If there are any, sets
 /// keepAll: a singularity that moved into such a corner would undo the change.
 void CapCorners(const PlanarDomain& domain, AutomaticOptions& options);
 

@@ -10,9 +10,9 @@ namespace crossfield
 /// opposite signs, and a spread configuration (ConfigurationSpread.h). Each is improved by a few
 /// steps of the optimiser, and they are sorted by the energy at the core radius. Configurations
 /// with too few singularities for the inner loops (TooFewForHolonomy) are also proposed with
-/// additional pairs. If a defect remains they are not ranked first; nor are variations. All but the
-/// first are sorted by energy alone. Equal configurations are returned once. Variations whose cores
-/// overlap have no energy at the core radius and are not returned.
+/// additional pairs. Configurations with a remaining defect and variations are never ranked first.
+/// All but the first are sorted by energy only. Equal configurations are returned once. Variations
+/// whose cores overlap have no energy at the core radius and are not returned.
 ///
 /// If the domain has symmetries (BoundarySymmetry.h), positions that are approximately symmetric
 /// are symmetrised up to rounding.

@@ -15,7 +15,7 @@ namespace crossfield
 class FactoredDomain
 {
 public:
-  /// Meshes and factors a domain. `meshSize` is that of DrillOptions. Singularities of the
+  /// Meshes and factors a domain. `meshSize` is as in DrillOptions. Singularities of the
   /// configuration on the boundary become vertices of it; interior ones are ignored.
   FactoredDomain(PlanarDomain domain, const Configuration& configuration, double meshSize,
     const Progress& progress = {});

@@ -132,7 +132,7 @@ private:
   double Extent = 0.0;
 };
 
-/// Result of an attempt.
+/// Result of an attempt to join separatrices.
 struct Attempt
 {
   Configuration singularities;

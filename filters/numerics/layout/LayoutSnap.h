@@ -11,7 +11,7 @@ namespace crossfield
 struct LayoutSnap
 {
   Configuration singularities; ///< In the order given.
-  int joined = 0; ///< Number of pairs of separatrices that meet now and did not before.
+  int joined = 0;              ///< Number of pairs of separatrices that the move has joined.
   /// Number of near misses that remain: joining them would move a singularity too far, or separate
   /// others.
   int leftOut = 0;

@@ -11,8 +11,9 @@ namespace crossfield
 ///
 /// The contribution of the sources is integrated over the entire bounding box, on squares in which
 /// h varies little, and half of it is counted, because a short segment of the boundary causes small
-/// triangles on both of its sides, of which one is in the domain. This part is therefore accurate
-/// within a factor of two. The running time depends on the sources, not on the number of triangles.
+/// triangles on both of its sides, but only one side is in the domain. This part is therefore
+/// accurate within a factor of two. The running time depends on the sources, not on the number of
+/// triangles.
 double PredictTriangles(const PlanarDomain& domain, const std::vector<SizeSource>& sources,
   double maximum, double gradation);
 

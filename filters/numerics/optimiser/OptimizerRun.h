@@ -21,7 +21,8 @@ public:
   void Start(const Configuration& start, const Progress& progress);
   /// Minimises the objective, meshing again and changing the configuration where necessary.
   OptimizerEnd Minimise(const Progress& progress);
-  /// Continues from the minimum of W to the most uniform sizes, with the present singularities.
+  /// Continues the optimisation from the minimum of W to the most uniform sizes, with the present
+  /// singularities.
   OptimizerEnd MakeSizesUniform(const Progress& progress);
   /// Adds up to `maximumPairs` pairs of opposite signs, as long as each is an improvement, and
   /// minimises after each (docs/method.md §5.8). Returns how the last minimisation ended, or `end`

@@ -23,7 +23,7 @@ QuadDescent::QuadDescent(QuadEnergy& energy)
 {
 }
 
-/// Returns the sum of function(begin, count) over all unknowns at once, or over both halves.
+/// Returns function(begin, count) for all unknowns or, for long vectors, the sum over both halves.
 template <typename Function>
 double QuadDescent::Sum(const Function& function) const
 {

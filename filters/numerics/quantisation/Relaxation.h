@@ -60,7 +60,8 @@ public:
   /// Replaces the bounds of the previous node by those of another one, which are within those of
   /// the root.
   void SetNodeBounds(const std::vector<ColumnBounds>& bounds);
-  /// Sets the basis that the next solution starts from. Rows added since it was taken are basic.
+  /// Sets the basis from which the next solve starts. Rows added after that basis was stored are
+  /// basic.
   void SetBasis(const SimplexBasis& basis);
 
 private:

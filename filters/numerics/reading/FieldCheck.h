@@ -12,7 +12,7 @@ struct FieldCheck
   /// every field.
   PoincareHopfCount count;
   std::vector<HoleReading> holes; ///< Holes in the order of the configuration.
-  /// In the same order; empty where the field chose its singularities by itself.
+  /// In the same order; empty if the field chose its singularities itself.
   std::vector<int> prescribedDegrees;
   int interiorQuarters = 0; ///< Sum of the indices of triangles and of vertices inside or on holes.
   /// As counted by the solvers (UnwantedSingularities.h).

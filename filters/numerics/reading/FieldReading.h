@@ -8,7 +8,7 @@ namespace crossfield
 /// Properties of a field on a mesh, independent of the method that computed it (docs/method.md §8).
 struct FieldReading
 {
-  /// Count required by its boundary.
+  /// Poincaré-Hopf count, which follows from the boundary.
   PoincareHopfCount count;
   /// Holes, then imprinted circles, in the order of the configuration.
   std::vector<HoleReading> holes;
@@ -25,7 +25,7 @@ struct FieldRequest
   PoincareHopfCount count; ///< Count with the chosen corners.
   Configuration points;    ///< Prescribed singularities that are points.
   bool onlyTheSum = false; ///< Whether only the sum of the degrees of all holes was prescribed.
-  /// Whether the field chose its singularities by itself; imprinted circles then prescribe nothing.
+  /// Whether the field chose its singularities itself; imprinted circles then prescribe nothing.
   bool byItself = false;
 };
 

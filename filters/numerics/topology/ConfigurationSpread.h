@@ -13,7 +13,7 @@ struct SpreadOptions
   double cornerAngle = DefaultCornerAngle;
   /// Chosen quarter indices of corners; all others have the index of the smallest rotation.
   std::vector<CornerChoice> corners;
-  /// Singularities that are kept unchanged; missing ones are added to them.
+  /// Singularities that are not changed; missing ones are added to them.
   Configuration given;
   /// Adds a +1 for corners in [3π/4, π), one for every two consecutive corners, and the same number
   /// of −1 elsewhere, so that these corners become regular points of the boundary.

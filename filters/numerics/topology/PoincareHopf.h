@@ -31,7 +31,8 @@ struct PoincareHopfCount
 {
   int eulerCharacteristic = 0;
   /// (1/2π) Σ over corners of the smallest rotation of the cross, in (−π/4, π/4], that keeps it
-  /// aligned with the boundary; where a quarter index k was chosen, of the turning angle − k π/2.
+  /// aligned with the boundary. At a corner with a chosen quarter index k, the rotation is the
+  /// turning angle − k π/2.
   double valence = 0.0;
   /// 1/2π times the rotation of the tangent along the boundary without its corners.
   double tangentTurning = 0.0;

@@ -10,7 +10,7 @@ namespace crossfield
 /// sides.
 constexpr double SameIsoline = 4e-13;
 
-/// What stops a separatrix.
+/// Reason why a separatrix ends.
 enum class SeparatrixEnd
 {
   None,     ///< It has not been stopped.

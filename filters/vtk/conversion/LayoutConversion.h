@@ -16,7 +16,7 @@ namespace LayoutConversion
 struct Report
 {
   std::string refusal;   ///< Why the design is outdated; empty if it is current.
-  double quadSize = 0.0; ///< Unit of the length of the shortest arc.
+  double quadSize = 0.0; ///< Side length of quads, the unit in which the shortest arc is reported.
 };
 
 /**
