@@ -56,7 +56,7 @@ void AddDomainCommand(CLI::App& app, int& status)
   command->add_option("--height", options->height, "height of ellipse and rectangle, positive")
     ->capture_default_str();
   command->add_option("--size", options->edgeLength,
-    "length of the segments that stand for curves, positive; default: 1/40 of the domain's "
+    "length of the segments that approximate curves, positive; default: 1/40 of the domain's "
     "diagonal");
   command->callback(
     [options, &status]

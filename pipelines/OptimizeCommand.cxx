@@ -58,7 +58,7 @@ std::string CheckSizing(const OptimizeOptions& options)
   }
   return options.even || options.pairs > 0
     ? ""
-    : "--sizing chooses which sizes are uniform; give it with --even or --pairs";
+    : "--sizing chooses the target sizes; give it with --even or --pairs";
 }
 
 /** Prints the spread of sizes, and for each step towards uniform sizes what it costs in energy. */
@@ -179,7 +179,8 @@ void AddOptimizeCommand(CLI::App& app, int& status)
     "keep every singularity in the interior or on the boundary where it started; remove none that "
     "meet");
   command->add_flag("--even", options->even,
-    "after that, move the singularities to where the sizes of quads are most uniform");
+    "after the minimum of the energy, move the singularities to where the sizes of quads are "
+    "most uniform");
   CLI::Option* sizing =
     command
       ->add_option("--sizing", options->sizing,

@@ -213,8 +213,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "domain, or with --quads their proportions; default: conformal")
     ->expected(1, 2)
     ->type_name("WORD");
-  command->add_flag(
-    "--coarse", options->coarse, "make the smallest number of blocks that still has sound quads");
+  command->add_flag("--coarse", options->coarse,
+    "make the fewest blocks whose worst quad is at least half as good as with all blocks");
   command
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "

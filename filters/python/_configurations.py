@@ -97,9 +97,9 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     iterations  maximum number of iterations; default: 200
     clearance   minimum distance to the boundary and to each other; default: 1/400 of the diagonal
     keep_all    keeps every singularity in the interior or on the boundary where it started, and removes none that meet
-    even        after that, moves them to where the sizes of quads that follow the field are most uniform:
-                report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size
-    pairs       maximum number of pairs of quarter indices 1 and -1 to add after that, where they make sizes more
+    even        after the minimum of the energy, moves them to where the sizes of quads that follow the field are
+                most uniform: report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size
+    pairs       maximum number of pairs of quarter indices 1 and -1 to add then, where they make sizes more
                 uniform; report["front"] has a row for the minimum energy, for uniform sizes, and for each pair
     size_array  with `even` or `pairs`: name of a point array of the domain with target sizes, as for `quads`; sizes
                 are then in proportion to these, and the spread is that of log(size / target size)
@@ -112,7 +112,7 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     (True, (4, 3))
     """
     if size_array is not None and not (even or pairs > 0):
-        raise Error("A size_array chooses which sizes are uniform; give it with even or pairs.")
+        raise Error("A size_array sets the target sizes; give it with even or pairs.")
     pipeline = Pipeline()
     data = as_domain(domain, size)
     if singularities is None:

@@ -134,7 +134,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
                    sizes are nearest to these
     size_array     name of this array
-    coarse         the smallest number of blocks with sound quads
+    coarse         merges separatrices for the fewest blocks whose worst quad is at least half as good
     repair_holonomy
                    moves singularities by the smallest distances after which no inner loop has a holonomy defect
     clearance      minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of
