@@ -98,7 +98,8 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     clearance   minimum distance to the boundary and to each other; default: 1/400 of the diagonal
     keep_all    keeps every singularity in the interior or on the boundary where it started, and removes none that meet
     even        after the minimum of the energy, moves them to where the sizes of quads that follow the field are
-                most uniform: report["size_spread_before"] and ["size_spread_after"] are the standard deviations of log size
+                most uniform: report["size_spread_before"] and ["size_spread_after"] are the standard deviations of
+                log size
     pairs       maximum number of pairs of quarter indices 1 and -1 to add then, where they make sizes more
                 uniform; report["front"] has a row for the minimum energy, for uniform sizes, and for each pair
     size_array  with `even` or `pairs`: name of a point array of the domain with target sizes, as for `quads`; sizes

@@ -18,19 +18,19 @@ class BoundaryCurves
 public:
   explicit BoundaryCurves(const MeshTopology& topology);
 
-  /// Returns the place at a fraction of an entry of mesh.boundary.
+  /// Returns the position at a fraction of an entry of mesh.boundary.
   CurvePlace Place(int boundaryPosition, double fraction) const;
-  /// Returns the point of the plane at a place.
+  /// Returns the point of the plane at a position.
   Point At(const CurvePlace& place) const;
-  /// Returns the place of a loop nearest to a point; the vertex if two adjacent edges are equally
-  /// near. Cost: linear in the vertices of the loop.
+  /// Returns the position on a loop nearest to a point; the vertex if two adjacent edges are
+  /// equally near. Cost: linear in the vertices of the loop.
   CurvePlace Nearest(int loop, const Point& point) const;
   /// Returns the unit tangent of the polyline; at a vertex, that of the edge after it.
   Point Tangent(const CurvePlace& place) const;
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
-  /// Returns the places of corner vertices (MeshTopology::corners).
+  /// Returns the positions of corner vertices (MeshTopology::corners).
   std::vector<CurvePlace> Corners() const;
-  /// Returns the entry of mesh.boundary at a place.
+  /// Returns the entry of mesh.boundary at a position.
   int PositionAt(const CurvePlace& place) const;
 
 private:

@@ -13,12 +13,12 @@ struct ChartPlace
   int rotation = 0; ///< +x of the patch is i^rotation in the chart.
 };
 
-/// Returns the end of a straight path from a place, with `displacement` in the axes of the patch.
-/// Walks from triangle to triangle, through the side that the path meets first. Stops in the last
-/// triangle if the path leaves the domain. Throws Error if it does not end.
+/// Returns the end of a straight path from a position, with `displacement` in the axes of the
+/// patch. Walks from triangle to triangle, through the side that the path meets first. Stops in the
+/// last triangle if the path leaves the domain. Throws Error if it does not end.
 ChartPlace WalkStraight(const SeamlessMap& map, ChartPlace place, const Point& displacement);
 
-/// Returns the point of the plane at a place.
+/// Returns the point of the plane at a position.
 Point PlanePoint(const SeamlessMap& map, const ChartPlace& place);
 
 /// Returns √(area in the plane / area in the map) of a triangle, which is e^H.

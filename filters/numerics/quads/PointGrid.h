@@ -12,10 +12,10 @@ class PointGrid
 public:
   explicit PointGrid(const QuadMesh& mesh);
 
-  /// Returns the point nearest to a place within the search radius of point `p`, −1 if there is
+  /// Returns the point nearest to a position within the search radius of point `p`, −1 if there is
   /// none. The radius is 0.4 of the shortest edge at `p`.
   int Find(const Point& place, int p) const;
-  /// Returns the distance of a place from a point, in units of the shortest edge there.
+  /// Returns the distance of a position from a point, in units of the shortest edge there.
   double EdgesBetween(const Point& place, int p) const;
 
 private:

@@ -80,7 +80,7 @@ private:
     this->Mesh.patch.reserve(quads);
   }
 
-  /// Returns the place at a distance along a half-edge. Its rotation is the direction of the
+  /// Returns the position at a distance along a half-edge. Its rotation is the direction of the
   /// half-edge; `position` receives the boundary entry.
   ChartPlace PlaceOn(int half, double within, int* position = nullptr) const
   {
