@@ -57,7 +57,7 @@ Eigen::MatrixXd IntegrateConjugate(const TriangleMesh& mesh, const EdgeNumbering
         {
           continue;
         }
-        // From the midpoint of edge i to that of edge `other`.
+        // Step from the midpoint of edge i to that of edge `other`.
         const Point start = 0.5 * (point(i) + point(i + 1));
         const Point end = 0.5 * (point(other) + point(other + 1));
         const double turn = SumOfTurns(logs.data(), logs.data() + logs.size(), start, end);

@@ -171,7 +171,7 @@ std::optional<ConfigurationChange> FindAbsorption(
     const Point position = stage.objective->LengthUnit() * PositionOf(current, i);
     const std::size_t target = FindTarget(stage, boundary, current, i);
     const Corner& corner = boundary.vertices[target];
-    // Only if W decreases in that direction.
+    // The singularity moves into the boundary only if W decreases in that direction.
     const Point gradient = current.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
     const std::string key = "in " + std::to_string(row) + " " + Describe(corner.position);
     if (gradient.dot(corner.position - position) > 0.0 || rejected.count(key) != 0)

@@ -95,8 +95,8 @@ private:
   std::pair<Graph::Node, Graph::Node> EndsOf(const std::vector<EquationTerm>& terms, bool first)
   {
     const EquationTerm& one = terms[0];
-    // At a node of the + sheet a + term leaves and a − term arrives; at one of the − sheet
-    // conversely.
+    // At a node of the + sheet, a + term leaves and a − term arrives; at a node of the − sheet it
+    // is the reverse.
     const Graph::Node from =
       first ? NodeOf(one.equation, one.sign > 0) : NodeOf(one.equation, one.sign < 0);
     Graph::Node to = Graph::nodeFromId(this->Ground);

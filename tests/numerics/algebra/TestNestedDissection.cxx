@@ -159,7 +159,7 @@ TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
   {
     partners.push_back((i + count) % (2 * count));
   }
-  // Not joined, and joined at one corner.
+  // Two sheets that are not joined, and two that are joined at one corner.
   for (const std::vector<int>& joined : { std::vector<int>(), std::vector<int>{ 0, 1, Side } })
   {
     const Dissection dissection = Dissect(TwoSheets(grid, joined), places, {}, {}, partners);
@@ -167,7 +167,7 @@ TEST(NestedDissection, OrdersTheSheetsOfAMeshOneAfterTheOther)
     order.insert(order.end(), dissection.right.begin(), dissection.right.end());
     order.insert(order.end(), dissection.border.begin(), dissection.border.end());
     EXPECT_TRUE(IsPermutation(order, 2 * static_cast<std::size_t>(count)));
-    // Where a half is disconnected, its order changes the sheet only once.
+    // If a half is disconnected, its order changes from one sheet to the other only once.
     int changes = 0;
     for (const std::vector<int>* half : { &dissection.left, &dissection.right })
     {

@@ -194,7 +194,7 @@ TEST(PerforatedSolve, RotationChangesTheEnergyByMeshNoiseOnly)
   {
     const Similarity turn{ random.Uniform(-Pi, Pi), 1.0, Point::Zero() };
     EXPECT_NEAR(energy(turn(disk), turn(holes)), plain, 0.01 * plain);
-    // On the disk, the holes may turn alone.
+    // On the disk, the energy is the same if only the holes are rotated.
     EXPECT_NEAR(energy(disk, turn(holes)), plain, 0.01 * plain);
   }
 }

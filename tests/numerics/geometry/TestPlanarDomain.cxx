@@ -117,7 +117,7 @@ TEST(PlanarDomain, RefusesLoopsThatCross)
   for (const double scale : { 1e-6, 1.0, 1e6 })
   {
     const Similarity move{ 0.7, scale, Point::Zero() };
-    // Two loops, and one loop with itself.
+    // Two loops that cross each other, and one that crosses itself.
     const std::vector<Loop> two = { Box(0, 0, 2, 2), Box(1, 1, 3, 3) };
     EXPECT_TRUE(Refuses([&] { MakePlanarDomain(move(two)); }, { "crosses" }));
     const Loop bow = { { 0, 0 }, { 2, 2 }, { 2, 0 }, { 0, 2 } };
@@ -128,7 +128,7 @@ TEST(PlanarDomain, RefusesLoopsThatCross)
 TEST(PlanarDomain, RefusesLoopsThatTouch)
 {
   const Loop outer = Box(0.0, 0.0, 10.0, 10.0);
-  // In a common vertex, on either kind of loop.
+  // Loops with a common vertex: an outer and an inner loop, and two inner loops.
   EXPECT_TRUE(Refuses(
     [&] {
       MakePlanarDomain({ outer, { { 0, 0 }, { 3, 1 }, { 1, 3 } } });
@@ -139,7 +139,7 @@ TEST(PlanarDomain, RefusesLoopsThatTouch)
       MakePlanarDomain({ outer, Box(2, 2, 4, 4), Box(4, 4, 6, 6) });
     },
     { "touches", "(4, 4)" }));
-  // A vertex on a segment of another loop.
+  // A loop with a vertex on a segment of another loop.
   EXPECT_TRUE(Refuses(
     [&] {
       MakePlanarDomain({ outer, { { 5, 0 }, { 6, 1 }, { 4, 1 } } });
@@ -150,10 +150,10 @@ TEST(PlanarDomain, RefusesLoopsThatTouch)
       MakePlanarDomain({ { { 5, 0 }, { 6, 1 }, { 4, 1 } }, outer });
     },
     { "touches", "(5, 0)" }));
-  // A common piece of a segment, and the same loop twice.
+  // Loops that share part of a segment, and two equal loops.
   EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, Box(10, 2, 12, 4) }); }, { "touches" }));
   EXPECT_TRUE(Refuses([&] { MakePlanarDomain({ outer, outer }); }, { "touches" }));
-  // A repeated point within one loop.
+  // A loop with a repeated point.
   EXPECT_TRUE(Refuses(
     [&] {
       MakePlanarDomain({ { { 0, 0 }, { 1, 0 }, { 1, 0 }, { 0, 1 } } });
@@ -184,7 +184,7 @@ TEST(PlanarDomain, RefusesLoopsThatEncloseNothing)
       MakePlanarDomain({ Box(0, 0, 9, 9), { { 1, 1 }, { 2, 2 } } });
     },
     { "fewer than three" }));
-  // On a line, alone and inside another loop.
+  // Loops whose points are on a line: a single one, and one inside another loop.
   EXPECT_TRUE(Refuses([] { MakePlanarDomain({ { { 0, 0 }, { 1, 1 }, { 2, 2 } } }); }, {}));
   EXPECT_TRUE(Refuses(
     [] {

@@ -44,7 +44,7 @@ TEST(PointLattice, ConstantSizeGivesEquilateralTriangles)
   const std::vector<Point> points = PointsInBox(SizeField({}, Size, 0.25, Box));
   const double cell = 0.5 * std::sqrt(3.0) * Size * Size;
   const auto count = static_cast<double>(points.size());
-  // Up to the points along the border of the box, whose length is 6.8.
+  // The error is due to the points along the border of the box, whose length is 6.8.
   EXPECT_NEAR(count * cell, Box.volume(), 6.8 * Size);
   for (const Point& point : points)
   {

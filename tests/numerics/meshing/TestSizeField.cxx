@@ -69,7 +69,7 @@ TEST(SizeField, EqualsTheFormulaAtRandomPoints)
       const Point point = RandomPoint(random, field);
       ASSERT_DOUBLE_EQ(size(point), field.BruteForce(point)) << point.transpose();
     }
-    // At the sources, where the leaves are smallest.
+    // Test also at the sources, where the leaves are smallest.
     for (const SizeSource& source : field.sources)
     {
       const Point point = source.position.cwiseMax(field.lower).cwiseMin(field.upper);

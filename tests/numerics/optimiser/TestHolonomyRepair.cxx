@@ -64,7 +64,7 @@ TEST(HolonomyRepair, FindsSmallestMoveOnRing)
       const Point tangent = Point(-position.y(), position.x()) / position.norm();
       const Point expected = -defect * given[j].quarterIndex / position.norm() / squares * tangent;
       const Point moved = repair.singularities[j].position - position;
-      // Up to second order of the move and the error of the mesh.
+      // The tolerance covers second-order terms of the move and the error of the mesh.
       EXPECT_LT((moved - expected).norm(), 2.0 * expected.squaredNorm() + 0.03 * expected.norm());
       EXPECT_EQ(repair.singularities[j].quarterIndex, given[j].quarterIndex);
       largest = std::max(largest, moved.norm());
