@@ -1,9 +1,12 @@
 """crossfield quads: the mesh, its blocks and layout, their numbers and refusals."""
 import json
 import math
+import pathlib
 import unittest
 
 from program import ProgramTest, write_configuration
+
+PARTS = pathlib.Path(__file__).resolve().parents[1] / "data" / "parts"
 
 
 class Quads(ProgramTest):
@@ -34,7 +37,7 @@ class Quads(ProgramTest):
     def test_singularities_are_those_used(self):
         """After the repair of the holonomy, and with the sizes that they were chosen for."""
         for domain, arguments in (("builtin:disk", ("--quads", "300", "--sizing", "uniform")),
-                                  ("builtin:ring", ("--size", "0.2", "--repair-holonomy", "--pairs", "1"))):
+                                  (str(PARTS / "bracket.vtp"), ("--quads", "300", "--repair-holonomy"))):
             report = self.report(domain, *arguments, "--save-singularities", "used.csv")
             self.assertGreater(report["seconds"]["choose"], 0)
             self.assertTrue(report["events"])

@@ -241,7 +241,7 @@ class Page(ProgramTest):
                 "--size", 0.02))
 
     def test_single_triangles(self):
-        for name in ("0.85 (the reference's own place)", "0.7", "0.5", "0.3"):
+        for name in ("0.85 (the natural position)", "0.7", "0.5", "0.3"):
             distance = float(name.split()[0])
             rows = [(distance * math.cos(a), distance * math.sin(a), 1, 0.1) for a in ON_CIRCLE]
             self.check(self.rows[name][-1], self.energy(

@@ -61,7 +61,7 @@ def test_reports():
     with open(os.path.join(os.path.dirname(crossfield.__file__), "reports.json"), encoding="utf-8") as file:
         table = json.load(file)
     found = set(arrays_of(table["common"])) | set(arrays_of(table["reports"]))
-    check_equal(sorted(found - set(vars(crossfield.names).values())), [], "arrays without a name")
+    check_equal(sorted(found - {name for name in vars(crossfield.names).values() if isinstance(name, str)}), [], "arrays without a name")
     check(len(found) > 60, "the table was not read")
 
 

@@ -204,7 +204,7 @@ TEST_F(SingularityOptimizer, ReportsEvents)
     this->Filter->GetOutput()->GetFieldData()->GetAbstractArray("Events"));
   ASSERT_TRUE(events);
   ASSERT_EQ(events->GetNumberOfValues(), 1);
-  EXPECT_NE(events->GetValue(0).find("of opposite sign, met at"), std::string::npos);
+  EXPECT_NE(events->GetValue(0).find("which have opposite signs, met at"), std::string::npos);
 
   this->Filter->KeepAllOn();
   this->Filter->SetClearance(0.04);

@@ -17,7 +17,7 @@ int RequireQuarterIndex(double value, const std::string& what, const std::string
   {
     std::ostringstream text;
     text.precision(17);
-    text << what << " is " << value << ", but meshes resolve at most " << MaximumQuarterIndex
+    text << what << " is " << value << ", and meshes resolve none beyond " << MaximumQuarterIndex
          << "; give a smaller one.";
     throw Error(text.str());
   }

@@ -318,7 +318,7 @@ TEST(GinzburgLandau, RejectsInvalidOptions)
 {
   const TriangleMesh drilled = DrillHoles(Builtin("disk"), OnCircle(4, 0.6, 0.0, 1, 0.1));
   EXPECT_TRUE(Refuses(
-    [&] { SolveGinzburgLandau(ShareTopology(drilled)); }, { "has holes", "drilled without" }));
+    [&] { SolveGinzburgLandau(ShareTopology(drilled)); }, { "has holes", "without holes" }));
   const TriangleMesh mesh = Mesh("disk", 0.2);
   GinzburgLandauOptions options;
   options.start = GinzburgLandauStart::Given;
