@@ -104,17 +104,24 @@ struct Rule
 };
 
 constexpr std::array<Rule, 19> Rules = { {
-  { "PlanarDomainSource", 0, ShowOutline }, { "PlanarDomainReader", 0, ShowOutline },
+  { "PlanarDomainSource", 0, ShowOutline },
+  { "PlanarDomainReader", 0, ShowOutline },
   { "SingularitySource", 0, Look::ShowSingularities },
   { "SingularityHandles", 0, Look::ShowSingularities },
   { "ConfigurationProposal", 0, Look::ShowSingularities },
   { "SingularityOptimizer", 0, Look::ShowSingularities },
-  { "CrossFieldSingularities", 0, Look::ShowSingularities }, { "DrillHoles", 0, ShowMesh },
-  { "PerforatedCrossField", 0, ShowNorm, true }, { "GinzburgLandauCrossField", 0, ShowNorm, true },
-  { "HField", 0, ShowSizes, true }, { "CrossGlyphs", 0, ShowCrosses },
-  { "Separatrices", 0, ShowLines }, { "Separatrices", 1, Look::ShowPatches },
-  { "QuadMesher", 0, ShowQuads }, { "QuadMesher", 1, Hide }, // the blocks would cover the quads
-  { "QuadMesher", 2, ShowOutline }, { "QuadMesher", 3, Look::ShowSingularities },
+  { "CrossFieldSingularities", 0, Look::ShowSingularities },
+  { "DrillHoles", 0, ShowMesh },
+  { "PerforatedCrossField", 0, ShowNorm, true },
+  { "GinzburgLandauCrossField", 0, ShowNorm, true },
+  { "HField", 0, ShowSizes, true },
+  { "CrossGlyphs", 0, ShowCrosses },
+  { "Separatrices", 0, ShowLines },
+  { "Separatrices", 1, Look::ShowPatches },
+  { "QuadMesher", 0, ShowQuads },
+  { "QuadMesher", 1, Hide }, // the blocks would cover the quads
+  { "QuadMesher", 2, ShowOutline },
+  { "QuadMesher", 3, Look::ShowSingularities },
   { "QuadMesher", 4, Hide }, // corners are visible in the outline
 } };
 
