@@ -166,8 +166,8 @@ public:
 
   ///@{
   /**
-   * Set while a handle is dragged: uses a coarser mesh that is fast enough to follow the handle
-   * (crossfield::LiveMeshSize), and draft quads. Handles switch it on and off. Default: off.
+   * Uses a coarser mesh that is fast enough to follow a handle (crossfield::LiveMeshSize), and
+   * draft quads. Handles switch it on while they are dragged. Default: off.
    */
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);

@@ -61,13 +61,16 @@ void AddSaveSingularitiesTo(CLI::App& command, std::string& file);
 void AddJsonTo(CLI::App& command, std::string& json);
 void AddModeTo(CLI::App& command, std::string& mode);
 void AddCoreRadiusTo(CLI::App& command, double& radius);
-/** `fallback` is the default in words. */
+/** Adds --clearance; `fallback` is the default in words. */
 void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fallback);
 void AddPairsTo(CLI::App& command, int& pairs);
-/** `names` are those of the flag that sets `cap` and, if any, of the one that clears it. */
+/**
+ * Adds the flag that sets `cap` and, if `names` has a second one, the flag that clears it; `names` as
+ * for CLI11.
+ */
 void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names);
 void AddRepairHolonomyTo(CLI::App& command, bool& repair);
-/** `arrays` is one of vtkCrossFieldArraySets. */
+/** Adds --arrays; `arrays` is one of vtkCrossFieldArraySets. */
 void AddArraysTo(CLI::App& command, int& arrays);
 ///@}
 

@@ -253,7 +253,7 @@ private:
     return kind == "named rows" ? object : list;
   }
 
-  /** Rows of the arrays in the field data. */
+  /** Returns the rows of the arrays in the field data. */
   OptionalJson Columns(const Json& entries, const Place& outer) const
   {
     vtkAbstractArray* first = this->Array((*entries.begin())[1], outer);

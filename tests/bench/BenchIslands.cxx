@@ -25,9 +25,9 @@ struct Plate
   Configuration configuration;
 };
 
-/// Islands of 16 sides at the centres of a lattice of squares, and singularities in rows between them.
-/// The last singularity balances the sum: the corners of the frame have index 1 each, and every island
-/// requires −4.
+/// Returns islands of 16 sides at the centres of a lattice of squares, and singularities in rows
+/// between them. The last singularity balances the sum: the corners of the frame have index 1 each,
+/// and every island requires −4.
 Plate MakePlate(int islands, int singularities)
 {
   const int across = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(islands))));

@@ -67,7 +67,7 @@ const TriangleMesh& MeshOf(std::int64_t triangles, bool holes = true)
 /// Seconds of a row by its requested size.
 using Row = std::map<std::int64_t, double>;
 
-/// Seconds of the factorisation alone in this run, with holes or without.
+/// Returns the seconds of the bare factorisation in this run, with holes or without.
 Row& BareSeconds(bool holes)
 {
   static Row seconds[2];
@@ -216,7 +216,7 @@ void FurtherConfiguration(benchmark::State& state)
   }
 }
 
-/// The time of the row is factor + solve; assembling has its own counter.
+/// Measures a solve. The time of the row is factor + solve; assembling has its own counter.
 void Solve(benchmark::State& state, PerforatedMethod method)
 {
   const TriangleMesh& mesh = MeshOf(state.range(0));
@@ -328,7 +328,7 @@ void WholeRun(benchmark::State& state, const char* arrays)
   std::remove(json.c_str());
 }
 
-/// The last size takes 3 GiB.
+/// Sets sizes up to four million triangles; the last size needs 3 GiB.
 void SizesToFourMillion(benchmark::internal::Benchmark* benchmark)
 {
   benchmark->Apply(Sizes)->Arg(4000000);

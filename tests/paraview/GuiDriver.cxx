@@ -134,7 +134,9 @@ extern "C"
     return false;
   }
 
-  /** File > Open: types the file name, and selects the reader in the list that follows. */
+  /**
+   * Opens a file with File > Open: types its name, and selects the reader in the list that follows.
+   */
   bool gui_open(const char* file, const char* reader)
   {
     const GuiDialogs::Response choose = { "pqSelectReaderDialog",
@@ -156,7 +158,10 @@ extern "C"
         GuiDialogs::ClickOk("pqSelectReaderDialog") });
   }
 
-  /** File > Save Data: types the file name, and selects a choice of a property in the options. */
+  /**
+   * Saves data with File > Save Data: types the file name, and selects a choice of a property in
+   * the options.
+   */
   bool gui_save(const char* file, const char* property, const char* choice)
   {
     const GuiDialogs::Response choose = { "pqProxyWidgetDialog",
@@ -178,7 +183,7 @@ extern "C"
         GuiDialogs::ClickOk("pqProxyWidgetDialog") });
   }
 
-  /** File > Load State, without the dialog that asks where the data are. */
+  /** Loads a state as File > Load State does, without the dialog that asks where the data are. */
   void gui_load_state(const char* file)
   {
     pqLoadStateReaction::loadState(file, true);

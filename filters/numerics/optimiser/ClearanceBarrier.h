@@ -27,13 +27,14 @@ public:
     Eigen::MatrixXd negativeHessian;
   };
 
-  /// κ is 1/10 of the product of the two quarter indices, or of the square of the index at the
+  /// Sets κ to 1/10 of the product of the two quarter indices, or of the square of the index at the
   /// boundary: gradients of W are about π/δ, so that minima of W at a distance of 1.5 δ move by
   /// 0.04 δ. Singularities of opposite sign attract each other and have no minimum there: κ is the
   /// negative product, which keeps them at 1.22 δ and the iteration well conditioned.
   ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance);
 
-  /// `positions`: two coordinates per singularity, in the length unit of the domain.
+  /// Evaluates the barrier at positions with two coordinates per singularity, in the length unit of
+  /// the domain.
   Value Evaluate(const Eigen::VectorXd& positions) const;
   double GetDistance() const { return this->Distance; }
 

@@ -49,7 +49,7 @@ struct ObjectiveOptions
 class OptimizerObjective
 {
 public:
-  /// `domain`: the original polygons, coarser than those of the mesh.
+  /// Constructs the objective. `domain` has the original polygons, coarser than those of the mesh.
   OptimizerObjective(std::shared_ptr<const PointPotential> potential, const PlanarDomain& domain,
     const Configuration& configuration, const ObjectiveOptions& options);
 

@@ -15,8 +15,8 @@ class Elimination
 public:
   using Row = std::vector<std::pair<int, double>>; ///< Unknown and coefficient.
 
-  /// `rank` has a rank per unknown: an equation eliminates the unknown of minimum rank among those
-  /// with coefficient ±1.
+  /// Constructs an elimination without equations. `rank` has a rank per unknown: an equation
+  /// eliminates the unknown of minimum rank among those with coefficient ±1.
   explicit Elimination(std::vector<int> rank)
     : Rank(std::move(rank))
     , Dependent(this->Rank.size())

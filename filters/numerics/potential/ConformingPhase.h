@@ -13,9 +13,9 @@ namespace crossfield
 class ConformingPhase
 {
 public:
-  /// `growth` has the growth of the phase along every entry of mesh.boundary, in its direction. On
-  /// holes it is not read: the growth around a hole is −2π times its quarter index. The phase is 0
-  /// at the first vertex of every loop.
+  /// Sets the boundary values from `growth`, the growth of the phase along every entry of
+  /// mesh.boundary, in its direction. On holes it is not read: the growth around a hole is −2π
+  /// times its quarter index. The phase is 0 at the first vertex of every loop.
   ConformingPhase(const PotentialOperator& laplacian, const Eigen::VectorXd& growth);
 
   /// Shifts every inner loop so that φ at the strip's first edge minus φ at its last is as given.

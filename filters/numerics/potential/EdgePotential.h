@@ -14,7 +14,7 @@ namespace crossfield
 class EdgePotential
 {
 public:
-  /// `potential` must outlive this object.
+  /// Stores a reference to `potential`, which must outlive this object.
   explicit EdgePotential(const PotentialSolver& potential)
     : Potential(potential)
     , Dirichlet(potential.GetDirichlet())

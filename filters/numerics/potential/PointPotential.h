@@ -43,8 +43,8 @@ public:
     Eigen::VectorXd periods; ///< Periods of R around inner loops; zero where the offsets are.
   };
 
-  /// `alignment` contains the sum of the quarter indices, which all configurations must have.
-  /// Throws Error when that sum violates Poincaré-Hopf, or when the mesh has holes.
+  /// Prepares the solution of configurations, all of which must have the sum of quarter indices in
+  /// `alignment`. Throws Error when that sum violates Poincaré-Hopf, or when the mesh has holes.
   PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment);
 
   /// Solves for a configuration. Throws Error when a singularity is not inside the domain, when it

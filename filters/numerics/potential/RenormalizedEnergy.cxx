@@ -37,7 +37,7 @@ std::vector<HalfFlow> FlowsOf(
   return flows;
 }
 
-/// R at the midpoints of boundary edges, in the Crouzeix-Raviart space.
+/// Returns R at the midpoints of boundary edges, in the Crouzeix-Raviart space.
 Eigen::VectorXd SolveOnEdges(
   const PointPotential& potential, const EdgePotential& onEdges, const std::vector<HalfFlow>& flows)
 {

@@ -24,8 +24,8 @@ inline Eigen::Index FirstUnknown(int point)
 class QuadEnergy
 {
 public:
-  /// `moves` marks the points that are not fixed, `sizePart` is a, `weights` are factors of the
-  /// quads.
+  /// Constructs the energy of a mesh. `moves` marks the points that are not fixed, `sizePart` is a,
+  /// `weights` are factors of the quads.
   QuadEnergy(const QuadMesh& mesh, const BoundaryCurves& curves, const std::vector<bool>& moves,
     double sizePart, std::vector<double> weights);
 

@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  /// Order of a heap with the lowest bound first.
+  /// Compares nodes for a heap with the lowest bound first.
   static bool HasHigherBound(const Node& a, const Node& b) { return a.bound > b.bound; }
 
   void SetBest(std::vector<int> counts)

@@ -12,8 +12,8 @@ namespace crossfield
 class BranchAndCut
 {
 public:
-  /// Only the arcs `free` are variables. The others keep the counts of `start`, which satisfy the
-  /// equations and are the best known.
+  /// Prepares a search in which only the arcs `free` are variables. The others keep the counts of
+  /// `start`, which satisfy the equations and are the best known.
   BranchAndCut(const QuantisationProblem& problem, const std::vector<int>& free,
     const std::vector<int>& start);
 

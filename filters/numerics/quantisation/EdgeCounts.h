@@ -5,8 +5,8 @@
 
 namespace crossfield
 {
-/// Bound on the rounding errors of a cost, which is a sum of products. Far below the change of cost
-/// by one edge.
+/// Returns a bound on the rounding errors of a cost, which is a sum of products. It is far below
+/// the change of cost by one edge.
 constexpr double CostRounding(double cost)
 {
   return 1e-9 * (1.0 + cost);

@@ -27,7 +27,8 @@ struct ColumnBounds
 class Relaxation
 {
 public:
-  /// Only the arcs `free` are variables. The others keep `counts`, which satisfy the equations.
+  /// Builds the relaxation in which only the arcs `free` are variables. The others keep `counts`,
+  /// which satisfy the equations.
   Relaxation(const QuantisationProblem& problem, const std::vector<int>& free,
     const std::vector<int>& counts);
 

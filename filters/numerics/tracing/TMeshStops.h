@@ -21,7 +21,7 @@ public:
   TMeshStops(const SeamlessMap& map, const TraceGraph& graph);
 
   const std::vector<TNode>& GetNodes() const { return this->Nodes; }
-  /// Number of nodes where two separatrices end on a third from opposite sides.
+  /// Returns the number of nodes where two separatrices end on a third from opposite sides.
   int CrossingCount() const { return this->Crossings; }
   /// Returns the node to which a node was joined, or the node itself.
   int Joined(int node) const { return this->Same[static_cast<std::size_t>(node)]; }

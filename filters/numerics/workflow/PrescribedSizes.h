@@ -26,8 +26,8 @@ struct RelativeSizes
 /// the boundary only, and divides them by their mean (docs/method.md §14.8).
 RelativeSizes ComputeRelativeSizes(const PrescribedSizes& sizes, const MeshTopology& topology);
 
-/// As above, on a mesh of the domain without singularities. `meshSize`: edge length of its
-/// triangles, 0 for the default.
+/// Does the same on a mesh of the domain without singularities. `meshSize` is the edge length of
+/// its triangles, 0 for the default.
 RelativeSizes ComputeRelativeSizes(
   const PrescribedSizes& sizes, const PlanarDomain& domain, double meshSize);
 }

@@ -12,7 +12,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// A square with two islands, one of them next to the boundary.
+/// Returns a square with two islands, one of them next to the boundary.
 SharedTopology WithIslands(double size)
 {
   const PlanarDomain domain =

@@ -49,7 +49,7 @@ PlanarDomain WithoutIslands()
   return MakePlanarDomain({ RegularPolygon(40) });
 }
 
-/// The same domain with two islands.
+/// Returns the same domain with two islands.
 PlanarDomain WithIslands()
 {
   return MakePlanarDomain({ RegularPolygon(40), RegularPolygon(4, 0.2, Point(0.4, 0.1)),

@@ -29,7 +29,7 @@ RenormalizedEnergyValue Evaluate(
   return EvaluateRenormalizedEnergy(potential, potential.Solve(configuration));
 }
 
-/// A disk of radius 1 with a square and a rectangle cut out.
+/// Returns a disk of radius 1 with a square and a rectangle cut out.
 PlanarDomain TwoIslands(double edgeLength)
 {
   return MakePlanarDomain({ Builtin("disk", edgeLength).loops[0],

@@ -23,7 +23,7 @@ Configuration Joined(Configuration first, const Configuration& second)
   return first;
 }
 
-/// Two singularities on a ring that leave a holonomy defect.
+/// Returns two singularities on a ring that cause a holonomy defect.
 Configuration PairOnRing()
 {
   return { { { 0.75, 0.05 }, 1, 0.05 }, { { -0.1, 0.65 }, -1, 0.05 } };

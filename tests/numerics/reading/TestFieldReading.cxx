@@ -11,7 +11,7 @@ namespace crossfield::test
 {
 namespace
 {
-/// The constant cross field along the axes.
+/// Returns the constant cross field along the axes.
 CrossField ConstantField(const TriangleMesh& mesh)
 {
   const SharedTopology topology = ShareTopology(mesh);
@@ -41,8 +41,8 @@ TEST(FieldReading, IndicesOfCornersAreFree)
   }
 }
 
-/// Π (z − b)^k (1 − conj(b) z)^k normalised to modulus one, aligned with the unit circle where Σ k
-/// = 4.
+/// Returns Π (z − b)^k (1 − conj(b) z)^k, normalised to modulus one; aligned with the unit circle
+/// if Σ k = 4.
 CrossField ExactField(const Configuration& singularities)
 {
   DrillOptions options;

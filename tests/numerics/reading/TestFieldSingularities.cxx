@@ -19,7 +19,7 @@ Complex AsComplex(const Point& point)
   return { point.x(), point.y() };
 }
 
-/// Normalised Π (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle when Σ k = 4.
+/// Returns the normalised Π (z − b)^k (1 − conj(b) z)^k, aligned with the unit circle if Σ k = 4.
 Complex ExactField(const Configuration& singularities, const Point& place)
 {
   const Complex z = AsComplex(place);

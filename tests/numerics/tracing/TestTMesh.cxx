@@ -210,7 +210,8 @@ TEST(TMesh, SeparatricesMeetHeadOnOnAnExactlySymmetricMesh)
   }
 }
 
-/// Two reflex corners that face each other, and a third separatrix through the middle between them.
+/// Returns a domain with two reflex corners that face each other, and with a third separatrix
+/// through the middle between them.
 PlanarDomain Junction(double depth, const std::array<double, 3>& shift)
 {
   return MakePlanarDomain(
