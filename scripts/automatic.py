@@ -1,6 +1,7 @@
 """Chooses singularities for domains and writes the page: pvpython automatic.py PROGRAM FOLDER [NAME...]
 
-Writes into FOLDER: NAME.csv, the singularities; NAME.vtu, their size field; names.txt; automatic.md.
+Writes into FOLDER: NAME.csv, the singularities; NAME.vtu, their size field; names.txt;
+automatic.md.
 """
 import json
 import math
@@ -97,7 +98,8 @@ class Domain:
         return json.loads(self.run("optimize", self.file, "--json", "-", *options))
 
     def random_start(self, indices, chance):
-        """Writes singularities with these indices at random positions, at least a hundredth of the diagonal from the boundary."""
+        """Writes singularities with these indices at random positions, at least a hundredth of the
+        diagonal from the boundary."""
         rows = []
         while len(rows) < len(indices):
             place = (chance.uniform(min(self.x), max(self.x)), chance.uniform(min(self.y), max(self.y)))

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Chooses singularities for the domains of the tests, compares them with those on finer meshes and from
-# random starts, draws them and writes the page docs/automatic.md, with pictures in docs/automatic/. Takes
-# several minutes.
+# Chooses singularities for the domains of the tests, compares them with those on finer meshes and
+# from random starts, draws them and writes the page docs/automatic.md, with pictures in
+# docs/automatic/. Takes several minutes.
 #
 #   scripts/build.sh && scripts/automatic.sh [FOLDER [NAME...]]
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the given presets, by default paraview511: the library, the Python package, the ParaView
-# plugin, the program and the tests, in build/. Installs missing Debian packages first. Compiles only
-# what has changed.
+# plugin, the program and the tests, in build/. Installs missing Debian packages first. Compiles
+# only what has changed.
 #
 #   scripts/build.sh [--without-tests] [PRESET...]
 #

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Meshes a plate with three holes: chooses singularities, which become the irregular nodes of an
-# all-quad mesh, and draws the mesh. Then computes and draws the cross field of the first figure of the
-# paper, on the unit disk with four singularities of quarter index 1. Results are in build/demo/.
+# all-quad mesh, and draws the mesh. Then computes and draws the cross field of the first figure of
+# the paper, on the unit disk with four singularities of quarter index 1. Results are in
+# build/demo/.
 #
 #   scripts/demo.sh           installs packages and builds first, without tests: 6 minutes on 2 cores
 #   scripts/demo.sh --built   uses the existing build

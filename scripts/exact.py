@@ -52,7 +52,8 @@ def image(place, factor=complex(0.2, 0.1)):
 
 
 def exact_image_energy(rows, factor=complex(0.2, 0.1)):
-    """Returns W of the images of `rows` on the image of the disk under z + a z² (tests/numerics/ExactFields.h)."""
+    """Returns W of the images of `rows` on the image of the disk under z + a z²
+    (tests/numerics/ExactFields.h)."""
     total = exact_energy(rows) - 8 * math.pi * math.log(1 - abs(2 * factor) ** 2)
     for x, y, k, _ in rows:
         own = 2 if math.hypot(x, y) > 1 - 1e-9 else 1
@@ -61,7 +62,8 @@ def exact_image_energy(rows, factor=complex(0.2, 0.1)):
 
 
 def exact_ring_energy(rows, inner=0.4):
-    """Returns W on the ring of outer radius 1, with the field of the holonomy defect (docs/method.md §5.3)."""
+    """Returns W on the ring of outer radius 1, with the field of the holonomy defect
+    (docs/method.md §5.3)."""
     powers = [inner ** (2 * n) for n in range(1, 40)]
 
     def theta(x):
@@ -95,7 +97,8 @@ class Run:
         return json.loads(result.stdout)
 
     def polygon(self, size, scale=1.0):
-        """Writes a polygon of the unit circle with sides of about this length; returns their number."""
+        """Writes a polygon of the unit circle with sides of about this length; returns their
+        number."""
         count = round(2 * math.pi / size)
         (self.folder / "disk.csv").write_text("x,y\n" + "".join("%.17g,%.17g\n" % (
             scale * math.cos(2 * math.pi * i / count), scale * math.sin(2 * math.pi * i / count))
@@ -109,7 +112,8 @@ class Run:
             for i, loop in enumerate(loops) for place in loop), encoding="utf-8")
 
     def error_of_h(self, given, size):
-        """Returns the maximum error of H at the vertices of the mesh; H has the area mean 0 (docs/method.md §11.2)."""
+        """Returns the maximum error of H at the vertices of the mesh; H has the area mean 0
+        (docs/method.md §11.2)."""
         self("hfield", "builtin:disk", given, "--size", size, "-o", "h.vtu")
         arrays = verified.read(self.folder / "h.vtu")
         largest = 0.0
@@ -125,7 +129,8 @@ class Run:
         return self("energy", domain, rows, *more)["configurations"][0]
 
     def on_circle(self, size, part, inside, quarters):
-        """Returns W and its exact value for points on the polygon: at vertices (0), in the middle of sides (1/2)."""
+        """Returns W and its exact value for points on the polygon: at vertices (0), in the middle
+        of sides (1/2)."""
         count = self.polygon(size)
         given, exact = list(inside), list(inside)
         for angle, quarter in quarters:
@@ -140,7 +145,8 @@ class Run:
 
 
 def row(what, exact, found, digits=4, angle=False):
-    """Returns name, exact value and computed values as text, and the errors of the computed values."""
+    """Returns name, exact value and computed values as text, and the errors of the computed
+    values."""
     errors = [abs(math.remainder(value - exact, 2 * math.pi) if angle else value - exact)
               for value in found]
     text = ", ".join("%.*f" % (digits, value) for value in found)
@@ -167,7 +173,8 @@ def disk_rows(run):
         values.append(run.energy("disk.csv", SQUARE, "--size", size)["renormalized_energy"])
     yield row("W, disk, four k = 1 at radius 0.6", exact_energy(SQUARE), values)
     for part, place in ((0.0, "at a vertex"), (0.5, "on a side")):
-        # The position depends on the polygon: the exact value is that of the finest; each error uses its own.
+        # The position depends on the polygon: the exact value is that of the finest; each error
+        # uses its own.
         found = [run.on_circle(size, part, inside, [(0.3, 1)]) for size in SIZES]
         exact = found[-1][1]
         yield row("W, disk, one k = 1 on the circle, " + place, exact,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Computes and draws every figure of the paper and writes the gallery page docs/gallery.md, with pictures
-# in docs/gallery/. Fields and table are in build/figures/. FOLDER replaces docs.
+# Computes and draws every figure of the paper and writes the gallery page docs/gallery.md, with
+# pictures in docs/gallery/. Fields and table are in build/figures/. FOLDER replaces docs.
 #
 #   scripts/build.sh && scripts/figures.sh [FOLDER]
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs the tests of the numerics with different kernels of OpenBLAS, which add in different orders: this finds tests that
-# hold for one rounding only. Run it manually, after a build.
+# Runs the tests of the numerics with different kernels of OpenBLAS, which add in different orders:
+# this finds tests that hold for one rounding only. Run it manually, after a build.
 #
 #   scripts/kernels.sh [KERNELS ...]      default: Haswell Prescott; others: SkylakeX, Cooperlake, Zen
 set -euo pipefail

@@ -1,4 +1,5 @@
-"""Prints the table of docs/limits.md: seconds and memory of whole runs, from the domain to the .vtu.
+"""Prints the table of docs/limits.md: seconds and memory of whole runs, from the domain to the
+.vtu.
 
     python3 scripts/limits.py build/bin/crossfield [TRIANGLES...]      100000 1000000 4000000
 """

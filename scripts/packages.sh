@@ -49,8 +49,8 @@ if [[ $tests == yes ]]; then
 fi
 if [[ $all == yes ]]; then
   packages+=(
-    # find_package(VTK) looks for these in VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes its
-    # libraries find each other.
+    # find_package(VTK) looks for these in VTK 9.1, which scripts/vtk91.sh unpacks; patchelf makes
+    # its libraries find each other.
     libjsoncpp-dev libtbb-dev patchelf
     # The checked build: sanitizers, libFuzzer, OpenMP, gcov and clang-tidy of clang.
     clang-14 clang-tidy-14 gcovr libclang-rt-14-dev libomp-14-dev llvm-14

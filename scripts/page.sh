@@ -3,8 +3,8 @@
 #
 #   scripts/page.sh PAGE PYTHON MAKER DRAWER [FOLDER [NAME...]]
 #
-# `PYTHON MAKER PROGRAM MADE NAME...` writes PAGE.md, names.txt and the files that DRAWER draws into the
-# folder MADE. The page is copied to FOLDER, by default docs, and the pictures to FOLDER/PAGE.
+# `PYTHON MAKER PROGRAM MADE NAME...` writes PAGE.md, names.txt and the files that DRAWER draws into
+# the folder MADE. The page is copied to FOLDER, by default docs, and the pictures to FOLDER/PAGE.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 page=$1 python=$2 maker=$3 drawer=$4

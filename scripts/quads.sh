@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Meshes and draws the domains of the gallery of quads and writes the page docs/quads.md, with pictures in
-# docs/quads/. FOLDER replaces docs; NAME selects domains.
+# Meshes and draws the domains of the gallery of quads and writes the page docs/quads.md, with
+# pictures in docs/quads/. FOLDER replaces docs; NAME selects domains.
 #
 #   scripts/build.sh && scripts/quads.sh [FOLDER [NAME...]]
 set -euo pipefail

@@ -1,7 +1,7 @@
 """Meshes the domains of the gallery of quads and writes the page: python3 quads_gallery.py PROGRAM FOLDER [NAME...]
 
-The domain is the only input and the number of quads the only option. Writes into FOLDER: NAME.vtu, NAME.vtp (the
-layout) and quads.md.
+The domain is the only input and the number of quads the only option. Writes into FOLDER: NAME.vtu,
+NAME.vtp (the layout) and quads.md.
 """
 import json
 import pathlib

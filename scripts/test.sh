@@ -33,8 +33,8 @@ done
 scripts/build.sh "${presets[@]}"
 echo "Installed and built in $((SECONDS / 60)) minutes: ${presets[*]}"
 
-# clang's OpenMP (build checked) leaves an empty file when a process is stopped as it starts, and the
-# next process with the same number then aborts.
+# clang's OpenMP (build checked) leaves an empty file when a process is stopped as it starts, and
+# the next process with the same number then aborts.
 find /dev/shm -maxdepth 1 -name '__KMP_REGISTERED_LIB_*' -size 0 -mmin +1 -delete || true
 
 # Runs the tests of one build: run_tests FOLDER LIST

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs clang-tidy with the checks of .clang-tidy. Exits with 1 if it finds anything. Run it before a change
-# is merged; `scripts/test.sh --all` leaves it out because it takes 15 seconds per file.
+# Runs clang-tidy with the checks of .clang-tidy. Exits with 1 if it finds anything. Run it before a
+# change is merged; `scripts/test.sh --all` leaves it out because it takes 15 seconds per file.
 #
 #   cmake --preset checked -DPython3_EXECUTABLE=/usr/bin/python3
 #   scripts/tidy.sh [FILE...]     without files: all of filters and pipelines

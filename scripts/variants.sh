@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Computes the examples of docs/variants.md: every variant of the paper on its own example. Fields and
-# tables are written to build/variants/, pictures to docs/ or FOLDER.
+# Computes the examples of docs/variants.md: every variant of the paper on its own example. Fields
+# and tables are written to build/variants/, pictures to docs/ or FOLDER.
 #
 #   scripts/build.sh && scripts/variants.sh [FOLDER]
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Unpacks Debian's VTK 9.1 into build-vtk91/vtk, because its packages conflict with those of ParaView.
-# The preset vtk91 uses it, and build-vtk91/vtk/bin/python3 can import it. Returns at once if VTK is
-# there already.
+# Unpacks Debian's VTK 9.1 into build-vtk91/vtk, because its packages conflict with those of
+# ParaView. The preset vtk91 uses it, and build-vtk91/vtk/bin/python3 can import it. Returns at once
+# if VTK is there already.
 #
 #   scripts/vtk91.sh
 set -euo pipefail

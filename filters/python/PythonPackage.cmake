@@ -1,5 +1,5 @@
-# The Python package around the wrapped classes. It is copied to ${package_directory} and installed from there, so build
-# tree and installation have the same files.
+# The Python package around the wrapped classes. It is copied to ${package_directory} and installed
+# from there, so build tree and installation have the same files.
 
 # Names of arrays, generated from the C++ header.
 set(header "${CMAKE_CURRENT_LIST_DIR}/../vtk/vtkCrossFieldArrayNames.h")
@@ -23,7 +23,8 @@ foreach (file IN ITEMS __init__.pyi _boundary.py _configurations.py _functions.p
 endforeach ()
 list(TRANSFORM package_files PREPEND "${package_directory}/")
 
-# Types of the wrapped classes. The module that generates them is missing in Debian's VTK 9.1, where every class is Any.
+# Types of the wrapped classes. The module that generates them is missing in Debian's VTK 9.1, where
+# every class is Any.
 if (NOT Python3_EXECUTABLE)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
 endif ()

@@ -15,7 +15,8 @@ from .vtkCrossFieldFilters import vtkBoundarySimplifier
 def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[float] = None,
              smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0
              ) -> tuple[Union[vtkPolyData, vtkUnstructuredGrid], float]:
-    """Returns a domain with less detail in its boundary, and the maximum distance that the boundary was moved.
+    """Returns a domain with less detail in its boundary, and the maximum distance that the boundary
+    was moved.
 
     domain  as for `solve`
     size    target edge length of the mesh; default: 1/40 of the diagonal

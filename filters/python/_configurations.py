@@ -29,8 +29,8 @@ def checked(size: Optional[float]) -> float:
 def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional[float],
            corners: Union[Corners, Singularities],
            properties: Optional[dict[str, Any]] = None) -> Configuration:
-    """Singularities that vtkConfigurationProposal, with these properties, chooses for a domain and moves to a minimum
-    of the energy."""
+    """Singularities that vtkConfigurationProposal, with these properties, chooses for a domain and
+    moves to a minimum of the energy."""
     proposal = _proposal(pipeline, domain, given, size, corners)
     for name, value in (properties or {}).items():
         getattr(proposal, "Set" + name)(value)
@@ -41,8 +41,8 @@ def chosen(pipeline: Pipeline, domain: Any, given: Singularities, size: Optional
 def give(pipeline: Pipeline, algorithm: Any, domain: Any, singularities: Singularities,
          size: Optional[float], corners: Union[Corners, Singularities],
          properties: Optional[dict[str, Any]] = None) -> Optional[Configuration]:
-    """Gives a filter its singularities and corners; returns the singularities if vtkConfigurationProposal, with these
-    properties, had to choose them."""
+    """Gives a filter its singularities and corners; returns the singularities if
+    vtkConfigurationProposal, with these properties, had to choose them."""
     if singularities is None:
         choice = chosen(pipeline, domain, None, size, corners, properties)
         algorithm.SetSingularitiesData(choice.data)
@@ -70,11 +70,12 @@ def propose(domain: Domain, singularities: Singularities = None, *, size: Option
             corners: Union[Corners, Singularities] = None, cancel_flat_corners: bool = False,
             automatic: bool = False, clearance: Optional[float] = None,
             keep_all: bool = False) -> Configuration:
-    """Proposes singularities that can exist on a domain: those given and those that the domain still needs.
+    """Proposes singularities that can exist on a domain: those given and those that the domain
+    still needs.
 
-    With `automatic` they are moved to a minimum of the energy, as `solve` does if none are given; `clearance` and
-    `keep_all` are then those of `optimize`. `cancel_flat_corners` adds pairs that cancel corners of 135 to 180
-    degrees. The other arguments are those of `solve`.
+    With `automatic` they are moved to a minimum of the energy, as `solve` does if none are given;
+    `clearance` and `keep_all` are then those of `optimize`. `cancel_flat_corners` adds pairs that
+    cancel corners of 135 to 180 degrees. The other arguments are those of `solve`.
 
     >>> propose("builtin:disk").quarter_index.tolist()
     [1, 1, 1, 1]
@@ -105,8 +106,8 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
     size_array  with `even` or `pairs`: name of a point array of the domain with target sizes, as for `quads`; sizes
                 are then in proportion to these, and the spread is that of log(size / target size)
 
-    The other arguments are those of `solve`. Without singularities it starts from a proposal. If it does not
-    converge, there is a RuntimeWarning, and report["converged"] is False.
+    The other arguments are those of `solve`. Without singularities it starts from a proposal. If it
+    does not converge, there is a RuntimeWarning, and report["converged"] is False.
 
     >>> better = optimize("builtin:disk", [(0.1, 0.2, 1), (-0.3, 0.5, 1), (-0.5, -0.6, 1), (0.3, 0, 1)])
     >>> better.report["converged"], better.points.shape
@@ -139,10 +140,12 @@ def optimize(domain: Domain, singularities: Singularities = None, *, size: Optio
 
 def energy(domain: Domain, *configurations: Singularities, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None) -> list[dict[str, Any]]:
-    """Computes the energies of configurations, the best first, with the keys of `crossfield energy --json`.
+    """Computes the energies of configurations, the best first, with the keys of `crossfield energy
+    --json`.
 
-    Each entry has the number of its `configuration`, counted from 0, and whether it is `consistent`; the energies of
-    an inconsistent one are NaN. Without configurations the energy of a chosen one is computed.
+    Each entry has the number of its `configuration`, counted from 0, and whether it is
+    `consistent`; the energies of an inconsistent one are NaN. Without configurations the energy of
+    a chosen one is computed.
 
     >>> inner = [(0.3, 0.3, 1), (-0.3, 0.3, 1), (-0.3, -0.3, 1), (0.3, -0.3, 1)]
     >>> [row["configuration"] for row in energy("builtin:disk", inner, None)]

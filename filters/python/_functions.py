@@ -48,8 +48,9 @@ def drill(domain: Domain, singularities: Singularities = None, *, size: Optional
           minimum_hole_edges: int = 32, gradation: float = 0.25) -> Mesh:
     """Triangulates a domain with a small hole at every singularity.
 
-    The arguments are those of `solve`; without singularities they are chosen. `gradation` is the maximum growth of
-    the edge length per unit of distance, `minimum_hole_edges` the minimum number of edges on a hole.
+    The arguments are those of `solve`; without singularities they are chosen. `gradation` is the
+    maximum growth of the edge length per unit of distance, `minimum_hole_edges` the minimum number
+    of edges on a hole.
 
     >>> mesh = drill("builtin:square", [(1.5, 1, 1, 0.1), (0.5, 1, -1, 0.1)])
     >>> sorted(set(mesh.quarter_index.tolist()))
@@ -67,7 +68,8 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
           method: str = "unit-norm", start: Optional[str] = None, unit_holes: bool = False,
           corners: Union[Corners, Singularities] = None, epsilon: Optional[float] = None,
           minimum_hole_edges: int = 32, gradation: float = 0.25, arrays: str = "all") -> CrossField:
-    """Computes the smoothest cross field that is aligned with the boundary and has these singularities.
+    """Computes the smoothest cross field that is aligned with the boundary and has these
+    singularities.
 
     domain         a loop, an array (n, 2) of points; a list of loops; any vtkDataSet with boundary
                    lines or a surface mesh; a file; or "builtin:NAME". Loops may be in any plane of
@@ -146,10 +148,11 @@ def solve(domain: Domain, singularities: Singularities = None, *, size: Optional
 
 def hfield(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
            corners: Union[Corners, Singularities] = None, arrays: str = "all") -> HField:
-    """Computes the size field H, its size map and its cross field of norm one, with singularities as points.
+    """Computes the size field H, its size map and its cross field of norm one, with singularities
+    as points.
 
-    The arguments are those of `solve`; singularities may be on the boundary. `domain` can also be the
-    `grid` of a drilled mesh, whose holes are then the singularities.
+    The arguments are those of `solve`; singularities may be on the boundary. `domain` can also be
+    the `grid` of a drilled mesh, whose holes are then the singularities.
 
     >>> field = hfield("builtin:disk", [(0, 0, 4)])
     >>> field.h.shape == field.size_map.shape == (len(field.points),)
@@ -174,9 +177,10 @@ def check(domain: Domain, singularities: Singularities = None, *,
           holonomy: bool = True) -> ConsistencyCheck:
     """Checks whether singularities can exist on a domain, and why, by the Poincaré-Hopf theorem.
 
-    The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is then checked
-    itself. A vertex of the boundary that turns by more than `corner_angle` degrees is a corner. `holonomy` also
-    computes the holonomy defects of inner loops, which takes a solve. A configuration that cannot exist is no error.
+    The arguments are those of `solve`; `domain` can also be the `grid` of a solved field, which is
+    then checked itself. A vertex of the boundary that turns by more than `corner_angle` degrees is
+    a corner. `holonomy` also computes the holonomy defects of inner loops, which takes a solve. A
+    configuration that cannot exist is no error.
 
     >>> checked = check("builtin:disk", [(0, 0, 1)])
     >>> checked.consistent, checked.report["required_interior_quarters"]
@@ -205,10 +209,12 @@ def check(domain: Domain, singularities: Singularities = None, *,
 
 def corners(domain: Domain, *, corner_angle: float = 30.0, printed_coefficient: bool = False,
             overrides: Sequence[tuple[float, float, int]] = ()) -> Corners:
-    """Computes the quarter indices of corners that have minimum energy with the singularities that they require.
+    """Computes the quarter indices of corners that have minimum energy with the singularities that
+    they require.
 
-    `overrides` are rows of x, y and quarter index for the corner nearest to (x, y), in coordinates of the domain's
-    plane. `printed_coefficient` counts interior singularities twice, as the formula printed in the paper does.
+    `overrides` are rows of x, y and quarter index for the corner nearest to (x, y), in coordinates
+    of the domain's plane. `printed_coefficient` counts interior singularities twice, as the formula
+    printed in the paper does.
 
     >>> found = corners("builtin:l-shape")
     >>> found.quarter_index.tolist(), found.interior_quarters
@@ -241,13 +247,13 @@ def separatrices(domain: Domain, singularities: Singularities = None, *,
                  size: Optional[float] = None, corners: Union[Corners, Singularities] = None,
                  cap_corners: bool = False, repair_holonomy: bool = False,
                  seeds: Singularities = None) -> Separatrices:
-    """Traces the separatrices of a cross field, the lines that leave its singularities, and the rectangles between
-    them.
+    """Traces the separatrices of a cross field, the lines that leave its singularities, and the
+    rectangles between them.
 
-    The arguments are those of `solve`, without holes. `cap_corners` treats very sharp corners (quarter index 2) as
-    ordinary ones (index 1). `repair_holonomy` moves singularities slightly so that grid lines close up around each
-    hole; `report["repair"]` has the distance. From each of `seeds`, points as `singularities`, four streamlines are
-    traced.
+    The arguments are those of `solve`, without holes. `cap_corners` treats very sharp corners
+    (quarter index 2) as ordinary ones (index 1). `repair_holonomy` moves singularities slightly so
+    that grid lines close up around each hole; `report["repair"]` has the distance. From each of
+    `seeds`, points as `singularities`, four streamlines are traced.
 
     >>> found = separatrices("builtin:l-shape")
     >>> len(found.lines), len(found.faces)

@@ -119,8 +119,8 @@ def _read_gmsh(path: str) -> vtkPolyData:
 
 
 def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an aerofoil .dat, or
-    a .msh of Gmsh if meshio is installed.
+    """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
+    aerofoil .dat, or a .msh of Gmsh if meshio is installed.
 
     Raises Error if there is no such file, it cannot be read or holds no cells.
     """
@@ -157,7 +157,8 @@ def _read_with(kind: Any, path: str) -> Any:
 
 
 def _as_curves_or_surfaces(data: vtkDataSet) -> Union[vtkPolyData, vtkUnstructuredGrid]:
-    """Returns one of the two types that the filters read; the cells of other data sets are copied."""
+    """Returns one of the two types that the filters read; the cells of other data sets are
+    copied."""
     if isinstance(data, (vtkPolyData, vtkUnstructuredGrid)):
         return data
     append = vtkAppendFilter()

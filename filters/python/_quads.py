@@ -61,8 +61,8 @@ class QuadMesh:
     layout_data: vtkPolyData
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes `grid` to a .vtu file; other endings (.msh, .inp, .su2) are written by meshio: quads and
-        boundary lines, with the loop of each line."""
+        """Writes `grid` to a .vtu file; other endings (.msh, .inp, .su2) are written by meshio:
+        quads and boundary lines, with the loop of each line."""
         if os.fspath(path).lower().endswith(".vtu"):
             write_grid(self.grid, path)
             return

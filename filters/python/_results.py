@@ -104,10 +104,11 @@ class CrossField(Mesh):
     report         numbers of the solver, with the keys of `crossfield solve --json`
     grid           the field as a vtkUnstructuredGrid
 
-    u and the angles refer to the frame of the plane: (x, y) if z is constant, (y, z) if x is, (x, z) if y is; in any
-    other plane to the nearest of these three, turned into the plane by the shortest rotation. Crosses and values at
-    points are the arrays of `grid`, in single precision. They are None if the choice of `arrays` leaves them out:
-    crosses and norms with "exact", the angles at points also with "display".
+    u and the angles refer to the frame of the plane: (x, y) if z is constant, (y, z) if x is, (x,
+    z) if y is; in any other plane to the nearest of these three, turned into the plane by the
+    shortest rotation. Crosses and values at points are the arrays of `grid`, in single precision.
+    They are None if the choice of `arrays` leaves them out: crosses and norms with "exact", the
+    angles at points also with "display".
     """
 
     u: np.ndarray
@@ -163,7 +164,8 @@ class Configuration:
 
 
 def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
-    """Returns the singularities in an output of a filter, and the corners in the next one, if any."""
+    """Returns the singularities in an output of a filter, and the corners in the next one, if
+    any."""
     data = algorithm.GetOutputDataObject(port)
     events = data.GetFieldData().GetAbstractArray(names.Events)
     has_radii = bool(data.GetPointData().HasArray(names.Radius))
@@ -293,7 +295,8 @@ class Corners:
 
 @dataclass(frozen=True)
 class Separatrices:
-    """Separatrices, the lines that leave the singularities of a cross field, and the rectangles between them.
+    """Separatrices, the lines that leave the singularities of a cross field, and the rectangles
+    between them.
 
     lines          list of (n, 3) float, a polyline each; streamlines from seeds at the end
     singularity    (l,) int, row of the singularity where a line starts; -1 for corners and streamlines
@@ -329,7 +332,8 @@ def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:
 
 def separatrices_of(lines: vtkPolyData, faces: vtkPolyData, map: vtkUnstructuredGrid,
                     chosen: Optional[Configuration]) -> Separatrices:
-    """Returns lines, faces and their map; the report lists the singularities if they were chosen."""
+    """Returns lines, faces and their map; the report lists the singularities if they were
+    chosen."""
     data, sizes = lines.GetCellData(), faces.GetCellData()
     outline = copied(faces.GetPointData(), names.FaceId)  # points are ordered by face
     return Separatrices(

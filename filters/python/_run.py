@@ -24,7 +24,8 @@ class Error(RuntimeError):
 
 
 def _sentence(text: str) -> str:
-    """Returns the sentence in a text of VTK, "ERROR: In FILE, line N\\nvtkClass (0x...): sentence\\n\\n"."""
+    """Returns the sentence in a text of VTK, "ERROR: In FILE, line N\\nvtkClass (0x...):
+    sentence\\n\\n"."""
     return text.split("): ", 1)[-1].strip()
 
 

@@ -2,8 +2,8 @@
 #define vtkCrossFieldArrayNames_h
 
 /**
- * Names of the arrays that the filters read and write. Shapes and meanings are in the class comments of
- * the filters that write the arrays; reports.json lists those that reports contain.
+ * Names of the arrays that the filters read and write. Shapes and meanings are in the class
+ * comments of the filters that write the arrays; reports.json lists those that reports contain.
  */
 namespace vtkCrossFieldArrayNames
 {
@@ -130,7 +130,8 @@ constexpr const char* ExtraLines = "ExtraLines";
 constexpr const char* HeadOn = "HeadOn";
 constexpr const char* Longest = "Longest";
 constexpr const char* Mismatch = "Mismatch";
-// Texts for a view, and their field data: vtkPoincareHopfCheck, vtkPerforatedCrossField, vtkLayoutDesigner.
+// Texts for a view, and their field data: vtkPoincareHopfCheck, vtkPerforatedCrossField,
+// vtkLayoutDesigner.
 constexpr const char* Alarm = "Alarm";
 // Field data of singularities that are not in z = const: origin and axes of their plane.
 constexpr const char* Plane = "Plane";

@@ -1,6 +1,7 @@
 /**
- * Values of the property Arrays of filters that compute a cross field: the sets of arrays that they write.
- * The exact field is in double precision; arrays that follow from it are in single precision.
+ * Values of the property Arrays of filters that compute a cross field: the sets of arrays that they
+ * write. The exact field is in double precision; arrays that follow from it are in single
+ * precision.
  */
 
 #ifndef vtkCrossFieldArraySets_h

@@ -1,7 +1,7 @@
 """State: two configurations on one domain, their fields side by side and their energies in a table.
 
-The table has one row for each configuration, the best first: singularities at distance 0.85 from the
-centre of the disk have a lower energy than at 0.6. The titles show the number of unwanted
+The table has one row for each configuration, the best first: singularities at distance 0.85 from
+the centre of the disk have a lower energy than at 0.6. The titles show the number of unwanted
 singularities of each field.
 """
 import math

@@ -1,11 +1,11 @@
 """State: the layout of eight singularities on a disk, to be dragged.
 
-Select *Designer* and drag its handles, edit its rows, or use its buttons. To design a domain of your
-own, change the input of the designer.
+Select *Designer* and drag its handles, edit its rows, or use its buttons. To design a domain of
+your own, change the input of the designer.
 
-Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1, blue
-at -1, and grey if the layout is that of earlier positions. Thin lines are quads, drafts while a handle
-is dragged. The text summarises the quality of the layout, or reports why there is none.
+Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1,
+blue at -1, and grey if the layout is that of earlier positions. Thin lines are quads, drafts while
+a handle is dragged. The text summarises the quality of the layout, or reports why there is none.
 """
 from paraview.simple import *
 

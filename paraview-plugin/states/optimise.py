@@ -1,8 +1,8 @@
 """State: four scattered singularities move to the lowest energy.
 
-Green points are the start, red points the result, and grey lines the paths between them, computed when
-the state is loaded. The curve is the renormalised energy W over the iterations (lower is better). The
-field is that of the moved singularities.
+Green points are the start, red points the result, and grey lines the paths between them, computed
+when the state is loaded. The curve is the renormalised energy W over the iterations (lower is
+better). The field is that of the moved singularities.
 """
 from paraview import servermanager
 from paraview.simple import *

@@ -1,10 +1,10 @@
 """State: place singularities with the mouse and see the field.
 
-Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles in
-the view: the field follows. With *Live* switched off in its panel, the field follows when a handle is
-released. Spheres are red for positive quarter indices and blue for negative ones. The upper text
-reports whether the singularities can exist on the domain, the lower text whether the field has
-unwanted singularities.
+Load the plugin, then this file with *File, Load State*. Select *Singularities* and drag its handles
+in the view: the field follows. With *Live* switched off in its panel, the field follows when a
+handle is released. Spheres are red for positive quarter indices and blue for negative ones. The
+upper text reports whether the singularities can exist on the domain, the lower text whether the
+field has unwanted singularities.
 """
 from paraview.simple import *
 

@@ -1,7 +1,8 @@
 """State: an all-quad mesh of a disk with six irregular nodes, and its blocks.
 
-Change the rows of the singularities and press *Apply*. Without singularities the mesher chooses them.
-Blocks have pale colours and thick outlines; nodes of valence 3 are red, nodes of valence 5 blue.
+Change the rows of the singularities and press *Apply*. Without singularities the mesher chooses
+them. Blocks have pale colours and thick outlines; nodes of valence 3 are red, nodes of valence 5
+blue.
 """
 from paraview.simple import *
 

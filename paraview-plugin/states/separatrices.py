@@ -1,7 +1,7 @@
 """State: the separatrices of eight singularities in a ring, and the patches between them.
 
-There are four singularities of each sign. Separatrices are red if they start at quarter index 1, blue
-at -1; patches have pale colours; thin black lines are streamlines of the field from one seed.
+There are four singularities of each sign. Separatrices are red if they start at quarter index 1,
+blue at -1; patches have pale colours; thin black lines are streamlines of the field from one seed.
 """
 from paraview.simple import *
 

@@ -1,7 +1,7 @@
 """State: the size field H, the quad sizes that follow from it, and its crosses.
 
-The disk has five singularities of both signs. Colours are the size map; lines are contours of the size
-field H, which meet straight boundaries at right angles.
+The disk has five singularities of both signs. Colours are the size map; lines are contours of the
+size field H, which meet straight boundaries at right angles.
 """
 from paraview.simple import *
 

@@ -65,8 +65,8 @@ void AddCoreRadiusTo(CLI::App& command, double& radius);
 void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fallback);
 void AddPairsTo(CLI::App& command, int& pairs);
 /**
- * Adds the flag that sets `cap` and, if `names` has a second one, the flag that clears it; `names` as
- * for CLI11.
+ * Adds the flag that sets `cap` and, if `names` has a second one, the flag that clears it; `names`
+ * as for CLI11.
  */
 void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names);
 void AddRepairHolonomyTo(CLI::App& command, bool& repair);

@@ -70,7 +70,8 @@ def draw_scalar(field, view, name, preset):
     colours.ApplyPreset(preset, True)
     array = servermanager.Fetch(field).GetPointData().GetArray(name)
     values = sorted(array.GetValue(i) for i in range(array.GetNumberOfTuples()))
-    # Values are infinite at singularities; leaving out the extremes keeps the colours of the others.
+    # Values are infinite at singularities; leaving out the extremes keeps the colours of the
+    # others.
     colours.RescaleTransferFunction(values[len(values) // 25], values[-len(values) // 25])
     draw_lines(boundary(field, 1, 2), view, [0.2, 0.2, 0.2], 2)
 

@@ -1,4 +1,5 @@
-// Quantisation of random configurations on the unit disk: time of the search and gap to the optimum.
+// Quantisation of random configurations on the unit disk: time of the search and gap to the
+// optimum.
 
 #include "Quantisation.h"
 

@@ -1,6 +1,6 @@
 /**
- * Seconds of the holonomy defects, and of H by the numbers of singularities and of islands: disks in a
- * square, singularities of alternating sign between them.
+ * Seconds of the holonomy defects, and of H by the numbers of singularities and of islands: disks
+ * in a square, singularities of alternating sign between them.
  *
  *   build/bin/benchStages --benchmark_filter=Islands
  */

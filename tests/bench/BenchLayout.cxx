@@ -1,6 +1,6 @@
 /**
- * Seconds of one step of dragging a singularity: twelve singularities on the unit disk, of which one moves
- * with every iteration; the domain is meshed and factored once.
+ * Seconds of one step of dragging a singularity: twelve singularities on the unit disk, of which
+ * one moves with every iteration; the domain is meshed and factored once.
  *
  *   build/bin/benchStages --benchmark_filter=Drag
  */
@@ -19,7 +19,8 @@ namespace
 {
 using namespace crossfield;
 
-/// Returns eight k = 1 at radius 0.7 and four k = −1 at radius 0.35; the first moves on a small circle.
+/// Returns eight k = 1 at radius 0.7 and four k = −1 at radius 0.35; the first moves on a small
+/// circle.
 Configuration Twelve(std::int64_t step)
 {
   Configuration configuration;
@@ -54,8 +55,8 @@ void DragField(benchmark::State& state)
   }
 }
 
-/// Measures W, mesh, map, separatrices and patches; with 1 also edge counts and blocks of quads, not
-/// smoothed; with 2 smoothed quads.
+/// Measures W, mesh, map, separatrices and patches; with 1 also edge counts and blocks of quads,
+/// not smoothed; with 2 smoothed quads.
 void DragLayout(benchmark::State& state)
 {
   const FactoredDomain domain = Disk(state.range(0));

@@ -31,8 +31,9 @@ SharedTopology TopologyOnPoints(std::int64_t triangles)
     MeshThroughPoints(MakePlanarDomain(MakeBuiltinDomain(disk)), EightHoles(), disk.edgeLength));
 }
 
-/// Measures the seamless map of eight points, including H, and the separatrices and patches of its T-mesh.
-/// The time of the row is the total; the counter H is for assembling, factoring and solving H alone.
+/// Measures the seamless map of eight points, including H, and the separatrices and patches of its
+/// T-mesh. The time of the row is the total; the counter H is for assembling, factoring and solving
+/// H alone.
 void MapAndLines(benchmark::State& state)
 {
   const SharedTopology topology = TopologyOnPoints(state.range(0));

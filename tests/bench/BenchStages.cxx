@@ -107,7 +107,8 @@ void Mesh(benchmark::State& state)
   }
 }
 
-/// Factors the matrix of the free unknowns as an implementation of the paper would. Returns the seconds.
+/// Factors the matrix of the free unknowns as an implementation of the paper would. Returns the
+/// seconds.
 double FactorBare(benchmark::State& state, const TriangleMesh& mesh)
 {
   const EdgeNumbering edges = NumberEdges(mesh);
@@ -179,7 +180,8 @@ void BareCholmod(benchmark::State& state)
   BareSeconds(true)[state.range(0)] = FactorBare(state, MeshOf(state.range(0)));
 }
 
-/// Measures the same on the mesh without holes, for comparison with SolveH and FurtherConfiguration.
+/// Measures the same on the mesh without holes, for comparison with SolveH and
+/// FurtherConfiguration.
 void BareCholmodWithoutHoles(benchmark::State& state)
 {
   BareSeconds(false)[state.range(0)] = FactorBare(state, MeshOf(state.range(0), false));
@@ -237,8 +239,8 @@ void Solve(benchmark::State& state, PerforatedMethod method)
   }
 }
 
-/// Returns holes of 32 edges and radius 0.01 on the unit disk, with alternating signs, on a spiral of
-/// equal areas; the last ones complete the sum of four.
+/// Returns holes of 32 edges and radius 0.01 on the unit disk, with alternating signs, on a spiral
+/// of equal areas; the last ones complete the sum of four.
 Configuration Spiral(std::int64_t count)
 {
   Configuration configuration;
@@ -255,8 +257,8 @@ Configuration Spiral(std::int64_t count)
   return configuration;
 }
 
-/// Measures the constrained method by the number of holes, on about 100,000 triangles: the global minimum
-/// (`newton`), and the total of the default start. The time of the row is factor + solve.
+/// Measures the constrained method by the number of holes, on about 100,000 triangles: the global
+/// minimum (`newton`), and the total of the default start. The time of the row is factor + solve.
 void ManyHoles(benchmark::State& state, PerforatedStart start)
 {
   const TriangleMesh mesh = MakeMesh(100000, Spiral(state.range(0)));

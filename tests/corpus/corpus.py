@@ -1,4 +1,5 @@
-"""Runs inputs through every subcommand. Each run must end with a correct result or with an error."""
+"""Runs inputs through every subcommand. Each run must end with a correct result or with an
+error."""
 
 import json
 import os
@@ -52,8 +53,9 @@ def box(left, bottom, right, top):
 class CorpusTest(ProgramTest):
     """Counts inputs and results, and prints the counts at the end of a test."""
 
-    #: Whether tests/verify checks the files. Its tolerances are for triangles of usual shape, coordinates of
-    #: the domain's size and crosses that the triangles resolve: tests at those limits say False.
+    #: Whether tests/verify checks the files. Its tolerances are for triangles of usual shape,
+    #: coordinates of : the domain's size and crosses that the triangles resolve: tests at those
+    #: limits say False.
     verify_all = True
 
     def setUp(self):
@@ -106,7 +108,8 @@ class CorpusTest(ProgramTest):
                 self.refused += 1
 
     def solves(self, domain, rows=(), commands=tuple(COMMANDS), more=(), unwanted=False):
-        """Checks that every command succeeds and writes correct files. Returns the reports by command."""
+        """Checks that every command succeeds and writes correct files. Returns the reports by
+        command."""
         rows = self.configuration(rows)
         reports = {}
         for name in commands:
@@ -128,7 +131,8 @@ class CorpusTest(ProgramTest):
         return reports
 
     def check_optimum(self, domain, report):
-        """Checks that it has converged to an energy not above the first, with the same quarter indices and no defect."""
+        """Checks that it has converged to an energy not above the first, with the same quarter
+        indices and no defect."""
         self.assertTrue(report["converged"], report)
         self.assertLessEqual(report["renormalized_energy_after"], report["renormalized_energy_before"])
         for defect in report["holonomy_defect"]:

@@ -1,4 +1,5 @@
-"""Singularities at the limits: holes very close to other features, large quarter indices, many holes."""
+"""Singularities at the limits: holes very close to other features, large quarter indices, many
+holes."""
 
 import math
 import unittest
@@ -19,7 +20,8 @@ class Configurations(CorpusTest):
             rows = [(0.0, -0.875 + hair, 1, 0.125), (0.5, 0.5, -1, 0.125)]
             self.solves("square.vtp", rows, ("drill", *SOLVES))
         self.verify_all = False
-        # At the rounding of the coordinates the constrained method reports that it did not converge.
+        # At the rounding of the coordinates the constrained method reports that it did not
+        # converge.
         self.solves("square.vtp", [(0.0, -0.875 + 1e-15, 1, 0.125), (0.5, 0.5, -1, 0.125)],
                     ("drill", "unit-norm"))
         rows = [(0.0, -0.875, 1, 0.125), (0.5, 0.5, -1, 0.125)]

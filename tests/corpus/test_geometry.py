@@ -75,12 +75,14 @@ class Geometry(CorpusTest):
 
     def test_gaps_at_a_point(self):
         self.verify_all = False
-        # Where a vertex comes near a side, the mesh is graded. (At 1e-12 the phase that the island forces
-        # through the gap loses its digits, and the report states that the field did not converge.)
+        # Where a vertex comes near a side, the mesh is graded. (At 1e-12 the phase that the island
+        # forces through the gap loses its digits, and the report states that the field did not
+        # converge.)
         for gap in (1e-2, 1e-4, 1e-6, 1e-9):
             loops(self.folder / "gap.vtp", box(-1, -1, 1, 1), [(0, -1 + gap), (0.5, 0), (-0.5, 0)])
-            # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 requires -1.
-            # In the gap the crosses turn from one side to the other within a triangle, which may have an index.
+            # The corners of the triangle have -1 each, those of the square 1 each: 4χ = 0 requires
+            # -1. In the gap the crosses turn from one side to the other within a triangle, which
+            # may have an index.
             self.solves("gap.vtp", [(0.0, 0.5, -1, 0.05)], ("check", "drill", *SOLVES), unwanted=True)
 
     def test_loops_that_are_nearly_one(self):
@@ -109,8 +111,8 @@ class Geometry(CorpusTest):
         for length in (1e2, 1e4):
             domain_files.write_loop(self.folder / "long.vtp", box(0, 0, length, 1))
             self.solves("long.vtp", commands=commands)
-        # Between singularities of opposite sign the crosses turn across the width, which the mesh size
-        # has to resolve.
+        # Between singularities of opposite sign the crosses turn across the width, which the mesh
+        # size has to resolve.
         domain_files.write_loop(self.folder / "long.vtp", box(0, 0, 100, 1))
         self.solves("long.vtp", [(25, 0.5, 1, 0.1), (75, 0.5, -1, 0.1)], commands,
                     more=("--size", "0.2"))

@@ -26,7 +26,8 @@ def _values(array):
 
 
 def read(path):
-    """Returns all arrays of numbers by section and name, for example ("CellData", "CrossFieldCR")."""
+    """Returns all arrays of numbers by section and name, for example ("CellData",
+    "CrossFieldCR")."""
     root = ElementTree.parse(path).getroot()
     assert root.get("compressor") == "vtkZLibDataCompressor" and root.get("header_type") == "UInt32"
     arrays = {}
@@ -58,9 +59,11 @@ def _degree(edges, values):
 
 
 def verified(path):
-    """Returns None if the field is finite and aligned, has the requested degrees and indices with the required sum.
+    """Returns None if the field is finite and aligned, has the requested degrees and indices with
+    the required sum.
 
-    Otherwise returns a sentence. The sum: 4χ = Σ of the holes + Σ of the corners by the smallest rotation.
+    Otherwise returns a sentence. The sum: 4χ = Σ of the holes + Σ of the corners by the smallest
+    rotation.
     """
     arrays = read(path)
     for name, values in arrays.items():

@@ -1,7 +1,8 @@
 /**
- * Makes a domain with holes and singularities from the bytes of the fuzzer and runs every part of the
- * numerics on it: check, drill, solve by both methods, size field H and energies. Each step throws
- * crossfield::Error with a sentence, or its result has the properties that its header states.
+ * Makes a domain with holes and singularities from the bytes of the fuzzer and runs every part of
+ * the numerics on it: check, drill, solve by both methods, size field H and energies. Each step
+ * throws crossfield::Error with a sentence, or its result has the properties that its header
+ * states.
  */
 #include "ConfigurationEnergy.h"
 #include "CornerClassification.h"
@@ -106,8 +107,8 @@ Problem MakeProblem(FuzzedDataProvider& bytes)
     singularity.radius = bytes.ConsumeIntegralInRange<int>(1, 64) / 256.0;
     problem.configuration.push_back(singularity);
   }
-  // Changes the unit and moves the domain far from the origin. Results must stay the same, or an error
-  // must be thrown.
+  // Changes the unit and moves the domain far from the origin. Results must stay the same, or an
+  // error must be thrown.
   const double scale = std::pow(10.0, bytes.ConsumeIntegralInRange<int>(-8, 8));
   const Point shift =
     scale * bytes.PickValueInArray({ 0.0, 0.0, 1.0, 1e3, 1e6, 1e9 }) * Point(1.0, 2.0);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Debian package of a build, installs it below a folder with a separate dpkg database, which
-# leaves the system unchanged, uses every part of it, and removes it.
+# Builds the Debian package of a build, installs it below a folder with a separate dpkg database,
+# which leaves the system unchanged, uses every part of it, and removes it.
 #
 #   test_deb.sh BUILD FOLDER CONSUMER
 set -euo pipefail

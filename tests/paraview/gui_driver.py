@@ -1,4 +1,5 @@
-"""Drives ParaView's client through the library of GuiDriver.cxx, with helpers for tests in the client."""
+"""Drives ParaView's client through the library of GuiDriver.cxx, with helpers for tests in the
+client."""
 import ctypes
 import os
 import sys
@@ -48,7 +49,8 @@ def pixel(view, x, y, z=0):
 
 
 def drag(view, path):
-    """Drags along points of space, z = 0 by default; yields the seconds of each move, button down."""
+    """Drags along points of space, z = 0 by default; yields the seconds of each move, button
+    down."""
     path = [tuple(map(int, np.rint(pixel(view, *place)))) for place in path]
     gui.gui_press(*path[0])
     wait()
@@ -59,7 +61,8 @@ def drag(view, path):
 
 
 def run(prefix, names, each, window=None):
-    """Calls `each` with every function of `names` whose name starts with `prefix`, then ends the client.
+    """Calls `each` with every function of `names` whose name starts with `prefix`, then ends the
+    client.
 
     `window` is width, height and panel width of the window. An exception is printed, and a picture
     saved; run_client.py looks for "all well".

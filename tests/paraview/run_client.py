@@ -1,8 +1,8 @@
 """Runs a script in ParaView's client: run_client.py SCRIPT PLUGIN GUI_DRIVER FOLDER -- COMMAND...
 
-COMMAND starts the client. SCRIPT finds the plugin, the library of GuiDriver.cxx, the folder for pictures
-and the plugin's states in the environment. It ends the client and prints "all well" on success. A
-client that crashes on exit fails the test.
+COMMAND starts the client. SCRIPT finds the plugin, the library of GuiDriver.cxx, the folder for
+pictures and the plugin's states in the environment. It ends the client and prints "all well" on
+success. A client that crashes on exit fails the test.
 """
 import os
 import shutil

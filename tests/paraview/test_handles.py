@@ -1,7 +1,7 @@
 """Handles of singularities in ParaView's client; started by run_client.py.
 
-The library of GuiDriver.cxx sends mouse events, clicks buttons and types into the table. Pictures of
-the window are saved for visual inspection.
+The library of GuiDriver.cxx sends mouse events, clicks buttons and types into the table. Pictures
+of the window are saved for visual inspection.
 """
 import os
 import statistics

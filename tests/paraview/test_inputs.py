@@ -1,4 +1,5 @@
-"""Optional inputs, chosen in the panel of a filter created from the menu; started by run_client.py."""
+"""Optional inputs, chosen in the panel of a filter created from the menu; started by
+run_client.py."""
 import os
 
 from paraview import servermanager

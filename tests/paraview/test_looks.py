@@ -8,7 +8,8 @@ BLACK, RED, BLUE = [0, 0, 0], [0.85, 0.1, 0.1], [0.1, 0.2, 0.85]
 
 
 def make(name, **inputs):
-    """Creates and applies a filter of the active source from the menu; returns the display of output 0."""
+    """Creates and applies a filter of the active source from the menu; returns the display of
+    output 0."""
     check(gui.gui_trigger(name.encode()), name + " is not in the menu")
     return applied(name, **inputs)
 

@@ -48,7 +48,8 @@ class Plane:
         wait(300)
 
     def drag_first(self, source, port, end):
-        """Drags the handle of the first row to an offset from the centre in the plane, and checks its position."""
+        """Drags the handle of the first row to an offset from the centre in the plane, and checks
+        its position."""
         start = self.points(source, port)[0]
         side = np.cross(self.normal, [0, 0, 1] if abs(self.normal[2]) < 0.9 else [0, 1, 0])
         side /= np.linalg.norm(side)

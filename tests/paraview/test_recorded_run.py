@@ -1,6 +1,8 @@
-"""Step 7 of docs/tutorial_paraview.md in ParaView's client: open a file, propose, drag, snap, mesh, save.
+"""Step 7 of docs/tutorial_paraview.md in ParaView's client: open a file, propose, drag, snap, mesh,
+save.
 
-Started by run_client.py. Saves pictures of the window after each step, for the page and for inspection.
+Started by run_client.py. Saves pictures of the window after each step, for the page and for
+inspection.
 """
 import os
 import statistics

@@ -1,4 +1,5 @@
-"""Every state of the plugin, loaded in ParaView's client as File > Load State does; started by run_client.py.
+"""Every state of the plugin, loaded in ParaView's client as File > Load State does; started by
+run_client.py.
 
 The message window must stay empty and every layout needs a view; pictures are saved for inspection.
 """

@@ -39,7 +39,8 @@ def write_vtp(path, points, lines):
 
 
 def write_singularities(path, rows):
-    """Writes rows of x, y, quarter index and radius as the points that vtkSingularitySource makes."""
+    """Writes rows of x, y, quarter index and radius as the points that vtkSingularitySource
+    makes."""
     data = "\n".join(["<PointData>", _array("Int32", "QuarterIndex", [row[2] for row in rows]),
                       _array("Float64", "Radius", [row[3] for row in rows]), "</PointData>"])
     piece = (f'<Piece NumberOfPoints="{len(rows)}" NumberOfVerts="{len(rows)}">\n{data}\n'

@@ -81,7 +81,8 @@ class ProgramTest(unittest.TestCase):
         return (*arguments, "-o", pathlib.Path(folder.name) / "kept.vtu")
 
     def refuse(self, *arguments, says=(), status=2):
-        """Runs the program, which must change nothing in the folder and report the cause in one sentence."""
+        """Runs the program, which must change nothing in the folder and report the cause in one
+        sentence."""
         before = self.snapshot()
         result = self.run_program(*arguments)
         self.assertEqual(result.returncode, status, (result.args, result.stdout, result.stderr))

@@ -1,4 +1,5 @@
-"""Pages whose numbers scripts compute with the program: docs/exact.md, and the memory in docs/limits.md."""
+"""Pages whose numbers scripts compute with the program: docs/exact.md, and the memory in
+docs/limits.md."""
 
 import importlib.util
 import os

@@ -45,7 +45,8 @@ class Figures(ProgramTest):
             self.assertLessEqual(int(rows[name]["iterations"]), 30)
 
     def check_gallery(self):
-        """The page equals the output of scripts/gallery.py, except for the last digits of energies."""
+        """The page equals the output of scripts/gallery.py, except for the last digits of
+        energies."""
         page = subprocess.run(
             [sys.executable, ROOT / "scripts/gallery.py", self.folder / "all" / "summary.csv"],
             stdout=subprocess.PIPE, text=True, check=True).stdout

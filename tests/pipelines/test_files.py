@@ -1,4 +1,5 @@
-"""Input and output files of successful runs: formats, repeatable output, output that is read again."""
+"""Input and output files of successful runs: formats, repeatable output, output that is read
+again."""
 
 import json
 import math

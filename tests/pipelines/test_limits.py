@@ -27,7 +27,8 @@ class Memory(ProgramTest):
         self.assertLess(time.monotonic() - begin, seconds)
 
     def test_a_size_that_would_take_all_memory(self):
-        # From a file, because builtin:disk has 600,000 segments at this size, which take long to read.
+        # From a file, because builtin:disk has 600,000 segments at this size, which take long to
+        # read.
         self.succeed("domain", "disk", "-o", "disk.vtp")
         for command in (("solve", "-o", "f.vtu"), ("solve", "--method", "unit-norm"),
                         ("drill", "-o", "f.vtu"), ("hfield", "-o", "f.vtu"), ("energy",),
@@ -56,7 +57,8 @@ class Memory(ProgramTest):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
 
     def test_every_limit_of_memory_ends_in_a_field_or_in_one_sentence(self):
-        # From too little for the mesh to enough for everything; in between it fails at random places.
+        # From too little for the mesh to enough for everything; in between it fails at random
+        # places.
         arguments = ("solve", "builtin:disk", "-s", "four.csv", "--size", "0.005", "-o", "field.vtu",
                      "--json", "report.json")
         for name in ("field.vtu", "report.json"):
@@ -233,7 +235,8 @@ class Transactions(ProgramTest):
         self.assertEqual(self.snapshot(), before)
 
     def test_a_signal_leaves_nothing_behind(self):
-        # A pipe without a reader stops the program after the other outputs are written beside their places.
+        # A pipe without a reader stops the program after the other outputs are written beside their
+        # places.
         os.mkfifo(self.folder / "pipe")
         before = self.snapshot_without("pipe")
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -65,7 +65,8 @@ class Quads(ProgramTest):
         self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
 
     def test_corners_without_an_angle_are_capped(self):
-        """Five corners of index 2 get index 1: Σ k = 4 - 5 - (5 of -1) = 4 inside, and 2 - k quads at each corner."""
+        """Five corners of index 2 get index 1: Σ k = 4 - 5 - (5 of -1) = 4 inside, and 2 - k quads
+        at each corner."""
         report = self.report("builtin:star", "--quads", "1000")
         self.assertEqual(report["irregular"], report["asked"])
         self.assertEqual(sum((4 - int(v)) * n for v, n in report["irregular"].items()), 4)
@@ -74,7 +75,8 @@ class Quads(ProgramTest):
                     says=("quarter index 2", "cap corners"))
 
     def test_pairs_make_sizes_more_uniform(self):
-        """A trapezium whose small end is a quarter as long as the other: no irregular node is needed."""
+        """A trapezium whose small end is a quarter as long as the other: no irregular node is
+        needed."""
         (self.folder / "wedge.csv").write_text("x,y\n0,0\n4,1.5\n4,2.5\n0,4\n")
         needed = self.report("wedge.csv")
         self.assertEqual(needed["irregular"], {})
@@ -128,7 +130,8 @@ LOOKUP_TABLE default
             return json.loads(self.succeed(*common, *options, "--json", "-"))
 
         report = optimized( "field", "Length", "--even", "--pairs", "1")
-        # Linear between 0.1 and 0.2, whose logarithm has this standard deviation; H of a channel is 0.
+        # Linear between 0.1 and 0.2, whose logarithm has this standard deviation; H of a channel is
+        # 0.
         self.assertAlmostEqual(report["size_spread_before"], 0.1983, delta=0.002)
         self.assertLess(report["size_spread_after"], 0.6 * report["size_spread_before"])
         self.assertEqual(sorted(s["quarter_index"] for s in report["singularities"]), [-1, 1])

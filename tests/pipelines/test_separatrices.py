@@ -45,8 +45,8 @@ class Separatrices(ProgramTest):
                                  (faces, arcs, extra))
 
     def test_engineering_parts(self):
-        # The proposal for these has no singularities. Lines - N + χ faces, 2 lines + corners arcs. Both corners of a
-        # trailing edge count, which by default are one: 3 lines instead of 4.
+        # The proposal for these has no singularities. Lines - N + χ faces, 2 lines + corners arcs.
+        # Both corners of a trailing edge count, which by default are one: 3 lines instead of 4.
         for part, rows, lines, faces, arcs in (
                 ("plate3", [(*place, -1, 0.1) for place in PLATE], 60, 46, 124),
                 ("bracket", [(*place, -1, 0.1) for place in BRACKET], 45, 35, 95),
@@ -84,7 +84,8 @@ class Separatrices(ProgramTest):
         self.assertEqual([(one["x"], one["y"]) for one in report["singularities"]], places)
         farthest = max(math.dist(place, row[:2]) for place, row in zip(places, rows))
         self.assertAlmostEqual(farthest, report["repair"]["distance"], delta=1e-12)
-        # After the repair there is no warning; the error of a defect that is too large names the option.
+        # After the repair there is no warning; the error of a defect that is too large names the
+        # option.
         self.succeed("separatrices", "builtin:ring", "-s", "repaired.csv", "-o", "again.vtp")
         opposite = [(r * math.cos(turn + i * math.pi / 2), r * math.sin(turn + i * math.pi / 2), k, 0.05)
                     for r, turn, k in ((0.8, 0.0, 1), (0.55, 0.6, -1)) for i in range(4)]

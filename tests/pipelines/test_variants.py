@@ -31,7 +31,8 @@ class Variants(ProgramTest):
         checked = json.loads(check.stdout)
         self.assertEqual(checked["given_interior_quarters"],
                          checked["required_interior_quarters"])
-        # With --mode perforate the configuration is refused; with --strict two singularities are unwanted.
+        # With --mode perforate the configuration is refused; with --strict two singularities are
+        # unwanted.
         self.refuse_solve("builtin:quarter-disk", singularities="minus.csv", status=1,
                           says=["add up to -1", "requires 1"])
         strict = self.run_program("solve", "builtin:quarter-disk", "-s", "minus.csv", "--method",

@@ -1,4 +1,5 @@
-"""Checks of the Python tests, which `python -O` keeps, and the arrays that the documentation promises."""
+"""Checks of the Python tests, which `python -O` keeps, and the arrays that the documentation
+promises."""
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_TRIANGLE
 

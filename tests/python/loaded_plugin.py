@@ -1,6 +1,7 @@
 """ParaView with the plugin that the command line names, and what the tests of its filters share.
 
-`from loaded_plugin import *` provides the functions of paraview.simple, those of the plugin and those below.
+`from loaded_plugin import *` provides the functions of paraview.simple, those of the plugin and
+those below.
 """
 import os
 import sys

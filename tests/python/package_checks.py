@@ -1,4 +1,5 @@
-"""Base of the tests of the Python package: a square with two singularities, and checks of output and errors."""
+"""Base of the tests of the Python package: a square with two singularities, and checks of output
+and errors."""
 import contextlib
 import functools
 import os

@@ -16,7 +16,8 @@ NO_ERROR = 0
 
 
 class Chain:
-    """Pipeline of domain, singularities, drilled mesh, field and crosses, with the errors that it reports."""
+    """Pipeline of domain, singularities, drilled mesh, field and crosses, with the errors that it
+    reports."""
 
     def __init__(self):
         self.errors = []

@@ -163,7 +163,8 @@ def tilt():
 
 
 def test_planes():
-    # Unit norm, because the relaxed minimum of this pair is flat and rounding moves the result along it.
+    # Unit norm, because the relaxed minimum of this pair is flat and rounding moves the result
+    # along it.
     flat = crossfield.solve(SQUARE, PAIR, method="unit-norm")
     loop = np.column_stack([SQUARE, np.zeros(4)])
     places = np.column_stack([PAIR[:, :2], np.zeros(2)])

@@ -1,7 +1,7 @@
 """Inputs of the functions of the Python package: python3 test_package_input.py
 
-Every form of a domain and of singularities gives the same field, files are read, inputs are not changed, and errors and
-warnings are Python exceptions and warnings of one sentence.
+Every form of a domain and of singularities gives the same field, files are read, inputs are not
+changed, and errors and warnings are Python exceptions and warnings of one sentence.
 """
 import os
 import pathlib

@@ -1,7 +1,7 @@
 """Docstrings, names and stubs of the Python package: python3 test_package_names.py HEADER
 
-The examples in docstrings run, the names of arrays are those of the header, the table of reports uses these names, and
-the stubs list all public names.
+The examples in docstrings run, the names of arrays are those of the header, the table of reports
+uses these names, and the stubs list all public names.
 """
 import ast
 import contextlib

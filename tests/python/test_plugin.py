@@ -163,7 +163,8 @@ def test_topology():
 
 
 def test_handles():
-    """Dragging a handle moves its singularity; dragging back from a bad position restores the field."""
+    """Dragging a handle moves its singularity; dragging back from a bad position restores the
+    field."""
     singularities = SingularitySource()
     field = field_of(singularities)
     first = value(fetch(field), "Energy")

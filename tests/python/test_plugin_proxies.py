@@ -87,7 +87,8 @@ def test_proxies():
 
 
 def test_menus():
-    """The menus, which are in the order of work, list every proxy of the plugin and no abstract one."""
+    """The menus, which are in the order of work, list every proxy of the plugin and no abstract
+    one."""
     menus = xml.dom.minidom.parse(os.path.join(PLUGIN, "menus", "menus.xml"))
     listed = [(item.getAttribute("group"), item.getAttribute("name"))
               for item in menus.getElementsByTagName("Proxy")]

@@ -114,7 +114,8 @@ def test_energies():
 
 
 def test_size_arrays():
-    """A domain without arrays is accepted; the point arrays of a domain are offered as size arrays."""
+    """A domain without arrays is accepted; the point arrays of a domain are offered as size
+    arrays."""
     bare = PlanarDomainSource()
     sized = Calculator(Input=bare, ResultArrayName="Length", Function="1 + coordsX * coordsX")
     sized.UpdatePipeline()  # makes its arrays known
@@ -134,7 +135,8 @@ def test_size_arrays():
 
 
 def test_quad_mesher_outputs():
-    """The singularities and corners that Quad Mesher used are outputs; another one makes the same mesh of them."""
+    """The singularities and corners that Quad Mesher used are outputs; another one makes the same
+    mesh of them."""
     star = PlanarDomainSource(DomainName="star")
     chosen = QuadMesher(Input=star, QuadCount=300)
     quads = fetch(chosen)

@@ -1,7 +1,7 @@
 """ParaView after an error: pvpython test_refusal.py PLUGIN, on a screen
 
-The view shows no earlier result, the error is one sentence, and after the input is fixed the picture is the same as
-before.
+The view shows no earlier result, the error is one sentence, and after the input is fixed the
+picture is the same as before.
 """
 import os
 import sys

@@ -1,7 +1,7 @@
 """crossfield.separatrices: python3 test_separatrices.py
 
-Its faces are rectangles of the map that cover the domain once, its lines end where `ends_at` indicates, and
-singularities are chosen and moved as for the other functions.
+Its faces are rectangles of the map that cover the domain once, its lines end where `ends_at`
+indicates, and singularities are chosen and moved as for the other functions.
 """
 import sys
 import unittest

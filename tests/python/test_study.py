@@ -1,4 +1,5 @@
-"""Parameter studies: the table is the same for any number of ranks, and gives the reason for rows without energy.
+"""Parameter studies: the table is the same for any number of ranks, and gives the reason for rows
+without energy.
 
     python3 test_study.py SCRIPT.py PROGRAM FOLDER_OF_THE_PACKAGE MPIRUN PVBATCH
 """

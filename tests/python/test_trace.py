@@ -1,7 +1,7 @@
 """Runs ParaView's trace of a session: pvpython test_trace.py PLUGIN
 
-A session with every proxy of the plugin is traced, with changes that Apply makes; the recorded script
-produces the same data in an empty ParaView.
+A session with every proxy of the plugin is traced, with changes that Apply makes; the recorded
+script produces the same data in an empty ParaView.
 """
 import os
 import sys

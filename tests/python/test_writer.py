@@ -1,4 +1,5 @@
-"""Files of the program, compressed on all cores by libdeflate, have the same elements and values as files of VTK.
+"""Files of the program, compressed on all cores by libdeflate, have the same elements and values as
+files of VTK.
 
     python3 test_writer.py PROGRAM
 """
@@ -21,7 +22,8 @@ import verified  # noqa: E402
 
 
 def elements(name):
-    """Returns tags and attributes without ranges and their description, which readers do not need."""
+    """Returns tags and attributes without ranges and their description, which readers do not
+    need."""
     root = ElementTree.parse(os.path.join(directory, name)).getroot()
     return [(item.tag, {key: text for key, text in item.attrib.items() if not key.startswith("Range")
                          and (key, item.get("NumberOfTuples")) != ("format", "0")})

@@ -1,4 +1,5 @@
-"""Importing the package into a Python with another VTK is an ImportError with the cause, not a crash.
+"""Importing the package into a Python with another VTK is an ImportError with the cause, not a
+crash.
 
     python3 test_wrong_vtk.py FOLDER_OF_THE_PACKAGE PYTHON...
 

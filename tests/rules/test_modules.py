@@ -136,7 +136,8 @@ def functions(text):
 
 
 def misplaced_functions(files):
-    """Returns the functions that one unit defines and the header of another declares; files: name -> text."""
+    """Returns the functions that one unit defines and the header of another declares; files: name
+    -> text."""
     owner = {}
     for name, text in files.items():
         if name.endswith(".h"):

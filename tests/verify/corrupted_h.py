@@ -43,7 +43,8 @@ def cross_of_h_stretched(file):
     "quarter indices of the logarithms: 4 times the Euler characteristic",
     "sum of all indices, corners included: 4 times the Euler characteristic")
 def singularity_added_to_h(file):
-    """Adds a singularity with its H and crosses: their equations hold, the boundary conditions do not."""
+    """Adds a singularity with its H and crosses: their equations hold, the boundary conditions do
+    not."""
     place = file.mesh.points[file.inner_vertex()] + 0.003
     file.point("H")[:] += 0.25 * np.log(np.linalg.norm(file.mesh.points - place, axis=1))
     file.point("SizeMap")[:] = np.exp(file.point("H"))

@@ -1,4 +1,5 @@
-"""Access to a correct file for corrupting it in one place: its arrays and its field on edges, which are changed in place."""
+"""Access to a correct file for corrupting it in one place: its arrays and its field on edges, which
+are changed in place."""
 import functools
 import pathlib
 
@@ -18,7 +19,8 @@ CASES = {}
 
 
 def of(base, *names):
-    """Decorates a case: names the correct file that it corrupts and the checks that must fail. No other check may fail."""
+    """Decorates a case: names the correct file that it corrupts and the checks that must fail. No
+    other check may fail."""
     def register(function):
         if function.__name__ in CASES:
             raise ValueError("There are two cases '%s'." % function.__name__)

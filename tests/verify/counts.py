@@ -1,11 +1,13 @@
-"""Checks the generalised Poincaré-Hopf theorem (docs/method.md §7): the required sum and the given one."""
+"""Checks the generalised Poincaré-Hopf theorem (docs/method.md §7): the required sum and the given
+one."""
 import numpy as np
 
 from topology import HOLE, IMPRINTED
 
 
 def check_counts(data, mesh, boundary, indices, given, report):
-    """Checks the counts. `given` is the sum of quarter indices inside, or None if the file does not have it.
+    """Checks the counts. `given` is the sum of quarter indices inside, or None if the file does not
+    have it.
 
     Returns the required sum and the boundary vertices whose index must have been prescribed.
     """
@@ -44,8 +46,9 @@ def check_counts(data, mesh, boundary, indices, given, report):
 
 
 def recorded(data, mesh, boundary):
-    """Returns the boundary vertices that are singularities of the configuration, and the quarter indices of all boundary
-    vertices with these; the file states their positions. The field may differ from them where its norm is free."""
+    """Returns the boundary vertices that are singularities of the configuration, and the quarter
+    indices of all boundary vertices with these; the file states their positions. The field may
+    differ from them where its norm is free."""
     chosen = np.zeros(len(boundary.angle), bool)
     quarters = np.where(boundary.corner, boundary.smallest, 0)
     for x, y, z, quarter in data.field.get("BoundarySingularities", np.zeros((0, 4))):
@@ -57,7 +60,8 @@ def recorded(data, mesh, boundary):
 
 
 def taken_indices(mesh, boundary, indices):
-    """Returns the quarter index of the field at every aligned vertex, including the triangles there."""
+    """Returns the quarter index of the field at every aligned vertex, including the triangles
+    there."""
     _, of_vertex = indices.merged_at(mesh, boundary.vertex)
     return of_vertex[boundary.vertex]
 

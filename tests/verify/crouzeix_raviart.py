@@ -1,7 +1,8 @@
 """Crouzeix-Raviart functions: linear in every triangle, one value at the midpoint of every side.
 
 With s_i the vector along side i of a counter-clockwise triangle of area A, the basis function of
-that side has the gradient rot⁻¹ s_i |s_i| / |s_i| / A = (s_iy, −s_ix) / A. For the values w_i this gives
+that side has the gradient rot⁻¹ s_i |s_i| / |s_i| / A = (s_iy, −s_ix) / A. For the values w_i this
+gives
 
     ∇w = rot⁻¹ Σ w_i s_i / A,   ½ ∫ |∇w|² = ½ |Σ w_i s_i|² / A,   (K w)_e = Σ s_e · (Σ w_i s_i) / A,
 
@@ -42,7 +43,8 @@ def stiffness(mesh, values, weight=1.0):
 
 
 def stiffness_sizes(mesh, weight=1.0):
-    """Returns Σ |K_ef| over f at every edge: the largest effect of errors of size one in w on (K w)_e."""
+    """Returns Σ |K_ef| over f at every edge: the largest effect of errors of size one in w on (K
+    w)_e."""
     length = np.linalg.norm(mesh.side, axis=2)
     return by_edge(mesh, length * (weight * length.sum(axis=1) / mesh.area)[:, None])
 

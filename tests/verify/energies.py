@@ -6,7 +6,8 @@ from report import ROUNDING
 
 
 def check_energy(name, stated, found, mesh, report, size=1.0):
-    """Checks the energy. `size` is the largest value of u: the terms of ½ uᴴ K u, which cancel, are as large as its square."""
+    """Checks the energy. `size` is the largest value of u: the terms of ½ uᴴ K u, which cancel, are
+    as large as its square."""
     cancelling = ROUNDING * 0.5 * stiffness_sizes(mesh).sum() * size ** 2
     terms = len(mesh.triangles) * ROUNDING * max(abs(stated), abs(found))
     report.bound(name, abs(found - stated), terms + cancelling, "rounding, once a term of the sum")
@@ -20,7 +21,8 @@ def penalty(mesh, field, epsilon, norm=1.0):
 
 
 def find_pinning(data, mesh, field):
-    """Returns the cell arrays for which both terms of the energy are those of the file, which does not name them."""
+    """Returns the cell arrays for which both terms of the energy are those of the file, which does
+    not name them."""
     count = len(mesh.triangles)
     arrays = {name: pair[0].astype(float) for name, pair in data.cells.items()
               if pair[0].shape == (count,) and name not in ("BoundaryKind", "BoundaryId",

@@ -2,8 +2,8 @@
 
     python3 everything.py FOLDER --program-tests N --sources Program Vtk ...
 
-After a full run, in which Rules.TestsKeepWhatTheyWrite and at least half of the N tests of the program ran, every
-source must have written files. After a run of some tests there may be none.
+After a full run, in which Rules.TestsKeepWhatTheyWrite and at least half of the N tests of the
+program ran, every source must have written files. After a run of some tests there may be none.
 """
 import argparse
 import pathlib

@@ -17,7 +17,8 @@ class Field:
         after = np.roll(self.in_triangle, -1, axis=1)
         #: Change of arg u from side i to side i + 1 of every triangle, in (−π, π].
         self.step = np.angle(after * self.in_triangle.conj())
-        # Values of unit-norm fields are products of a few numbers of norm one. Other fields deviate by far more.
+        # Values of unit-norm fields are products of a few numbers of norm one. Other fields deviate
+        # by far more.
         self.of_unit_norm = bool(np.abs(np.abs(self.u) - 1.0).max() <= 16 * ROUNDING)
 
 

@@ -1,12 +1,15 @@
-"""Checks the size field H: its equation, and that H + iθ with the crosses is analytic (docs/method.md §2 and §11).
+"""Checks the size field H: its equation, and that H + iθ with the crosses is analytic
+(docs/method.md §2 and §11).
 
-Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On a
-mesh with holes this holds in every triangle. On a mesh without holes it holds for the regular parts
+Φ = 4H. Along side s of a triangle a conjugate pair has ΔΦ = −s · Σ φ_j s_j / A: the flux of ∇φ. On
+a mesh with holes this holds in every triangle. On a mesh without holes it holds for the regular
+parts
 
     R = Φ − Σ_j k_j log|x − b_j| − Σ_c s_c log|x − p_c|,   φ − Σ_j k_j arg(x − b_j) − Σ_c s_c arg(x − p_c),
 
-b_j the singularities, p_c the corners, and R is P1-harmonic at inner vertices. The file has neither the
-b_j nor the s_c: they are fitted. A wrong field cannot be fitted to rounding in thousands of triangles.
+b_j the singularities, p_c the corners, and R is P1-harmonic at inner vertices. The file has neither
+the b_j nor the s_c: they are fitted. A wrong field cannot be fitted to rounding in thousands of
+triangles.
 """
 import numpy as np
 
@@ -114,7 +117,8 @@ class Fit:
         return r
 
     def _turn(self, place):
-        """Returns the angle from the midpoint of side i to that of side i + 1, seen from a point."""
+        """Returns the angle from the midpoint of side i to that of side i + 1, seen from a
+        point."""
         arm = self.middle - place
         after = np.roll(arm, -1, axis=1)
         return np.arctan2(cross(arm, after), (arm * after).sum(axis=2))
@@ -132,8 +136,8 @@ class Fit:
         return np.roll(corner, -1, axis=1) - corner + flux(self.mesh, phases)
 
     def _columns(self, rows):
-        """Returns the derivatives of the residual by the positions, in units of the domain's size, and by the strengths, on
-        chosen triangles."""
+        """Returns the derivatives of the residual by the positions, in units of the domain's size,
+        and by the strengths, on chosen triangles."""
         mesh = self.mesh
         points = mesh.points[mesh.triangles[rows]]
         middle = self.middle[rows]
@@ -217,7 +221,8 @@ def check_at_points(data, mesh, field, boundary, singularities, chosen, report):
     position = {v: i for i, v in enumerate(boundary.vertex)}
     rows = [position[v] for v in fit.corners]
     angle = boundary.angle[rows]
-    # A corner of quarter index k at which the boundary turns by t has the strength (2πk − 4t) / (π − t).
+    # A corner of quarter index k at which the boundary turns by t has the strength (2πk − 4t) / (π
+    # − t).
     quarters = (fit.strengths * (np.pi - angle) + 4.0 * angle) / (2.0 * np.pi)
     report.bound("logarithms of corners between straight sides are of whole quarters",
                  np.abs(quarters - np.rint(quarters))[straight].max(initial=0.0), 1e3 * rounding,

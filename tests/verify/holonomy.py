@@ -1,9 +1,9 @@
 """Checks the holonomy defects of a unit-norm field (docs/method.md §7) against the field itself.
 
-Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is that
-of a single-valued potential plus Σ c_k w_k, where c_k balances the defect of loop k. The flux of a
-single-valued potential's phase through every loop is 0. Therefore c follows from the fluxes of the phase
-and of the w_k. Each c_k is determined up to full turns.
+Let w_k be harmonic with the value 1 on inner loop k and 0 on the other aligned loops. The phase is
+that of a single-valued potential plus Σ c_k w_k, where c_k balances the defect of loop k. The flux
+of a single-valued potential's phase through every loop is 0. Therefore c follows from the fluxes of
+the phase and of the w_k. Each c_k is determined up to full turns.
 """
 import numpy as np
 
@@ -37,7 +37,8 @@ def loop_functions(mesh):
 
 
 def check_holonomy(data, mesh, forces, report):
-    """Checks the defects. `forces` is K φ at all edges: on the boundary, the flux of ∇φ through the edge."""
+    """Checks the defects. `forces` is K φ at all edges: on the boundary, the flux of ∇φ through the
+    edge."""
     loops = mesh.of_kind(INNER)
     stated = data.field.get("HolonomyDefect", np.zeros(0)).ravel()
     report.equal("holonomy defects, one for an inner loop", len(stated), len(loops))

@@ -56,7 +56,8 @@ class Indices:
         self.of_vertex = turns(around)
 
     def merged_at(self, mesh, vertices):
-        """Returns the indices with those of triangles at these vertices moved to the vertices; the last vertex of a triangle receives it."""
+        """Returns the indices with those of triangles at these vertices moved to the vertices; the
+        last vertex of a triangle receives it."""
         marked = np.zeros(len(mesh.points), bool)
         marked[vertices] = True
         of_triangle, of_vertex = self.of_triangle.copy(), self.of_vertex.copy()
@@ -69,7 +70,8 @@ class Indices:
 
 
 def check_degrees(data, mesh, field, report):
-    """Checks HoleDegree and HoleNormRange of holes and imprinted circles, and returns the degrees."""
+    """Checks HoleDegree and HoleNormRange of holes and imprinted circles, and returns the
+    degrees."""
     loops = sorted(mesh.of_kind(HOLE, IMPRINTED), key=lambda loop: (loop.kind, loop.number))
     values = [field.u[mesh.counter_clockwise(loop)] for loop in loops]
     degrees = [winding(u) for u in values]

@@ -1,7 +1,8 @@
-"""Stores copies of the files that a test writes in the folder CROSSFIELD_WRITTEN, for Verify.Everything.
+"""Stores copies of the files that a test writes in the folder CROSSFIELD_WRITTEN, for
+Verify.Everything.
 
-Without this variable nothing is stored. The name of a copy contains the name of the test and a fingerprint
-of the contents; equal files of several tests are stored once.
+Without this variable nothing is stored. The name of a copy contains the name of the test and a
+fingerprint of the contents; equal files of several tests are stored once.
 
     python3 kept.py FOLDER -- COMMAND...    runs a command and stores the files that it wrote into the folder
 """
@@ -34,8 +35,8 @@ def keep(contents, stem, beside=()):
 
 
 def keep_folder(folder, since=0.0):
-    """Stores every .vtu in a folder and its subfolders; with `since`, those written after that time. NAME.lines.vtp and
-    NAME.faces.vtp belong to the map NAME.vtu."""
+    """Stores every .vtu in a folder and its subfolders; with `since`, those written after that
+    time. NAME.lines.vtp and NAME.faces.vtp belong to the map NAME.vtu."""
     if WRITTEN:
         for path in sorted(pathlib.Path(folder).rglob("*.vtu")):
             if path.is_file() and path.stat().st_mtime >= since:

@@ -1,7 +1,9 @@
-"""Checks separatrices and patches with the map that they were traced in: NAME.lines.vtp, NAME.faces.vtp and NAME.vtu.
+"""Checks separatrices and patches with the map that they were traced in: NAME.lines.vtp,
+NAME.faces.vtp and NAME.vtu.
 
-The segments of a separatrix are located in the triangles of the map. They must be parallel to one axis and
-continue across sides of triangles as the seams rotate them. The sides of a patch must form a rectangle.
+The segments of a separatrix are located in the triangles of the map. They must be parallel to one
+axis and continue across sides of triangles as the seams rotate them. The sides of a patch must form
+a rectangle.
 """
 import pathlib
 
@@ -45,7 +47,8 @@ class Charts:
         low, high = self.places.min(axis=1), self.places.max(axis=1)
         self.origin = low.min(axis=0)
         self.extent = (high.max(axis=0) - self.origin).max()
-        # Grid with about as many cells as triangles; each cell lists the triangles that may touch it.
+        # Grid with about as many cells as triangles; each cell lists the triangles that may touch
+        # it.
         self.count = max(1, int(np.sqrt(len(self.triangles))))
         self.grid = {}
         first, last = self._cell(low), self._cell(high)
@@ -67,7 +70,8 @@ class Charts:
                        self.count - 1)
 
     def find(self, place):
-        """Returns the triangle that contains a point best, and the distance outside of it in heights of the triangle."""
+        """Returns the triangle that contains a point best, and the distance outside of it in
+        heights of the triangle."""
         among = self.grid.get(tuple(self._cell(place)), [])
         if not among:
             return -1, np.inf
@@ -81,7 +85,8 @@ class Charts:
         return self.w[t, 0] + b * (self.w[t, 1] - self.w[t, 0]) + c * (self.w[t, 2] - self.w[t, 0])
 
     def turn(self, t, other):
-        """Returns the factor of a direction from one triangle to a neighbour, or None if they share no side."""
+        """Returns the factor of a direction from one triangle to a neighbour, or None if they share
+        no side."""
         if t == other:
             return 1.0
         for i in range(3):
@@ -109,7 +114,8 @@ def check_beside(name, data, report):
 
 
 def _segments(charts, places):
-    """Returns the triangle and the step in the map of each segment; segments too short to be located are left out."""
+    """Returns the triangle and the step in the map of each segment; segments too short to be
+    located are left out."""
     for a, b in zip(places[:-1], places[1:]):
         if np.abs(b - a).max() > 1e-9 * charts.extent:
             t, outside = charts.find(0.5 * (a + b))
@@ -138,7 +144,8 @@ def check_lines(charts, lines, report):
 
 
 def check_cones(data, charts, lines, report):
-    """Checks the number of separatrices that leave every singularity, and that they do so at right angles."""
+    """Checks the number of separatrices that leave every singularity, and that they do so at right
+    angles."""
     quarters = {}
     on_line = set(data.at_points["VertexId"][data.lines].ravel())
     for vertex, k, place in zip(data.at_points["VertexId"], data.at_points["QuarterIndex"],

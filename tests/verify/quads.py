@@ -84,7 +84,8 @@ def _check_valences(data, on_loop, characteristic, report):
 
 
 def _check_blocks(data, report):
-    """Checks that the quads of a block form a full lattice of columns I and rows J, counted from its corner."""
+    """Checks that the quads of a block form a full lattice of columns I and rows J, counted from
+    its corner."""
     block, column, row = (data.quad_cells[name] for name in ("BlockId", "I", "J"))
     report.equal("Blocks", data.value("Blocks"), len(np.unique(block)))
     report.equal("Quads", data.value("Quads"), len(data.quads))

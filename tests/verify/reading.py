@@ -20,8 +20,8 @@ def arrays_of(attributes):
 class Data:
     """Points in space, triangles, lines and quads, and the arrays on all of them.
 
-    `cells` has for each name a pair of arrays, for the rows of `triangles` and of `lines`; `quad_cells` has one
-    array for the rows of `quads`.
+    `cells` has for each name a pair of arrays, for the rows of `triangles` and of `lines`;
+    `quad_cells` has one array for the rows of `quads`.
     """
 
     def __init__(self, name):

@@ -5,7 +5,8 @@ ROUNDING = 2.0 ** -52
 
 
 def rounding_of(array):
-    """Returns the rounding of arrays that follow from others: single precision, in old files double precision."""
+    """Returns the rounding of arrays that follow from others: single precision, in old files double
+    precision."""
     return 2.0 ** -23 if array.dtype == np.float32 else ROUNDING
 
 

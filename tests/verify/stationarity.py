@@ -1,5 +1,5 @@
-"""Checks that fields that are minimisers are stationary: harmonic away from the constraints, with the
-Karush-Kuhn-Tucker conditions on holes and imprinted circles with multipliers by least squares.
+"""Checks that fields that are minimisers are stationary: harmonic away from the constraints, with
+the Karush-Kuhn-Tucker conditions on holes and imprinted circles with multipliers by least squares.
 
 The functional is ½ ∫ w |∇u|² + 1/(4ε²) ∫ (|u|² − f²)², the penalty by the midpoint rule on sides and
 only if ε is given. A loop of m edges, counter-clockwise, has one of the constraints
@@ -34,7 +34,8 @@ class ConstrainedLoop:
 
 
 def forces(data, mesh, field, epsilon=None, norm=1.0, weight=1.0):
-    """Returns the gradient of the functional at every edge, and the sizes of the terms that cancel in it."""
+    """Returns the gradient of the functional at every edge, and the sizes of the terms that cancel
+    in it."""
     elastic = stiffness(mesh, field.in_triangle, weight)
     aligned = np.where(mesh.free, 0.0, field.u)
     load = stiffness(mesh, aligned[mesh.edge], weight)
@@ -104,7 +105,8 @@ def _check_left(report, mesh, left, on_loops, size, stated, rounding, field, eps
     """Checks the residual of the stationarity, relative to the terms that cancel in it."""
     sizes = stiffness_sizes(mesh) * max(1.0, np.abs(field.u).max())
     if epsilon is None:
-        # These unknowns are eliminated exactly, whether or not the iteration on the loops converged.
+        # These unknowns are eliminated exactly, whether or not the iteration on the loops
+        # converged.
         inside = np.abs(left / sizes)[mesh.free & ~on_loops]
         report.bound("harmonic at every edge off the loops", inside.max(initial=0.0), rounding,
                      "one rounding an edge, relative to the terms")

@@ -1,4 +1,5 @@
-"""Tests of the verifier: correct files pass, and for a corrupted file exactly the expected checks fail.
+"""Tests of the verifier: correct files pass, and for a corrupted file exactly the expected checks
+fail.
 
     python3 test_corrupted.py PROGRAM CASE
 
@@ -76,7 +77,8 @@ def good_files(folder):
 
 
 def good_files_of_every_size(folder):
-    """Checks that in another unit of length all numbers except lengths are the same, within the limits of the program."""
+    """Checks that in another unit of length all numbers except lengths are the same, within the
+    limits of the program."""
     for name in GOOD:
         made = make(name, folder)
         for scale in (1e-59, 1e-35, 1e35, 1e59):

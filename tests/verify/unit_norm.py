@@ -1,7 +1,7 @@
 """Checks fields of norm one: the phase is discretely harmonic, and so is its conjugate potential.
 
-∇φ = rot ∇Φ with a continuous P1 function Φ that is constant on every hole exactly if the flux of ∇φ is
-continuous across every inner edge and zero through every edge of a hole: if (K φ)_e = 0 there.
+∇φ = rot ∇Φ with a continuous P1 function Φ that is constant on every hole exactly if the flux of ∇φ
+is continuous across every inner edge and zero through every edge of a hole: if (K φ)_e = 0 there.
 """
 import numpy as np
 
@@ -15,8 +15,8 @@ class Phase:
     def __init__(self, mesh, field):
         step = field.step.copy()
         turns = np.rint(step.sum(axis=1) / (2.0 * np.pi))
-        # Where the three short changes around a triangle do not add up to 0, the largest is replaced by its
-        # complement.
+        # Where the three short changes around a triangle do not add up to 0, the largest is
+        # replaced by its complement.
         rows = np.flatnonzero(turns)
         longest = np.argmax(step[rows] * turns[rows, None], axis=1)
         step[rows, longest] -= 2.0 * np.pi * turns[rows]
@@ -62,8 +62,9 @@ LIFTS = [2.0 * np.pi * np.array([0, a, b]) for a in (-1, 0, 1) for b in (-1, 0, 
 
 
 def potential_range(energy, mesh):
-    """Returns an estimate of the range of the conjugate potential, at least one: g L for a strip with the length and
-    the area of the domain, with the energy ½ g² L W. Phases have its rounding, which matters in long domains.
+    """Returns an estimate of the range of the conjugate potential, at least one: g L for a strip
+    with the length and the area of the domain, with the energy ½ g² L W. Phases have its rounding,
+    which matters in long domains.
     """
     extent = np.ptp(mesh.points, axis=0).max()
     return np.sqrt(max(1.0, 2.0 * energy * extent ** 2 / mesh.area.sum()))

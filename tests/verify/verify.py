@@ -2,8 +2,9 @@
 
     python3 verify.py [--quiet] [--jobs N] FILE.vtu|FOLDER...
 
-Uses neither the program nor the library, only the mathematics. Needs numpy and the Python modules of VTK, with or
-without ParaView, for reading. Exits with 1 if a check fails and with 2 if there is nothing to verify.
+Uses neither the program nor the library, only the mathematics. Needs numpy and the Python modules
+of VTK, with or without ParaView, for reading. Exits with 1 if a check fails and with 2 if there is
+nothing to verify.
 """
 import argparse
 import collections
@@ -143,7 +144,8 @@ def _verify_h(data, mesh, field, boundary, indices, loops, degrees, found, repor
 
 
 def files_of(names):
-    """Returns given files and every .vtu in given folders; for a .vtm those in its folder of blocks."""
+    """Returns given files and every .vtu in given folders; for a .vtm those in its folder of
+    blocks."""
     for name in map(pathlib.Path, names):
         if name.is_dir():
             yield from sorted(name.rglob("*.vtu"))

@@ -30,7 +30,9 @@ using TestInputs::Row;
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/** Filter with valid input, a square of side 4 and one hole. Each test makes one property invalid. */
+/**
+ * Filter with valid input, a square of side 4 and one hole. Each test makes one property invalid.
+ */
 class DrillHolesRefusals : public testing::Test
 {
 public:

@@ -26,8 +26,8 @@ struct SpreadOptions
 ///
 /// Positions are spread: each singularity is moved in turn to the centre of the largest disk that
 /// fits between the boundary and the disks of the others, on a grid of 1/64 of the domain's size.
-/// Radii are those of AssignRadii. Throws Error when a given singularity lies outside the domain, or
-/// the domain is too thin.
+/// Radii are those of AssignRadii. Throws Error when a given singularity lies outside the domain,
+/// or the domain is too thin.
 Configuration SpreadConfiguration(
   const PlanarDomain& domain, const SpreadOptions& options = {}, const Progress& progress = {});
 

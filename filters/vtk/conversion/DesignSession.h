@@ -53,8 +53,8 @@ public:
   static std::vector<Row> ToRows(const crossfield::Configuration& configuration);
 
   /**
-   * Reads the domain and returns it. If the domain has changed, discards the results for the earlier
-   * one. Throws crossfield::Error like DomainConversion::ReadDomain.
+   * Reads the domain and returns it. If the domain has changed, discards the results for the
+   * earlier one. Throws crossfield::Error like DomainConversion::ReadDomain.
    */
   const DomainConversion::Domain& Read(vtkDataSet* data);
 

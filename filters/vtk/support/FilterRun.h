@@ -108,9 +108,9 @@ Outcome Try(Algorithm* self, Work work)
 }
 
 /**
- * Returns whether the filter runs in ParaView. If RequestData returns 0 there, ParaView continues to
- * draw the old output and prints a long second message, so a failed filter returns 1 with an empty
- * output.
+ * Returns whether the filter runs in ParaView. If RequestData returns 0 there, ParaView continues
+ * to draw the old output and prints a long second message, so a failed filter returns 1 with an
+ * empty output.
  */
 inline bool IsInParaView(vtkAlgorithm* self)
 {
@@ -154,9 +154,10 @@ inline std::optional<std::string> UpstreamFailure(vtkAlgorithm* self)
 }
 
 /**
- * Runs work(progress), sets the error code, and returns the result of RequestData: 0 after an error.
- * In ParaView it returns 1, and a filter downstream of a failed filter does nothing and has an error
- * code as well. After an error calls report(message), with the message of the failed filter.
+ * Runs work(progress), sets the error code, and returns the result of RequestData: 0 after an
+ * error. In ParaView it returns 1, and a filter downstream of a failed filter does nothing and has
+ * an error code as well. After an error calls report(message), with the message of the failed
+ * filter.
  */
 template <class Algorithm, class Work, class Report>
 int RunAndReport(Algorithm* self, unsigned long& errorCode, Work work, Report report)

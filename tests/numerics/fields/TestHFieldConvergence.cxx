@@ -17,8 +17,8 @@ namespace
 const Configuration Five = { { { 0.31, 0.42 }, 2, 0.0 }, { { -0.52, 0.18 }, 1, 0.0 },
   { { -0.11, -0.61 }, 1, 0.0 }, { { 0.47, -0.33 }, 1, 0.0 }, { { 0.08, 0.05 }, -1, 0.0 } };
 
-/// Returns the exact H of docs/method.md §9 with area mean 0: log|z − b| has the mean (|b|² − 1) / 2,
-/// and the images have mean 0.
+/// Returns the exact H of docs/method.md §9 with area mean 0: log|z − b| has the mean (|b|² − 1) /
+/// 2, and the images have mean 0.
 double ExactH(const Configuration& configuration, const Point& point)
 {
   const Complex z(point.x(), point.y());

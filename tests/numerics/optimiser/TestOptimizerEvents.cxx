@@ -1,4 +1,5 @@
-// Changes that the optimiser makes besides moving singularities, and the sentences that report them.
+// Changes that the optimiser makes besides moving singularities, and the sentences that report
+// them.
 
 #include "SingularityOptimizer.h"
 
