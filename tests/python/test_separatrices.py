@@ -49,7 +49,7 @@ class Separatrices(unittest.TestCase):
     def test_singularities_are_chosen(self):
         found = crossfield.separatrices("builtin:disk", size=0.1)
         self.assertEqual([row["quarter_index"] for row in found.report["singularities"]], [1] * 4)
-        # Minimum of W: 45 degrees apart, 0.8 of the radius is 0.8255 by the exact W.
+        # By symmetry, all radii are equal at the minimum of W.
         radii = [np.hypot(row["x"], row["y"]) for row in found.report["singularities"]]
         np.testing.assert_allclose(radii, np.mean(radii), rtol=1e-3)
         self.assertTrue(found.report["events"])

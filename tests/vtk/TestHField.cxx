@@ -145,7 +145,7 @@ TEST_F(HField, AcceptsSingularitiesOnTheBoundary)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("UnwantedSingularities"), 0.0);
   EXPECT_EQ(this->Value("GivenInteriorQuarters"), 2.0);
-  // Corners of port 2 prescribe the same.
+  // The same indices, prescribed as corners on port 2.
   const double energy = this->Value("RenormalizedEnergy");
   this->Filter->SetSingularitiesData(TestInputs::Singularities(
     { { 0.25, 0.0, -1.0, 0.1 }, { 0.7, 0.6, 1.0, 0.1 }, { 0.5, 0.25, 1.0, 0.1 } }));

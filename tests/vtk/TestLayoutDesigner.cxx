@@ -143,12 +143,12 @@ TEST_F(LayoutDesigner, KeepsTheLastValidLayout)
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Shades(), std::set<double>({ 1.0 }));
   EXPECT_EQ(this->Value("Stale"), 0);
-  // An inconsistent sum.
+  // A quarter index that makes the sum inconsistent.
   this->Filter->SetSingularity(0, 0.4, 0.4, 2, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Stale"), 1);
   EXPECT_NE(this->Text("Reason").find("total"), std::string::npos) << this->Text("Reason");
-  // Not an integer.
+  // A quarter index that is not an integer.
   this->Filter->SetSingularity(0, 0.4, 0.4, 0.5, 0.1);
   FilterChecks::UpdateWithoutError(this->Filter);
   EXPECT_EQ(this->Value("Stale"), 1);

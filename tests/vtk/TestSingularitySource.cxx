@@ -243,7 +243,7 @@ TEST_F(SingularitySource, ReadsAFile)
   const std::vector<Row> expected = { { 0.5, -0.25, 1.0, 0.1 }, { 1e-3, 2.0, -2.0, 0.05 } };
   EXPECT_EQ(this->Rows(), expected);
 
-  // Other columns, another order, blanks and Windows line ends.
+  // A file with additional columns, another order of columns, blanks and Windows line ends.
   this->SetText("name,radius, quarter_index,y,x\r\na,0.1, 1,-0.25,0.5\r\nb,0.05, -2,2,1e-3\r\n");
   EXPECT_EQ(this->Rows(), expected);
 

@@ -90,7 +90,7 @@ TEST(DrillModes, WriteLinesOfKindFour)
       for (const std::size_t line : lines)
       {
         EXPECT_EQ(mesh.lines[line].quarterIndex, row == 2 ? -1 : 1);
-        // There is a triangle on either side.
+        // Each imprinted line has a triangle on either side.
         const auto& [from, to] = mesh.lines[line].points;
         EXPECT_EQ(mesh.sides.count({ from, to }), 1u);
         EXPECT_EQ(mesh.sides.count({ to, from }), 1u);

@@ -13,9 +13,9 @@ using SizeFunction = std::function<double(const Point&)>;
 /// How the target size of quads varies over a domain.
 enum class Sizing
 {
-  Conformal, ///< The size of the map, e^H.
-  Uniform,   ///< The same size everywhere.
-  Field      ///< In proportion to a size field.
+  Conformal, ///< Sizes of the map, e^H.
+  Uniform,   ///< Equal sizes everywhere.
+  Field      ///< Sizes in proportion to a size field.
 };
 
 /// Relative target sizes of quads over a domain.

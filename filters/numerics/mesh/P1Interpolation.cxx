@@ -98,8 +98,8 @@ double P1Interpolation::At(const Point& place) const
   const int column = this->Column(place.x());
   const int row = this->Row(place.y());
   Nearest best{ std::numeric_limits<double>::infinity(), 0.0 };
-  // Rings of buckets around that of the point, until no bucket further out can hold a nearer
-  // triangle.
+  // Search rings of buckets around that of the point, until no bucket farther out can contain a
+  // nearer triangle.
   const int most = std::max(this->Columns, this->Rows);
   for (int ring = 0; ring <= most; ++ring)
   {

@@ -121,7 +121,7 @@ FieldCheck CheckField(const CrossField& field, const std::vector<CornerChoice>& 
   }
   for (const BoundaryLoop& circle : topology.imprinted)
   {
-    // the indices inside the circle include its degree
+    // the degree is already part of the indices inside
     check.prescribedDegrees.push_back(circle.quarterIndex);
   }
   if (byItself)
