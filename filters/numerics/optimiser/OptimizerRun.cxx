@@ -68,7 +68,7 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 
 OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
 {
-  constexpr int MaximumMeshes = 30; // then no further mesh is made
+  constexpr int MaximumMeshes = 30; // then the resolution is no longer checked
   for (int meshes = 1;; ++meshes)
   {
     this->Iteration.checksMesh = meshes < MaximumMeshes;

@@ -205,7 +205,8 @@ int MakeSymmetric(
   Symmetriser symmetriser(mesh, curves, Tolerance * domain.Diagonal(), released);
   // Neighbouring symmetries of a polygon with many sides are nearly equal. A symmetry is accepted
   // only if images match points within this fraction of an edge. Of several reflections the best
-  // match is used, and the right power of a rotation must be the identity.
+  // match is used. A rotation applied `order` times, or a reflection applied twice, must be the
+  // identity.
   constexpr double Near = 0.25;
   Permutation turn;
   double angle = 0.0;
