@@ -41,6 +41,12 @@ for preset in "${presets[@]}"; do
   target=all
   if [[ $tests == yes ]]; then
     options+=(-DCROSSFIELD_BUILD_TESTING=ON)
+    # The numerics do not depend on VTK: if ParaView's build is made as well, it has their tests.
+    numerics=ON
+    if [[ $preset == vtk91 && " ${presets[*]} " == *" paraview511 "* ]]; then
+      numerics=OFF
+    fi
+    options+=("-DCROSSFIELD_BUILD_NUMERICS_TESTS=$numerics")
   elif [[ ! -e $folder/CMakeCache.txt ]]; then
     options+=(-DCROSSFIELD_BUILD_TESTING=OFF)
   else
