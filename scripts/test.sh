@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds for ParaView 5.11 and runs the tests of that build. Exits with 0 only if all tests pass.
 #
-#   scripts/test.sh [OPTIONS OF CTEST]         at most 15 minutes on a new machine with 2 cores
-#   scripts/test.sh --all [OPTIONS OF CTEST]   also for VTK 9.1 and with sanitizers: at most 60 minutes
+#   scripts/test.sh [OPTIONS OF CTEST]         about 20 minutes on a new machine with 2 cores
+#   scripts/test.sh --all [OPTIONS OF CTEST]   also for VTK 9.1 and with sanitizers: about 60 minutes
 #
 # ctest runs once per build. tests/left_out lists the tests that a build leaves out.
 set -euo pipefail
