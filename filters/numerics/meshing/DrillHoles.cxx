@@ -6,6 +6,7 @@
 #include "HoleRadii.h"
 #include "MemoryBudget.h"
 #include "MeshBudget.h"
+#include "NarrowParts.h"
 #include "PlanarMesher.h"
 #include "TriangleChoice.h"
 
@@ -158,12 +159,10 @@ void RequireResolution(
   }
 }
 
-/// Builds the size field of a domain: short segments of the boundary and of the holes require small
-/// triangles around them.
-SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const DrillOptions& options)
+/// Returns the size sources of the boundary: short segments require small triangles around them.
+std::vector<SizeSource> BoundarySources(const PlanarDomain& domain)
 {
-  std::vector<SizeSource> sources = options.refinements;
-  Eigen::AlignedBox2d box;
+  std::vector<SizeSource> sources;
   for (const Loop& loop : domain.loops)
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
@@ -171,15 +170,50 @@ SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const Drill
       const double before = (loop[i] - loop[(i + loop.size() - 1) % loop.size()]).norm();
       const double after = (loop[(i + 1) % loop.size()] - loop[i]).norm();
       sources.push_back({ loop[i], std::min(before, after) });
-      box.extend(loop[i]);
     }
   }
-  RequireResolution(sources, meshSize, box);
-  if (options.gradation > 0.0) // otherwise SizeField throws
+  return sources;
+}
+
+/// Builds the size field of a domain from the sources of the options and of the boundary and, on
+/// request, of narrow parts.
+SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const DrillOptions& options)
+{
+  std::vector<SizeSource> sources = options.refinements;
+  const std::vector<SizeSource> boundary = BoundarySources(domain);
+  sources.insert(sources.end(), boundary.begin(), boundary.end());
+  Eigen::AlignedBox2d box;
+  for (const SizeSource& source : boundary)
   {
-    RequireMemoryForMesh(domain, sources, meshSize, options.gradation);
+    box.extend(source.position);
   }
-  return SizeField(sources, meshSize, options.gradation, box);
+  for (SizeSource& source : sources)
+  {
+    source.size /= options.refinement;
+  }
+  meshSize /= options.refinement;
+  const auto makeField = [&]
+  {
+    RequireResolution(sources, meshSize, box);
+    if (options.gradation > 0.0) // otherwise SizeField throws
+    {
+      RequireMemoryForMesh(domain, sources, meshSize, options.gradation);
+    }
+    return SizeField(sources, meshSize, options.gradation, box);
+  };
+  SizeField size = makeField();
+  if (options.edgesAcross > 0.0)
+  {
+    // A thousandth is fine enough for any narrow part and bounds the number of triangles.
+    const std::vector<SizeSource> narrow =
+      FindNarrowParts(domain, size, options.edgesAcross * options.refinement, 1e-3 * meshSize);
+    if (!narrow.empty())
+    {
+      sources.insert(sources.end(), narrow.begin(), narrow.end());
+      size = makeField();
+    }
+  }
+  return size;
 }
 }
 

@@ -27,6 +27,10 @@ struct DrillOptions
   int minimumHoleEdges = 32;
   /// Maximum growth of the edge length per unit of distance.
   double gradation = 0.25;
+  /// Minimum number of edges across narrow parts of the domain (NarrowParts.h); 0: no minimum.
+  double edgesAcross = 0.0;
+  /// Factor by which all target edge lengths are divided.
+  double refinement = 1.0;
   DrillMode mode = DrillMode::Perforate;
   /// Further points around which edges are short.
   std::vector<SizeSource> refinements;

@@ -12,6 +12,10 @@ namespace crossfield
 {
 namespace
 {
+/// Minimum number of edges across narrow parts: with two, vertices are inside every part, so that a
+/// seam can pass through it.
+constexpr double EdgesAcross = 2.0;
+
 /// Returns size sources that refine the mesh at each singularity.
 std::vector<SizeSource> RefinementSources(
   const Configuration& configuration, const PlanarDomain& domain, double size)
@@ -42,6 +46,7 @@ DrillOptions RefineAt(
 {
   DrillOptions options;
   options.meshSize = meshSize;
+  options.edgesAcross = EdgesAcross;
   const double size = ResolveMeshSize(options, domain);
   for (const Configuration& configuration : configurations)
   {
@@ -59,9 +64,10 @@ TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& conf
 }
 
 TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize, const Progress& progress)
+  double meshSize, const Progress& progress, double refinement)
 {
   DrillOptions options = RefineAt({ configuration }, domain, meshSize);
+  options.refinement = refinement;
   for (const Singularity& singularity : configuration)
   {
     // Singularities on the boundary become vertices of it; SolveSeamlessMap refuses those outside.

@@ -10,8 +10,8 @@
 namespace crossfield
 {
 /// Triangulates a domain without holes for SolveHField: four times finer at the singularities, and
-/// fine enough to separate them from each other and from the boundary. `meshSize` 0 means 1/40 of
-/// the diagonal.
+/// fine enough to separate them from each other and from the boundary. Narrow parts of the domain
+/// are at least two edges wide (NarrowParts.h). `meshSize` 0 means 1/40 of the diagonal.
 TriangleMesh MeshForPoints(const PlanarDomain& domain, const Configuration& configuration,
   double meshSize = 0.0, const Progress& progress = {});
 
@@ -22,6 +22,7 @@ TriangleMesh MeshForConfigurations(const PlanarDomain& domain,
   const Progress& progress = {});
 
 /// Works as MeshForPoints with a vertex at each singularity, as SolveSeamlessMap requires.
+/// `refinement` divides all edge lengths.
 TriangleMesh MeshThroughPoints(const PlanarDomain& domain, const Configuration& configuration,
-  double meshSize = 0.0, const Progress& progress = {});
+  double meshSize = 0.0, const Progress& progress = {}, double refinement = 1.0);
 }
