@@ -1,6 +1,6 @@
 #include "TMeshPatches.h"
 
-#include "Error.h"
+#include "CoarseMeshError.h"
 #include "Index.h"
 #include "TMeshArcs.h"
 
@@ -62,7 +62,7 @@ std::vector<int> LinkHalfEdges(TMesh& mesh)
 
 [[noreturn]] void ThrowNoRectangles(const Point& location)
 {
-  throw Error("The separatrices do not divide the domain into rectangles near " +
+  throw CoarseMeshError("The separatrices do not divide the domain into rectangles near " +
     Describe(location) + "; use a finer mesh.");
 }
 

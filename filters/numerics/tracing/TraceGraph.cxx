@@ -1,6 +1,6 @@
 #include "TraceGraph.h"
 
-#include "Error.h"
+#include "CoarseMeshError.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -158,7 +158,7 @@ private:
     }
     if (last.exitLength > LongestLine * this->Extent)
     {
-      throw Error("A separatrix of the seamless map does not end; use a finer mesh.");
+      throw CoarseMeshError("A separatrix of the seamless map does not end; use a finer mesh.");
     }
     line.segments.push_back(this->Walk.Continue(last));
     this->Enter(number);

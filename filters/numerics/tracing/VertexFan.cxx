@@ -1,6 +1,6 @@
 #include "VertexFan.h"
 
-#include "Error.h"
+#include "CoarseMeshError.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -106,7 +106,7 @@ public:
     const auto expected = static_cast<std::size_t>(cone.Quarters() - (cone.onBoundary ? 1 : 0));
     if (total != 2 * cone.Quarters() || departures.size() != expected)
     {
-      throw Error("The triangles of the seamless map around " +
+      throw CoarseMeshError("The triangles of the seamless map around " +
         Describe(this->Topology.PointAt(cone.vertex)) + " add up to " + std::to_string(total) +
         " eighths of a turn instead of " + std::to_string(2 * cone.Quarters()) +
         "; use a finer mesh there.");

@@ -1,18 +1,45 @@
 #include "QuadWorkflow.h"
 
 #include "MeshForPoints.h"
+#include "MeshRetry.h"
 #include "PoincareHopf.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
 #include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
+/// A seamless map and the patches between its separatrices.
+struct Layout
+{
+  SeamlessMap map;
+  TMesh separatrices;
+};
+
+/// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
+/// be noticed after a long search for edge counts.
+void RequireCountable(const PlanarDomain& domain, double quadSize)
+{
+  constexpr double MaximumQuads = std::numeric_limits<int>::max();
+  const double quads = domain.Area() / quadSize / quadSize;
+  if (quadSize > 0.0 && quads > MaximumQuads)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "The domain would need more quads of size " << quadSize
+         << " than the 2 billion that can be numbered; use a larger size.";
+    throw Error(text.str());
+  }
+}
+
 /// The steps of MakeQuadMesh, in their order, and what they share.
 class Workflow
 {
@@ -51,34 +78,20 @@ public:
     this->Clock.Lap();
   }
 
-  SharedTopology Mesh(const Progress& progress)
+  /// Meshes, solves for the map and traces the separatrices.
+  Layout LayOut(const Progress& progress)
   {
-    const SharedTopology topology = ShareTopology(MeshThroughPoints(
-      this->Domain, this->Result.singularities, this->Request.meshSize, progress));
-    this->Result.seconds.mesh = this->Clock.Lap();
-    return topology;
-  }
-
-  SeamlessMap Map(const SharedTopology& topology, const Progress& progress)
-  {
-    SeamlessMap map =
-      SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
-    this->Result.holonomyDefect = map.holonomyDefect;
-    const PlacedConfiguration placed =
-      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
-    for (const CountedCorner& corner : CountMeshQuarters(*topology, placed.corners).corners)
-    {
-      this->Result.corners.push_back({ corner.position, corner.quarterIndex });
-    }
-    this->Result.seconds.map = this->Clock.Lap();
-    return map;
-  }
-
-  TMesh Trace(const SeamlessMap& map, const Progress& progress)
-  {
-    TMesh separatrices = MakeTMesh(map, TraceSeparatrices(map, progress));
-    this->Result.seconds.trace = this->Clock.Lap();
-    return separatrices;
+    return RetryOnFinerMesh(
+      [&](double refinement)
+      {
+        // A second attempt shares the part of the progress that the first one leaves.
+        const Progress part = refinement == 1.0 ? progress.Part(0.0, 0.9) : progress.Part(0.9, 1.0);
+        const SharedTopology topology = this->Mesh(refinement, part.Part(0.0, 0.2));
+        SeamlessMap map = this->Map(topology, part.Part(0.2, 0.8));
+        TMesh separatrices = this->Trace(map, part.Part(0.8, 1.0));
+        return Layout{ std::move(map), std::move(separatrices) };
+      },
+      this->Result.events);
   }
 
   void MakeQuads(const SeamlessMap& map, TMesh separatrices, const Progress& progress)
@@ -93,6 +106,7 @@ public:
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, *map.topology);
       options.sizes.field = std::move(sizes.field);
       options.quadSize *= sizes.mean;
+      RequireCountable(this->Domain, options.quadSize);
     }
     this->Result.quads = crossfield::MakeQuads(map, std::move(separatrices), options, progress);
     QuadSeconds& seconds = this->Result.seconds;
@@ -104,6 +118,37 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
+  SharedTopology Mesh(double refinement, const Progress& progress)
+  {
+    SharedTopology topology = ShareTopology(MeshThroughPoints(
+      this->Domain, this->Result.singularities, this->Request.meshSize, progress, refinement));
+    this->Result.seconds.mesh += this->Clock.Lap();
+    return topology;
+  }
+
+  SeamlessMap Map(const SharedTopology& topology, const Progress& progress)
+  {
+    SeamlessMap map =
+      SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
+    this->Result.holonomyDefect = map.holonomyDefect;
+    const PlacedConfiguration placed =
+      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
+    this->Result.corners.clear();
+    for (const CountedCorner& corner : CountMeshQuarters(*topology, placed.corners).corners)
+    {
+      this->Result.corners.push_back({ corner.position, corner.quarterIndex });
+    }
+    this->Result.seconds.map += this->Clock.Lap();
+    return map;
+  }
+
+  TMesh Trace(const SeamlessMap& map, const Progress& progress)
+  {
+    TMesh separatrices = MakeTMesh(map, TraceSeparatrices(map, progress));
+    this->Result.seconds.trace += this->Clock.Lap();
+    return separatrices;
+  }
+
   const PlanarDomain& Domain;
   const QuadRequest& Request;
   SeamlessMapOptions MapOptions;
@@ -115,15 +160,17 @@ private:
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
+  if (request.sizing != Sizing::Field) // whose sizes are factors
+  {
+    RequireCountable(domain, request.quadSize);
+  }
   const double chosen = request.singularities ? 0.0 : 0.5;
   const Progress remaining = progress.Part(chosen, 1.0);
   Workflow workflow(domain, request);
   workflow.Choose(progress.Part(0.0, chosen));
   workflow.Repair(remaining.Part(0.0, 0.1));
-  const SharedTopology topology = workflow.Mesh(remaining.Part(0.1, 0.2));
-  const SeamlessMap map = workflow.Map(topology, remaining.Part(0.2, 0.5));
-  TMesh separatrices = workflow.Trace(map, remaining.Part(0.5, 0.6));
-  workflow.MakeQuads(map, std::move(separatrices), remaining.Part(0.6, 0.95));
+  Layout layout = workflow.LayOut(remaining.Part(0.1, 0.6));
+  workflow.MakeQuads(layout.map, std::move(layout.separatrices), remaining.Part(0.6, 0.95));
   return workflow.TakeResult();
 }
 

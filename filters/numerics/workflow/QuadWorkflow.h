@@ -52,7 +52,8 @@ struct QuadWorkflowResult
 {
   Configuration singularities;       ///< Given or chosen, at their positions after repair.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
-  std::vector<std::string> events;   ///< Decisions made in choosing, one sentence each.
+  /// Decisions made in choosing, and whether the mesh was refined; one sentence each.
+  std::vector<std::string> events;
   std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
   std::optional<HolonomyRepair> repair;   ///< If it was requested.
   std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
@@ -62,10 +63,11 @@ struct QuadWorkflowResult
 
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
 /// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
-/// makes quads.
+/// makes quads. If the map or the separatrices fail with CoarseMeshError, they are tried once more
+/// on a mesh with edges half as long.
 ///
-/// Throws Error as ChooseSingularities, RepairForMap, MeshThroughPoints, SolveSeamlessMap,
-/// TraceSeparatrices, MakeTMesh and MakeQuads do.
+/// Throws Error if there would be more quads than can be numbered, and as ChooseSingularities,
+/// RepairForMap, MeshThroughPoints, SolveSeamlessMap, TraceSeparatrices, MakeTMesh and MakeQuads do.
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
 

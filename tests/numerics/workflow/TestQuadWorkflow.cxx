@@ -5,6 +5,7 @@
 
 #include "MakePlanarDomain.h"
 #include "MeshForPoints.h"
+#include "MeshRetry.h"
 #include "PoincareHopf.h"
 #include "Support.h"
 #include "TMeshPatches.h"
@@ -150,6 +151,75 @@ TEST(QuadWorkflow, SingularitiesAreAtTheirPositionsAfterRepair)
       [&position](const QuadPoint& point) { return (point.place - position).norm() < 1e-9; }));
   }
   EXPECT_EQ(largest, result.repair->largestMove);
+}
+
+TEST(QuadWorkflow, ThinDomainsHaveAMap)
+{
+  for (const double length : { 40.0, 1000.0 })
+  {
+    const PlanarDomain strip =
+      MakePlanarDomain({ { { 0.0, 0.0 }, { length, 0.0 }, { length, 1.0 }, { 0.0, 1.0 } } });
+    QuadRequest request;
+    request.singularities = Configuration{};
+    request.quadSize = 0.5;
+    const QuadWorkflowResult result = MakeQuadMesh(strip, request);
+    EXPECT_EQ(result.quads.mesh.quads.size(), static_cast<std::size_t>(4.0 * length));
+    EXPECT_NEAR(result.quads.quality.jacobian.min, 1.0, 1e-9);
+    EXPECT_TRUE(result.events.empty());
+  }
+}
+
+TEST(QuadWorkflow, RefusesMoreQuadsThanCanBeNumbered)
+{
+  QuadRequest request;
+  for (const double size : { 1e-7, 1e-12, 1e-100, 1e-300 })
+  {
+    request.quadSize = size;
+    EXPECT_TRUE(Refuses([&] { MakeQuadMesh(LShape(), request); }, { "can be numbered" }));
+  }
+}
+
+TEST(MeshRetry, RefinesOnceAndOnlyForErrorsThatAFinerMeshMayCure)
+{
+  std::vector<double> calls;
+  std::vector<std::string> events;
+  const auto succeedsFrom = [&calls](double refinement)
+  {
+    return [&calls, refinement](double given)
+    {
+      calls.push_back(given);
+      if (given < refinement)
+      {
+        throw CoarseMeshError("Too coarse at " + std::to_string(calls.size()) + ".");
+      }
+      return given;
+    };
+  };
+  EXPECT_EQ(RetryOnFinerMesh(succeedsFrom(1.0), events), 1.0);
+  EXPECT_EQ(calls, std::vector<double>{ 1.0 });
+  EXPECT_TRUE(events.empty());
+
+  calls.clear();
+  EXPECT_EQ(RetryOnFinerMesh(succeedsFrom(2.0), events), 2.0);
+  EXPECT_EQ(calls, (std::vector<double>{ 1.0, 2.0 }));
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_NE(events[0].find("Too coarse at 1."), std::string::npos);
+
+  calls.clear();
+  EXPECT_TRUE(
+    Refuses([&] { RetryOnFinerMesh(succeedsFrom(3.0), events); }, { "Too coarse at 2." }));
+  EXPECT_EQ(calls.size(), 2U);
+
+  calls.clear();
+  events.clear();
+  const auto refuse = [&calls](double given) -> double
+  {
+    calls.push_back(given);
+    throw Error("No such domain.");
+  };
+  EXPECT_TRUE(Refuses([&] { RetryOnFinerMesh(refuse, events); }, { "No such domain." }));
+  EXPECT_EQ(calls.size(), 1U);
+  EXPECT_TRUE(events.empty());
 }
 
 TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
