@@ -9,6 +9,7 @@
 #include "CheckOutput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -161,7 +162,7 @@ void AddCheckCommand(CLI::App& app, int& status)
       "with --propose F.csv: number of further configurations, 0 to 100; they are written to "
       "F_1.csv, "
       "F_2.csv, …, the best first; default: 0")
-    ->check(CLI::Range(0, 100))
+    ->transform(NumberCheck::Whole(0, 100))
     ->needs(proposing);
   AddCoreRadiusTo(*command, options->coreRadius);
   command->add_flag("--cancel-flat", options->cancelFlat,

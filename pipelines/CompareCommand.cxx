@@ -8,6 +8,7 @@
 #include "CompareTable.h"
 #include "DomainReader.h"
 #include "MethodRun.h"
+#include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -163,7 +164,7 @@ void AddCompareCommand(CLI::App& app, int& status)
   command
     ->add_option("--epsilon", options->epsilon,
       "length of the penalty for all methods that have one, positive; default: the mesh size")
-    ->check(CLI::PositiveNumber);
+    ->check(NumberCheck::Positive());
   command->add_flag("--in-place", options->inPlace,
     "keep the fields in place instead of placing them side by side");
   command->add_option(

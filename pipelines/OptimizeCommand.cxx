@@ -6,6 +6,7 @@
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -24,6 +25,7 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -173,7 +175,7 @@ void AddOptimizeCommand(CLI::App& app, int& status)
   command
     ->add_option("--iterations", options->iterations, "maximum number of iterations, not negative")
     ->capture_default_str()
-    ->check(CLI::NonNegativeNumber);
+    ->transform(NumberCheck::Whole(0, std::numeric_limits<int>::max()));
   AddClearanceTo(*command, options->clearance, "1/400 of the domain's diagonal");
   command->add_flag("--keep-all", options->keepAll,
     "keep every singularity in the interior or on the boundary where it started; remove none that "

@@ -7,6 +7,7 @@
 #include "BoundaryInput.h"
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -25,6 +26,7 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <limits>
 #include <memory>
 
 namespace
@@ -172,6 +174,10 @@ int Mesh(const QuadsOptions& options)
     {
       PrintChosen(Singularities(mesher), hasHeight);
     }
+    else
+    {
+      PrintEvents(quads);
+    }
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
               << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
@@ -200,11 +206,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
   CLI::Option* size = command
                         ->add_option("--size", options->size,
                           "mean side length of the quads, positive; default: from --quads")
-                        ->check(CLI::PositiveNumber);
+                        ->check(NumberCheck::Positive());
   CLI::Option* count =
     command
       ->add_option("--quads", options->quads, "target number of quads, positive; default: 1000")
-      ->check(CLI::PositiveNumber)
+      ->transform(NumberCheck::Whole(1, std::numeric_limits<int>::max()))
       ->excludes(size);
   command
     ->add_option("--sizing", options->sizing,
@@ -219,7 +225,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "
       "the domain's diagonal")
-    ->check(CLI::PositiveNumber);
+    ->check(NumberCheck::Positive());
   command->add_option("--blocks", options->blocks, "write the structured blocks to this .vtm file");
   command->add_option(
     "--layout", options->layout, "write the sides of the blocks to this .vtp file");

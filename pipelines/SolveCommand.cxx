@@ -7,6 +7,7 @@
  */
 #include "CommandLine.h"
 #include "DomainReader.h"
+#include "NumberCheck.h"
 #include "OutputFile.h"
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
@@ -163,7 +164,7 @@ void AddSolveCommand(CLI::App& app, int& status)
       "constrained: adds this penalty, so that the quarter indices may have any sum; "
       "ginzburg-landau: "
       "default: the mean edge length, weighted by area")
-    ->check(CLI::PositiveNumber);
+    ->check(NumberCheck::Positive());
   AddModeTo(*command, options->mode);
   command->add_flag("--unit-holes", options->unitHoles, "force unit crosses on all holes");
   command

@@ -33,7 +33,7 @@ void Keep(vtkAlgorithm* domain, vtkAlgorithm* points, int port = 0);
 /** Keeps the boundary in place at the points of a file, if one is named. */
 void Keep(vtkAlgorithm* domain, const std::string& file);
 
-/** Prints how the boundary was simplified, if it was. */
+/** Prints how the boundary was simplified and which corners merged, if any. */
 void Print(vtkAlgorithm* domain);
 }
 

@@ -1,6 +1,7 @@
 #include "CommandLine.h"
 
 #include "DomainReader.h"
+#include "NumberCheck.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkCrossFieldArraySets.h"
 
@@ -85,7 +86,7 @@ void AddCoreRadiusTo(CLI::App& command, double& radius)
     .add_option("--core-radius", radius,
       "radius of the cores for which the energies of configurations are compared, not negative; "
       "default: 1/100 of the domain's diagonal")
-    ->check(CLI::NonNegativeNumber);
+    ->check(NumberCheck::NotNegative());
 }
 
 void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fallback)
@@ -96,7 +97,7 @@ void AddClearanceTo(CLI::App& command, double& clearance, const std::string& fal
       "negative; "
       "default: " +
         fallback)
-    ->check(CLI::NonNegativeNumber);
+    ->check(NumberCheck::NotNegative());
 }
 
 void AddPairsTo(CLI::App& command, int& pairs)
@@ -106,7 +107,7 @@ void AddPairsTo(CLI::App& command, int& pairs)
       "maximum number of pairs of quarter indices 1 and -1 to add where they make sizes more "
       "uniform, "
       "0 to 100; default: 0")
-    ->check(CLI::Range(0, 100));
+    ->transform(NumberCheck::Whole(0, 100));
 }
 
 void AddCapCornersTo(CLI::App& command, bool& cap, const std::string& names)

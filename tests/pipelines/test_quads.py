@@ -2,6 +2,7 @@
 import json
 import math
 import pathlib
+import time
 import unittest
 
 from program import ProgramTest, write_configuration
@@ -142,6 +143,55 @@ LOOKUP_TABLE default
         self.refuse(*common, "field", "--even", says=("--sizing: give", "name of a point array"))
         self.refuse(*common, "conformal", "--even", says=("no 'conformal'", "uniform or field"))
         self.refuse(*common, "field", "Width", "--even", says=("no point array 'Width'",))
+
+    def test_thin_domains(self):
+        """Rectangles of aspect ratios 40 and 1000 need no irregular node and have square quads."""
+        for length in (40, 1000):
+            (self.folder / "strip.csv").write_text(f"x,y\n0,0\n{length},0\n{length},1\n0,1\n")
+            report = self.report("strip.csv", "--size", "0.5")
+            self.assertEqual((report["quads"], report["irregular"]), (4 * length, {}))
+            self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, places=6)
+
+    def test_a_comb_is_divided_at_its_corners(self):
+        teeth = 12
+        points = ["0,0", f"{2 * teeth},0"]
+        for tooth in reversed(range(teeth)):
+            x = 2 * tooth
+            points += [f"{x + 2},0.3", f"{x + 1.5},0.3", f"{x + 1.5},5", f"{x + 1},5", f"{x + 1},0.3"]
+        (self.folder / "comb.csv").write_text("\n".join(["x,y", *points, "0,0.3", ""]))
+        report = self.report("comb.csv", "--size", "0.25")
+        self.assertEqual(report["irregular"], {})
+        self.assertAlmostEqual(report["scaled_jacobian"]["min"], 1.0, delta=0.01)
+
+    def test_merged_corners_are_reported(self):
+        """The blunt tail of a profile, shorter than the length of thinning, becomes sharp."""
+        points = ["-3,-2", "3,-2", "3,2", "-3,2"]
+        tail = ["1,-0.0005", "0,-0.1", "-1,0", "0,0.1", "1,0.0005"]
+        (self.folder / "tail.csv").write_text("\n".join(
+            ["x,y,loop", *(point + ",0" for point in points), *(point + ",1" for point in tail), ""]))
+        printed = self.succeed("check", "tail.csv")
+        self.assertIn("2 corners of the boundary, the first at (1, ", printed)
+        self.assertIn("--thin-boundary 0 retains all corners", printed)
+        self.assertNotIn("corners of the boundary",
+                         self.succeed("check", "tail.csv", "--thin-boundary", "0"))
+
+    def test_numbers_of_the_command_line(self):
+        self.assertEqual(self.report("builtin:square", "--quads", "1e2")["quads"],
+                         self.report("builtin:square", "--quads", "100")["quads"])
+        common = ("quads", "builtin:disk", "-s", "four.csv", "-o", "quads.vtu")
+        for size in ("nan", "0", "-1", "inf", "1e400", "small"):
+            self.refuse(*common, f"--size={size}", says=("--size: give a positive number", size))
+        for count in ("1.5", "0", "-3", "1e10", "nan", "many"):
+            self.refuse(*common, f"--quads={count}",
+                        says=("--quads: give a whole number from 1 to 2147483647", count))
+        self.refuse(*common, "--pairs", "101", says=("a whole number from 0 to 100", "'101'"))
+
+    def test_sizes_with_more_quads_than_can_be_numbered(self):
+        for size in ("1e-05", "1e-07", "1e-09", "1e-100", "1e-300"):
+            begin = time.monotonic()
+            self.refuse("quads", "builtin:disk", "-o", "quads.vtu", "--size", size,
+                        says=("quads of size " + size, "use a larger size"))
+            self.assertLess(time.monotonic() - begin, 5.0)
 
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):

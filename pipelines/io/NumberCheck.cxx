@@ -1,0 +1,66 @@
+#include "NumberCheck.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace
+{
+/** Returns the number that a text is as a whole, or NaN. */
+double NumberOf(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const bool isNumber = !text.empty() && end == text.c_str() + text.size();
+  return isNumber && std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string Refusal(const std::string& required, const std::string& given)
+{
+  return "give " + required + " instead of '" + given + "'";
+}
+
+/** Returns a validator of numbers; `required` is what the message requests. */
+template <typename Condition>
+CLI::Validator Number(const char* name, const std::string& required, Condition holds)
+{
+  return CLI::Validator([required, holds](std::string& text)
+    { return holds(NumberOf(text)) ? std::string() : Refusal(required, text); },
+    name);
+}
+}
+
+namespace NumberCheck
+{
+CLI::Validator Positive()
+{
+  return Number("POSITIVE", "a positive number", [](double number) { return number > 0.0; });
+}
+
+CLI::Validator NotNegative()
+{
+  return Number(
+    "NONNEGATIVE", "a number that is not negative", [](double number) { return number >= 0.0; });
+}
+
+CLI::Validator Whole(int minimum, int maximum)
+{
+  const std::string required =
+    "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+  return CLI::Validator(
+    [=](std::string& text)
+    {
+      const double number = NumberOf(text);
+      if (!(number >= minimum && number <= maximum) || number != std::floor(number))
+      {
+        return Refusal(required, text);
+      }
+      text = std::to_string(static_cast<int>(number));
+      return std::string();
+    },
+    "");
+}
+}
