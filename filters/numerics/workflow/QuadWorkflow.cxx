@@ -7,6 +7,7 @@
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -37,6 +38,30 @@ void RequireCountable(const PlanarDomain& domain, double quadSize)
     text << "The domain would need more quads of size " << quadSize
          << " than the 2 billion that can be numbered; use a larger size.";
     throw Error(text.str());
+  }
+}
+
+/// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
+/// leaves no angle for a quad. Capping changes corners of the domain only.
+void RequireAngles(const PlanarDomain& domain, const Configuration& singularities,
+  const std::vector<CountedCorner>& corners)
+{
+  const double reach = BoundaryReach * domain.Diagonal();
+  for (const CountedCorner& corner : corners)
+  {
+    const bool isSingular = std::any_of(singularities.begin(), singularities.end(),
+      [&](const Singularity& singularity)
+      {
+        return singularity.quarterIndex > 0 &&
+          (singularity.position - corner.position).norm() <= reach;
+      });
+    if (isSingular && corner.quarterIndex > 1)
+    {
+      throw Error("With the singularities at " + Describe(corner.position) +
+        ", the boundary there has quarter index " + std::to_string(corner.quarterIndex) +
+        ", which leaves no angle for a quad; give singularities of index 1 inside the domain "
+        "instead.");
+    }
   }
 }
 
@@ -128,13 +153,15 @@ private:
 
   SeamlessMap Map(const SharedTopology& topology, const Progress& progress)
   {
+    const PlacedConfiguration placed =
+      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
+    const PoincareHopfCount count = CountMeshQuarters(*topology, placed.corners);
+    RequireAngles(this->Domain, this->Result.singularities, count.corners);
     SeamlessMap map =
       SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
     this->Result.holonomyDefect = map.holonomyDefect;
-    const PlacedConfiguration placed =
-      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
     this->Result.corners.clear();
-    for (const CountedCorner& corner : CountMeshQuarters(*topology, placed.corners).corners)
+    for (const CountedCorner& corner : count.corners)
     {
       this->Result.corners.push_back({ corner.position, corner.quarterIndex });
     }

@@ -169,6 +169,20 @@ TEST(QuadWorkflow, ThinDomainsHaveAMap)
   }
 }
 
+/// Index 2 takes the whole half turn of a smooth boundary.
+TEST(QuadWorkflow, RefusesASmoothBoundaryPointOfIndexTwo)
+{
+  const PlanarDomain disk = DiskOfEdges(0.1);
+  QuadRequest request;
+  request.singularities =
+    Configuration{ { disk.loops[0][5], 2 }, { { 0.0, 0.3 }, 1 }, { { -0.5, 0.0 }, 1 } };
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(disk, request); },
+    { Describe(disk.loops[0][5]), "quarter index 2", "index 1 inside the domain" }));
+  request.singularities = Configuration{ { 0.7 * disk.loops[0][2], 1 },
+    { 0.7 * disk.loops[0][8], 1 }, { { 0.0, 0.3 }, 1 }, { { -0.5, 0.0 }, 1 } };
+  EXPECT_EQ(MakeQuadMesh(disk, request).quads.quality.inverted, 0);
+}
+
 TEST(QuadWorkflow, RefusesMoreQuadsThanCanBeNumbered)
 {
   QuadRequest request;
