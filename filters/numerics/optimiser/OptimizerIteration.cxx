@@ -84,10 +84,11 @@ Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
 }
 
 /// Solves the model with a given matrix B.
-QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerState& current)
+QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerState& current,
+  const Eigen::MatrixXd& reachable)
 {
   QuadraticStep result;
-  result.reachable = ReachableDefects(current.defectGradient);
+  result.reachable = reachable;
   result.defects = result.reachable.transpose() * current.defects;
   const Eigen::MatrixXd rows = result.reachable.transpose() * current.defectGradient;
   const Eigen::VectorXd gradient = current.ObjectiveGradient();
@@ -115,14 +116,15 @@ QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerState& c
   constexpr double MaximumStep = 100.0;
   Eigen::MatrixXd matrix = hessian + current.barrier.hessian;
   double shift = 1e-6 * LargestEntry(matrix.diagonal());
-  QuadraticStep model = SolveModelWith(matrix, current);
+  const Eigen::MatrixXd reachable = ReachableDefects(current.defectGradient);
+  QuadraticStep model = SolveModelWith(matrix, current, reachable);
   for (double before = std::numeric_limits<double>::infinity();
        LargestEntry(model.step) > MaximumStep && LargestEntry(model.step) < 0.9 * before;
        shift *= 4.0)
   {
     before = LargestEntry(model.step);
     matrix.diagonal().array() += shift;
-    model = SolveModelWith(matrix, current);
+    model = SolveModelWith(matrix, current, reachable);
   }
   return model;
 }

@@ -1,7 +1,6 @@
 #include "OptimizerObjective.h"
 
 #include "DomainQueries.h"
-#include "RenormalizedEnergy.h"
 #include "Segment.h"
 
 #include <algorithm>
@@ -41,6 +40,7 @@ double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& p
 OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
   const PlanarDomain& domain, const Configuration& configuration, const ObjectiveOptions& options)
   : Points(std::move(potential))
+  , Energy(std::make_shared<const PositionEnergy>(Points))
   , Domain(domain)
   , Started(configuration)
   , Length(domain.Diagonal())
@@ -113,8 +113,7 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   OptimizerState result;
   result.positions = this->PositionsOf(moved);
   const Eigen::VectorXd& positions = result.positions;
-  const PointPotential::Solution solution = this->Points->Solve(moved);
-  const RenormalizedEnergyValue value = EvaluateRenormalizedEnergy(*this->Points, solution);
+  const auto [solution, value] = this->Energy->Evaluate(moved);
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
   Eigen::VectorXd gradient =

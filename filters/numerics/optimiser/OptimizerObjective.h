@@ -2,6 +2,7 @@
 
 #include "ClearanceBarrier.h"
 #include "OptimizerSymmetry.h"
+#include "PositionEnergy.h"
 #include "SizeUniformity.h"
 
 namespace crossfield
@@ -98,6 +99,7 @@ private:
   Eigen::VectorXd PositionsOf(const Configuration& configuration) const;
 
   std::shared_ptr<const PointPotential> Points;
+  std::shared_ptr<const PositionEnergy> Energy;
   PlanarDomain Domain;
   Configuration Started;
   double Length;

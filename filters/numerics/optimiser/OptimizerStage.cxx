@@ -4,7 +4,6 @@
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "Error.h"
-#include "RenormalizedEnergy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,10 +58,12 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
     const std::shared_ptr<const PotentialSolver>& solver = this->potential->GetProblem().potential;
     const PlacedConfiguration other =
       PlaceConfiguration(solver->GetTopology(), configuration, this->corners);
-    const PointPotential points(solver,
-      AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior)));
+    const auto points =
+      std::make_shared<const PointPotential>(this->potential->WithAlignment(AlignWithBoundary(
+        solver->GetTopology(), other.corners, TotalQuarters(other.interior))));
+    points->RequireSolvable(other.interior);
     const RenormalizedEnergyValue value =
-      EvaluateRenormalizedEnergy(points, points.Solve(other.interior));
+      PositionEnergy(points).Evaluate(other.interior, false).renormalized;
     return value.energy -
       value.logarithmCoefficient * std::log(CoreRadius(this->potential->GetDomain()));
   }
@@ -106,6 +107,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   RequireConsistent(alignment.count); // before the mesh is factored
   stage.potential = std::make_shared<const PointPotential>(
     std::make_shared<const PotentialSolver>(topology), std::move(alignment));
+  stage.potential->RequireSolvable(stage.placed.interior);
   stage.objective = std::make_shared<const OptimizerObjective>(
     stage.potential, refined, stage.placed.interior, options.objective);
   return stage;

@@ -21,6 +21,31 @@ DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
       ++k;
     }
   }
+  this->Coupling = this->SumAroundIslands(this->OfIslands);
+  if (this->Coupling.size() > 0)
+  {
+    this->CouplingFactor.compute(this->Coupling);
+  }
+}
+
+Eigen::MatrixXd DirichletSolver::SumAroundIslands(const Eigen::MatrixXd& sources) const
+{
+  const MeshTopology& topology = this->Factor.GetOperator().GetTopology();
+  Eigen::MatrixXd sums =
+    Eigen::MatrixXd::Zero(topology.LoopCount(BoundaryKind::Inner), sources.cols());
+  Eigen::Index k = 0;
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    if (loop.kind == BoundaryKind::Inner)
+    {
+      for (const int edge : loop.edges)
+      {
+        sums.row(k) += sources.row(topology.BoundaryAt(edge).vertices[0]);
+      }
+      ++k;
+    }
+  }
+  return sums;
 }
 
 Eigen::VectorXd DirichletSolver::Harmonic(const Eigen::VectorXd& x) const

@@ -2,6 +2,8 @@
 
 #include "PotentialFactor.h"
 
+#include <Eigen/Cholesky>
+
 namespace crossfield
 {
 /// Harmonic potentials with prescribed values on outer and inner loops and prescribed periods, on a
@@ -30,8 +32,17 @@ public:
   /// a column per inner loop.
   const Eigen::MatrixXd& IslandSources() const { return this->OfIslands; }
 
+  /// Sums sources over the vertices of every inner loop.
+  Eigen::MatrixXd SumAroundIslands(const Eigen::MatrixXd& sources) const;
+  /// The sums of IslandSources: ∫ ∇φ_k · ∇φ_l of their potentials.
+  const Eigen::MatrixXd& IslandCoupling() const { return this->Coupling; }
+  /// Returns the factor of the coupling.
+  const Eigen::LLT<Eigen::MatrixXd>& GetCouplingFactor() const { return this->CouplingFactor; }
+
 private:
   PotentialFactor Factor;
   Eigen::MatrixXd OfIslands; ///< See IslandSources.
+  Eigen::MatrixXd Coupling;  ///< See IslandCoupling.
+  Eigen::LLT<Eigen::MatrixXd> CouplingFactor;
 };
 }

@@ -2,30 +2,8 @@
 
 #include "ConformingPhase.h"
 
-#include <Eigen/Cholesky>
-
 namespace crossfield
 {
-Eigen::MatrixXd EdgePotential::SumAroundIslands(const Eigen::MatrixXd& sources) const
-{
-  const MeshTopology& topology = this->Potential.GetTopology();
-  Eigen::MatrixXd sums =
-    Eigen::MatrixXd::Zero(topology.LoopCount(BoundaryKind::Inner), sources.cols());
-  Eigen::Index k = 0;
-  for (const BoundaryLoop& loop : topology.loops)
-  {
-    if (loop.kind == BoundaryKind::Inner)
-    {
-      for (const int edge : loop.edges)
-      {
-        sums.row(k) += sources.row(topology.BoundaryAt(edge).vertices[0]);
-      }
-      ++k;
-    }
-  }
-  return sums;
-}
-
 Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
@@ -36,7 +14,7 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
   if (constants.cols() > 0)
   {
     sources -= constants *
-      Eigen::LLT<Eigen::MatrixXd>(this->Coupling).solve(this->SumAroundIslands(sources));
+      this->Dirichlet.GetCouplingFactor().solve(this->Dirichlet.SumAroundIslands(sources));
   }
 
   // 2. Its conjugate changes by the source of a vertex from one boundary edge to the next, and by

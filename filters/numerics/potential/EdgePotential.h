@@ -18,7 +18,6 @@ public:
   explicit EdgePotential(const PotentialSolver& potential)
     : Potential(potential)
     , Dirichlet(potential.GetDirichlet())
-    , Coupling(this->SumAroundIslands(this->Dirichlet.IslandSources()))
   {
   }
 
@@ -30,15 +29,10 @@ public:
   /// ∫ ∇φ_k · ∇φ_l, φ_k the harmonic phase that is 1 on inner loop k and 0 on the other loops: an
   /// upper bound of the exact matrix. The inverse of the Schur complement on the periods is a lower
   /// bound (docs/method.md §2.3).
-  const Eigen::MatrixXd& CouplingOfIslands() const { return this->Coupling; }
+  const Eigen::MatrixXd& CouplingOfIslands() const { return this->Dirichlet.IslandCoupling(); }
 
 private:
-  /// Sums sources over the vertices of every inner loop, which gives the growth of the conjugate
-  /// along it.
-  Eigen::MatrixXd SumAroundIslands(const Eigen::MatrixXd& sources) const;
-
   const PotentialSolver& Potential;
   const DirichletSolver& Dirichlet;
-  Eigen::MatrixXd Coupling; ///< See CouplingOfIslands.
 };
 }

@@ -4,9 +4,8 @@
 #include "DomainQueries.h"
 #include "Error.h"
 
-#include <Eigen/LU>
-
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace crossfield
@@ -26,21 +25,6 @@ std::shared_ptr<const PotentialSolver> WithoutHoles(
 
 constexpr auto Islands = PotentialSolver::Periods::Islands;
 
-/// Makes a solution single-valued by sources at the periods, and returns them. `basis` and
-/// `inverse` are PeriodBasis and PeriodInverse of PointPotential.
-Eigen::VectorXd RemovePeriods(
-  const Eigen::MatrixXd& basis, const Eigen::MatrixXd& inverse, Eigen::VectorXd& solution)
-{
-  const Eigen::Index periods = basis.cols();
-  if (periods == 0)
-  {
-    return {};
-  }
-  Eigen::VectorXd sources = -inverse.inverse() * solution.tail(periods);
-  solution += basis * sources;
-  solution.tail(periods).setZero();
-  return sources;
-}
 }
 
 PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Alignment alignment)
@@ -61,6 +45,13 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
     this->Halves.push_back({ ends[1], middle, topology.PointAt(ends[1]), growth[1] });
   }
   this->FindBoundaryLogs();
+  // The logarithms at the boundary replace the jumps of the phase at their vertices.
+  for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
+  {
+    const int vertex = this->LogVertices[m];
+    this->Sources[vertex] +=
+      m < this->CurveLogs ? Pi * this->BoundaryLogs[m].strength : -this->Curve.jumps[vertex];
+  }
   // The halves do not contain turns below SmallestTurn (AlignedSources) yet.
   Eigen::VectorXd missing = this->Sources;
   for (const BoundaryHalf& half : this->Halves)
@@ -70,33 +61,85 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
   {
     const std::vector<double> turns = this->Turns(m);
-    const LogSource& log = this->BoundaryLogs[m];
-    for (std::size_t h = 0; h < this->Halves.size(); ++h)
-    {
-      BoundaryHalf& half = this->Halves[h];
-      const auto [from, to] = this->Ends(h, m < this->CurveLogs);
-      half.logFlux += log.strength * turns[h];
-      // The mean of a logarithm over a half is approximated by the mean of its values at both ends.
-      // For points of curves, and along sides on a line through the position of the logarithm, it
-      // is integrated exactly.
-      const bool along = m < this->CurveLogs || std::abs(turns[h]) <= AngleRounding;
-      half.logMean += along
-        ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
-        : 0.5 * (log.Value(half.from) + log.Value(half.to));
-      this->Sources[half.vertex] -= log.strength * turns[h];
-    }
+    AddFluxes(this->BoundaryLogs[m], m < this->CurveLogs, turns);
   }
   for (BoundaryHalf& half : this->Halves)
   {
     half.growth += 0.5 * missing[half.vertex];
   }
+}
 
-  const PotentialSolver& potential = *this->Problem.potential;
-  const Eigen::Index periods = potential.PeriodCount();
-  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(potential.Rows(), periods);
-  unit.bottomRows(periods).setIdentity();
-  this->PeriodBasis = periods > 0 ? potential.Solve(unit, Islands) : unit;
-  this->PeriodInverse = this->PeriodBasis.bottomRows(periods);
+void PointPotential::AddFluxes(
+  const LogSource& log, bool onCurve, const std::vector<double>& turns)
+{
+  for (std::size_t h = 0; h < this->Halves.size(); ++h)
+  {
+    BoundaryHalf& half = this->Halves[h];
+    const auto [from, to] = this->Ends(h, onCurve);
+    half.logFlux += log.strength * turns[h];
+    // The mean of a logarithm over a half is approximated by the mean of its values at both ends.
+    // For points of curves, and along sides on a line through the position of the logarithm, it is
+    // integrated exactly.
+    const bool along = onCurve || std::abs(turns[h]) <= AngleRounding;
+    half.logMean += along
+      ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
+      : 0.5 * (log.Value(half.from) + log.Value(half.to));
+    this->Sources[half.vertex] -= log.strength * turns[h];
+  }
+}
+
+PointPotential PointPotential::WithAlignment(Alignment alignment) const
+{
+  PointPotential result = *this;
+  result.Problem = PotentialProblem(this->Problem.potential, std::move(alignment));
+  result.Curve = CurvePhase(result.Problem);
+  result.BoundaryLogs.clear();
+  result.LogVertices.clear();
+  result.FindBoundaryLogs();
+  // Logarithms by vertex, with the strengths to add.
+  std::map<int, double> changes;
+  for (std::size_t m = 0; m < result.BoundaryLogs.size(); ++m)
+  {
+    changes[result.LogVertices[m]] += result.BoundaryLogs[m].strength;
+  }
+  for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
+  {
+    changes[this->LogVertices[m]] -= this->BoundaryLogs[m].strength;
+  }
+  const auto add = [&](const PointPotential& owner, std::size_t m)
+  {
+    double& change = changes[owner.LogVertices[m]];
+    if (change != 0.0)
+    {
+      LogSource log = owner.BoundaryLogs[m];
+      log.strength = change;
+      result.AddFluxes(log, m < owner.CurveLogs, owner.Turns(m));
+      change = 0.0; // a vertex may have a logarithm in both
+    }
+  };
+  for (std::size_t m = 0; m < result.BoundaryLogs.size(); ++m)
+  {
+    add(result, m);
+  }
+  for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
+  {
+    add(*this, m);
+  }
+  return result;
+}
+
+Eigen::VectorXd PointPotential::RemovePeriods(Eigen::VectorXd& solution) const
+{
+  const PeriodResponse& response = this->Problem.potential->GetPeriodResponse();
+  const Eigen::Index periods = response.basis.cols();
+  if (periods == 0)
+  {
+    return {};
+  }
+  Eigen::VectorXd sources = -response.schur * solution.tail(periods);
+  solution += response.basis * sources;
+  solution.tail(periods).setZero();
+  return sources;
 }
 
 void PointPotential::FindBoundaryLogs()
@@ -117,7 +160,6 @@ void PointPotential::FindBoundaryLogs()
       {
         corners.push_back({ topology.PointAt(vertex), -source / angle, angle });
         cornerVertices.push_back(vertex);
-        this->Sources[vertex] -= source;
       }
     }
     else if (found != chosen.end() && found->second != 0)
@@ -125,7 +167,6 @@ void PointPotential::FindBoundaryLogs()
       // The boundary is straight here: −s / α = 2πk / π.
       this->BoundaryLogs.push_back({ this->Curve.start[i], 2.0 * found->second, Pi });
       this->LogVertices.push_back(vertex);
-      this->Sources[vertex] += 2.0 * Pi * found->second;
     }
   }
   this->CurveLogs = this->BoundaryLogs.size();
@@ -185,34 +226,46 @@ std::array<Point, 2> PointPotential::StripEnds(Eigen::Index k) const
   return { middle(strip.firstBoundaryEdge), middle(strip.lastBoundaryEdge) };
 }
 
-double PointPotential::StripTurn(
-  const LogSource& log, Eigen::Index k, const std::array<Point, 2>& ends) const
+std::vector<Point> PointPotential::StripPath(Eigen::Index k, bool onCurve) const
 {
+  const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
   const TriangleMesh& mesh = this->Problem.Topology().mesh;
-  double turn = 0.0;
-  Point here = ends[0];
-  for (const LoopStrip::Step& step :
-    this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)].steps)
+  const std::array<Point, 2> ends = onCurve
+    ? std::array<Point, 2>{ this->Curve.middle[static_cast<std::size_t>(strip.firstBoundaryEdge)],
+        this->Curve.middle[static_cast<std::size_t>(strip.lastBoundaryEdge)] }
+    : this->StripEnds(k);
+  std::vector<Point> path = { ends[0] };
+  for (const LoopStrip::Step& step : strip.steps)
   {
     const auto& v = mesh.triangles[static_cast<std::size_t>(step.triangle)];
-    const Point centre =
-      (mesh.points[static_cast<std::size_t>(v[0])] + mesh.points[static_cast<std::size_t>(v[1])] +
-        mesh.points[static_cast<std::size_t>(v[2])]) /
-      3.0;
-    turn += log.Turn(here, centre);
-    here = centre;
+    path.emplace_back((mesh.points[static_cast<std::size_t>(v[0])] +
+                        mesh.points[static_cast<std::size_t>(v[1])] +
+                        mesh.points[static_cast<std::size_t>(v[2])]) /
+      3.0);
   }
-  return -(turn + log.Turn(here, ends[1]));
+  path.push_back(ends[1]);
+  return path;
+}
+
+double PointPotential::StripTurn(const LogSource& log, Eigen::Index k, bool onCurve) const
+{
+  const std::vector<Point> path = this->StripPath(k, onCurve);
+  double turn = 0.0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i)
+  {
+    turn += log.Turn(path[i], path[i + 1]);
+  }
+  return -turn;
 }
 
 Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const
 {
   Eigen::VectorXd regular = this->Problem.potential->Solve(sources, Islands);
-  RemovePeriods(this->PeriodBasis, this->PeriodInverse, regular);
+  this->RemovePeriods(regular);
   return regular;
 }
 
-PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
+void PointPotential::RequireSolvable(const Configuration& configuration) const
 {
   if (TotalQuarters(configuration) != this->Problem.alignment.count.givenInteriorQuarters)
   {
@@ -220,7 +273,6 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     count.givenInteriorQuarters = TotalQuarters(configuration);
     RequireConsistent(count);
   }
-  Solution result;
   // Points nearer than this coincide in single precision.
   const double minimum = 1e-6 * this->Domain.Diagonal();
   for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -241,6 +293,15 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
           "; replace them by one with the sum of their quarter indices.");
       }
     }
+  }
+}
+
+PointPotential::Solution PointPotential::Solve(const Configuration& configuration) const
+{
+  this->RequireSolvable(configuration);
+  Solution result;
+  for (const Singularity& singularity : configuration)
+  {
     result.logs.push_back(
       { singularity.position, static_cast<double>(singularity.quarterIndex), 2.0 * Pi });
   }
@@ -256,6 +317,23 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     }
   }
   result.logs.insert(result.logs.end(), this->BoundaryLogs.begin(), this->BoundaryLogs.end());
+  this->Complete(result,
+    [&](Eigen::Index k, double phase)
+    {
+      for (std::size_t m = 0; m < result.logs.size(); ++m)
+      {
+        const LogSource& log = result.logs[m];
+        const bool onCurve = m >= inside && m < inside + this->CurveLogs;
+        phase -= log.strength * this->StripTurn(log, k, onCurve);
+      }
+      return phase;
+    });
+  return result;
+}
+
+void PointPotential::Complete(
+  Solution& result, const std::function<double(Eigen::Index, double)>& subtractTurns) const
+{
   // Remove the sum of the rounding errors of the angles: the Neumann problem is solvable only for
   // sources of sum zero.
   const Eigen::Index periods = this->Problem.potential->PeriodCount();
@@ -264,8 +342,7 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
 
   // 2. R without periods. The sources that keep the periods zero are the phase that R carries.
   result.regular = this->Problem.potential->Solve(result.sources, Islands);
-  const Eigen::VectorXd carried =
-    RemovePeriods(this->PeriodBasis, this->PeriodInverse, result.regular);
+  const Eigen::VectorXd carried = this->RemovePeriods(result.regular);
   result.aligned = result.regular;
   result.offsets = result.periods = Eigen::VectorXd::Zero(periods);
   if (periods > 0)
@@ -273,27 +350,15 @@ PointPotential::Solution PointPotential::Solve(const Configuration& configuratio
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {
-      double difference = AlignedDifference(this->Problem, this->Curve.aligned, k) - carried[k];
-      const LoopStrip& strip = this->Problem.potential->GetStrips()[static_cast<std::size_t>(k)];
-      const std::array<Point, 2> curveEnds = {
-        this->Curve.middle[static_cast<std::size_t>(strip.firstBoundaryEdge)],
-        this->Curve.middle[static_cast<std::size_t>(strip.lastBoundaryEdge)]
-      };
-      for (std::size_t m = 0; m < result.logs.size(); ++m)
-      {
-        const LogSource& log = result.logs[m];
-        const bool onCurve = m >= inside && m < inside + this->CurveLogs;
-        difference -=
-          log.strength * this->StripTurn(log, k, onCurve ? curveEnds : this->StripEnds(k));
-      }
-      defects[k] = WrapAngle(difference);
+      defects[k] = WrapAngle(subtractTurns(
+        k, AlignedDifference(this->Problem, this->Curve.aligned, k) - carried[k]));
       result.holonomyDefect.push_back(defects[k]);
     }
     // 3. R with the periods that align inner loops.
-    result.offsets = NearestOffsets(defects, this->PeriodInverse);
-    result.periods = this->PeriodInverse * result.offsets;
-    result.aligned = result.regular + this->PeriodBasis * result.offsets;
+    const PeriodResponse& response = this->Problem.potential->GetPeriodResponse();
+    result.offsets = NearestOffsets(defects, response.inverse);
+    result.periods = response.inverse * result.offsets;
+    result.aligned = result.regular + response.basis * result.offsets;
   }
-  return result;
 }
 }

@@ -4,6 +4,8 @@
 #include "LogSource.h"
 #include "Singularity.h"
 
+#include <functional>
+
 namespace crossfield
 {
 /// Half of a boundary edge, with the domain on its left: the part of the edge that belongs to one
@@ -52,6 +54,14 @@ public:
   /// quarter indices have another sum than that of the alignment.
   Solution Solve(const Configuration& configuration) const;
 
+  /// Throws the errors of Solve.
+  void RequireSolvable(const Configuration& configuration) const;
+
+  /// Returns the potential with other quarter indices at the boundary, on the same mesh: only the
+  /// logarithms at vertices whose quarter index differs are added and subtracted, so that the result
+  /// equals that of the constructor up to rounding. Throws Error as the constructor does.
+  PointPotential WithAlignment(Alignment alignment) const;
+
   /// Returns the single-valued R for given sources, rows of PotentialOperator. Sources at periods
   /// must be zero, and those at vertices must add up to zero. The map from sources to R is
   /// symmetric.
@@ -71,22 +81,44 @@ public:
   /// φ at the midpoints of boundary edges minus 4τ; see CurvePhase.
   const Eigen::VectorXd& GetMidpointShift() const { return this->Curve.aligned.midpointShift; }
   /// The solution for a unit source at its period, a column per inner loop.
-  const Eigen::MatrixXd& GetPeriodBasis() const { return this->PeriodBasis; }
+  const Eigen::MatrixXd& GetPeriodBasis() const
+  {
+    return this->Problem.potential->GetPeriodResponse().basis;
+  }
+  /// Sources of R without the singularities inside; rows of PotentialOperator.
+  const Eigen::VectorXd& GetSources() const { return this->Sources; }
+  const CurveSources& GetCurve() const { return this->Curve; }
+  /// The entry of mesh.boundary that follows each one.
+  const std::vector<std::size_t>& GetNext() const { return this->Next; }
+  /// Makes a solution single-valued by sources at the periods, and returns them: the phase that R
+  /// carries.
+  Eigen::VectorXd RemovePeriods(Eigen::VectorXd& solution) const;
   /// Returns the midpoints of the first and the last boundary edge of strip k.
   std::array<Point, 2> StripEnds(Eigen::Index k) const;
+  /// Returns the path along strip k from its first to its last boundary edge, through the centres
+  /// of its triangles. It starts and ends on the polygon or on the curve.
+  std::vector<Point> StripPath(Eigen::Index k, bool onCurve) const;
+  /// Returns the angle at which the position of a logarithm sees the path along strip k from its
+  /// end to its start.
+  double StripTurn(const LogSource& log, Eigen::Index k, bool onCurve) const;
+
+  /// Computes R and the holonomy defects of a solution that has its logarithms and sources.
+  /// `subtractTurns(k, phase)` subtracts from a phase what the logarithms turn along strip k from
+  /// its end to its start.
+  void Complete(
+    Solution& result, const std::function<double(Eigen::Index, double)>& subtractTurns) const;
 
 private:
   /// Finds the logarithms at the boundary.
   void FindBoundaryLogs();
+  /// Adds a logarithm at the boundary to fluxes, means and sources; `turns` as Turns returns them.
+  void AddFluxes(const LogSource& log, bool onCurve, const std::vector<double>& turns);
   /// Returns the ends of a half, on the polygon or on the curve.
   std::array<Point, 2> Ends(std::size_t half, bool onCurve) const;
   /// Returns the angles at which the position of a logarithm at the boundary sees all halves: a
   /// corner sees those of the polygon, a point of a curve those of the curve. They add up to its
   /// angle.
   std::vector<double> Turns(std::size_t boundaryLog) const;
-  /// Returns the angle at which the position of `log` sees the path along strip k from its end to
-  /// its start; `ends` as StripEnds returns them.
-  double StripTurn(const LogSource& log, Eigen::Index k, const std::array<Point, 2>& ends) const;
 
   PotentialProblem Problem;
   PlanarDomain Domain; ///< Polygons of the mesh.
@@ -97,7 +129,5 @@ private:
   std::vector<int> LogVertices;
   std::size_t CurveLogs = 0;
   Eigen::VectorXd Sources; ///< Sources of R without the singularities inside.
-  Eigen::MatrixXd PeriodBasis;
-  Eigen::MatrixXd PeriodInverse; ///< Inverse of the Schur complement on the periods.
 };
 }

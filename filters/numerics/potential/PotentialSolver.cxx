@@ -21,6 +21,12 @@ const HoleResponse& PotentialSolver::GetHoleResponse(Periods periods) const
     [&] { return std::make_unique<const HoleResponse>(this->GetHoles(), periods); });
 }
 
+const PeriodResponse& PotentialSolver::GetPeriodResponse() const
+{
+  return this->PeriodSources.Get(
+    [this] { return std::make_unique<const PeriodResponse>(this->Factor); });
+}
+
 const DirichletSolver& PotentialSolver::GetDirichlet() const
 {
   return this->Dirichlet.Get(

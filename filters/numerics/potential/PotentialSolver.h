@@ -3,6 +3,7 @@
 #include "DirichletSolver.h"
 #include "HoleResponse.h"
 #include "Lazy.h"
+#include "PeriodResponse.h"
 
 #include <array>
 
@@ -15,7 +16,7 @@ namespace crossfield
 /// It depends on the mesh alone. Corners, quarter indices and the alignment of the boundary come
 /// with the right-hand sides, so any number of problems share one factor.
 ///
-/// The response of holes and the Dirichlet solver are made when they are first used. Every member
+/// The responses of holes and of periods and the Dirichlet solver are made when they are first used. Every member
 /// function may be called from several threads at once.
 class PotentialSolver
 {
@@ -33,6 +34,8 @@ public:
   /// Returns L⁻¹ ∇ᵀ for the edges of holes.
   const HoleElimination& GetHoles() const;
   const HoleResponse& GetHoleResponse(Periods periods) const;
+  /// Returns the potentials for unit sources at the periods of inner loops.
+  const PeriodResponse& GetPeriodResponse() const;
   /// Returns the solver with a Dirichlet boundary, which energies need and fields do not.
   const DirichletSolver& GetDirichlet() const;
 
@@ -60,6 +63,7 @@ private:
   PotentialFactor Factor;
   Lazy<HoleElimination> Holes;
   std::array<Lazy<HoleResponse>, 2> Responses; ///< By Periods.
+  Lazy<PeriodResponse> PeriodSources;
   Lazy<DirichletSolver> Dirichlet;
 };
 }

@@ -1,0 +1,239 @@
+#include "PositionEnergy.h"
+
+#include "DenseProduct.h"
+
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+PositionEnergy::PositionEnergy(std::shared_ptr<const PointPotential> potential)
+  : Potential(std::move(potential))
+  , OnEdges(*this->Potential->GetProblem().potential)
+{
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  const std::vector<std::size_t>& next = this->Potential->GetNext();
+  const auto count = static_cast<Eigen::Index>(next.size());
+  this->Points.resize(2 * count, 2);
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const BoundaryHalf& first = halves[2 * static_cast<std::size_t>(i)];
+    this->Points.row(i) = first.from.transpose();
+    this->Points.row(count + i) = first.to.transpose();
+    const auto following = static_cast<Eigen::Index>(next[static_cast<std::size_t>(i)]);
+    this->Starts.insert(this->Starts.end(), { i, count + i });
+    this->Ends.insert(this->Ends.end(), { count + i, following });
+  }
+
+  const std::vector<LogSource>& logs = this->Potential->GetBoundaryLogs();
+  for (std::size_t m = 0; m < logs.size(); ++m)
+  {
+    this->BoundaryCoefficient += 0.5 * logs[m].angle * logs[m].strength * logs[m].strength;
+    for (std::size_t n = 0; n < m; ++n)
+    {
+      this->BoundaryInteraction -= 0.5 * (logs[m].angle + logs[n].angle) * logs[m].strength *
+        logs[n].strength * std::log((logs[n].position - logs[m].position).norm());
+    }
+  }
+
+  const PeriodResponse& response = this->Potential->GetProblem().potential->GetPeriodResponse();
+  const Eigen::Index periods = response.basis.cols();
+  this->BoundaryTurns = Eigen::VectorXd::Zero(periods);
+  Eigen::MatrixXd differences(count, periods); // of the basis at the two ends of each edge
+  for (Eigen::Index k = 0; k < periods; ++k)
+  {
+    this->Paths.push_back(this->Potential->StripPath(k, false));
+    for (std::size_t m = 0; m < logs.size(); ++m)
+    {
+      this->BoundaryTurns[k] += logs[m].strength *
+        this->Potential->StripTurn(logs[m], k, m < this->Potential->CurveLogCount());
+    }
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      const auto half = 2 * static_cast<std::size_t>(i);
+      differences(i, k) =
+        response.basis(halves[half + 1].vertex, k) - response.basis(halves[half].vertex, k);
+    }
+  }
+  this->MidpointInfluence = DenseProduct(differences, response.schur.transpose());
+}
+
+PositionEnergy::Flows PositionEnergy::Solve(
+  const Configuration& configuration, PointPotential::Solution& solution) const
+{
+  std::vector<LogSource>& logs = solution.logs;
+  for (const Singularity& singularity : configuration)
+  {
+    logs.push_back(
+      { singularity.position, static_cast<double>(singularity.quarterIndex), 2.0 * Pi });
+  }
+  const LogSource* const begin = logs.data();
+  const LogSource* const end = begin + logs.size();
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  Eigen::VectorXd sums(this->Points.rows());
+  for (Eigen::Index p = 0; p < sums.size(); ++p)
+  {
+    sums[p] = SumOfLogs(logs, this->Points.row(p).matrix().transpose());
+  }
+  Flows flows;
+  flows.flux.resize(static_cast<Eigen::Index>(halves.size()));
+  flows.mean.resize(flows.flux.size());
+  solution.sources = this->Potential->GetSources();
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    const BoundaryHalf& half = halves[h];
+    const double turn = SumOfTurns(begin, end, half.from, half.to);
+    solution.sources[half.vertex] -= turn;
+    const auto row = static_cast<Eigen::Index>(h);
+    flows.flux[row] = half.logFlux + turn;
+    flows.mean[row] = half.logMean + 0.5 * (sums[this->Starts[h]] + sums[this->Ends[h]]);
+  }
+  this->Potential->Complete(solution,
+    [&](Eigen::Index k, double phase)
+    {
+      const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+      for (std::size_t i = 0; i + 1 < path.size(); ++i)
+      {
+        phase += SumOfTurns(begin, end, path[i], path[i + 1]);
+      }
+      return phase - this->BoundaryTurns[k];
+    });
+  logs.insert(logs.end(), this->Potential->GetBoundaryLogs().begin(),
+    this->Potential->GetBoundaryLogs().end());
+  return flows;
+}
+
+void PositionEnergy::AddInteraction(
+  const std::vector<LogSource>& logs, std::size_t inside, RenormalizedEnergyValue& value) const
+{
+  value.logarithmCoefficient = this->BoundaryCoefficient;
+  value.singleValuedEnergy = this->BoundaryInteraction;
+  const bool derivatives = value.singleValuedGradient.cols() > 0;
+  for (std::size_t m = 0; m < inside; ++m)
+  {
+    value.logarithmCoefficient += 0.5 * logs[m].angle * logs[m].strength * logs[m].strength;
+    for (std::size_t n = m + 1; n < logs.size(); ++n)
+    {
+      const Point offset = logs[n].position - logs[m].position;
+      const double square = offset.squaredNorm();
+      const double factor =
+        -0.5 * (logs[m].angle + logs[n].angle) * logs[m].strength * logs[n].strength;
+      value.singleValuedEnergy += 0.5 * factor * std::log(square);
+      if (derivatives)
+      {
+        value.singleValuedGradient.col(static_cast<Eigen::Index>(m)) -= factor / square * offset;
+        if (n < inside)
+        {
+          value.singleValuedGradient.col(static_cast<Eigen::Index>(n)) += factor / square * offset;
+        }
+      }
+    }
+  }
+}
+
+void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, std::size_t inside,
+  const Flows& flows, const Eigen::VectorXd& regular, RenormalizedEnergyValue& value) const
+{
+  // 1. Coefficients of the derivatives of arg|x − b| and log|x − b| at the points of the boundary.
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  Eigen::ArrayXd ofTurns = Eigen::ArrayXd::Zero(this->Points.rows());
+  Eigen::ArrayXd ofLogs = Eigen::ArrayXd::Zero(this->Points.rows());
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    const auto row = static_cast<Eigen::Index>(h);
+    const double turn = regular[row] + 0.5 * flows.mean[row];
+    const double log = 0.5 * (halves[h].growth - 0.5 * flows.flux[row]);
+    ofTurns[this->Starts[h]] += turn;
+    ofTurns[this->Ends[h]] -= turn;
+    ofLogs[this->Starts[h]] += log;
+    ofLogs[this->Ends[h]] += log;
+  }
+
+  // 2. Sums over the points. With y = x − b the derivatives are (y₂, −y₁) / |y|² and −y / |y|².
+  const Eigen::Index middles = this->Points.rows() / 2;
+  const Eigen::Index periods = this->MidpointInfluence.cols();
+  const auto count = static_cast<Eigen::Index>(inside);
+  Eigen::MatrixXd atMiddles(middles, periods > 0 ? 2 * count : 0);
+  Eigen::ArrayXd x(this->Points.rows());
+  Eigen::ArrayXd y(this->Points.rows());
+  Eigen::ArrayXd inverse(this->Points.rows());
+  for (Eigen::Index j = 0; j < count; ++j)
+  {
+    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    x = this->Points.col(0) - log.position.x();
+    y = this->Points.col(1) - log.position.y();
+    inverse = 1.0 / (x * x + y * y);
+    x *= inverse;
+    y *= inverse;
+    value.singleValuedGradient(0, j) += log.strength * (ofTurns * y - ofLogs * x).sum();
+    value.singleValuedGradient(1, j) -= log.strength * (ofTurns * x + ofLogs * y).sum();
+    if (periods > 0)
+    {
+      atMiddles.col(2 * j) = log.strength * y.tail(middles);
+      atMiddles.col(2 * j + 1) = -log.strength * x.tail(middles);
+    }
+  }
+
+  // 3. Holonomy defects, which are linear in the sources.
+  const Eigen::MatrixXd carried = AdjointProduct(this->MidpointInfluence, atMiddles);
+  for (Eigen::Index k = 0; k < periods; ++k)
+  {
+    const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+    Eigen::Matrix2Xd derivative(2, count);
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+      const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+      derivative.col(j) = Point(carried(k, 2 * j), carried(k, 2 * j + 1)) -
+        log.strength *
+          (LogSource::TurnDerivative(path.front(), log.position) -
+            LogSource::TurnDerivative(path.back(), log.position));
+    }
+    value.defectGradient.push_back(std::move(derivative));
+  }
+}
+
+PositionEnergy::Value PositionEnergy::Evaluate(
+  const Configuration& configuration, bool derivatives) const
+{
+  Value result;
+  PointPotential::Solution& solution = result.solution;
+  RenormalizedEnergyValue& value = result.renormalized;
+  const std::size_t inside = configuration.size();
+  const Flows flows = this->Solve(configuration, solution);
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(halves.size() / 2));
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    fluxes[static_cast<Eigen::Index>(h / 2)] +=
+      halves[h].growth - flows.flux[static_cast<Eigen::Index>(h)];
+  }
+  const Eigen::VectorXd atEdges = this->OnEdges.Solve(fluxes);
+
+  value.singleValuedGradient =
+    Eigen::Matrix2Xd::Zero(2, derivatives ? static_cast<Eigen::Index>(inside) : 0);
+  this->AddInteraction(solution.logs, inside, value);
+  Eigen::VectorXd regular(static_cast<Eigen::Index>(halves.size()));
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    const auto row = static_cast<Eigen::Index>(h);
+    regular[row] = 0.5 *
+      (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
+    value.singleValuedEnergy += 0.5 * (halves[h].growth - flows.flux[row]) * regular[row] +
+      flows.mean[row] * (halves[h].growth - 0.5 * flows.flux[row]);
+  }
+  const Eigen::VectorXd meanPeriods =
+    0.5 * (solution.periods + this->OnEdges.CouplingOfIslands() * solution.offsets);
+  value.holonomyDefect = solution.holonomyDefect;
+  value.energy = value.singleValuedEnergy + 0.5 * solution.offsets.dot(meanPeriods);
+  if (derivatives)
+  {
+    this->AddDerivatives(solution, inside, flows, regular, value);
+    value.gradient = value.singleValuedGradient;
+    for (std::size_t k = 0; k < value.defectGradient.size(); ++k)
+    {
+      value.gradient += meanPeriods[static_cast<Eigen::Index>(k)] * value.defectGradient[k];
+    }
+  }
+  return result;
+}
+}
