@@ -129,6 +129,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.corners = result.corners;
   fit.clearance = clearance;
   fit.keepAll = true;
+  fit.maximumSolves = options.maximumSolves;
   // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of
   // more than e. Below it, more uniform sizes may cost more in shape than they gain (docs/method.md
   // §5.7).
@@ -187,12 +188,25 @@ AutomaticConfiguration ChooseConfiguration(
   const std::vector<ProposedConfiguration> starts =
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
+  std::size_t solves = 0;
   for (std::size_t i = 0; i < starts.size() && !HasConvergedWithoutDefect(best.optimum); ++i)
   {
+    if (options.maximumSolves > 0)
+    {
+      if (solves >= options.maximumSolves)
+      {
+        best.events.push_back(std::to_string(starts.size() - i) +
+          " other starts were not tried, because the search had used its " +
+          std::to_string(options.maximumSolves) + " solves.");
+        break;
+      }
+      minimum.optimizer.maximumSolves = options.maximumSolves - solves;
+    }
     const double share = (fits ? 0.4 : 0.6) / static_cast<double>(starts.size());
     const double begin = 0.4 + share * static_cast<double>(i);
     AutomaticConfiguration tried =
       Optimize(domain, starts[i], minimum, progress.Part(begin, begin + share));
+    solves += tried.optimum.solves;
     if (i == 0 || IsBetter(tried.optimum, best.optimum))
     {
       best = std::move(tried);

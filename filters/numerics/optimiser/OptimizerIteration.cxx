@@ -84,8 +84,8 @@ Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
 }
 
 /// Solves the model with a given matrix B.
-QuadraticStep SolveModelWith(const Eigen::MatrixXd& matrix, const OptimizerState& current,
-  const Eigen::MatrixXd& reachable)
+QuadraticStep SolveModelWith(
+  const Eigen::MatrixXd& matrix, const OptimizerState& current, const Eigen::MatrixXd& reachable)
 {
   QuadraticStep result;
   result.reachable = reachable;
@@ -233,6 +233,10 @@ OptimizerEnd OptimizerIteration::Run(
     if (this->iterations == this->maximumIterations)
     {
       return OptimizerEnd::IterationLimit;
+    }
+    if (objective.Budget().IsSpent())
+    {
+      return OptimizerEnd::BudgetSpent;
     }
     try
     {

@@ -26,6 +26,7 @@ enum class OptimizerEnd
   MeshTooCoarse,   ///< A singularity came closer to the boundary than the mesh resolves.
   ChangeRequested, ///< Requested by the caller; see OptimizerIteration::stopsForChange.
   IterationLimit,  ///< The maximum number of iterations was reached.
+  BudgetSpent,     ///< The solves of the budget were used up.
   NoDescent,       ///< No step lowers the merit function.
   Aborted
 };

@@ -44,6 +44,7 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
   , Domain(domain)
   , Started(configuration)
   , Length(domain.Diagonal())
+  , Solves(options.budget)
   , Barrier(domain, configuration, options.clearance)
   , Sizes(options.goal == OptimizerGoal::UniformSizes
         ? std::make_shared<const SizeUniformity>(*this->Points, options.sizes)
@@ -114,6 +115,7 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   result.positions = this->PositionsOf(moved);
   const Eigen::VectorXd& positions = result.positions;
   const auto [solution, value] = this->Energy->Evaluate(moved);
+  this->Solves->Spend(1);
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
   Eigen::VectorXd gradient =

@@ -4,6 +4,7 @@
 #include "OptimizerSymmetry.h"
 #include "PositionEnergy.h"
 #include "SizeUniformity.h"
+#include "SolveBudget.h"
 
 namespace crossfield
 {
@@ -22,6 +23,11 @@ struct OptimizerState
 
   /// Returns the function that is minimised: energy and barrier.
   double Objective() const { return this->energy + this->barrier.energy; }
+  /// Returns the position of singularity i.
+  Point PositionOf(std::size_t i) const
+  {
+    return this->positions.segment<2>(2 * static_cast<Eigen::Index>(i));
+  }
   Eigen::VectorXd ObjectiveGradient() const { return this->gradient + this->barrier.gradient; }
 };
 
@@ -43,6 +49,8 @@ struct ObjectiveOptions
   /// Target sizes for UniformSizes. Symmetries of the domain that the target sizes do not have are
   /// not kept.
   TargetSizes sizes;
+  /// Counts the solves; shared by all stages of a run.
+  std::shared_ptr<SolveBudget> budget = std::make_shared<SolveBudget>();
 };
 
 /// Objective of the optimiser on one mesh, as a function of the positions of interior
@@ -90,6 +98,7 @@ public:
   /// Returns the clearance in units of the diagonal.
   double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
   const PointPotential& Potential() const { return *this->Points; }
+  SolveBudget& Budget() const { return *this->Solves; }
   /// Returns J if it is minimised, null otherwise.
   const std::shared_ptr<const SizeUniformity>& Uniformity() const { return this->Sizes; }
   /// Returns the test whether a symmetry of the domain preserves the objective.
@@ -103,6 +112,7 @@ private:
   PlanarDomain Domain;
   Configuration Started;
   double Length;
+  std::shared_ptr<SolveBudget> Solves;
   ClearanceBarrier Barrier;
   std::shared_ptr<const SizeUniformity> Sizes; ///< Null if only W is minimised.
   OptimizerSymmetry Symmetry;

@@ -3,6 +3,7 @@
 #include "BoundaryCorners.h"
 #include "HoleRadii.h"
 
+#include <cctype>
 #include <sstream>
 
 namespace crossfield
@@ -13,6 +14,12 @@ std::string FormatShort(double value)
   text.precision(4);
   text << value;
   return text.str();
+}
+
+std::string Capitalised(std::string sentence)
+{
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence;
 }
 
 std::string EndReason(
@@ -37,6 +44,10 @@ std::string EndReason(
   case OptimizerEnd::IterationLimit:
     return "The iteration stopped after " + std::to_string(iterations) +
       " steps before the singularities converged; allow more steps.";
+  case OptimizerEnd::BudgetSpent:
+    return "The search ended after " + std::to_string(objective.budget->GetSpent()) +
+      " solves, its limit, before the singularities converged; this is the best configuration so "
+      "far.";
   default:
     return "No step lowers the renormalised energy any more, although its derivatives are "
            "not zero; choose a larger tolerance or a finer mesh.";

@@ -9,6 +9,8 @@
 
 namespace crossfield
 {
+/// Returns a sentence with its first letter in upper case.
+std::string Capitalised(std::string sentence);
 /// Formats a number with four digits, for messages.
 std::string FormatShort(double value);
 

@@ -15,6 +15,9 @@ struct OptimizerOptions
   double meshSize = 0.0; ///< As in DrillOptions.
   std::vector<CornerChoice> corners;
   int maximumIterations = 200;
+  /// Maximum number of solves (SolveBudget.h), 0 for any number. When they are used up, the run
+  /// ends with the best configuration so far.
+  std::size_t maximumSolves = 0;
   /// Bound on the derivatives of the Lagrangian, multiplied by the diagonal of the domain, and on
   /// the holonomy defects. The iteration has converged when all are below it.
   double tolerance = 1e-6;
@@ -65,6 +68,7 @@ struct OptimizerResult
   /// sizes, and after each added pair.
   std::vector<FrontPoint> front;
   int iterations = 0;
+  std::size_t solves = 0; ///< Number of solves (SolveBudget.h).
   bool converged = false;
   bool aborted = false;
   /// Why the run ended, one sentence.

@@ -34,6 +34,10 @@ OptimizerRun::OptimizerRun(
   this->Options.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
   this->Options.objective.sizes = options.sizes;
+  if (options.maximumSolves > 0)
+  {
+    this->Options.objective.budget = std::make_shared<SolveBudget>(options.maximumSolves);
+  }
   this->Iteration.tolerance = options.tolerance;
   this->Iteration.maximumIterations = options.maximumIterations;
 }
@@ -80,7 +84,7 @@ OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
       this->StartStage(this->Stage.At(this->Current.positions), {});
     }
     else if (end == OptimizerEnd::Aborted || end == OptimizerEnd::IterationLimit ||
-      !this->MakeChange())
+      end == OptimizerEnd::BudgetSpent || !this->MakeChange())
     {
       if (end == OptimizerEnd::Converged && (this->LeaveSaddle() || this->RestoreSymmetry()))
       {
@@ -118,7 +122,7 @@ OptimizerEnd OptimizerRun::AddPairs(int maximumPairs, OptimizerEnd end, const Pr
   for (int pair = 0; pair < maximumPairs; ++pair)
   {
     const double defect = this->Current.defects.lpNorm<Eigen::Infinity>();
-    if (end == OptimizerEnd::Aborted ||
+    if (end == OptimizerEnd::Aborted || end == OptimizerEnd::BudgetSpent ||
       (this->Current.sizeSpread < UniformSpread && defect < MinimumDefect))
     {
       return end;
@@ -190,6 +194,7 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   result.sizeSpread = SizeUniformity(potential).SpreadOf(
     potential, potential.Solve(this->Stage.objective->At(this->Current.positions)));
   result.iterations = this->Iteration.iterations;
+  result.solves = this->Options.objective.budget->GetSpent();
   result.history = this->Iteration.history;
   result.converged = end == OptimizerEnd::Converged;
   result.aborted = end == OptimizerEnd::Aborted;
@@ -221,6 +226,7 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
 void OptimizerRun::StartStage(const TrackedConfiguration& tracked, const Progress& progress)
 {
   this->Stage = MakeStage(this->Domain, tracked, this->Options, progress);
+  this->Targets = {};
   this->Current = this->Stage.objective->Evaluate(this->Stage.objective->Start());
 }
 }

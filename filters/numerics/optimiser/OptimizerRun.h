@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ConfigurationChange.h"
+#include "BoundaryAbsorption.h"
 #include "OptimizerResult.h"
 #include "Progress.h"
 
@@ -59,6 +59,7 @@ private:
   OptimizerState Current;
   OptimizerIteration Iteration;
   std::set<std::string> Rejected; ///< Keys of changes that did not lower the energy.
+  BoundaryTargets Targets;        ///< On the present stage.
   int BoundaryMoves = 0;
   Eigen::VectorXd PreviousPositions; ///< Positions one step ago.
   int StepsDue = 0;                  ///< Number of successive steps for which a change was due.

@@ -2,6 +2,7 @@
 // configuration.
 #include "OptimizerRun.h"
 
+#include "BoundaryAbsorption.h"
 #include "Error.h"
 #include "OptimizerCurvature.h"
 #include "OptimizerSymmetry.h"
@@ -88,30 +89,37 @@ bool OptimizerRun::IsChangeDue(const OptimizerState& state)
         StillTolerance * this->Stage.objective->Clearance();
   }
   this->PreviousPositions = state.positions;
-  const bool isDue =
-    FindAnnihilation(this->Stage, state) || FindAbsorption(this->Stage, state, this->Rejected);
-  this->StepsDue = isDue && isStill ? this->StepsDue + 1 : 0;
+  const bool isDue = isStill &&
+    (FindAnnihilation(this->Stage, state) ||
+      IsAbsorptionDue(this->Stage, state, this->Rejected, this->Targets));
+  this->StepsDue = isDue ? this->StepsDue + 1 : 0;
   return this->StepsDue >= RequiredSteps;
 }
 
 bool OptimizerRun::MakeChange()
 {
   this->StepsDue = 0;
-  while (!this->KeepAll)
+  bool several = true;
+  while (!this->KeepAll && !this->Options.objective.budget->IsSpent())
   {
     auto change = FindAnnihilation(this->Stage, this->Current);
-    change = change ? change : FindAbsorption(this->Stage, this->Current, this->Rejected);
+    change = change
+      ? change
+      : FindAbsorption(this->Stage, this->Current, this->Rejected, this->Targets, several);
     change = change ? change : FindRelease(this->Stage, this->Current, this->Rejected);
     change = change || this->BoundaryMoves == MaximumBoundaryMoves
       ? change
-      : FindBoundaryMove(this->Stage, this->Current, this->Rejected);
+      : FindBoundaryMoves(this->Stage, this->Current, this->Rejected);
     if (!change)
     {
       return false;
     }
     if (this->TryChange(*change))
     {
-      this->AddEvent(change->event);
+      for (const std::string& event : change->events)
+      {
+        this->AddEvent(event);
+      }
       this->Changed = true;
       this->BoundaryMoves += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
       if (change->annihilates)
@@ -119,6 +127,11 @@ bool OptimizerRun::MakeChange()
         this->Result.annihilations.push_back(change->pair);
       }
       return true;
+    }
+    if (change->several)
+    {
+      several = false; // one of them may still lower the energy
+      continue;
     }
     this->Rejected.insert(change->key);
   }
@@ -131,6 +144,7 @@ bool OptimizerRun::TryChange(const ConfigurationChange& change)
   const OptimizerStage stage = this->Stage;
   const OptimizerState current = this->Current;
   const OptimizerIteration iteration = this->Iteration;
+  const BoundaryTargets targets = this->Targets;
   const double before = stage.CoreEnergy(current);
   try
   {
@@ -158,6 +172,7 @@ bool OptimizerRun::TryChange(const ConfigurationChange& change)
   this->Stage = stage;
   this->Current = current;
   this->Iteration = iteration;
+  this->Targets = targets;
   return false;
 }
 }

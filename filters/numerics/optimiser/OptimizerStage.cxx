@@ -58,10 +58,10 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
     const std::shared_ptr<const PotentialSolver>& solver = this->potential->GetProblem().potential;
     const PlacedConfiguration other =
       PlaceConfiguration(solver->GetTopology(), configuration, this->corners);
-    const auto points =
-      std::make_shared<const PointPotential>(this->potential->WithAlignment(AlignWithBoundary(
-        solver->GetTopology(), other.corners, TotalQuarters(other.interior))));
+    const auto points = std::make_shared<const PointPotential>(this->potential->WithAlignment(
+      AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior))));
     points->RequireSolvable(other.interior);
+    this->objective->Budget().Spend(1);
     const RenormalizedEnergyValue value =
       PositionEnergy(points).Evaluate(other.interior, false).renormalized;
     return value.energy -
@@ -97,6 +97,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
         { singularity.position, 0.25 * std::max(distance, options.objective.clearance) });
     }
   }
+  options.objective.budget->Spend(SolvesOfFactorisation);
   const SharedTopology topology = ShareTopology(DrillHoles(refined, {}, drill, progress));
   OptimizerStage stage;
   stage.tracked = tracked;

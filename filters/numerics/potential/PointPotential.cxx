@@ -69,8 +69,7 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   }
 }
 
-void PointPotential::AddFluxes(
-  const LogSource& log, bool onCurve, const std::vector<double>& turns)
+void PointPotential::AddFluxes(const LogSource& log, bool onCurve, const std::vector<double>& turns)
 {
   for (std::size_t h = 0; h < this->Halves.size(); ++h)
   {
@@ -81,9 +80,8 @@ void PointPotential::AddFluxes(
     // For points of curves, and along sides on a line through the position of the logarithm, it is
     // integrated exactly.
     const bool along = onCurve || std::abs(turns[h]) <= AngleRounding;
-    half.logMean += along
-      ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
-      : 0.5 * (log.Value(half.from) + log.Value(half.to));
+    half.logMean += along ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
+                          : 0.5 * (log.Value(half.from) + log.Value(half.to));
     this->Sources[half.vertex] -= log.strength * turns[h];
   }
 }
@@ -238,9 +236,9 @@ std::vector<Point> PointPotential::StripPath(Eigen::Index k, bool onCurve) const
   for (const LoopStrip::Step& step : strip.steps)
   {
     const auto& v = mesh.triangles[static_cast<std::size_t>(step.triangle)];
-    path.emplace_back((mesh.points[static_cast<std::size_t>(v[0])] +
-                        mesh.points[static_cast<std::size_t>(v[1])] +
-                        mesh.points[static_cast<std::size_t>(v[2])]) /
+    path.emplace_back(
+      (mesh.points[static_cast<std::size_t>(v[0])] + mesh.points[static_cast<std::size_t>(v[1])] +
+        mesh.points[static_cast<std::size_t>(v[2])]) /
       3.0);
   }
   path.push_back(ends[1]);
@@ -350,8 +348,8 @@ void PointPotential::Complete(
     Eigen::VectorXd defects(periods);
     for (Eigen::Index k = 0; k < periods; ++k)
     {
-      defects[k] = WrapAngle(subtractTurns(
-        k, AlignedDifference(this->Problem, this->Curve.aligned, k) - carried[k]));
+      defects[k] = WrapAngle(
+        subtractTurns(k, AlignedDifference(this->Problem, this->Curve.aligned, k) - carried[k]));
       result.holonomyDefect.push_back(defects[k]);
     }
     // 3. R with the periods that align inner loops.

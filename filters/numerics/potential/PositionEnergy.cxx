@@ -216,8 +216,8 @@ PositionEnergy::Value PositionEnergy::Evaluate(
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
     const auto row = static_cast<Eigen::Index>(h);
-    regular[row] = 0.5 *
-      (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
+    regular[row] =
+      0.5 * (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
     value.singleValuedEnergy += 0.5 * (halves[h].growth - flows.flux[row]) * regular[row] +
       flows.mean[row] * (halves[h].growth - 0.5 * flows.flux[row]);
   }

@@ -1,0 +1,181 @@
+#include "BoundaryAbsorption.h"
+
+#include "OptimizerReport.h"
+#include "StageBoundary.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// A stopped singularity moves to a corner within this multiple of the clearance whose energy it
+/// lowers.
+constexpr double CornerReach = 20.0;
+
+/// Returns the nearby corner whose energy a singularity lowers most, otherwise the vertex with the
+/// lowest energy on the way down from the nearest one.
+std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
+  const OptimizerState& current, std::size_t i)
+{
+  const int quarters = stage.placed.interior[i].quarterIndex;
+  const Point position = stage.objective->LengthUnit() * current.PositionOf(i);
+  const double cornerReach = ClearanceRange(stage, CornerReach);
+  const double vertexReach = VertexReach(stage);
+  double reduction = 0.0;
+  std::size_t target = 0;
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+  {
+    const Corner& corner = boundary.vertices[v];
+    const double distance = (corner.position - position).norm();
+    const double saved = CornerCoefficient(corner, boundary.quarters[v]) +
+      Pi * quarters * quarters - CornerCoefficient(corner, boundary.quarters[v] + quarters);
+    if (distance <= cornerReach && saved > reduction)
+    {
+      reduction = saved;
+      target = v;
+    }
+  }
+  if (reduction > 0.0)
+  {
+    return target;
+  }
+  const TrackedConfiguration tracked = stage.At(current.positions);
+  const auto energyAt = [&](std::size_t v)
+  {
+    return (boundary.vertices[v].position - position).norm() > vertexReach
+      ? std::numeric_limits<double>::infinity()
+      : stage.CoreEnergyOf(MovedToVertex(tracked, stage.placed.rows[i], boundary, v).singularities);
+  };
+  return DescendAlongLoop(boundary, NearestVertex(boundary, position), energyAt).vertex;
+}
+
+/// A stopped singularity and the boundary vertex that would absorb it.
+struct Absorption
+{
+  std::size_t row = 0; ///< Of the tracked singularities.
+  std::size_t vertex = 0;
+  std::string key;
+  double energy = 0.0; ///< With this singularity absorbed.
+};
+
+/// Returns the stopped singularities towards whose vertex W decreases, without rejected ones. Where
+/// the vertex is not known yet, it is found with `finds`, otherwise the nearest vertex stands for it.
+std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const OptimizerState& current,
+  const std::set<std::string>& rejected, bool finds, BoundaryTargets& targets)
+{
+  // Relative to the clearance; the vertices that are compared are spread over several clearances.
+  constexpr double SamePlace = 0.2;
+  std::vector<Absorption> due;
+  const std::vector<std::size_t> stopped = StoppedSingularities(stage, current);
+  if (stopped.empty())
+  {
+    return due;
+  }
+  const BoundaryVertices boundary(stage);
+  for (const std::size_t i : stopped)
+  {
+    const Point unit = current.PositionOf(i);
+    const Point position = stage.objective->LengthUnit() * unit;
+    const auto known = targets.found.find(i);
+    const bool isKnown = known != targets.found.end() &&
+      (known->second.from - unit).norm() < SamePlace * stage.objective->Clearance();
+    const std::size_t target = isKnown ? known->second.vertex
+      : finds                          ? FindTarget(stage, boundary, current, i)
+                                       : NearestVertex(boundary, position);
+    if (finds && !isKnown)
+    {
+      targets.found.insert_or_assign(i, BoundaryTargets::Target{ unit, target });
+    }
+    const Point& place = boundary.vertices[target].position;
+    // The singularity moves into the boundary only if W decreases in that direction.
+    const Point gradient = current.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
+    const std::size_t row = stage.placed.rows[i];
+    const std::string key = "in " + std::to_string(row) + " " + Describe(place);
+    if (gradient.dot(place - position) <= 0.0 && rejected.count(key) == 0)
+    {
+      due.push_back({ row, target, key });
+    }
+  }
+  return due;
+}
+
+/// Adds a singularity to the quarter index of its vertex, and returns the sentence about it.
+std::string Absorb(
+  const Absorption& absorption, BoundaryVertices& boundary, TrackedConfiguration& tracked)
+{
+  const int quarters = tracked.singularities[absorption.row].quarterIndex;
+  const int before = boundary.quarters[absorption.vertex];
+  const std::string event = Capitalised(tracked.Name(absorption.row)) + ", quarter index " +
+    std::to_string(quarters) + ", reached the boundary at " +
+    Describe(boundary.vertices[absorption.vertex].position) +
+    " and became part of it: the quarter index there changed from " + std::to_string(before) +
+    " to " + std::to_string(before + quarters) + ".";
+  tracked.absorbed.insert(tracked.origins[absorption.row]);
+  tracked = MovedToVertex(tracked, absorption.row, boundary, absorption.vertex);
+  boundary.quarters[absorption.vertex] += quarters;
+  return event;
+}
+}
+
+bool IsAbsorptionDue(const OptimizerStage& stage, const OptimizerState& current,
+  const std::set<std::string>& rejected, BoundaryTargets& targets)
+{
+  return !DueAbsorptions(stage, current, rejected, false, targets).empty();
+}
+
+std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
+  const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
+  bool several)
+{
+  std::vector<Absorption> due = DueAbsorptions(stage, current, rejected, true, targets);
+  if (due.empty())
+  {
+    return std::nullopt;
+  }
+  ConfigurationChange change;
+  change.tracked = stage.At(current.positions);
+  BoundaryVertices boundary(stage);
+  const auto energyWith = [&](const Absorption& absorption)
+  {
+    return stage.CoreEnergyOf(
+      MovedToVertex(change.tracked, absorption.row, boundary, absorption.vertex).singularities);
+  };
+  due.resize(several ? due.size() : 1);
+  if (due.size() > 1)
+  {
+    for (Absorption& absorption : due)
+    {
+      absorption.energy = energyWith(absorption);
+    }
+    std::stable_sort(due.begin(), due.end(),
+      [](const Absorption& a, const Absorption& b) { return a.energy < b.energy; });
+  }
+  double lowest = due.front().energy;
+  change.key = due.front().key;
+  for (std::size_t n = 0; n < due.size(); ++n)
+  {
+    if (n > 0)
+    {
+      // The energy of one alone differs from its energy together with the previous ones.
+      const double energy = energyWith(due[n]);
+      if (!(energy < lowest))
+      {
+        continue;
+      }
+      lowest = energy;
+      change.several = true;
+    }
+    const std::size_t rows = change.tracked.singularities.size();
+    change.events.push_back(Absorb(due[n], boundary, change.tracked));
+    const bool isErased = change.tracked.singularities.size() < rows;
+    for (std::size_t other = n + 1; other < due.size(); ++other)
+    {
+      due[other].row -= isErased && due[other].row > due[n].row ? 1U : 0U;
+    }
+  }
+  return change;
+}
+}

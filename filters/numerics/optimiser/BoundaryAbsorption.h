@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ConfigurationChange.h"
+
+#include <map>
+
+namespace crossfield
+{
+/// Boundary vertices at which stopped singularities would be absorbed, by the number of the
+/// singularity. A vertex is found anew only when the singularity has moved, because that takes
+/// several solves.
+struct BoundaryTargets
+{
+  struct Target
+  {
+    Point from; ///< Position for which the vertex was found, in units of the diagonal.
+    std::size_t vertex;
+  };
+  std::map<std::size_t, Target> found;
+};
+
+/// Finds an interior singularity at the clearance from the boundary with W decreasing further
+/// towards it, and adds it to the quarter index of a boundary vertex nearby: of the corner whose
+/// energy this lowers most, otherwise of the nearby vertex with the lowest energy. If several
+/// singularities have been stopped, the one that lowers the energy most is absorbed, then with
+/// `several` each further one that lowers it further: a change costs a mesh, whatever their number.
+std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
+  const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
+  bool several);
+
+/// Returns whether FindAbsorption may find a singularity. Costs no solves.
+bool IsAbsorptionDue(const OptimizerStage& stage, const OptimizerState& current,
+  const std::set<std::string>& rejected, BoundaryTargets& targets);
+}
