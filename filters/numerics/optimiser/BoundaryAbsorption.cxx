@@ -1,7 +1,6 @@
 #include "BoundaryAbsorption.h"
 
 #include "OptimizerReport.h"
-#include "StageBoundary.h"
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +16,7 @@ constexpr double CornerReach = 20.0;
 
 /// Returns the nearby corner whose energy a singularity lowers most, otherwise the vertex with the
 /// lowest energy on the way down from the nearest one.
-std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
+VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
   const OptimizerState& current, std::size_t i)
 {
   const int quarters = stage.placed.interior[i].quarterIndex;
@@ -38,18 +37,23 @@ std::size_t FindTarget(const OptimizerStage& stage, const BoundaryVertices& boun
       target = v;
     }
   }
-  if (reduction > 0.0)
-  {
-    return target;
-  }
   const TrackedConfiguration tracked = stage.At(current.positions);
   const auto energyAt = [&](std::size_t v)
   {
-    return (boundary.vertices[v].position - position).norm() > vertexReach
-      ? std::numeric_limits<double>::infinity()
-      : stage.CoreEnergyOf(MovedToVertex(tracked, stage.placed.rows[i], boundary, v).singularities);
+    return stage.CoreEnergyOf(
+      MovedToVertex(tracked, stage.placed.rows[i], boundary, v).singularities);
   };
-  return DescendAlongLoop(boundary, NearestVertex(boundary, position), energyAt).vertex;
+  if (reduction > 0.0)
+  {
+    return { target, energyAt(target) };
+  }
+  return DescendAlongLoop(boundary, NearestVertex(boundary, position),
+    [&](std::size_t v)
+    {
+      return (boundary.vertices[v].position - position).norm() > vertexReach
+        ? std::numeric_limits<double>::infinity()
+        : energyAt(v);
+    });
 }
 
 /// A stopped singularity and the boundary vertex that would absorb it.
@@ -82,21 +86,21 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     const auto known = targets.found.find(i);
     const bool isKnown = known != targets.found.end() &&
       (known->second.from - unit).norm() < SamePlace * stage.objective->Clearance();
-    const std::size_t target = isKnown ? known->second.vertex
-      : finds                          ? FindTarget(stage, boundary, current, i)
-                                       : NearestVertex(boundary, position);
+    const VertexEnergy target = isKnown ? known->second.target
+      : finds                           ? FindTarget(stage, boundary, current, i)
+                                        : VertexEnergy{ NearestVertex(boundary, position), 0.0 };
     if (finds && !isKnown)
     {
-      targets.found.insert_or_assign(i, BoundaryTargets::Target{ unit, target });
+      targets.found.insert_or_assign(i, BoundaryTargets::Found{ unit, target });
     }
-    const Point& place = boundary.vertices[target].position;
+    const Point& place = boundary.vertices[target.vertex].position;
     // The singularity moves into the boundary only if W decreases in that direction.
     const Point gradient = current.gradient.segment<2>(2 * static_cast<Eigen::Index>(i));
     const std::size_t row = stage.placed.rows[i];
     const std::string key = "in " + std::to_string(row) + " " + Describe(place);
     if (gradient.dot(place - position) <= 0.0 && rejected.count(key) == 0)
     {
-      due.push_back({ row, target, key });
+      due.push_back({ row, target.vertex, key, target.energy });
     }
   }
   return due;
@@ -146,14 +150,10 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
   due.resize(several ? due.size() : 1);
   if (due.size() > 1)
   {
-    for (Absorption& absorption : due)
-    {
-      absorption.energy = energyWith(absorption);
-    }
     std::stable_sort(due.begin(), due.end(),
       [](const Absorption& a, const Absorption& b) { return a.energy < b.energy; });
   }
-  double lowest = due.front().energy;
+  double lowest = due.size() > 1 ? energyWith(due.front()) : 0.0;
   change.key = due.front().key;
   for (std::size_t n = 0; n < due.size(); ++n)
   {

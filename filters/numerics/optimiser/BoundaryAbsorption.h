@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ConfigurationChange.h"
+#include "StageBoundary.h"
 
 #include <map>
 
@@ -11,12 +12,12 @@ namespace crossfield
 /// several solves.
 struct BoundaryTargets
 {
-  struct Target
+  struct Found
   {
-    Point from; ///< Position for which the vertex was found, in units of the diagonal.
-    std::size_t vertex;
+    Point from;          ///< Position for which the vertex was found, in units of the diagonal.
+    VertexEnergy target; ///< The vertex, and the energy with the singularity there.
   };
-  std::map<std::size_t, Target> found;
+  std::map<std::size_t, Found> found;
 };
 
 /// Finds an interior singularity at the clearance from the boundary with W decreasing further

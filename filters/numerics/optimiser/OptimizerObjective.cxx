@@ -72,6 +72,12 @@ OptimizerObjective OptimizerObjective::WithoutSymmetry() const
   return free;
 }
 
+std::size_t OptimizerObjective::EvaluationCost() const
+{
+  return SolvesOfEvaluation(this->Points->GetProblem().Topology().mesh.points.size(), this->Count(),
+    static_cast<std::size_t>(this->Energy->PointCount()));
+}
+
 Configuration OptimizerObjective::At(const Eigen::VectorXd& positions) const
 {
   Configuration moved = this->Started;
@@ -115,7 +121,7 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   result.positions = this->PositionsOf(moved);
   const Eigen::VectorXd& positions = result.positions;
   const auto [solution, value] = this->Energy->Evaluate(moved);
-  this->Solves->Spend(1);
+  this->Solves->Spend(this->EvaluationCost());
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
   Eigen::VectorXd gradient =

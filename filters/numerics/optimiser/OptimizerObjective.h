@@ -99,6 +99,8 @@ public:
   double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
   const PointPotential& Potential() const { return *this->Points; }
   SolveBudget& Budget() const { return *this->Solves; }
+  /// Returns what an evaluation costs.
+  std::size_t EvaluationCost() const;
   /// Returns J if it is minimised, null otherwise.
   const std::shared_ptr<const SizeUniformity>& Uniformity() const { return this->Sizes; }
   /// Returns the test whether a symmetry of the domain preserves the objective.

@@ -61,7 +61,7 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
     const auto points = std::make_shared<const PointPotential>(this->potential->WithAlignment(
       AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior))));
     points->RequireSolvable(other.interior);
-    this->objective->Budget().Spend(1);
+    this->objective->Budget().Spend(this->objective->EvaluationCost());
     const RenormalizedEnergyValue value =
       PositionEnergy(points).Evaluate(other.interior, false).renormalized;
     return value.energy -

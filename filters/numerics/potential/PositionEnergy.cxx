@@ -36,26 +36,42 @@ PositionEnergy::PositionEnergy(std::shared_ptr<const PointPotential> potential)
     }
   }
 
-  const PeriodResponse& response = this->Potential->GetProblem().potential->GetPeriodResponse();
-  const Eigen::Index periods = response.basis.cols();
-  this->BoundaryTurns = Eigen::VectorXd::Zero(periods);
-  Eigen::MatrixXd differences(count, periods); // of the basis at the two ends of each edge
-  for (Eigen::Index k = 0; k < periods; ++k)
+  const LogSource* const begin = logs.data();
+  const LogSource* const corners = begin + this->Potential->CurveLogCount();
+  const LogSource* const end = begin + logs.size();
+  this->BoundaryTurns = Eigen::VectorXd::Zero(this->Potential->GetPeriodBasis().cols());
+  for (Eigen::Index k = 0; k < this->BoundaryTurns.size(); ++k)
   {
+    // Points of curves see the path between points of curves.
+    const std::vector<Point> onCurve = this->Potential->StripPath(k, true);
     this->Paths.push_back(this->Potential->StripPath(k, false));
-    for (std::size_t m = 0; m < logs.size(); ++m)
+    const std::vector<Point>& path = this->Paths.back();
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
     {
-      this->BoundaryTurns[k] += logs[m].strength *
-        this->Potential->StripTurn(logs[m], k, m < this->Potential->CurveLogCount());
-    }
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      const auto half = 2 * static_cast<std::size_t>(i);
-      differences(i, k) =
-        response.basis(halves[half + 1].vertex, k) - response.basis(halves[half].vertex, k);
+      this->BoundaryTurns[k] -= SumOfTurns(begin, corners, onCurve[i], onCurve[i + 1]) +
+        SumOfTurns(corners, end, path[i], path[i + 1]);
     }
   }
-  this->MidpointInfluence = DenseProduct(differences, response.schur.transpose());
+}
+
+const Eigen::MatrixXd& PositionEnergy::GetMidpointInfluence() const
+{
+  return this->MidpointInfluence.Get(
+    [this]
+    {
+      const PeriodResponse& response = this->Potential->GetProblem().potential->GetPeriodResponse();
+      const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+      // Of the basis at the two ends of each edge.
+      Eigen::MatrixXd differences(this->Points.rows() / 2, response.basis.cols());
+      for (Eigen::Index i = 0; i < differences.rows(); ++i)
+      {
+        const auto half = 2 * static_cast<std::size_t>(i);
+        differences.row(i) =
+          response.basis.row(halves[half + 1].vertex) - response.basis.row(halves[half].vertex);
+      }
+      return std::make_unique<const Eigen::MatrixXd>(
+        DenseProduct(differences, response.schur.transpose()));
+    });
 }
 
 PositionEnergy::Flows PositionEnergy::Solve(
@@ -151,7 +167,8 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
 
   // 2. Sums over the points. With y = x − b the derivatives are (y₂, −y₁) / |y|² and −y / |y|².
   const Eigen::Index middles = this->Points.rows() / 2;
-  const Eigen::Index periods = this->MidpointInfluence.cols();
+  const Eigen::MatrixXd& influence = this->GetMidpointInfluence();
+  const Eigen::Index periods = influence.cols();
   const auto count = static_cast<Eigen::Index>(inside);
   Eigen::MatrixXd atMiddles(middles, periods > 0 ? 2 * count : 0);
   Eigen::ArrayXd x(this->Points.rows());
@@ -175,7 +192,7 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
   }
 
   // 3. Holonomy defects, which are linear in the sources.
-  const Eigen::MatrixXd carried = AdjointProduct(this->MidpointInfluence, atMiddles);
+  const Eigen::MatrixXd carried = AdjointProduct(influence, atMiddles);
   for (Eigen::Index k = 0; k < periods; ++k)
   {
     const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];

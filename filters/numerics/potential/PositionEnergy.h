@@ -29,6 +29,8 @@ public:
   Value Evaluate(const Configuration& configuration, bool derivatives = true) const;
 
   const PointPotential& GetPotential() const { return *this->Potential; }
+  /// Returns the number of points of the boundary at which logarithms are evaluated.
+  Eigen::Index PointCount() const { return this->Points.rows(); }
 
 private:
   /// Sums of all logarithms on the halves of boundary edges.
@@ -38,6 +40,8 @@ private:
     Eigen::VectorXd mean; ///< Mean over each half.
   };
 
+  /// Returns MidpointInfluence.
+  const Eigen::MatrixXd& GetMidpointInfluence() const;
   /// Solves for the regular part, and sums up the logarithms.
   Flows Solve(const Configuration& configuration, PointPotential::Solution& solution) const;
   /// Adds the interaction of the logarithms to the energy and the gradient.
@@ -59,7 +63,7 @@ private:
   double BoundaryInteraction = 0.0;
   double BoundaryCoefficient = 0.0; ///< Logarithm coefficient of the boundary.
   /// Change of each holonomy defect by the angle at which a singularity sees a midpoint; a column
-  /// per inner loop.
-  Eigen::MatrixXd MidpointInfluence;
+  /// per inner loop. Only derivatives need it.
+  Lazy<Eigen::MatrixXd> MidpointInfluence;
 };
 }
