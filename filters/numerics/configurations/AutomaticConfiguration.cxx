@@ -129,7 +129,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.corners = result.corners;
   fit.clearance = clearance;
   fit.keepAll = true;
-  fit.maximumSolves = options.maximumSolves;
+  fit.maximumSolves = options.maximumSolves / 2;
   // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of
   // more than e. Below it, more uniform sizes may cost more in shape than they gain (docs/method.md
   // §5.7).

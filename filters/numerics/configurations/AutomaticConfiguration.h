@@ -17,7 +17,7 @@ struct AutomaticOptions
   double quadSize = 0.0;
   int quadCount = 0;
   /// Maximum number of solves (SolveBudget.h) of the runs from all starts together, 0 for any
-  /// number. The run that follows for quads may take as many again.
+  /// number. The run that follows for quads may take half as many.
   std::size_t maximumSolves = 4000;
 };
 

@@ -155,10 +155,19 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
   }
   double lowest = due.size() > 1 ? energyWith(due.front()) : 0.0;
   change.key = due.front().key;
+  const double nearby = ClearanceRange(stage, CornerReach);
+  std::vector<Point> places; // of absorbed singularities
   for (std::size_t n = 0; n < due.size(); ++n)
   {
+    const Point& place = boundary.vertices[due[n].vertex].position;
     if (n > 0)
     {
+      // Neighbours change each other's vertex; they wait until the others have moved.
+      if (std::any_of(places.begin(), places.end(),
+            [&](const Point& other) { return (other - place).norm() <= nearby; }))
+      {
+        continue;
+      }
       // The energy of one alone differs from its energy together with the previous ones.
       const double energy = energyWith(due[n]);
       if (!(energy < lowest))
@@ -169,6 +178,7 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
       change.several = true;
     }
     const std::size_t rows = change.tracked.singularities.size();
+    places.push_back(place);
     change.events.push_back(Absorb(due[n], boundary, change.tracked));
     const bool isErased = change.tracked.singularities.size() < rows;
     for (std::size_t other = n + 1; other < due.size(); ++other)

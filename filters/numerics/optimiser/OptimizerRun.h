@@ -61,6 +61,7 @@ private:
   std::set<std::string> Rejected; ///< Keys of changes that did not lower the energy.
   BoundaryTargets Targets;        ///< On the present stage.
   int BoundaryMoves = 0;
+  int FailedAbsorptions = 0;         ///< Since the last change.
   Eigen::VectorXd PreviousPositions; ///< Positions one step ago.
   int StepsDue = 0;                  ///< Number of successive steps for which a change was due.
   bool Changed = false;

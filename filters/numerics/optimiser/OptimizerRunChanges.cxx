@@ -14,6 +14,9 @@ namespace crossfield
 {
 namespace
 {
+/// Number of absorptions in succession that did not lower the energy, after which no more are tried:
+/// they are tried in the order of what they promise.
+constexpr int MaximumFailures = 3;
 /// Maximum number of moves along the boundary; each is several clearances long, and no more are
 /// needed around a leading edge.
 constexpr int MaximumBoundaryMoves = 10;
@@ -91,7 +94,8 @@ bool OptimizerRun::IsChangeDue(const OptimizerState& state)
   this->PreviousPositions = state.positions;
   const bool isDue = isStill &&
     (FindAnnihilation(this->Stage, state) ||
-      IsAbsorptionDue(this->Stage, state, this->Rejected, this->Targets));
+      (this->FailedAbsorptions < MaximumFailures &&
+        IsAbsorptionDue(this->Stage, state, this->Rejected, this->Targets)));
   this->StepsDue = isDue ? this->StepsDue + 1 : 0;
   return this->StepsDue >= RequiredSteps;
 }
@@ -103,7 +107,7 @@ bool OptimizerRun::MakeChange()
   while (!this->KeepAll && !this->Options.objective.budget->IsSpent())
   {
     auto change = FindAnnihilation(this->Stage, this->Current);
-    change = change
+    change = change || this->FailedAbsorptions == MaximumFailures
       ? change
       : FindAbsorption(this->Stage, this->Current, this->Rejected, this->Targets, several);
     change = change ? change : FindRelease(this->Stage, this->Current, this->Rejected);
@@ -121,6 +125,7 @@ bool OptimizerRun::MakeChange()
         this->AddEvent(event);
       }
       this->Changed = true;
+      this->FailedAbsorptions = 0;
       this->BoundaryMoves += change->key.compare(0, 5, "along") == 0 ? 1 : 0;
       if (change->annihilates)
       {
@@ -134,6 +139,7 @@ bool OptimizerRun::MakeChange()
       continue;
     }
     this->Rejected.insert(change->key);
+    this->FailedAbsorptions += change->key.compare(0, 3, "in ") == 0 ? 1 : 0;
   }
   return false;
 }

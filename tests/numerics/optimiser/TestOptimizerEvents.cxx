@@ -46,6 +46,30 @@ TEST(OptimizerEvents, RemovesPairThatMeets)
   EXPECT_LT(kept.energyAfter, kept.energyBefore);
 }
 
+TEST(OptimizerEvents, EndsWithTheBestConfigurationWhenItsSolvesAreUsedUp)
+{
+  const PlanarDomain disk = Builtin("disk");
+  const Configuration start = { { { 0.1, 0.1 }, 1, 0.0 }, { { -0.2, 0.1 }, 1, 0.0 },
+    { { 0.0, -0.3 }, 1, 0.0 }, { { 0.4, -0.3 }, 1, 0.0 } };
+  OptimizerOptions options;
+  std::vector<double> energies;
+  for (const std::size_t solves : { 25U, 30U, 0U })
+  {
+    options.maximumSolves = solves;
+    const OptimizerResult result = OptimizeSingularities(disk, start, options);
+    EXPECT_EQ(result.converged, solves == 0) << result.reason;
+    EXPECT_EQ(result.reason.find("solves, its limit") != std::string::npos, solves > 0)
+      << result.reason;
+    // A step that has begun is completed: at most forty halvings.
+    EXPECT_GE(result.solves, solves);
+    EXPECT_TRUE(solves == 0 || result.solves <= solves + 40);
+    energies.push_back(result.energyAfter);
+    EXPECT_LT(result.energyAfter, result.energyBefore);
+  }
+  EXPECT_LT(energies[1], energies[0]);
+  EXPECT_LT(energies[2], energies[1]);
+}
+
 TEST(OptimizerEvents, MergesOppositeSignsOfDifferentStrength)
 {
   OptimizerOptions options;

@@ -1,0 +1,115 @@
+#include "PositionEnergy.h"
+
+#include "DrillHoles.h"
+#include "MakePlanarDomain.h"
+#include "Support.h"
+
+#include <algorithm>
+
+namespace crossfield::test
+{
+namespace
+{
+/// Returns a disk with a square and a circular island, so that there are corners, curves and
+/// periods.
+PlanarDomain TwoIslands()
+{
+  Loop circle;
+  for (int i = 0; i < 24; ++i)
+  {
+    circle.emplace_back(
+      -0.4 + 0.15 * std::cos(2.0 * Pi * i / 24.0), 0.1 + 0.15 * std::sin(2.0 * Pi * i / 24.0));
+  }
+  return MakePlanarDomain({ Builtin("disk", 0.1).loops[0],
+    { { 0.3, -0.1 }, { 0.5, -0.1 }, { 0.5, 0.1 }, { 0.3, 0.1 } }, circle });
+}
+
+const Configuration Singularities = { { { 0.1, 0.5 }, -1, 0.0 }, { { 0.05, -0.4 }, 2, 0.0 },
+  { { -0.1, 0.3 }, 1, 0.0 }, { { 0.7, 0.2 }, -1, 0.0 }, { { -0.6, -0.3 }, -1, 0.0 } };
+
+/// Returns the choice of a quarter index at the boundary vertex farthest to the right, and at a
+/// corner of the square.
+std::vector<CornerChoice> Choices(const MeshTopology& topology, int atCurve, int atCorner)
+{
+  std::vector<CornerChoice> choices;
+  if (atCurve != 0)
+  {
+    const Loop outer = topology.AlignedLoops()[0];
+    choices.push_back({ *std::max_element(outer.begin(), outer.end(),
+                          [](const Point& a, const Point& b) { return a.x() < b.x(); }),
+      atCurve });
+  }
+  choices.push_back({ { 0.3, -0.1 }, atCorner });
+  return choices;
+}
+
+PointPotential PotentialWith(
+  const std::shared_ptr<const PotentialSolver>& solver, int atCurve, int atCorner)
+{
+  const MeshTopology& topology = solver->GetTopology();
+  return { solver,
+    AlignWithBoundary(
+      topology, Choices(topology, atCurve, atCorner), TotalQuarters(Singularities)) };
+}
+
+std::shared_ptr<const PotentialSolver> Solver()
+{
+  DrillOptions options;
+  options.meshSize = 0.1;
+  return std::make_shared<const PotentialSolver>(
+    ShareTopology(DrillHoles(TwoIslands(), {}, options)));
+}
+
+void ExpectEqual(const Eigen::Matrix2Xd& actual, const Eigen::Matrix2Xd& expected)
+{
+  ASSERT_EQ(actual.cols(), expected.cols());
+  EXPECT_LT((actual - expected).norm(), 1e-10 * (1.0 + expected.norm()));
+}
+
+TEST(PositionEnergy, IsTheRenormalizedEnergyOfEveryConfiguration)
+{
+  const auto potential = std::make_shared<const PointPotential>(PotentialWith(Solver(), -1, 0));
+  const PositionEnergy energy(potential);
+  for (const double shift : { 0.0, 0.03, -0.05 })
+  {
+    Configuration moved = Singularities;
+    moved[0].position += Point(shift, 2.0 * shift);
+    moved[3].position -= Point(shift, shift);
+    const RenormalizedEnergyValue expected =
+      EvaluateRenormalizedEnergy(*potential, potential->Solve(moved));
+    const RenormalizedEnergyValue actual = energy.Evaluate(moved).renormalized;
+    EXPECT_NEAR(actual.energy, expected.energy, 1e-10);
+    EXPECT_NEAR(actual.singleValuedEnergy, expected.singleValuedEnergy, 1e-10);
+    EXPECT_NEAR(actual.logarithmCoefficient, expected.logarithmCoefficient, 1e-12);
+    ExpectEqual(actual.gradient, expected.gradient);
+    ExpectEqual(actual.singleValuedGradient, expected.singleValuedGradient);
+    ASSERT_EQ(actual.defectGradient.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      EXPECT_NEAR(WrapAngle(actual.holonomyDefect[k] - expected.holonomyDefect[k]), 0.0, 1e-11);
+      ExpectEqual(actual.defectGradient[k], expected.defectGradient[k]);
+    }
+    EXPECT_EQ(energy.Evaluate(moved, false).renormalized.energy, actual.energy);
+  }
+}
+
+TEST(PositionEnergy, IsTheSameAfterAnotherAlignment)
+{
+  const auto solver = Solver();
+  const PointPotential first = PotentialWith(solver, 0, -1);
+  const PointPotential fresh = PotentialWith(solver, -1, 0);
+  const PointPotential changed = first.WithAlignment(fresh.GetProblem().alignment);
+  ASSERT_EQ(changed.CurveLogCount(), 1U);
+  const RenormalizedEnergyValue expected =
+    EvaluateRenormalizedEnergy(fresh, fresh.Solve(Singularities));
+  const RenormalizedEnergyValue actual =
+    EvaluateRenormalizedEnergy(changed, changed.Solve(Singularities));
+  EXPECT_NEAR(actual.energy, expected.energy, 1e-10);
+  ExpectEqual(actual.gradient, expected.gradient);
+  // And it differs from the first one.
+  EXPECT_GT(std::abs(EvaluateRenormalizedEnergy(first, first.Solve(Singularities)).energy -
+              expected.energy),
+    1e-3);
+}
+}
+}
