@@ -15,7 +15,7 @@ namespace
 constexpr double CornerReach = 20.0;
 
 /// Returns the nearby corner whose energy a singularity lowers most, otherwise the vertex with the
-/// lowest energy on the way down from the nearest one.
+/// lowest energy on the way down from the nearest one, or one that already has a singularity.
 VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
   const OptimizerState& current, std::size_t i)
 {
@@ -47,13 +47,24 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
   {
     return { target, energyAt(target) };
   }
-  return DescendAlongLoop(boundary, NearestVertex(boundary, position),
+  VertexEnergy lowest = DescendAlongLoop(boundary, NearestVertex(boundary, position),
     [&](std::size_t v)
     {
       return (boundary.vertices[v].position - position).norm() > vertexReach
         ? std::numeric_limits<double>::infinity()
         : energyAt(v);
     });
+  // Singularities on the boundary attract those of opposite sign, and may hold equal ones.
+  for (const Singularity& other : tracked.singularities)
+  {
+    const std::size_t v = (other.position - position).norm() <= vertexReach
+      ? boundary.At(other.position)
+      : boundary.vertices.size();
+    const double energy =
+      v < boundary.vertices.size() && v != lowest.vertex ? energyAt(v) : lowest.energy;
+    lowest = energy < lowest.energy ? VertexEnergy{ v, energy } : lowest;
+  }
+  return lowest;
 }
 
 /// A stopped singularity and the boundary vertex that would absorb it.
@@ -155,7 +166,7 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
   }
   double lowest = due.size() > 1 ? energyWith(due.front()) : 0.0;
   change.key = due.front().key;
-  const double nearby = ClearanceRange(stage, CornerReach);
+  const double nearby = VertexReach(stage);
   std::vector<Point> places; // of absorbed singularities
   for (std::size_t n = 0; n < due.size(); ++n)
   {
