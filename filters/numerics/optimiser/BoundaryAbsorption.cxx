@@ -54,14 +54,17 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
         ? std::numeric_limits<double>::infinity()
         : energyAt(v);
     });
-  // Singularities on the boundary attract those of opposite sign, and may hold equal ones.
+  // Singularities on the boundary attract those of opposite sign, and may hold equal ones,
+  // except on loops within reach, which are too small for a map with both in one vertex.
   for (const Singularity& other : tracked.singularities)
   {
     const std::size_t v = (other.position - position).norm() <= vertexReach
       ? boundary.At(other.position)
       : boundary.vertices.size();
     const double energy =
-      v < boundary.vertices.size() && v != lowest.vertex ? energyAt(v) : lowest.energy;
+      v < boundary.vertices.size() && v != lowest.vertex && boundary.LoopLength(v) > vertexReach
+      ? energyAt(v)
+      : lowest.energy;
     lowest = energy < lowest.energy ? VertexEnergy{ v, energy } : lowest;
   }
   return lowest;

@@ -42,6 +42,18 @@ std::size_t BoundaryVertices::At(const Point& position) const
     this->vertices.begin());
 }
 
+double BoundaryVertices::LoopLength(std::size_t vertex) const
+{
+  double length = 0.0;
+  std::size_t v = vertex;
+  do
+  {
+    length += (this->vertices[this->next[v]].position - this->vertices[v].position).norm();
+    v = this->next[v];
+  } while (v != vertex);
+  return length;
+}
+
 bool BoundaryVertices::IsSmooth(const Point& position) const
 {
   return std::any_of(this->vertices.begin(), this->vertices.end(),

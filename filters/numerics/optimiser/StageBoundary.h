@@ -22,6 +22,8 @@ struct BoundaryVertices
   explicit BoundaryVertices(const OptimizerStage& stage);
   /// Returns the vertex at a point, or the number of vertices if there is none.
   std::size_t At(const Point& position) const;
+  /// Returns the length of the loop of a vertex.
+  double LoopLength(std::size_t vertex) const;
   /// Returns whether a point is a vertex where the boundary does not turn by a quarter: its
   /// smallest rotation has index 0.
   bool IsSmooth(const Point& position) const;
