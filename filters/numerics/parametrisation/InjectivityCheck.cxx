@@ -1,45 +1,14 @@
 #include "InjectivityCheck.h"
 
-#include "Error.h"
-
 #include <cmath>
-#include <string>
 
 namespace crossfield
 {
-namespace
-{
-/// Returns the remedy for a map that is not injective.
-std::string Remedy(const SeamlessMap& map)
-{
-  std::size_t worst = 0;
-  for (std::size_t k = 1; k < map.holonomyDefect.size(); ++k)
-  {
-    if (std::abs(map.holonomyDefect[k]) > std::abs(map.holonomyDefect[worst]))
-    {
-      worst = k;
-    }
-  }
-  // Radians of the phase, 0.05 of θ: smaller defects do not invert triangles.
-  constexpr double Harmless = 0.2;
-  if (!map.holonomyDefect.empty() && std::abs(map.holonomyDefect[worst]) > Harmless)
-  {
-    return "inner loop " + std::to_string(worst + 1) + " has a holonomy defect of " +
-      std::to_string(0.25 * map.holonomyDefect[worst]) +
-      " radians of the cross, repair the holonomy (RepairHolonomy, --repair-holonomy): it moves "
-      "the singularities.";
-  }
-  return "use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "
-         "away from each other and from the boundary.";
-}
-}
-
-void RequireInjective(const SeamlessMap& map)
+std::optional<MapFault> FindFault(const SeamlessMap& map)
 {
   const MeshTopology& topology = *map.topology;
   const auto triangles = static_cast<int>(map.corners.size());
-  int flipped = 0;
-  Point location = Point::Zero();
+  MapFault fault;
   Eigen::VectorXd angles =
     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(topology.mesh.points.size()));
   for (int t = 0; t < triangles; ++t)
@@ -50,17 +19,16 @@ void RequireInjective(const SeamlessMap& map)
     const auto& v = topology.mesh.triangles[static_cast<std::size_t>(t)];
     if (!(Cross(b - a, c - a) > 0.0))
     {
-      location = flipped == 0 ? topology.PointAt(v[0]) : location;
-      ++flipped;
+      fault.place = fault.reversed == 0 ? topology.PointAt(v[0]) : fault.place;
+      ++fault.reversed;
     }
     angles[v[0]] += AngleBetween(b - a, c - a);
     angles[v[1]] += AngleBetween(c - b, a - b);
     angles[v[2]] += AngleBetween(a - c, b - c);
   }
-  if (flipped > 0)
+  if (fault.reversed > 0)
   {
-    throw Error("The seamless map folds over in " + std::to_string(flipped) +
-      " triangles, the first near " + Describe(location) + "; " + Remedy(map));
+    return fault;
   }
   std::vector<int> quarters(topology.mesh.points.size(), 4);
   for (const BoundaryEdge& edge : topology.mesh.boundary)
@@ -77,10 +45,9 @@ void RequireInjective(const SeamlessMap& map)
     // Seams and sides allow multiples of a quarter turn only; smaller differences are rounding.
     if (angles[v] > 0.0 && std::abs(angles[v] - expected) > 0.25 * Pi)
     {
-      throw Error("The angles of the seamless map at " + Describe(topology.PointAt(v)) +
-        " add up to " + std::to_string(angles[v]) + " instead of " + std::to_string(expected) +
-        "; " + Remedy(map));
+      return MapFault{ 0, topology.PointAt(v), angles[v], expected };
     }
   }
+  return std::nullopt;
 }
 }

@@ -2,9 +2,21 @@
 
 #include "SeamlessMap.h"
 
+#include <optional>
+
 namespace crossfield
 {
-/// Throws Error, with the location, unless every triangle of the map is positively oriented and the
-/// angles at every vertex add up to that of its cone: then the map is locally injective.
-void RequireInjective(const SeamlessMap& map);
+/// Where a map is not locally injective.
+struct MapFault
+{
+  int reversed = 0; ///< Number of triangles that are not positive.
+  Point place = Point::Zero();
+  /// If all triangles are positive: the sum of the angles at a vertex, and what it should be.
+  double angleSum = 0.0;
+  double expectedSum = 0.0;
+};
+
+/// Returns the first fault of a map: triangles that are not positive, or a vertex at which the
+/// angles do not add up. Without a fault the map is locally injective (docs/method.md §12.1).
+std::optional<MapFault> FindFault(const SeamlessMap& map);
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "FlatteningReport.h"
 #include "MeshTopology.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace crossfield
@@ -53,7 +55,7 @@ struct Cone
 };
 
 /// The seamless map of a cross field: w = u + iv with dw = e^{−(H + iθ)} dz on the mesh cut open
-/// (docs/method.md §12). In the map crosses are parallel to the axes and sides of the boundary are
+/// (docs/method.md §12), or the nearest map if inner loops have a holonomy defect. In the map crosses are parallel to the axes and sides of the boundary are
 /// axis-parallel segments; across a seam w changes by quarter turns and a translation. Every
 /// singularity is a cone of angle (4 − k) π/2, every corner one of (2 − k) π/2.
 struct SeamlessMap
@@ -75,6 +77,9 @@ struct SeamlessMap
   /// √(∫ e^{2H} |∇w − e^{−(H + iθ)}|² / area): the deviation of the map from a conformal one,
   /// relative to its gradient.
   double residual = 0.0;
+  /// How the map was found if the nearest map to the crosses is not injective: then it is the layout
+  /// of a flat metric, on another triangulation (docs/method.md §12.4).
+  std::optional<FlatteningReport> flattening;
 
   const Point& At(int triangle, int corner) const
   {

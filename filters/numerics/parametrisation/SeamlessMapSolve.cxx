@@ -1,16 +1,16 @@
 #include "SeamlessMapSolve.h"
 
-#include "CoordinateSolve.h"
 #include "DomainQueries.h"
 #include "Error.h"
-#include "Index.h"
+#include "FlatMetric.h"
 #include "InjectivityCheck.h"
 #include "PoincareHopf.h"
-#include "SeamEquations.h"
-#include "TriangleFrames.h"
+#include "TargetSolve.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace crossfield
 {
@@ -85,153 +85,59 @@ std::vector<Cone> FindCones(
 }
 
 /// Solves for H and the crosses. Frees their factor before that of the map is made, which takes
-/// twice as much memory.
-TriangleFrames SolveFrames(
-  Alignment alignment, const Configuration& interior, SeamlessMap& map, const Progress& progress)
+/// twice as much memory. Sets the holonomy defects.
+TriangleFrames SolveFrames(const SharedTopology& topology, Alignment alignment,
+  const Configuration& interior, std::vector<double>& holonomyDefect, const Progress& progress)
 {
   const PointPotential potential(
-    std::make_shared<const PotentialSolver>(map.topology, progress.Part(0.0, 0.7)),
+    std::make_shared<const PotentialSolver>(topology, progress.Part(0.0, 0.7)),
     std::move(alignment));
   const PointPotential::Solution solution = potential.Solve(interior);
-  map.holonomyDefect = solution.holonomyDefect;
+  holonomyDefect = solution.holonomyDefect;
   TriangleFrames frames = FrameTriangles(potential, solution);
   frames.h.array() -= frames.h.mean();
   progress.Report(1.0);
   return frames;
 }
 
-/// Shifts the branches of the frames so that they are continuous except across the cut.
-void ContinueBranches(const MeshTopology& topology, const CutGraph& cut, TriangleFrames& frames)
+std::string Degrees(double radians)
 {
-  std::vector<int> shift(frames.jump.size(), 0);
-  std::vector<bool> known(frames.jump.size(), false);
-  std::vector<int> queue = { 0 };
-  known[0] = true;
-  const auto neighbour = [&topology](int t, std::size_t side)
-  {
-    const auto& two = topology.edges.triangles[Index(topology.edges.ofTriangle[Index(t)][side])];
-    return two[0] == t ? two[1] : two[0];
-  };
-  for (std::size_t next = 0; next < queue.size(); ++next)
-  {
-    const int t = queue[next];
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      const int other = neighbour(t, side);
-      if (other >= 0 && !known[Index(other)] &&
-        !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
-      {
-        known[Index(other)] = true;
-        shift[Index(other)] = shift[Index(t)] + frames.jump[Index(t)][side];
-        queue.push_back(other);
-      }
-    }
-  }
-  for (int t = 0; t < static_cast<int>(shift.size()); ++t)
-  {
-    frames.angle[t] += 0.5 * Pi * shift[Index(t)];
-    for (std::size_t side = 0; side < 3; ++side)
-    {
-      int& jump = frames.jump[Index(t)][side];
-      const int other = neighbour(t, side);
-      jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
-      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
-      {
-        throw Error("The cross field has a singularity near " +
-          Describe(topology.Midpoint(topology.edges.ofTriangle[Index(t)][side])) +
-          " that was not given; use a finer mesh there.");
-      }
-    }
-  }
+  return std::to_string(static_cast<int>(std::round(radians * 180.0 / Pi))) + "°";
 }
 
-/// Returns the position of an edge in a triangle.
-int SideOf(const MeshTopology& topology, int triangle, int edge)
+/// Returns a number with one decimal.
+std::string Rounded(double value)
 {
-  const auto& sides = topology.edges.ofTriangle[Index(triangle)];
-  return static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
 }
 
-int Modulo4(int quarters)
+/// Throws the error of a map that is not injective.
+[[noreturn]] void Refuse(
+  const MapFault& fault, const FlatteningReport& report, const std::vector<double>& holonomyDefect)
 {
-  return ((quarters % 4) + 4) % 4;
-}
-
-/// Sets the seams with their rotations, and the directions of boundary edges.
-void CollectTransitions(const CutGraph& cut, const TriangleFrames& frames, SeamlessMap& map)
-{
-  const MeshTopology& topology = *map.topology;
-  map.seams.assign(topology.mesh.triangles.size(), { 0, 0, 0 });
-  for (std::size_t chain = 0; chain < cut.chains.size(); ++chain)
+  const std::string what = fault.reversed > 0
+    ? "The seamless map folds over in " + std::to_string(fault.reversed) +
+      " triangles, the first near " + Describe(fault.place)
+    : "The angles of the seamless map at " + Describe(fault.place) + " add up to " +
+      Degrees(fault.angleSum) + " instead of " + Degrees(fault.expectedSum);
+  const auto worst = std::max_element(holonomyDefect.begin(), holonomyDefect.end(),
+    [](double a, double b) { return std::abs(a) < std::abs(b); });
+  // Radians of the phase: one degree of the crosses.
+  constexpr double Harmless = 4.0 * Pi / 180.0;
+  if (worst != holonomyDefect.end() && std::abs(*worst) > Harmless)
   {
-    const auto& [vertices, edges] = cut.chains[chain];
-    const int code = static_cast<int>(chain) + 1;
-    for (std::size_t j = 0; j < edges.size(); ++j)
-    {
-      const int left = TriangleLeftOf(topology, edges[j], vertices[j]);
-      const int right = TriangleLeftOf(topology, edges[j], vertices[j + 1]);
-      const auto side = static_cast<std::size_t>(SideOf(topology, left, edges[j]));
-      map.seams[Index(left)][side] = code;
-      map.seams[Index(right)][static_cast<std::size_t>(SideOf(topology, right, edges[j]))] = -code;
-      if (j == 0)
-      {
-        // θ continued across is the neighbour's plus r π/2, so its w turns by i^r.
-        map.transitions.push_back({ Modulo4(frames.jump[Index(left)][side]), Point::Zero() });
-      }
-    }
+    throw Error(what + ", because the grid lines around inner loop " +
+      std::to_string(worst - holonomyDefect.begin() + 1) + " do not close up by " +
+      Degrees(0.25 * std::abs(*worst)) + " and a map that closes them (predicted stretch " +
+      Rounded(report.PredictedStretch()) +
+      " : 1) was not found; repair the holonomy (RepairHolonomy, --repair-holonomy), which moves the "
+      "singularities.");
   }
-  for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
-  {
-    const int edge = topology.EdgeOfBoundary(position);
-    const int t = topology.edges.triangles[Index(edge)][0];
-    map.directions.push_back(
-      Modulo4(frames.jump[Index(t)][static_cast<std::size_t>(SideOf(topology, t, edge))]));
-  }
-}
-
-double MapArea(const SeamlessMap& map)
-{
-  double area = 0.0;
-  for (int t = 0; t < static_cast<int>(map.corners.size()); ++t)
-  {
-    area += 0.5 * Cross(map.At(t, 1) - map.At(t, 0), map.At(t, 2) - map.At(t, 0));
-  }
-  return area;
-}
-
-/// Stores the solution, scaled to the area of the domain. `objective` is the minimum of the sum.
-void SetPoints(const Eigen::VectorXd& solution, double objective, SeamlessMap& map)
-{
-  const auto point = [&solution](std::size_t i)
-  {
-    const auto row = static_cast<Eigen::Index>(2 * i);
-    return Point(solution[row], solution[row + 1]);
-  };
-  map.points.clear();
-  for (std::size_t c = 0; c < map.original.size(); ++c)
-  {
-    map.points.push_back(point(c));
-  }
-  double area = 0.0;
-  for (const Loop& loop : map.topology->AlignedLoops())
-  {
-    area += SignedArea(loop);
-  }
-  const double mapped = MapArea(map);
-  if (!(mapped > 0.0))
-  {
-    throw Error("The seamless map has no positive area; use a finer mesh.");
-  }
-  const double scale = std::sqrt(area / mapped);
-  for (Point& w : map.points)
-  {
-    w *= scale;
-  }
-  for (std::size_t chain = 0; chain < map.transitions.size(); ++chain)
-  {
-    map.transitions[chain].translation = scale * point(map.original.size() + chain);
-  }
-  map.residual = std::sqrt(std::max(0.0, objective) / area);
+  throw Error(what +
+    "; use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "
+    "away from each other and from the boundary.");
 }
 }
 
@@ -256,34 +162,27 @@ SeamlessMap SolveSeamlessMap(const SharedTopology& topology, const Configuration
   const PlacedConfiguration placed = PlaceForMap(*topology, configuration, options);
   Alignment alignment =
     AlignWithBoundary(*topology, placed.corners, TotalQuarters(placed.interior));
-  SeamlessMap map;
-  map.topology = topology;
-  map.cones = FindCones(*topology, placed, alignment.count);
+  const std::vector<Cone> cones = FindCones(*topology, placed, alignment.count);
   progress.Report(0.05);
-  TriangleFrames frames =
-    SolveFrames(std::move(alignment), placed.interior, map, progress.Part(0.05, 0.4));
-
-  std::vector<int> singular;
-  for (const Cone& cone : map.cones)
+  std::vector<double> holonomyDefect;
+  const TriangleFrames frames = SolveFrames(
+    topology, std::move(alignment), placed.interior, holonomyDefect, progress.Part(0.05, 0.3));
+  SeamlessMap map = SolveTargets(
+    { topology, frames.jump, TargetGradients(*topology, frames) }, cones, progress.Part(0.3, 0.5));
+  if (const auto fault = FindFault(map))
   {
-    if (!cone.onBoundary)
+    FlattenedTargets flat = FlattenFrames(topology, frames, cones, progress.Part(0.5, 0.8));
+    if (flat.report.converged)
     {
-      singular.push_back(cone.vertex);
+      map = SolveTargets(std::move(flat.targets), cones, progress.Part(0.8, 1.0));
+      map.flattening = flat.report;
+    }
+    if (!flat.report.converged || FindFault(map))
+    {
+      Refuse(*fault, flat.report, holonomyDefect);
     }
   }
-  const CutGraph cut = CutOpen(*topology, singular);
-  ContinueBranches(*topology, cut, frames);
-  map.corners = cut.corners;
-  map.original = cut.original;
-  CollectTransitions(cut, frames, map);
-  const auto prolongation =
-    EliminateSeams(*topology, cut, map.transitions, map.directions, map.cones);
-  const SeamlessPoisson poisson = TargetGradients(map, frames);
-  progress.Report(0.5);
-  const Eigen::VectorXd w = SolveCoordinates(map, poisson, prolongation, progress.Part(0.5, 0.95));
-
-  SetPoints(w, poisson.ObjectiveAt(map, w), map);
-  RequireInjective(map);
+  map.holonomyDefect = std::move(holonomyDefect);
   progress.Report(1.0);
   return map;
 }

@@ -40,17 +40,13 @@ std::array<Complex, 3> LocalPrimitive(
 }
 }
 
-SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& frames)
+SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFrames& frames)
 {
-  const TriangleMesh& mesh = map.topology->mesh;
+  const TriangleMesh& mesh = topology.mesh;
   const auto count = static_cast<int>(mesh.triangles.size());
   SeamlessPoisson problem;
   problem.weights.resize(mesh.triangles.size());
   problem.target.resize(mesh.triangles.size());
-  // The ratio of weights is bounded as if sizes differed by at most 1e4: weights that use up the
-  // range of doubles would let rounding invert triangles (docs/method.md §12.3).
-  constexpr double SmallestPart = 1e-8;
-  const double minimumWeight = SmallestPart * std::exp(2.0 * frames.h.maxCoeff());
   ForBothHalves(true,
     [&](std::size_t half)
     {
@@ -66,18 +62,29 @@ SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& fr
           ++near;
         }
         const auto& v = mesh.triangles[Index(t)];
-        const std::array<Complex, 3> values = LocalPrimitive(
-          { map.topology->PointAt(v[0]), map.topology->PointAt(v[1]), map.topology->PointAt(v[2]) },
-          std::polar(std::exp(-frames.h[t]), -frames.angle[t]), log);
+        const std::array<Complex, 3> values =
+          LocalPrimitive({ topology.PointAt(v[0]), topology.PointAt(v[1]), topology.PointAt(v[2]) },
+            std::polar(std::exp(-frames.h[t]), -frames.angle[t]), log);
         for (std::size_t i = 0; i < 3; ++i)
         {
           problem.target[Index(t)].row(static_cast<Eigen::Index>(i)) << values[i].real(),
             values[i].imag();
         }
-        problem.weights[Index(t)] = std::max(std::exp(2.0 * frames.h[t]), minimumWeight);
+        problem.weights[Index(t)] = std::exp(2.0 * frames.h[t]);
       }
     });
+  LimitWeights(problem.weights);
   return problem;
+}
+
+void LimitWeights(std::vector<double>& weights)
+{
+  constexpr double SmallestPart = 1e-8;
+  const double minimum = SmallestPart * *std::max_element(weights.begin(), weights.end());
+  for (double& weight : weights)
+  {
+    weight = std::max(weight, minimum);
+  }
 }
 
 Eigen::Matrix<double, 3, 2> SeamlessPoisson::DeviationIn(

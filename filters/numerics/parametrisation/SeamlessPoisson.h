@@ -31,5 +31,9 @@ private:
 
 /// Returns the problem whose targets have the gradients of the frames; near a logarithm the target
 /// is the local primitive of its singular part.
-SeamlessPoisson TargetGradients(const SeamlessMap& map, const TriangleFrames& frames);
+SeamlessPoisson TargetGradients(const MeshTopology& topology, const TriangleFrames& frames);
+
+/// Raises weights below 1e-8 of the maximum, as if sizes differed by at most 1e4: weights that use
+/// up the range of doubles would let rounding invert triangles (docs/method.md §12.3).
+void LimitWeights(std::vector<double>& weights);
 }

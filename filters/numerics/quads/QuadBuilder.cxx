@@ -1,6 +1,7 @@
 #include "QuadBuilder.h"
 
 #include "ArcPoints.h"
+#include "BoundaryOrder.h"
 #include "ChartWalk.h"
 #include "Error.h"
 #include "Index.h"
@@ -62,6 +63,7 @@ public:
     this->AddBoundary();
     this->CountValences();
     this->FixCorners();
+    OrderOnBoundary(this->Mesh, this->Curves);
     return std::move(this->Mesh);
   }
 
@@ -312,8 +314,18 @@ private:
         const double wide = 0.5 * (p[1].x() - p[0].x() + p[2].x() - p[3].x());
         const double high = 0.5 * (p[3].y() - p[0].y() + p[2].y() - p[1].y());
         this->Mesh.quads.push_back(quad);
-        this->Mesh.targetLengths.push_back(
-          { scale * std::max(minimum, wide), scale * std::max(minimum, high) });
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          longest = std::max(longest,
+            (this->Mesh.points[Index(quad[k])].place -
+              this->Mesh.points[Index(quad[(k + 1) % 4])].place)
+              .norm());
+        }
+        // Where the map changes size within a quad, e^H at its corners says little.
+        const auto limited = [&](double length)
+        { return std::clamp(scale * std::max(minimum, length), 0.25 * longest, 2.0 * longest); };
+        this->Mesh.targetLengths.push_back({ limited(wide), limited(high) });
         this->Mesh.patch.push_back(patch);
       }
     }

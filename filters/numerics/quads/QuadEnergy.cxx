@@ -1,6 +1,7 @@
 #include "QuadEnergy.h"
 
 #include "BothHalves.h"
+#include "BoundaryOrder.h"
 #include "Index.h"
 
 #include <algorithm>
@@ -170,11 +171,18 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient
         }
         const double root =
           epsilon <= 0.0 ? determinant : std::sqrt(determinant * determinant + epsilon * epsilon);
-        const double inverse = weight / Regularised(determinant, root, epsilon);
-        const double value = inverse *
+        double inverse = weight / Regularised(determinant, root, epsilon);
+        double value = inverse *
           ((1.0 - this->SizePart) * (a.squaredNorm() + b.squaredNorm()) +
             this->SizePart * (determinant * determinant + 1.0));
-        energy += value;
+        if (this->Power != 1.0)
+        {
+          // The derivative of 2/p (f/2)^p is (f/2)^(p − 1) times that of f.
+          const double factor = std::pow(0.5 * value / weight, this->Power - 1.0);
+          inverse *= factor;
+          value *= factor;
+        }
+        energy += value / this->Power;
         // The derivative of Cross(a, b) is (b_y, −b_x) with respect to a and (−a_y, a_x) with
         // respect to b; ∂χ / ∂D = χ / root.
         const double byNorm = 2.0 * (1.0 - this->SizePart) * inverse;
@@ -213,7 +221,7 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   }
   if (gradient == nullptr || !std::isfinite(energy))
   {
-    return energy;
+    return energy + this->BoundaryValue(unknowns, nullptr);
   }
   const Eigen::Index size = this->Positions.size();
   gradient->resize(size);
@@ -237,9 +245,73 @@ double QuadEnergy::Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen:
   {
     *gradient -= this->Slope;
   }
+  energy += this->BoundaryValue(unknowns, gradient);
   for (const int p : this->Fixed)
   {
     gradient->segment<2>(FirstUnknown(p)).setZero();
+  }
+  return energy;
+}
+
+void QuadEnergy::HoldOrderOnBoundary()
+{
+  const std::vector<int> twins = this->Mesh.Twins();
+  std::vector<bool> isFixed(this->Mesh.points.size(), false);
+  for (const int p : this->Fixed)
+  {
+    isFixed[Index(p)] = true;
+  }
+  this->BoundaryTerms.clear();
+  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
+  {
+    const std::size_t q = Index(side / 4);
+    const int from = this->Mesh.quads[q][Index(side % 4)];
+    const int to = this->Mesh.quads[q][Index((side + 1) % 4)];
+    const CurvePlace& start = this->Mesh.points[Index(from)].curve;
+    const CurvePlace& end = this->Mesh.points[Index(to)].curve;
+    if (twins[Index(side)] >= 0 || start.loop < 0 || start.loop != end.loop)
+    {
+      continue;
+    }
+    const double loop = this->Curves.Length(start.loop);
+    const double length = LengthAlong(start, end, loop);
+    if (!(length > 0.0))
+    {
+      this->BoundaryTerms.clear();
+      return;
+    }
+    // The unknowns of fixed points are not lengths.
+    const double moving =
+      (isFixed[Index(to)] ? 0.0 : end.at) - (isFixed[Index(from)] ? 0.0 : start.at);
+    this->BoundaryTerms.push_back(
+      { isFixed[Index(from)] ? -1 : FirstUnknown(from), isFixed[Index(to)] ? -1 : FirstUnknown(to),
+        length - moving, 1.0 / this->Mesh.targetLengths[q][Index(side % 2)] });
+  }
+}
+
+double QuadEnergy::BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const
+{
+  double energy = 0.0;
+  for (const BoundaryTerm& term : this->BoundaryTerms)
+  {
+    const double length = term.inverse * (unknowns[term.to] - unknowns[term.from] + term.offset);
+    if (!(length > 0.0))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    energy += length + 1.0 / length;
+    if (gradient != nullptr)
+    {
+      const double slope = term.inverse * (1.0 - 1.0 / (length * length));
+      if (term.to >= 0)
+      {
+        (*gradient)[term.to] += slope;
+      }
+      if (term.from >= 0)
+      {
+        (*gradient)[term.from] -= slope;
+      }
+    }
   }
   return energy;
 }

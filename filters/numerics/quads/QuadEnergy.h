@@ -17,7 +17,8 @@ inline Eigen::Index FirstUnknown(int point)
 /// The shape energy of a quad mesh (docs/method.md §14.5; Garanzha et al. 2021): at each corner of
 /// each quad, with J the map from the target rectangle and D = det J,
 ///   f = (1 − a) |J|² / χ + a (D² + 1) / χ,  χ = (D + √(D² + ε²)) / 2.
-/// The minimum is 2, where J is a rotation.
+/// The minimum is 2, where J is a rotation. The energy is the sum of 2/p (f/2)^p, p = 1 unless
+/// SetPower changes it: the larger p, the more evenly it distributes a deviation that cannot vanish.
 ///
 /// There are two unknowns per point: inside, its position; on the boundary, the length along the
 /// polyline, and 0. Fixed points have unknowns as well, with zero gradient.
@@ -31,6 +32,11 @@ public:
 
   /// Returns the unknowns of the mesh as it is.
   Eigen::VectorXd Unknowns() const;
+  void SetPower(double power) { this->Power = power; }
+  /// Adds d + 1/d per boundary edge, d its length along the boundary over the target: points that
+  /// slide along the boundary keep their order and do not leave it to one long edge. No effect if
+  /// they are not in order.
+  void HoldOrderOnBoundary();
   /// Subtracts tilt · (unknowns − origin) from the energy, to prescribe the gradient at the origin.
   void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
   /// Returns displacements with those of fixed points set to 0.
@@ -38,7 +44,7 @@ public:
   /// Moves the points of a mesh to the given unknowns.
   void Store(const Eigen::VectorXd& unknowns, QuadMesh& mesh) const;
   /// Returns the energy if all quads are their target rectangles, the minimum possible.
-  double IdealValue() const { return this->Ideal; }
+  double IdealValue() const { return this->Ideal / this->Power; }
   /// Returns the energy, and its gradient if requested. With ε = 0 it is infinite if a corner is
   /// not positive; then the gradient is not set. Bitwise the same for any number of threads.
   double Value(const Eigen::VectorXd& unknowns, double epsilon, Eigen::VectorXd* gradient);
@@ -49,6 +55,19 @@ public:
   const Eigen::VectorXd& Curvature() const { return this->Diagonal; }
 
 private:
+  /// A boundary edge: d = inverse (s_to − s_from + offset), s the lengths along the loop;
+  /// −1 instead of the unknown of a fixed point, whose length is part of the offset.
+  struct BoundaryTerm
+  {
+    Eigen::Index from;
+    Eigen::Index to;
+    double offset;
+    double inverse;
+  };
+
+  /// Returns the energy of the boundary edges, infinite if they are not in order, and adds its
+  /// gradient.
+  double BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const;
   /// Sets Positions.
   void SetPositions(const Eigen::VectorXd& unknowns);
   /// Returns the energy of one half of the quads, and adds up its gradient if requested.
@@ -58,9 +77,11 @@ private:
   const BoundaryCurves& Curves;
   const double SizePart;
   const std::vector<double> Weights;
-  double Ideal = 0.0;
+  double Power = 1.0;
+  double Ideal = 0.0;          ///< With p = 1.
   std::vector<int> Fixed;      ///< Fixed points.
   std::vector<int> OnBoundary; ///< Points that move along the boundary.
+  std::vector<BoundaryTerm> BoundaryTerms;
   Eigen::VectorXd Diagonal;
   Eigen::VectorXd Slope;                    ///< The tilt, empty if there is none.
   Eigen::VectorXd Origin;                   ///< Unknowns at which the tilt vanishes.

@@ -65,9 +65,22 @@ bool IsCorner(const QuadPoint& point)
   return point.curve.loop >= 0 && point.fixed;
 }
 
-/// Returns the minimum over all irregular points and corners of the sine of equal angles around
-/// them.
-double AttainableBound(const QuadMesh& mesh)
+}
+
+double ScaledJacobian(const QuadMesh& mesh, std::size_t quad)
+{
+  double minimum = 1.0;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
+    const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
+    const double lengths = next.norm() * previous.norm();
+    minimum = std::min(minimum, lengths > 0.0 ? Cross(next, previous) / lengths : 0.0);
+  }
+  return minimum;
+}
+
+double AttainableJacobian(const QuadMesh& mesh)
 {
   double bound = 1.0;
   std::vector<double> angles(mesh.points.size(), 0.0);
@@ -94,20 +107,6 @@ double AttainableBound(const QuadMesh& mesh)
     }
   }
   return bound;
-}
-}
-
-double ScaledJacobian(const QuadMesh& mesh, std::size_t quad)
-{
-  double minimum = 1.0;
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
-    const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
-    const double lengths = next.norm() * previous.norm();
-    minimum = std::min(minimum, lengths > 0.0 ? Cross(next, previous) / lengths : 0.0);
-  }
-  return minimum;
 }
 
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
@@ -148,7 +147,7 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
   quality.variation = sizes.empty()
     ? 0.0
     : std::sqrt(squares / static_cast<double>(sizes.size())) / quality.size.mean;
-  quality.bound = AttainableBound(mesh);
+  quality.bound = AttainableJacobian(mesh);
   return quality;
 }
 }

@@ -32,6 +32,9 @@ struct QuadQuality
 /// angle.
 double ScaledJacobian(const QuadMesh& mesh, std::size_t quad);
 
+/// Returns the attainable minimum scaled Jacobian, QuadQuality::bound.
+double AttainableJacobian(const QuadMesh& mesh);
+
 /// Measures a mesh of quads of edge length `size` in the map.
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size);
 }

@@ -56,6 +56,10 @@ public:
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
+    if (!(energy.MinimumDeterminant(unknowns) > 0.0))
+    {
+      energy.HoldOrderOnBoundary();
+    }
     const bool large = level.mesh.quads.size() > MaximumAlone;
     int steps = this->Untangle(energy, descent, unknowns, progress);
     if (energy.MinimumDeterminant(unknowns) > 0.0)
@@ -93,6 +97,28 @@ public:
     }
   }
 
+  /// Distributes a deviation that cannot vanish: minimises sums of growing powers of the energy of
+  /// corners. Returns the number of steps.
+  int Even(QuadMesh& mesh, const Progress& progress) const
+  {
+    QuadEnergy energy = this->EnergyOf(mesh, std::vector<double>(mesh.quads.size(), 1.0));
+    energy.HoldOrderOnBoundary();
+    QuadDescent descent(energy);
+    Eigen::VectorXd unknowns = energy.Unknowns();
+    if (!(energy.MinimumDeterminant(unknowns) > 0.0))
+    {
+      return 0;
+    }
+    int steps = 0;
+    for (const double power : { 2.0, 4.0, 8.0, 16.0, 32.0 })
+    {
+      energy.SetPower(power);
+      steps += descent.Descend(0.0, Alone, unknowns, progress);
+    }
+    energy.Store(unknowns, mesh);
+    return steps;
+  }
+
   /// Displaces the points of a mesh that are not fixed, and untangles quads that this inverts
   /// together with their surroundings.
   void Displace(const Level& level, const Eigen::VectorXd& displacement) const
@@ -119,21 +145,28 @@ private:
     return moves;
   }
 
-  /// Makes all corners positive, if possible: ε follows the minimum determinant, half of it in each
-  /// round (Garanzha et al. 2021). Returns the number of steps.
+  /// Makes all corners positive, if possible. ε follows the minimum determinant and the decrease of
+  /// the energy (Garanzha et al. 2021): the next minimum of χ is to be the present one less the part
+  /// by which the energy decreased. Returns the number of steps.
   int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
-    constexpr int Rounds = 8;
+    // Of 200 meshes that can be untangled all but a few take less than 40 rounds.
+    constexpr int Rounds = 60;
+    constexpr DescentLimits limits = { 100, 0.0, 1e-6 };
+    constexpr double SmallestDecrease = 0.1;
     int steps = 0;
     double minimum = energy.MinimumDeterminant(unknowns);
+    double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);
     for (int round = 0; round < Rounds && minimum <= 0.0; ++round)
     {
-      const double epsilon = std::sqrt(1e-4 + 0.25 * minimum * minimum);
-      DescentLimits limits = Alone;
-      limits.steps /= 3;
+      const double before = energy.Value(unknowns, epsilon, nullptr);
       steps += descent.Descend(epsilon, limits, unknowns, progress);
       minimum = energy.MinimumDeterminant(unknowns);
+      const double decrease =
+        std::max(SmallestDecrease, 1.0 - energy.Value(unknowns, epsilon, nullptr) / before);
+      const double goal = 0.5 * (1.0 - decrease) * (minimum + std::hypot(minimum, epsilon));
+      epsilon = 2.0 * std::sqrt(goal * std::max(0.0, goal - minimum));
     }
     return steps;
   }
@@ -177,6 +210,16 @@ private:
   const bool Release;
   const double SizePart;
 };
+
+std::ptrdiff_t CountInverted(const QuadMesh& mesh)
+{
+  std::ptrdiff_t count = 0;
+  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+  {
+    count += ScaledJacobian(mesh, q) <= 0.0 ? 1 : 0;
+  }
+  return count;
+}
 
 double MinimumJacobian(const QuadMesh& mesh)
 {
@@ -230,6 +273,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
   const double minimumAtStart = MinimumJacobian(mesh);
+  const std::ptrdiff_t invertedAtStart = CountInverted(mesh);
   if (uniform)
   {
     report.iterations = SmoothUniform(level, curves, progress);
@@ -250,8 +294,17 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
       report.released = true;
     }
   }
+  // Below this part of what is attainable, shapes are improved at the cost of the mean.
+  constexpr double Poor = 0.5;
+  if (!large && MinimumJacobian(mesh) < Poor * AttainableJacobian(mesh))
+  {
+    const Smoother smoother(curves, report.released, uniform ? UniformSizePart : SizePart);
+    report.iterations += smoother.Even(mesh, progress.Part(0.9, 1.0));
+  }
   const double minimum = MinimumJacobian(mesh);
-  if (minimumAtStart > minimum && (!uniform || minimum <= 0.0))
+  const std::ptrdiff_t inverted = CountInverted(mesh);
+  if (invertedAtStart < inverted ||
+    (invertedAtStart == inverted && minimumAtStart > minimum && (!uniform || minimum <= 0.0)))
   {
     mesh.points = start;
     report.keptStart = true;

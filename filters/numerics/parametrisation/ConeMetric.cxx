@@ -1,0 +1,384 @@
+#include "ConeMetric.h"
+
+#include "Error.h"
+#include "Index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+int Next(int side)
+{
+  return (side + 1) % 3;
+}
+
+std::size_t At(int i)
+{
+  return Index(i);
+}
+}
+
+MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs)
+{
+  // Lengths relative to the longest side, because they range over many orders of magnitude.
+  const double longest = *std::max_element(logs.begin(), logs.end());
+  std::array<double, 3> opposite;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    opposite[i] = std::exp(logs[(i + 1) % 3] - longest);
+  }
+  const double half = 0.5 * (opposite[0] + opposite[1] + opposite[2]);
+  MetricAngles result;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double a = std::max(0.0, half - opposite[i]);
+    const double b = std::max(0.0, half - opposite[(i + 1) % 3]);
+    const double c = std::max(0.0, half - opposite[(i + 2) % 3]);
+    // tan²(α/2) = (s − b) (s − c) / (s (s − a)); cot α = (1 − tan²(α/2)) / (2 tan(α/2))
+    const double numerator = std::sqrt(b * c);
+    const double denominator = std::sqrt(half * a);
+    result.angle[i] = 2.0 * std::atan2(numerator, denominator);
+    result.cotangent[i] = 0.5 * (denominator / numerator - numerator / denominator);
+  }
+  return result;
+}
+
+ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::array<int, 3>>& jumps,
+  const std::vector<Cone>& cones)
+  : Positions(topology.mesh.points)
+  , AllTriangles(topology.mesh.triangles.size())
+  , BoundaryEdges(topology.mesh.boundary)
+  , BoundarySides(topology.mesh.boundary.size())
+  , Quarters(topology.mesh.points.size(), 4)
+{
+  std::vector<int> entries(At(topology.edges.Count()), -1);
+  for (int i = 0; i < static_cast<int>(this->BoundaryEdges.size()); ++i)
+  {
+    entries[At(topology.EdgeOfBoundary(i))] = i;
+    this->Quarters[At(this->BoundaryEdges[At(i)].vertices[0])] = 2;
+  }
+  for (const Cone& cone : cones)
+  {
+    this->Quarters[At(cone.vertex)] = cone.Quarters();
+  }
+  for (const auto& [a, b] : topology.edges.vertices)
+  {
+    this->Logs.push_back(std::log((topology.PointAt(b) - topology.PointAt(a)).norm()));
+  }
+  for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
+  {
+    Triangle& triangle = this->AllTriangles[At(t)];
+    triangle.vertices = topology.mesh.triangles[At(t)];
+    triangle.edges = topology.edges.ofTriangle[At(t)];
+    triangle.jumps = jumps[At(t)];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto& two = topology.edges.triangles[At(triangle.edges[i])];
+      const int entry = entries[At(triangle.edges[i])];
+      triangle.neighbours[i] = entry >= 0 ? -1 - entry : two[0] == t ? two[1] : two[0];
+    }
+    this->Attach(t);
+  }
+  for (const BoundaryLoop& loop : topology.loops)
+  {
+    this->Starts.push_back(loop.edges.front());
+    this->PropagateDirections(loop.edges.front());
+  }
+}
+
+double ConeMetric::Length(int edge) const
+{
+  return std::exp(this->Logs[At(edge)]);
+}
+
+MetricAngles ConeMetric::AnglesOf(int triangle) const
+{
+  const auto& edges = this->AllTriangles[At(triangle)].edges;
+  return AnglesFromLogLengths(
+    { this->Logs[At(edges[0])], this->Logs[At(edges[1])], this->Logs[At(edges[2])] });
+}
+
+bool ConeMetric::IsValid() const
+{
+  for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
+  {
+    const MetricAngles angles = this->AnglesOf(t);
+    const auto [smallest, largest] = std::minmax_element(angles.angle.begin(), angles.angle.end());
+    if (!(*smallest > 0.0) || !(*largest < Pi))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double ConeMetric::AreaOf(int triangle) const
+{
+  const auto& edges = this->AllTriangles[At(triangle)].edges;
+  return 0.5 * this->Length(edges[0]) * this->Length(edges[2]) *
+    std::sin(this->AnglesOf(triangle).angle[0]);
+}
+
+double ConeMetric::PlanarAreaOf(int triangle) const
+{
+  const auto& v = this->AllTriangles[At(triangle)].vertices;
+  const Point& origin = this->Positions[At(v[0])];
+  return 0.5 * Cross(this->Positions[At(v[1])] - origin, this->Positions[At(v[2])] - origin);
+}
+
+double ConeMetric::PlanarAngleOf(int triangle, int corner) const
+{
+  const auto& v = this->AllTriangles[At(triangle)].vertices;
+  const Point& apex = this->Positions[At(v[At(corner)])];
+  return AngleBetween(this->Positions[At(v[At(Next(corner))])] - apex,
+    this->Positions[At(v[At(Next(Next(corner)))])] - apex);
+}
+
+ConeMetric::Side ConeMetric::Across(Side side) const
+{
+  const Triangle& triangle = this->AllTriangles[At(side.triangle)];
+  const int neighbour = triangle.neighbours[At(side.side)];
+  const auto& edges = this->AllTriangles[At(neighbour)].edges;
+  const auto found = std::find(edges.begin(), edges.end(), triangle.edges[At(side.side)]);
+  return { neighbour, static_cast<int>(found - edges.begin()) };
+}
+
+void ConeMetric::TurnLoop(std::size_t loop, int quarters)
+{
+  const Side side = this->AtBoundary(this->Starts[loop]);
+  this->AllTriangles[At(side.triangle)].jumps[At(side.side)] += quarters;
+  this->PropagateDirections(this->Starts[loop]);
+}
+
+std::pair<int, int> ConeMetric::NextOnLoop(int entry) const
+{
+  Side side = this->AtBoundary(entry);
+  int jumps = 0;
+  for (;;)
+  {
+    side.side = Next(side.side);
+    const Triangle& triangle = this->AllTriangles[At(side.triangle)];
+    const int neighbour = triangle.neighbours[At(side.side)];
+    if (neighbour < 0)
+    {
+      return { -1 - neighbour, jumps };
+    }
+    jumps += triangle.jumps[At(side.side)];
+    side = this->Across(side);
+  }
+}
+
+void ConeMetric::PropagateDirections(int entry)
+{
+  // Along the boundary the direction turns by π minus the angle at the vertex.
+  const auto directionAt = [this](int i) -> int&
+  {
+    const Side side = this->AtBoundary(i);
+    return this->AllTriangles[At(side.triangle)].jumps[At(side.side)];
+  };
+  for (int current = entry;;)
+  {
+    const auto [next, jumps] = this->NextOnLoop(current);
+    const int vertex = this->BoundaryEdges[At(next)].vertices[0];
+    const int direction = directionAt(current) + 2 - this->QuartersAt(vertex) + jumps;
+    if (next == entry)
+    {
+      if ((direction - directionAt(entry)) % 4 != 0)
+      {
+        throw Error("The crosses do not close around the boundary loop through " +
+          Describe(this->Positions[At(vertex)]) +
+          ": the quarter indices of its corners and of the singularities contradict each other; "
+          "use a finer mesh.");
+      }
+      return;
+    }
+    directionAt(next) = direction;
+    current = next;
+  }
+}
+
+void ConeMetric::Attach(int triangle)
+{
+  const Triangle& here = this->AllTriangles[At(triangle)];
+  for (int i = 0; i < 3; ++i)
+  {
+    const int neighbour = here.neighbours[At(i)];
+    if (neighbour < 0)
+    {
+      this->BoundarySides[At(-1 - neighbour)] = { triangle, i };
+      continue;
+    }
+    Triangle& other = this->AllTriangles[At(neighbour)];
+    for (std::size_t j = 0; j < 3; ++j)
+    {
+      if (other.edges[j] == here.edges[At(i)])
+      {
+        other.neighbours[j] = triangle;
+      }
+    }
+  }
+}
+
+void ConeMetric::AlignCharts(Side side)
+{
+  const int turn = this->AllTriangles[At(side.triangle)].jumps[At(side.side)];
+  const int other = this->Across(side).triangle;
+  // Directions in the chart of the other triangle decrease by the jump across the side.
+  for (int i = 0; i < 3; ++i)
+  {
+    Triangle& turned = this->AllTriangles[At(other)];
+    turned.jumps[At(i)] += turned.neighbours[At(i)] < 0 ? -turn : turn;
+    if (turned.neighbours[At(i)] >= 0)
+    {
+      const Side back = this->Across({ other, i });
+      this->AllTriangles[At(back.triangle)].jumps[At(back.side)] -= turn;
+    }
+  }
+}
+
+double ConeMetric::LogOtherDiagonal(Side side) const
+{
+  // The triangles are (a, b, p) and (b, a, q):
+  // |pq|² = (|ap| − |aq|)² + 4 |ap| |aq| sin²(half the angle at a)
+  const Side across = this->Across(side);
+  const double angle = this->AnglesOf(side.triangle).angle[At(side.side)] +
+    this->AnglesOf(across.triangle).angle[At(Next(across.side))];
+  const double ap =
+    this->Length(this->AllTriangles[At(side.triangle)].edges[At(Next(Next(side.side)))]);
+  const double aq =
+    this->Length(this->AllTriangles[At(across.triangle)].edges[At(Next(across.side))]);
+  const double sine = std::sin(0.5 * angle);
+  return 0.5 * std::log((ap - aq) * (ap - aq) + 4.0 * ap * aq * sine * sine);
+}
+
+void ConeMetric::Flip(Side side)
+{
+  this->AlignCharts(side);
+  const Side across = this->Across(side);
+  const int s = side.side;
+  const int r = across.side;
+  // The triangles are (a, b, p) and (b, a, q), the new ones (p, q, b) and (q, p, a).
+  const Triangle one = this->AllTriangles[At(side.triangle)];
+  const Triangle two = this->AllTriangles[At(across.triangle)];
+  const int edge = one.edges[At(s)];
+  this->Logs[At(edge)] = this->LogOtherDiagonal(side);
+
+  const auto take = [](Triangle& into, int i, const Triangle& from, int j)
+  {
+    into.edges[At(i)] = from.edges[At(j)];
+    into.neighbours[At(i)] = from.neighbours[At(j)];
+    into.jumps[At(i)] = from.jumps[At(j)];
+  };
+  const int a = one.vertices[At(s)];
+  const int b = one.vertices[At(Next(s))];
+  const int p = one.vertices[At(Next(Next(s)))];
+  const int q = two.vertices[At(Next(Next(r)))];
+  Triangle& first = this->AllTriangles[At(side.triangle)];
+  first.vertices = { p, q, b };
+  first.edges[0] = edge;
+  first.neighbours[0] = across.triangle;
+  first.jumps[0] = 0;
+  take(first, 1, two, Next(Next(r)));
+  take(first, 2, one, Next(s));
+  Triangle& second = this->AllTriangles[At(across.triangle)];
+  second.vertices = { q, p, a };
+  second.edges[0] = edge;
+  second.neighbours[0] = side.triangle;
+  second.jumps[0] = 0;
+  take(second, 1, one, Next(Next(s)));
+  take(second, 2, two, Next(r));
+  this->Attach(side.triangle);
+  this->Attach(across.triangle);
+}
+
+void ConeMetric::Split(Side side, double fraction)
+{
+  const int neighbour = this->AllTriangles[At(side.triangle)].neighbours[At(side.side)];
+  if (neighbour >= 0)
+  {
+    this->AlignCharts(side);
+  }
+  const int s = side.side;
+  const Triangle old = this->AllTriangles[At(side.triangle)];
+  const int a = old.vertices[At(s)];
+  const int b = old.vertices[At(Next(s))];
+  const int edge = old.edges[At(s)];
+  const double length = this->Length(edge);
+  const int middle = static_cast<int>(this->Positions.size());
+  this->Positions.push_back(
+    (1.0 - fraction) * this->Positions[At(a)] + fraction * this->Positions[At(b)]);
+  this->Quarters.push_back(neighbour < 0 ? 2 : 4);
+  const auto addEdge = [this](double newLength)
+  {
+    this->Logs.push_back(std::log(newLength));
+    return static_cast<int>(this->Logs.size()) - 1;
+  };
+  // The edge keeps the half at a, the new one has that at b.
+  const int half = addEdge((1.0 - fraction) * length);
+
+  // Divides the triangle of a side into one with its first vertex and a new one with its second;
+  // `part` is the fraction of the side in the first.
+  const auto divide = [&](Side whole, double part, int firstEdge, int secondEdge)
+  {
+    const int i = whole.side;
+    const int j = Next(i);
+    const int k = Next(j);
+    const Triangle before = this->AllTriangles[At(whole.triangle)];
+    const double toFirst = this->Length(before.edges[At(k)]);
+    const double toSecond = this->Length(before.edges[At(j)]);
+    // Stewart's theorem
+    const int cut = addEdge(std::sqrt(std::max(0.0,
+      (1.0 - part) * toFirst * toFirst + part * toSecond * toSecond -
+        part * (1.0 - part) * length * length)));
+    const int added = static_cast<int>(this->AllTriangles.size());
+    Triangle second = before;
+    second.vertices[At(i)] = middle;
+    second.edges[At(i)] = secondEdge;
+    second.edges[At(k)] = cut;
+    second.neighbours[At(k)] = whole.triangle;
+    second.jumps[At(k)] = 0;
+    Triangle& first = this->AllTriangles[At(whole.triangle)];
+    first.vertices[At(j)] = middle;
+    first.edges[At(i)] = firstEdge;
+    first.edges[At(j)] = cut;
+    first.neighbours[At(j)] = added;
+    first.jumps[At(j)] = 0;
+    this->AllTriangles.push_back(second);
+    return added;
+  };
+
+  if (neighbour < 0)
+  {
+    const int entry = -1 - neighbour;
+    const int added = divide(side, fraction, edge, half);
+    BoundaryEdge second = this->BoundaryEdges[At(entry)];
+    second.vertices[0] = middle;
+    this->BoundaryEdges[At(entry)].vertices[1] = middle;
+    this->AllTriangles[At(added)].neighbours[At(s)] =
+      -1 - static_cast<int>(this->BoundaryEdges.size());
+    this->BoundaryEdges.push_back(second);
+    this->BoundarySides.push_back({ added, s });
+    this->Logs[At(edge)] = std::log(fraction * length);
+    this->Attach(side.triangle);
+    this->Attach(added);
+    return;
+  }
+  const Side across = this->Across(side);
+  const int added = divide(side, fraction, edge, half);
+  const int addedAcross = divide(across, 1.0 - fraction, half, edge);
+  this->Logs[At(edge)] = std::log(fraction * length);
+  // The triangle of the side has the half at a, whose other side is now the added triangle across.
+  this->AllTriangles[At(side.triangle)].neighbours[At(s)] = addedAcross;
+  this->AllTriangles[At(addedAcross)].neighbours[At(across.side)] = side.triangle;
+  this->AllTriangles[At(added)].neighbours[At(s)] = across.triangle;
+  this->AllTriangles[At(across.triangle)].neighbours[At(across.side)] = added;
+  for (const int t : { side.triangle, added, across.triangle, addedAcross })
+  {
+    this->Attach(t);
+  }
+}
+}

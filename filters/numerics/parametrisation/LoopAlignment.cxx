@@ -1,0 +1,124 @@
+#include "LoopAlignment.h"
+
+#include "Index.h"
+
+namespace crossfield
+{
+namespace
+{
+using Side = ConeMetric::Side;
+
+/// Returns, per triangle, the side through which a breadth-first search from a triangle reached it:
+/// a side of the triangle before it on the path.
+std::vector<Side> SearchFrom(const ConeMetric& metric, int start)
+{
+  std::vector<Side> reached(metric.Triangles().size());
+  std::vector<bool> known(metric.Triangles().size(), false);
+  known[Index(start)] = true;
+  std::vector<int> queue = { start };
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const int t = queue[next];
+    for (int i = 0; i < 3; ++i)
+    {
+      const int neighbour = metric.Triangles()[Index(t)].neighbours[Index(i)];
+      if (neighbour >= 0 && !known[Index(neighbour)])
+      {
+        known[Index(neighbour)] = true;
+        reached[Index(neighbour)] = { t, i };
+        queue.push_back(neighbour);
+      }
+    }
+  }
+  return reached;
+}
+
+/// Follows the direction of directed sides through triangles.
+class DirectionWalk
+{
+public:
+  explicit DirectionWalk(const MetricDerivatives& derivatives)
+    : Derivatives(derivatives)
+  {
+  }
+
+  /// Adds the turn from one side of a triangle to another.
+  void Turn(int triangle, int from, int to)
+  {
+    if (from == to)
+    {
+      return;
+    }
+    // Between consecutive sides the direction turns by π minus the angle at their common vertex.
+    const bool forward = to == (from + 1) % 3;
+    const int corner = forward ? to : from;
+    const double sign = forward ? 1.0 : -1.0;
+    this->Direction += sign * (Pi - this->Derivatives.AnglesOf(triangle).angle[Index(corner)]);
+    for (const auto& [edge, value] : this->Derivatives.AngleDerivative(triangle, corner))
+    {
+      this->Row.emplace_back(edge, -sign * value);
+    }
+  }
+  /// Adds the change of chart across a side.
+  void Cross(const Side& side)
+  {
+    const auto& triangle = this->Derivatives.GetMetric().Triangles()[Index(side.triangle)];
+    this->Direction += Pi + 0.5 * Pi * triangle.jumps[Index(side.side)];
+  }
+
+  double Direction = 0.0;
+  std::vector<MetricDerivatives::Term> Row;
+
+private:
+  const MetricDerivatives& Derivatives;
+};
+}
+
+LoopAlignment MeasureAlignment(const MetricDerivatives& derivatives)
+{
+  const ConeMetric& metric = derivatives.GetMetric();
+  const std::vector<int>& starts = metric.LoopStarts();
+  const auto directionOf = [&metric](const Side& side)
+  { return 0.5 * Pi * metric.Triangles()[Index(side.triangle)].jumps[Index(side.side)]; };
+  const Side outer = metric.AtBoundary(starts.front());
+  const std::vector<Side> reached = SearchFrom(metric, outer.triangle);
+  LoopAlignment alignment;
+  alignment.defects.resize(static_cast<Eigen::Index>(starts.size()) - 1);
+  for (std::size_t loop = 1; loop < starts.size(); ++loop)
+  {
+    const Side inner = metric.AtBoundary(starts[loop]);
+    std::vector<Side> crossed;
+    for (int t = inner.triangle; t != outer.triangle; t = crossed.back().triangle)
+    {
+      crossed.push_back(reached[Index(t)]);
+    }
+    DirectionWalk walk(derivatives);
+    walk.Direction = directionOf(outer);
+    Side here = outer;
+    for (auto side = crossed.rbegin(); side != crossed.rend(); ++side)
+    {
+      walk.Turn(here.triangle, here.side, side->side);
+      walk.Cross(*side);
+      here = metric.Across(*side);
+    }
+    walk.Turn(here.triangle, here.side, inner.side);
+    alignment.defects[static_cast<Eigen::Index>(loop) - 1] =
+      WrapAngle(walk.Direction - directionOf(inner));
+    alignment.rows.push_back(std::move(walk.Row));
+  }
+  return alignment;
+}
+
+Eigen::VectorXd LoopAlignment::Changes(const Eigen::VectorXd& edges) const
+{
+  Eigen::VectorXd changes = Eigen::VectorXd::Zero(this->defects.size());
+  for (std::size_t j = 0; j < this->rows.size(); ++j)
+  {
+    for (const auto& [edge, value] : this->rows[j])
+    {
+      changes[static_cast<Eigen::Index>(j)] += value * edges[edge];
+    }
+  }
+  return changes;
+}
+}

@@ -1,0 +1,77 @@
+#include "MapTargets.h"
+
+#include "Index.h"
+
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// Returns the direction of side 0 of every triangle in its chart, continued breadth-first from the
+/// outer loop.
+std::vector<double> DirectionsOfSides(const ConeMetric& metric)
+{
+  const auto& triangles = metric.Triangles();
+  std::vector<double> directions(triangles.size());
+  std::vector<bool> known(triangles.size(), false);
+  // Direction of a side relative to side 0.
+  const auto relative = [&metric](int t, int side)
+  {
+    const auto angles = metric.AnglesOf(t).angle;
+    return side == 0 ? 0.0 : side == 1 ? Pi - angles[1] : angles[0] - Pi;
+  };
+  const auto set = [&](const ConeMetric::Side& side, double direction)
+  {
+    directions[Index(side.triangle)] = WrapAngle(direction - relative(side.triangle, side.side));
+    known[Index(side.triangle)] = true;
+  };
+  const ConeMetric::Side start = metric.AtBoundary(metric.LoopStarts().front());
+  set(start, 0.5 * Pi * triangles[Index(start.triangle)].jumps[Index(start.side)]);
+  std::vector<int> queue = { start.triangle };
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const int t = queue[next];
+    for (int i = 0; i < 3; ++i)
+    {
+      const int neighbour = triangles[Index(t)].neighbours[Index(i)];
+      if (neighbour >= 0 && !known[Index(neighbour)])
+      {
+        set(metric.Across({ t, i }),
+          directions[Index(t)] + relative(t, i) + Pi +
+            0.5 * Pi * triangles[Index(t)].jumps[Index(i)]);
+        queue.push_back(neighbour);
+      }
+    }
+  }
+  return directions;
+}
+}
+
+MapTargets LayOut(const ConeMetric& metric)
+{
+  TriangleMesh mesh;
+  mesh.points = metric.Points();
+  mesh.boundary = metric.Boundary();
+  MapTargets result;
+  const std::vector<double> directions = DirectionsOfSides(metric);
+  for (int t = 0; t < static_cast<int>(metric.Triangles().size()); ++t)
+  {
+    const ConeMetric::Triangle& triangle = metric.Triangles()[Index(t)];
+    mesh.triangles.push_back(triangle.vertices);
+    result.jumps.push_back(triangle.jumps);
+    const double direction = directions[Index(t)];
+    const double toThird = direction + metric.AnglesOf(t).angle[0];
+    Eigen::Matrix<double, 3, 2> corners = Eigen::Matrix<double, 3, 2>::Zero();
+    corners.row(1) = metric.Length(triangle.edges[0]) *
+      Point(std::cos(direction), std::sin(direction)).transpose();
+    corners.row(2) =
+      metric.Length(triangle.edges[2]) * Point(std::cos(toThird), std::sin(toThird)).transpose();
+    result.poisson.target.push_back(corners);
+    result.poisson.weights.push_back(metric.PlanarAreaOf(t) / metric.AreaOf(t));
+  }
+  LimitWeights(result.poisson.weights);
+  result.topology = ShareTopology(std::move(mesh));
+  return result;
+}
+}

@@ -1,0 +1,177 @@
+#include "TargetSolve.h"
+
+#include "CoordinateSolve.h"
+#include "Error.h"
+#include "Index.h"
+#include "SeamEquations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// Turns the charts of triangles so that they are continuous except across the cut.
+void ContinueBranches(const CutGraph& cut, MapTargets& targets)
+{
+  const MeshTopology& topology = *targets.topology;
+  std::vector<int> shift(targets.jumps.size(), 0);
+  std::vector<bool> known(targets.jumps.size(), false);
+  std::vector<int> queue = { 0 };
+  known[0] = true;
+  const auto neighbour = [&topology](int t, std::size_t side)
+  {
+    const auto& two = topology.edges.triangles[Index(topology.edges.ofTriangle[Index(t)][side])];
+    return two[0] == t ? two[1] : two[0];
+  };
+  for (std::size_t next = 0; next < queue.size(); ++next)
+  {
+    const int t = queue[next];
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      const int other = neighbour(t, side);
+      if (other >= 0 && !known[Index(other)] &&
+        !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
+      {
+        known[Index(other)] = true;
+        shift[Index(other)] = shift[Index(t)] + targets.jumps[Index(t)][side];
+        queue.push_back(other);
+      }
+    }
+  }
+  for (int t = 0; t < static_cast<int>(shift.size()); ++t)
+  {
+    auto& corners = targets.poisson.target[Index(t)];
+    for (int i = 0; i < 3; ++i)
+    {
+      // θ grows by the shift, so the target e^{−(H + iθ)} turns back by it.
+      corners.row(i) = TurnByQuarters(corners.row(i).transpose(), -shift[Index(t)]).transpose();
+    }
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      int& jump = targets.jumps[Index(t)][side];
+      const int other = neighbour(t, side);
+      jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
+      if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
+      {
+        throw Error("The cross field has a singularity near " +
+          Describe(topology.Midpoint(topology.edges.ofTriangle[Index(t)][side])) +
+          " that was not given; use a finer mesh there.");
+      }
+    }
+  }
+}
+
+/// Returns the position of an edge in a triangle.
+int SideOf(const MeshTopology& topology, int triangle, int edge)
+{
+  const auto& sides = topology.edges.ofTriangle[Index(triangle)];
+  return static_cast<int>(std::find(sides.begin(), sides.end(), edge) - sides.begin());
+}
+
+int Modulo4(int quarters)
+{
+  return ((quarters % 4) + 4) % 4;
+}
+
+/// Sets the seams with their rotations, and the directions of boundary edges.
+void CollectTransitions(
+  const CutGraph& cut, const std::vector<std::array<int, 3>>& jumps, SeamlessMap& map)
+{
+  const MeshTopology& topology = *map.topology;
+  map.seams.assign(topology.mesh.triangles.size(), { 0, 0, 0 });
+  for (std::size_t chain = 0; chain < cut.chains.size(); ++chain)
+  {
+    const auto& [vertices, edges] = cut.chains[chain];
+    const int code = static_cast<int>(chain) + 1;
+    for (std::size_t j = 0; j < edges.size(); ++j)
+    {
+      const int left = TriangleLeftOf(topology, edges[j], vertices[j]);
+      const int right = TriangleLeftOf(topology, edges[j], vertices[j + 1]);
+      const auto side = static_cast<std::size_t>(SideOf(topology, left, edges[j]));
+      map.seams[Index(left)][side] = code;
+      map.seams[Index(right)][static_cast<std::size_t>(SideOf(topology, right, edges[j]))] = -code;
+      if (j == 0)
+      {
+        // θ continued across is the neighbour's plus r π/2, so its w turns by i^r.
+        map.transitions.push_back({ Modulo4(jumps[Index(left)][side]), Point::Zero() });
+      }
+    }
+  }
+  for (int position = 0; position < static_cast<int>(topology.mesh.boundary.size()); ++position)
+  {
+    const int edge = topology.EdgeOfBoundary(position);
+    const int t = topology.edges.triangles[Index(edge)][0];
+    map.directions.push_back(
+      Modulo4(jumps[Index(t)][static_cast<std::size_t>(SideOf(topology, t, edge))]));
+  }
+}
+
+double MapArea(const SeamlessMap& map)
+{
+  double area = 0.0;
+  for (int t = 0; t < static_cast<int>(map.corners.size()); ++t)
+  {
+    area += 0.5 * Cross(map.At(t, 1) - map.At(t, 0), map.At(t, 2) - map.At(t, 0));
+  }
+  return area;
+}
+
+/// Stores the solution, scaled to the area of the domain. `objective` is the minimum of the sum.
+void SetPoints(const Eigen::VectorXd& solution, double objective, SeamlessMap& map)
+{
+  const auto point = [&solution](std::size_t i)
+  {
+    const auto row = static_cast<Eigen::Index>(2 * i);
+    return Point(solution[row], solution[row + 1]);
+  };
+  map.points.clear();
+  for (std::size_t c = 0; c < map.original.size(); ++c)
+  {
+    map.points.push_back(point(c));
+  }
+  double area = 0.0;
+  for (const Loop& loop : map.topology->AlignedLoops())
+  {
+    area += SignedArea(loop);
+  }
+  const double scale = std::sqrt(area / std::abs(MapArea(map)));
+  for (Point& w : map.points)
+  {
+    w *= scale;
+  }
+  for (std::size_t chain = 0; chain < map.transitions.size(); ++chain)
+  {
+    map.transitions[chain].translation = scale * point(map.original.size() + chain);
+  }
+  map.residual = std::sqrt(std::max(0.0, objective) / area);
+}
+}
+
+SeamlessMap SolveTargets(
+  MapTargets targets, const std::vector<Cone>& cones, const Progress& progress)
+{
+  SeamlessMap map;
+  map.topology = targets.topology;
+  map.cones = cones;
+  std::vector<int> singular;
+  for (const Cone& cone : cones)
+  {
+    if (!cone.onBoundary)
+    {
+      singular.push_back(cone.vertex);
+    }
+  }
+  const CutGraph cut = CutOpen(*map.topology, singular);
+  ContinueBranches(cut, targets);
+  map.corners = cut.corners;
+  map.original = cut.original;
+  CollectTransitions(cut, targets.jumps, map);
+  const auto prolongation =
+    EliminateSeams(*map.topology, cut, map.transitions, map.directions, map.cones);
+  const Eigen::VectorXd w = SolveCoordinates(map, targets.poisson, prolongation, progress);
+  SetPoints(w, targets.poisson.ObjectiveAt(map, w), map);
+  return map;
+}
+}
