@@ -31,6 +31,36 @@ runs on 2 cores, including files.
 | --- | --- | --- | --- | --- | --- |
 %s
 
+## Configurations chosen by hand
+
+`-s FILE.csv` replaces the proposed singularities by your own (port 1 of [Quad Mesher](filters/QuadMesher.md)). Their quarter
+indices must have the total that the domain needs ([why](choosing_singularities.md#why-the-sum-is-fixed)). Their positions are free,
+also in a part with holes.
+
+In general, grid lines around a hole then do not close up: they have a *holonomy defect* ([glossary](glossary.md)). The mesh
+nevertheless has exactly these irregular nodes. It is stretched until its grid lines close up, so that quads are rectangles or
+rhombi instead of squares, spread over the part.
+
+The *predicted stretch* is the ratio of the sides of these rectangles. It is computed before the quads are made:
+(1 + |μ|) / (1 − |μ|), where |μ| is the smallest strain that closes the grid lines ([method](method.md) §12.5). About 1.5 is usual for
+singularities placed at random. Up to 2 is fine. Above 3, look at the mesh. If grid lines miss by a few degrees only, the quads hardly
+change and no stretch is predicted.
+
+Two options lower the stretch. Neither is necessary:
+
+- `--repair-holonomy` moves the singularities by the smallest distances after which the grid lines close up without stretch.
+- `crossfield optimize` moves them to a minimum of the energy, where the grid lines close up as well and the crosses turn as little
+  as possible. The distances may be large.
+
+What remains refused:
+
+- a wrong total of quarter indices, and a singularity of quarter index 3 or more, for which there is no node
+- a singularity outside the domain
+- a configuration for which no map that closes the grid lines was found, which is possible with a single pair of 1 and −1 in a ring.
+  The message names the hole, the angle by which grid lines miss, and the predicted stretch. Use `--repair-holonomy`, or add a pair.
+
+Singularities closer to each other than the side of a quad may give inverted quads, with a warning. Use a smaller size.
+
 %s
 """
 
