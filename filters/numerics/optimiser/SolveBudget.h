@@ -35,7 +35,6 @@ inline std::size_t SolvesOfEvaluation(
   return 1 + vertices / 10000 + singularities * boundaryPoints / 200000;
 }
 
-/// What meshing and factoring a domain costs, in solves, as measured on meshes of 1,000 to 20,000
-/// triangles.
+/// Estimate of what meshing and factoring a domain costs, in solves; not measured.
 constexpr std::size_t SolvesOfFactorisation = 20;
 }
