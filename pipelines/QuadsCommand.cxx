@@ -170,6 +170,7 @@ int Mesh(const QuadsOptions& options)
   {
     BoundaryInput::Print(domain);
     PrintRepair(quads->GetFieldData());
+    PrintStretch(quads->GetFieldData());
     if (options.singularities.empty())
     {
       PrintChosen(Singularities(mesher), hasHeight);

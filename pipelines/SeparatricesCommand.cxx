@@ -92,6 +92,7 @@ int Trace(const SeparatricesOptions& options)
   {
     BoundaryInput::Print(domain);
     singularities.PrintChoice();
+    PrintStretch(map->GetOutput()->GetFieldData());
     std::cout << FieldValue(lines, names::Lines) << " lines, " << FieldValue(lines, names::Faces)
               << " faces, " << FieldValue(lines, names::Arcs) << " arcs, longest line "
               << FieldValue(lines, names::Longest) << "\n";

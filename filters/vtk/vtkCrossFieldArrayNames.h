@@ -113,6 +113,8 @@ constexpr const char* MapResidual = "MapResidual";
 constexpr const char* RepairDistance = "RepairDistance";
 constexpr const char* RepairedPositions = "RepairedPositions";
 constexpr const char* DefectBefore = "DefectBefore";
+constexpr const char* PredictedStretch = "PredictedStretch";
+constexpr const char* StretchReason = "StretchReason";
 // Lines, faces and field data: vtkSeparatrices.
 constexpr const char* Line = "Line";
 constexpr const char* Singularity = "Singularity";

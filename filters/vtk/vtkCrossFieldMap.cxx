@@ -99,7 +99,12 @@ int vtkCrossFieldMap::RequestData(
       result.map =
         crossfield::SolveSeamlessMap(topology, configuration, options, progress.Part(0.3, 1.0));
       this->StageSeconds[1] = stopwatch.Lap();
-      for (std::size_t k = 0; k < result.map.holonomyDefect.size(); ++k)
+      const auto& flattening = result.map.flattening;
+      if (flattening && flattening->PredictedStretch() > crossfield::NoticeableStretch)
+      {
+        vtkWarningMacro(<< crossfield::DescribeStretch(*flattening));
+      }
+      for (std::size_t k = 0; !flattening && k < result.map.holonomyDefect.size(); ++k)
       {
         const double defect = result.map.holonomyDefect[k];
         if (std::abs(defect) > crossfield::NoticeableDefect)

@@ -32,12 +32,15 @@
  * t; `ConeRow` (row of port 1 for each singularity, −1 for each corner); `Flips` (0, since a
  * flipped triangle is an error); `MapResidual`, √(∫ e^{2H} |∇w − e^{−(H+iθ)}|² / area);
  * `HolonomyDefect` (for each inner loop, radians of the phase). Where a defect is not 0 the map
- * exists but is not conformal.
+ * exists but is not conformal. If the nearest map to the crosses folds over, the output is the layout
+ * of a flat metric, its triangles may be others than those of the mesh, and the field data have
+ * `PredictedStretch`, the ratio of its singular values to first order, and `StretchReason`, a
+ * sentence.
  *
  * An empty domain gives an empty output. The filter fails, with an empty output, where vtkHField
  * does; if a singularity has quarter index 3 or more, or is at no vertex of a given mesh; if a
- * corner has index 2 or more and CapCorners is off; and if the map folds over, as it does with
- * large holonomy defects or very coarse meshes. The message states where.
+ * corner has index 2 or more and CapCorners is off; and if every map folds over, as with very coarse
+ * meshes or few singularities that only a large stretch could align. The message states where.
  *
  * Paper: "Further thoughts" leaves the map open.
  *

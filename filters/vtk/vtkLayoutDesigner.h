@@ -40,6 +40,7 @@
  * - `RenormalizedEnergy`: W;
  * - `Faces` (int): the number of patches;
  * - `ShortestArc`: the length of the shortest arc of the T-mesh, in sides of quads;
+ * - `PredictedStretch`, `StretchReason`: as for vtkCrossFieldMap;
  * - `MinimumAngle`: with quads, 90° minus the maximum deviation of a quad's corner from 90°.
  *
  * An empty domain gives empty outputs. The filter fails if vtkDrillHoles would refuse the domain or

@@ -108,6 +108,11 @@ void vtkQuadMesher::ReportWarnings(
                     << " was found for these separatrices; " << result.quads.mesh.quads.size()
                     << " is the nearest; request another number.");
   }
+  if (result.flattening && result.flattening->PredictedStretch() > crossfield::NoticeableStretch)
+  {
+    vtkWarningMacro(<< crossfield::DescribeStretch(*result.flattening)
+                    << " Move singularities, or repair the holonomy, to lower it.");
+  }
   const crossfield::QuadQuality& quality = result.quads.quality;
   if (quality.inverted > 0)
   {
@@ -128,6 +133,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   }
   ColumnWriting::AddNumbers(
     quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
+  HolonomyConversion::WriteStretch(result.flattening, quads->GetFieldData());
   EnergyConversion::WriteEvents(result.events, quads);
   QuadConversion::WriteBlocks(result.quads, plane, vtkMultiBlockDataSet::GetData(outputVector, 1));
   QuadConversion::WriteLayout(result.quads, plane, vtkPolyData::GetData(outputVector, 2));

@@ -8,12 +8,14 @@
 #include "vtkConfigurationProposal.h"
 #include "vtkCrossFieldArrayNames.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkVariant.h"
 
 #include <iostream>
 
@@ -128,6 +130,14 @@ void PrintRepair(vtkFieldData* field)
   {
     std::cout << "The singularities moved by up to " << distance->GetTuple1(0)
               << " to repair the holonomy.\n";
+  }
+}
+
+void PrintStretch(vtkFieldData* field)
+{
+  if (vtkAbstractArray* reason = field->GetAbstractArray(names::StretchReason))
+  {
+    std::cout << reason->GetVariantValue(0).ToString() << "\n";
   }
 }
 

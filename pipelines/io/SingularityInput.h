@@ -81,6 +81,9 @@ vtkSmartPointer<vtkAlgorithm> OpenPointsOf(vtkAlgorithm* domain, const std::stri
 /** Prints the distance of a holonomy repair if the field data of a filter have one. */
 void PrintRepair(vtkFieldData* field);
 
+/** Prints the field data `StretchReason` of a map, if there are any. */
+void PrintStretch(vtkFieldData* field);
+
 /** Prints the field data `Events` of chosen singularities, then their positions. */
 void PrintChosen(vtkDataSet* singularities, bool hasHeight);
 

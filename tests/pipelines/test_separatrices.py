@@ -84,14 +84,22 @@ class Separatrices(ProgramTest):
         self.assertEqual([(one["x"], one["y"]) for one in report["singularities"]], places)
         farthest = max(math.dist(place, row[:2]) for place, row in zip(places, rows))
         self.assertAlmostEqual(farthest, report["repair"]["distance"], delta=1e-12)
-        # After the repair there is no warning; the error of a defect that is too large names the
-        # option.
+        # After the repair there is no warning.
         self.succeed("separatrices", "builtin:ring", "-s", "repaired.csv", "-o", "again.vtp")
+
+    def test_grid_lines_that_do_not_close_up_stretch_the_map(self):
         opposite = [(r * math.cos(turn + i * math.pi / 2), r * math.sin(turn + i * math.pi / 2), k, 0.05)
                     for r, turn, k in ((0.8, 0.0, 1), (0.55, 0.6, -1)) for i in range(4)]
         write_configuration(self.folder / "far.csv", opposite)
-        self.refuse("separatrices", "builtin:ring", "-s", "far.csv", "-o", "far.vtp",
-                    says=("inner loop 1", "radians of the cross", "--repair-holonomy"))
+        report = self.report("builtin:ring", "-s", "far.csv", "-o", "far.vtp")
+        self.assertEqual(report["flips"], 0)
+        self.assertGreater(report["stretch"]["predicted"], 1.5)
+        self.assertLess(report["stretch"]["predicted"], 2.5)
+        self.assertRegex(report["stretch"]["reason"],
+                         r"^Quads are stretched by about [0-9.]+ : 1, because the grid lines around "
+                         r"inner loop 1 do not close up by [0-9]+°\.$")
+        printed = self.succeed("quads", "builtin:ring", "-s", "far.csv", "-o", "far.vtu")
+        self.assertIn(report["stretch"]["reason"], printed)
 
     def test_the_same_bytes_twice(self):
         for name in ("first", "second"):

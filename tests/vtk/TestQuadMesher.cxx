@@ -241,7 +241,7 @@ TEST_F(QuadMesher, FollowsTheSizesOfAnArray)
 
 TEST_F(QuadMesher, RefusesMoreQuadsThanMemory)
 {
-  this->Filter->SetQuadSize(1e-6);
+  this->Filter->SetQuadSize(5e-5); // about 1e9 quads
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter,
               { "This number of quads would need about",
                 "GiB available; use a larger size or fewer quads." }),

@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// Why a map is stretched: the metric that it was laid out from.
+/// Targets that are isometric to a flat metric, and how it was found.
 struct FlattenedTargets
 {
   MapTargets targets;

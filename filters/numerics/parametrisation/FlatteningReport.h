@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -30,4 +31,12 @@ struct FlatteningReport
       : std::numeric_limits<double>::infinity();
   }
 };
+
+/// Predicted stretch above which meshes of random configurations have a minimum scaled Jacobian
+/// below 0.3 in most cases.
+constexpr double NoticeableStretch = 2.0;
+
+/// Returns a sentence about the predicted stretch and the inner loop with the largest defect; empty
+/// if no inner loop had to be turned.
+std::string DescribeStretch(const FlatteningReport& report);
 }

@@ -1,5 +1,6 @@
 #include "SeamlessMapSolve.h"
 
+#include "CoarseMeshError.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "FlatMetric.h"
@@ -128,14 +129,14 @@ std::string Rounded(double value)
   constexpr double Harmless = 4.0 * Pi / 180.0;
   if (worst != holonomyDefect.end() && std::abs(*worst) > Harmless)
   {
-    throw Error(what + ", because the grid lines around inner loop " +
+    throw CoarseMeshError(what + ", because the grid lines around inner loop " +
       std::to_string(worst - holonomyDefect.begin() + 1) + " do not close up by " +
       Degrees(0.25 * std::abs(*worst)) + " and a map that closes them (predicted stretch " +
       Rounded(report.PredictedStretch()) +
       " : 1) was not found; repair the holonomy (RepairHolonomy, --repair-holonomy), which moves the "
       "singularities.");
   }
-  throw Error(what +
+  throw CoarseMeshError(what +
     "; use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "
     "away from each other and from the boundary.");
 }

@@ -1,7 +1,7 @@
 #include "TargetSolve.h"
 
+#include "CoarseMeshError.h"
 #include "CoordinateSolve.h"
-#include "Error.h"
 #include "Index.h"
 #include "SeamEquations.h"
 
@@ -55,7 +55,7 @@ void ContinueBranches(const CutGraph& cut, MapTargets& targets)
       jump += other < 0 ? -shift[Index(t)] : shift[Index(t)] - shift[Index(other)];
       if (other >= 0 && jump != 0 && !cut.isCut[Index(topology.edges.ofTriangle[Index(t)][side])])
       {
-        throw Error("The cross field has a singularity near " +
+        throw CoarseMeshError("The cross field has a singularity near " +
           Describe(topology.Midpoint(topology.edges.ofTriangle[Index(t)][side])) +
           " that was not given; use a finer mesh there.");
       }

@@ -160,6 +160,7 @@ private:
     SeamlessMap map =
       SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
     this->Result.holonomyDefect = map.holonomyDefect;
+    this->Result.flattening = map.flattening;
     this->Result.corners.clear();
     for (const CountedCorner& corner : count.corners)
     {

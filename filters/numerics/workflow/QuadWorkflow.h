@@ -54,9 +54,10 @@ struct QuadWorkflowResult
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
   /// Decisions made in choosing, and whether the mesh was refined; one sentence each.
   std::vector<std::string> events;
-  std::optional<OptimizerResult> optimum; ///< Run that chose them, unless they were given.
-  std::optional<HolonomyRepair> repair;   ///< If it was requested.
-  std::vector<double> holonomyDefect;     ///< Defects of the map per inner loop, radians.
+  std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
+  std::optional<HolonomyRepair> repair;       ///< If it was requested.
+  std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
+  std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
   QuadResult quads;
   QuadSeconds seconds;
 };

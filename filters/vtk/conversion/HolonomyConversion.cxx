@@ -22,4 +22,15 @@ void WriteRepair(const crossfield::HolonomyRepair& repair, const crossfield::Dom
   }
   field->AddArray(positions);
 }
+
+//------------------------------------------------------------------------------
+void WriteStretch(const std::optional<crossfield::FlatteningReport>& report, vtkFieldData* field)
+{
+  const std::string reason = report ? crossfield::DescribeStretch(*report) : std::string();
+  if (!reason.empty())
+  {
+    ColumnWriting::AddNumbers(field, names::PredictedStretch, { report->PredictedStretch() });
+    ColumnWriting::AddText(field, names::StretchReason, reason);
+  }
+}
 }

@@ -2,11 +2,14 @@
 #define HolonomyConversion_h
 
 #include "DomainPlane.h"
+#include "FlatteningReport.h"
 #include "HolonomyRepair.h"
+
+#include <optional>
 
 class vtkFieldData;
 
-/** Conversion of the report of a holonomy repair to VTK data. */
+/** Conversion of reports on holonomy to VTK data. */
 namespace HolonomyConversion
 {
 /**
@@ -16,6 +19,12 @@ namespace HolonomyConversion
  */
 void WriteRepair(const crossfield::HolonomyRepair& repair, const crossfield::DomainPlane& plane,
   vtkFieldData* field);
+
+/**
+ * Adds `PredictedStretch` (FlatteningReport::PredictedStretch) and `StretchReason`, a sentence, if
+ * inner loops had to be turned for the map.
+ */
+void WriteStretch(const std::optional<crossfield::FlatteningReport>& report, vtkFieldData* field);
 }
 
 #endif

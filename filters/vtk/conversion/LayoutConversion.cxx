@@ -1,6 +1,7 @@
 #include "LayoutConversion.h"
 
 #include "ColumnWriting.h"
+#include "HolonomyConversion.h"
 #include "PoincareHopf.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -60,6 +61,11 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   {
     text << " Two separatrices nearly coincide: try Snap.";
   }
+  if (design->map.flattening)
+  {
+    const std::string stretch = crossfield::DescribeStretch(*design->map.flattening);
+    text << (stretch.empty() ? "" : " ") << stretch;
+  }
   return text.str();
 }
 
@@ -79,6 +85,7 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   ColumnWriting::AddNumbers(data, names::RenormalizedEnergy, { design->energy.energy });
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
+  HolonomyConversion::WriteStretch(design->map.flattening, data);
   if (const std::optional<double> angle = MinimumAngle(*design))
   {
     ColumnWriting::AddNumbers(data, names::MinimumAngle, { *angle });

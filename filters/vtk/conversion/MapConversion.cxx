@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "Error.h"
+#include "HolonomyConversion.h"
 #include "Index.h"
 #include "InputCheck.h"
 #include "UsedPoints.h"
@@ -136,6 +137,7 @@ void WriteMap(const Map& written, vtkUnstructuredGrid* output)
   ColumnWriting::AddIntegers(field, names::Flips, { 0 });
   ColumnWriting::AddNumbers(field, names::MapResidual, { map.residual });
   ColumnWriting::AddNumbers(field, names::HolonomyDefect, map.holonomyDefect);
+  HolonomyConversion::WriteStretch(map.flattening, field);
 }
 
 //------------------------------------------------------------------------------
