@@ -82,6 +82,7 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
       triangle.neighbours[i] = entry >= 0 ? -1 - entry : two[0] == t ? two[1] : two[0];
     }
     this->Attach(t);
+    this->Measure(t);
   }
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -95,10 +96,20 @@ double ConeMetric::Length(int edge) const
   return std::exp(this->Logs[At(edge)]);
 }
 
-MetricAngles ConeMetric::AnglesOf(int triangle) const
+void ConeMetric::SetLogLengths(std::vector<double> logs)
+{
+  this->Logs = std::move(logs);
+  for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
+  {
+    this->Measure(t);
+  }
+}
+
+void ConeMetric::Measure(int triangle)
 {
   const auto& edges = this->AllTriangles[At(triangle)].edges;
-  return AnglesFromLogLengths(
+  this->Angles.resize(this->AllTriangles.size());
+  this->Angles[At(triangle)] = AnglesFromLogLengths(
     { this->Logs[At(edges[0])], this->Logs[At(edges[1])], this->Logs[At(edges[2])] });
 }
 
@@ -106,7 +117,7 @@ bool ConeMetric::IsValid() const
 {
   for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
   {
-    const MetricAngles angles = this->AnglesOf(t);
+    const MetricAngles& angles = this->AnglesOf(t);
     const auto [smallest, largest] = std::minmax_element(angles.angle.begin(), angles.angle.end());
     if (!(*smallest > 0.0) || !(*largest < Pi))
     {
@@ -291,8 +302,11 @@ void ConeMetric::Flip(Side side)
   second.jumps[0] = 0;
   take(second, 1, one, Next(Next(s)));
   take(second, 2, two, Next(r));
-  this->Attach(side.triangle);
-  this->Attach(across.triangle);
+  for (const int t : { side.triangle, across.triangle })
+  {
+    this->Attach(t);
+    this->Measure(t);
+  }
 }
 
 void ConeMetric::Split(Side side, double fraction)
@@ -363,8 +377,11 @@ void ConeMetric::Split(Side side, double fraction)
     this->BoundaryEdges.push_back(second);
     this->BoundarySides.push_back({ added, s });
     this->Logs[At(edge)] = std::log(fraction * length);
-    this->Attach(side.triangle);
-    this->Attach(added);
+    for (const int t : { side.triangle, added })
+    {
+      this->Attach(t);
+      this->Measure(t);
+    }
     return;
   }
   const Side across = this->Across(side);
@@ -379,6 +396,7 @@ void ConeMetric::Split(Side side, double fraction)
   for (const int t : { side.triangle, added, across.triangle, addedAcross })
   {
     this->Attach(t);
+    this->Measure(t);
   }
 }
 }

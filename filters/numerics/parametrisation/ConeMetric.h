@@ -59,14 +59,17 @@ public:
   Side AtBoundary(int entry) const { return this->BoundarySides[static_cast<std::size_t>(entry)]; }
   /// Returns the logarithms of the lengths of all edges.
   const std::vector<double>& LogLengths() const { return this->Logs; }
-  void SetLogLengths(std::vector<double> logs) { this->Logs = std::move(logs); }
+  void SetLogLengths(std::vector<double> logs);
   /// Returns the angle that a vertex should have, in quarter turns.
   int QuartersAt(int vertex) const { return this->Quarters[static_cast<std::size_t>(vertex)]; }
   /// Returns entries of Boundary() on the outer loop and on every inner loop.
   const std::vector<int>& LoopStarts() const { return this->Starts; }
 
   double Length(int edge) const;
-  MetricAngles AnglesOf(int triangle) const;
+  const MetricAngles& AnglesOf(int triangle) const
+  {
+    return this->Angles[static_cast<std::size_t>(triangle)];
+  }
   /// Returns whether all triangles satisfy the triangle inequality.
   bool IsValid() const;
   /// Returns the area of a triangle in the metric.
@@ -91,6 +94,8 @@ public:
   void Split(Side side, double fraction);
 
 private:
+  /// Sets the angles of a triangle from its lengths.
+  void Measure(int triangle);
   /// Sets the neighbours' references to a triangle.
   void Attach(int triangle);
   /// Turns the chart of a triangle so that the jump across a side is 0.
@@ -105,6 +110,7 @@ private:
   std::vector<BoundaryEdge> BoundaryEdges;
   std::vector<Side> BoundarySides;
   std::vector<double> Logs;
+  std::vector<MetricAngles> Angles; ///< Of every triangle, as they take most of the time.
   std::vector<int> Quarters;
   std::vector<int> Starts;
 };

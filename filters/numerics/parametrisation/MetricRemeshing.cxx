@@ -59,8 +59,8 @@ double LeastAngle(const Point& a, const Point& b, const Point& c)
 bool ShouldFlip(const ConeMetric& metric, const std::vector<int>& counts, Side side)
 {
   const Side across = metric.Across(side);
-  const auto one = metric.AnglesOf(side.triangle).angle;
-  const auto two = metric.AnglesOf(across.triangle).angle;
+  const auto& one = metric.AnglesOf(side.triangle).angle;
+  const auto& two = metric.AnglesOf(across.triangle).angle;
   const auto s = Index(side.side);
   const auto r = Index(across.side);
   if (!(one[(s + 2) % 3] + two[(r + 2) % 3] > Pi + FlipExcess))
