@@ -291,10 +291,12 @@ void QuadEnergy::HoldOrderOnBoundary()
 
 double QuadEnergy::BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient) const
 {
+  const auto at = [&unknowns](Eigen::Index unknown)
+  { return unknown < 0 ? 0.0 : unknowns[unknown]; };
   double energy = 0.0;
   for (const BoundaryTerm& term : this->BoundaryTerms)
   {
-    const double length = term.inverse * (unknowns[term.to] - unknowns[term.from] + term.offset);
+    const double length = term.inverse * (at(term.to) - at(term.from) + term.offset);
     if (!(length > 0.0))
     {
       return std::numeric_limits<double>::infinity();
