@@ -19,6 +19,10 @@ namespace
 /// Errors below this are rounding: lengths are products of tens of steps, radians.
 constexpr double Negligible = 1e-10;
 
+/// Far from the right angles a prediction of the alignment is wrong: then steps are conformal, which
+/// minimise a convex energy. Radians.
+constexpr double LargestAngleDefect = 0.2;
+
 /// Solves with the Laplacian of a metric, one vertex held.
 class LaplacianSolve
 {
@@ -95,9 +99,6 @@ private:
     const LaplacianSolve solve(derivatives);
     const Eigen::MatrixXd solutions = solve(rightHandSides);
     Eigen::VectorXd change = ConformalChanges(this->Metric, solutions.col(0));
-    // Far from the right angles a prediction of the alignment is wrong: conformal steps first,
-    // which minimise a convex energy.
-    constexpr double LargestAngleDefect = 0.05;
     const bool strains = loops > 0 && angles.lpNorm<Eigen::Infinity>() <= LargestAngleDefect;
     if (strains)
     {
@@ -161,19 +162,39 @@ private:
     return strain * std::min(1.0, LargestChange / largest);
   }
 
-  /// Returns the sum of squares that a step must reduce: conformal steps leave the alignment alone.
-  static double Merit(const MetricDerivatives& derivatives, bool strains)
+  /// Errors of a metric, which a step must reduce.
+  struct Errors
   {
-    const double angles = derivatives.AngleDefects().squaredNorm();
-    return strains ? angles + MeasureAlignment(derivatives).defects.squaredNorm() : angles;
-  }
+    double largestAngle;
+    double angles; ///< Sum of squares.
+    double alignment;
+
+    Errors(const MetricDerivatives& derivatives)
+      : Errors(derivatives.AngleDefects(), MeasureAlignment(derivatives).defects)
+    {
+    }
+    Errors(const Eigen::VectorXd& atVertices, const Eigen::VectorXd& atLoops)
+      : largestAngle(atVertices.lpNorm<Eigen::Infinity>())
+      , angles(atVertices.squaredNorm())
+      , alignment(atLoops.squaredNorm())
+    {
+    }
+    /// Conformal steps leave the alignment alone. Steps with strains may leave angle errors that the
+    /// next step corrects.
+    bool IsBetterThan(const Errors& before, bool strains) const
+    {
+      return strains ? this->angles + this->alignment < before.angles + before.alignment ||
+          (this->largestAngle <= LargestAngleDefect && this->alignment < 0.9 * before.alignment)
+                     : this->angles < before.angles;
+    }
+  };
 
   /// Moves along a change, halved until no triangle is degenerate and the errors fall.
   bool Move(const MetricDerivatives& derivatives, const Eigen::VectorXd& change, bool strains)
   {
     constexpr int MaximumHalvings = 12;
     const std::vector<double> start = this->Metric.LogLengths();
-    const double before = Merit(derivatives, strains);
+    const Errors before(derivatives);
     double length = 1.0;
     for (int halving = 0; halving < MaximumHalvings; ++halving, length *= 0.5)
     {
@@ -187,7 +208,7 @@ private:
       {
         continue;
       }
-      if (Merit(MetricDerivatives(this->Metric), strains) < before)
+      if (Errors(MetricDerivatives(this->Metric)).IsBetterThan(before, strains))
       {
         return true;
       }
