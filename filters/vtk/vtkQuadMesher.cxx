@@ -140,7 +140,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
 
   vtkPolyData* singularities = vtkPolyData::GetData(outputVector, 3);
   ConfigurationConversion::WriteConfiguration(result.singularities, plane, singularities);
-  if (result.optimum)
+  if (result.optimum || !result.events.empty())
   {
     EnergyConversion::WriteEvents(result.events, singularities);
   }

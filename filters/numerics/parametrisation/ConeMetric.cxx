@@ -9,19 +9,6 @@
 
 namespace crossfield
 {
-namespace
-{
-int Next(int side)
-{
-  return (side + 1) % 3;
-}
-
-std::size_t At(int i)
-{
-  return Index(i);
-}
-}
-
 MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs)
 {
   // Lengths relative to the longest side, because they range over many orders of magnitude.
@@ -55,15 +42,15 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
   , BoundarySides(topology.mesh.boundary.size())
   , Quarters(topology.mesh.points.size(), 4)
 {
-  std::vector<int> entries(At(topology.edges.Count()), -1);
+  std::vector<int> entries(Index(topology.edges.Count()), -1);
   for (int i = 0; i < static_cast<int>(this->BoundaryEdges.size()); ++i)
   {
-    entries[At(topology.EdgeOfBoundary(i))] = i;
-    this->Quarters[At(this->BoundaryEdges[At(i)].vertices[0])] = 2;
+    entries[Index(topology.EdgeOfBoundary(i))] = i;
+    this->Quarters[Index(this->BoundaryEdges[Index(i)].vertices[0])] = 2;
   }
   for (const Cone& cone : cones)
   {
-    this->Quarters[At(cone.vertex)] = cone.Quarters();
+    this->Quarters[Index(cone.vertex)] = cone.Quarters();
   }
   for (const auto& [a, b] : topology.edges.vertices)
   {
@@ -71,14 +58,14 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
   }
   for (int t = 0; t < static_cast<int>(this->AllTriangles.size()); ++t)
   {
-    Triangle& triangle = this->AllTriangles[At(t)];
-    triangle.vertices = topology.mesh.triangles[At(t)];
-    triangle.edges = topology.edges.ofTriangle[At(t)];
-    triangle.jumps = jumps[At(t)];
+    Triangle& triangle = this->AllTriangles[Index(t)];
+    triangle.vertices = topology.mesh.triangles[Index(t)];
+    triangle.edges = topology.edges.ofTriangle[Index(t)];
+    triangle.jumps = jumps[Index(t)];
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const auto& two = topology.edges.triangles[At(triangle.edges[i])];
-      const int entry = entries[At(triangle.edges[i])];
+      const auto& two = topology.edges.triangles[Index(triangle.edges[i])];
+      const int entry = entries[Index(triangle.edges[i])];
       triangle.neighbours[i] = entry >= 0 ? -1 - entry : two[0] == t ? two[1] : two[0];
     }
     this->Attach(t);
@@ -93,7 +80,7 @@ ConeMetric::ConeMetric(const MeshTopology& topology, const std::vector<std::arra
 
 double ConeMetric::Length(int edge) const
 {
-  return std::exp(this->Logs[At(edge)]);
+  return std::exp(this->Logs[Index(edge)]);
 }
 
 void ConeMetric::SetLogLengths(std::vector<double> logs)
@@ -107,10 +94,10 @@ void ConeMetric::SetLogLengths(std::vector<double> logs)
 
 void ConeMetric::Measure(int triangle)
 {
-  const auto& edges = this->AllTriangles[At(triangle)].edges;
+  const auto& edges = this->AllTriangles[Index(triangle)].edges;
   this->Angles.resize(this->AllTriangles.size());
-  this->Angles[At(triangle)] = AnglesFromLogLengths(
-    { this->Logs[At(edges[0])], this->Logs[At(edges[1])], this->Logs[At(edges[2])] });
+  this->Angles[Index(triangle)] = AnglesFromLogLengths(
+    { this->Logs[Index(edges[0])], this->Logs[Index(edges[1])], this->Logs[Index(edges[2])] });
 }
 
 bool ConeMetric::IsValid() const
@@ -129,39 +116,39 @@ bool ConeMetric::IsValid() const
 
 double ConeMetric::AreaOf(int triangle) const
 {
-  const auto& edges = this->AllTriangles[At(triangle)].edges;
+  const auto& edges = this->AllTriangles[Index(triangle)].edges;
   return 0.5 * this->Length(edges[0]) * this->Length(edges[2]) *
     std::sin(this->AnglesOf(triangle).angle[0]);
 }
 
 double ConeMetric::PlanarAreaOf(int triangle) const
 {
-  const auto& v = this->AllTriangles[At(triangle)].vertices;
-  const Point& origin = this->Positions[At(v[0])];
-  return 0.5 * Cross(this->Positions[At(v[1])] - origin, this->Positions[At(v[2])] - origin);
+  const auto& v = this->AllTriangles[Index(triangle)].vertices;
+  const Point& origin = this->Positions[Index(v[0])];
+  return 0.5 * Cross(this->Positions[Index(v[1])] - origin, this->Positions[Index(v[2])] - origin);
 }
 
 double ConeMetric::PlanarAngleOf(int triangle, int corner) const
 {
-  const auto& v = this->AllTriangles[At(triangle)].vertices;
-  const Point& apex = this->Positions[At(v[At(corner)])];
-  return AngleBetween(this->Positions[At(v[At(Next(corner))])] - apex,
-    this->Positions[At(v[At(Next(Next(corner)))])] - apex);
+  const auto& v = this->AllTriangles[Index(triangle)].vertices;
+  const Point& apex = this->Positions[Index(v[Index(corner)])];
+  return AngleBetween(this->Positions[Index(v[Index(NextSide(corner))])] - apex,
+    this->Positions[Index(v[Index(NextSide(NextSide(corner)))])] - apex);
 }
 
 ConeMetric::Side ConeMetric::Across(Side side) const
 {
-  const Triangle& triangle = this->AllTriangles[At(side.triangle)];
-  const int neighbour = triangle.neighbours[At(side.side)];
-  const auto& edges = this->AllTriangles[At(neighbour)].edges;
-  const auto found = std::find(edges.begin(), edges.end(), triangle.edges[At(side.side)]);
+  const Triangle& triangle = this->AllTriangles[Index(side.triangle)];
+  const int neighbour = triangle.neighbours[Index(side.side)];
+  const auto& edges = this->AllTriangles[Index(neighbour)].edges;
+  const auto found = std::find(edges.begin(), edges.end(), triangle.edges[Index(side.side)]);
   return { neighbour, static_cast<int>(found - edges.begin()) };
 }
 
 void ConeMetric::TurnLoop(std::size_t loop, int quarters)
 {
   const Side side = this->AtBoundary(this->Starts[loop]);
-  this->AllTriangles[At(side.triangle)].jumps[At(side.side)] += quarters;
+  this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)] += quarters;
   this->PropagateDirections(this->Starts[loop]);
 }
 
@@ -171,14 +158,14 @@ std::pair<int, int> ConeMetric::NextOnLoop(int entry) const
   int jumps = 0;
   for (;;)
   {
-    side.side = Next(side.side);
-    const Triangle& triangle = this->AllTriangles[At(side.triangle)];
-    const int neighbour = triangle.neighbours[At(side.side)];
+    side.side = NextSide(side.side);
+    const Triangle& triangle = this->AllTriangles[Index(side.triangle)];
+    const int neighbour = triangle.neighbours[Index(side.side)];
     if (neighbour < 0)
     {
       return { -1 - neighbour, jumps };
     }
-    jumps += triangle.jumps[At(side.side)];
+    jumps += triangle.jumps[Index(side.side)];
     side = this->Across(side);
   }
 }
@@ -189,19 +176,19 @@ void ConeMetric::PropagateDirections(int entry)
   const auto directionAt = [this](int i) -> int&
   {
     const Side side = this->AtBoundary(i);
-    return this->AllTriangles[At(side.triangle)].jumps[At(side.side)];
+    return this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)];
   };
   for (int current = entry;;)
   {
     const auto [next, jumps] = this->NextOnLoop(current);
-    const int vertex = this->BoundaryEdges[At(next)].vertices[0];
+    const int vertex = this->BoundaryEdges[Index(next)].vertices[0];
     const int direction = directionAt(current) + 2 - this->QuartersAt(vertex) + jumps;
     if (next == entry)
     {
       if ((direction - directionAt(entry)) % 4 != 0)
       {
         throw Error("The crosses do not close around the boundary loop through " +
-          Describe(this->Positions[At(vertex)]) +
+          Describe(this->Positions[Index(vertex)]) +
           ": the quarter indices of its corners and of the singularities contradict each other; "
           "use a finer mesh.");
       }
@@ -214,19 +201,19 @@ void ConeMetric::PropagateDirections(int entry)
 
 void ConeMetric::Attach(int triangle)
 {
-  const Triangle& here = this->AllTriangles[At(triangle)];
+  const Triangle& here = this->AllTriangles[Index(triangle)];
   for (int i = 0; i < 3; ++i)
   {
-    const int neighbour = here.neighbours[At(i)];
+    const int neighbour = here.neighbours[Index(i)];
     if (neighbour < 0)
     {
-      this->BoundarySides[At(-1 - neighbour)] = { triangle, i };
+      this->BoundarySides[Index(-1 - neighbour)] = { triangle, i };
       continue;
     }
-    Triangle& other = this->AllTriangles[At(neighbour)];
+    Triangle& other = this->AllTriangles[Index(neighbour)];
     for (std::size_t j = 0; j < 3; ++j)
     {
-      if (other.edges[j] == here.edges[At(i)])
+      if (other.edges[j] == here.edges[Index(i)])
       {
         other.neighbours[j] = triangle;
       }
@@ -236,17 +223,17 @@ void ConeMetric::Attach(int triangle)
 
 void ConeMetric::AlignCharts(Side side)
 {
-  const int turn = this->AllTriangles[At(side.triangle)].jumps[At(side.side)];
+  const int turn = this->AllTriangles[Index(side.triangle)].jumps[Index(side.side)];
   const int other = this->Across(side).triangle;
   // Directions in the chart of the other triangle decrease by the jump across the side.
   for (int i = 0; i < 3; ++i)
   {
-    Triangle& turned = this->AllTriangles[At(other)];
-    turned.jumps[At(i)] += turned.neighbours[At(i)] < 0 ? -turn : turn;
-    if (turned.neighbours[At(i)] >= 0)
+    Triangle& turned = this->AllTriangles[Index(other)];
+    turned.jumps[Index(i)] += turned.neighbours[Index(i)] < 0 ? -turn : turn;
+    if (turned.neighbours[Index(i)] >= 0)
     {
       const Side back = this->Across({ other, i });
-      this->AllTriangles[At(back.triangle)].jumps[At(back.side)] -= turn;
+      this->AllTriangles[Index(back.triangle)].jumps[Index(back.side)] -= turn;
     }
   }
 }
@@ -256,12 +243,12 @@ double ConeMetric::LogOtherDiagonal(Side side) const
   // The triangles are (a, b, p) and (b, a, q):
   // |pq|² = (|ap| − |aq|)² + 4 |ap| |aq| sin²(half the angle at a)
   const Side across = this->Across(side);
-  const double angle = this->AnglesOf(side.triangle).angle[At(side.side)] +
-    this->AnglesOf(across.triangle).angle[At(Next(across.side))];
-  const double ap =
-    this->Length(this->AllTriangles[At(side.triangle)].edges[At(Next(Next(side.side)))]);
+  const double angle = this->AnglesOf(side.triangle).angle[Index(side.side)] +
+    this->AnglesOf(across.triangle).angle[Index(NextSide(across.side))];
+  const double ap = this->Length(
+    this->AllTriangles[Index(side.triangle)].edges[Index(NextSide(NextSide(side.side)))]);
   const double aq =
-    this->Length(this->AllTriangles[At(across.triangle)].edges[At(Next(across.side))]);
+    this->Length(this->AllTriangles[Index(across.triangle)].edges[Index(NextSide(across.side))]);
   const double sine = std::sin(0.5 * angle);
   return 0.5 * std::log((ap - aq) * (ap - aq) + 4.0 * ap * aq * sine * sine);
 }
@@ -273,35 +260,35 @@ void ConeMetric::Flip(Side side)
   const int s = side.side;
   const int r = across.side;
   // The triangles are (a, b, p) and (b, a, q), the new ones (p, q, b) and (q, p, a).
-  const Triangle one = this->AllTriangles[At(side.triangle)];
-  const Triangle two = this->AllTriangles[At(across.triangle)];
-  const int edge = one.edges[At(s)];
-  this->Logs[At(edge)] = this->LogOtherDiagonal(side);
+  const Triangle one = this->AllTriangles[Index(side.triangle)];
+  const Triangle two = this->AllTriangles[Index(across.triangle)];
+  const int edge = one.edges[Index(s)];
+  this->Logs[Index(edge)] = this->LogOtherDiagonal(side);
 
   const auto take = [](Triangle& into, int i, const Triangle& from, int j)
   {
-    into.edges[At(i)] = from.edges[At(j)];
-    into.neighbours[At(i)] = from.neighbours[At(j)];
-    into.jumps[At(i)] = from.jumps[At(j)];
+    into.edges[Index(i)] = from.edges[Index(j)];
+    into.neighbours[Index(i)] = from.neighbours[Index(j)];
+    into.jumps[Index(i)] = from.jumps[Index(j)];
   };
-  const int a = one.vertices[At(s)];
-  const int b = one.vertices[At(Next(s))];
-  const int p = one.vertices[At(Next(Next(s)))];
-  const int q = two.vertices[At(Next(Next(r)))];
-  Triangle& first = this->AllTriangles[At(side.triangle)];
+  const int a = one.vertices[Index(s)];
+  const int b = one.vertices[Index(NextSide(s))];
+  const int p = one.vertices[Index(NextSide(NextSide(s)))];
+  const int q = two.vertices[Index(NextSide(NextSide(r)))];
+  Triangle& first = this->AllTriangles[Index(side.triangle)];
   first.vertices = { p, q, b };
   first.edges[0] = edge;
   first.neighbours[0] = across.triangle;
   first.jumps[0] = 0;
-  take(first, 1, two, Next(Next(r)));
-  take(first, 2, one, Next(s));
-  Triangle& second = this->AllTriangles[At(across.triangle)];
+  take(first, 1, two, NextSide(NextSide(r)));
+  take(first, 2, one, NextSide(s));
+  Triangle& second = this->AllTriangles[Index(across.triangle)];
   second.vertices = { q, p, a };
   second.edges[0] = edge;
   second.neighbours[0] = side.triangle;
   second.jumps[0] = 0;
-  take(second, 1, one, Next(Next(s)));
-  take(second, 2, two, Next(r));
+  take(second, 1, one, NextSide(NextSide(s)));
+  take(second, 2, two, NextSide(r));
   for (const int t : { side.triangle, across.triangle })
   {
     this->Attach(t);
@@ -311,20 +298,20 @@ void ConeMetric::Flip(Side side)
 
 void ConeMetric::Split(Side side, double fraction)
 {
-  const int neighbour = this->AllTriangles[At(side.triangle)].neighbours[At(side.side)];
+  const int neighbour = this->AllTriangles[Index(side.triangle)].neighbours[Index(side.side)];
   if (neighbour >= 0)
   {
     this->AlignCharts(side);
   }
   const int s = side.side;
-  const Triangle old = this->AllTriangles[At(side.triangle)];
-  const int a = old.vertices[At(s)];
-  const int b = old.vertices[At(Next(s))];
-  const int edge = old.edges[At(s)];
+  const Triangle old = this->AllTriangles[Index(side.triangle)];
+  const int a = old.vertices[Index(s)];
+  const int b = old.vertices[Index(NextSide(s))];
+  const int edge = old.edges[Index(s)];
   const double length = this->Length(edge);
   const int middle = static_cast<int>(this->Positions.size());
   this->Positions.push_back(
-    (1.0 - fraction) * this->Positions[At(a)] + fraction * this->Positions[At(b)]);
+    (1.0 - fraction) * this->Positions[Index(a)] + fraction * this->Positions[Index(b)]);
   this->Quarters.push_back(neighbour < 0 ? 2 : 4);
   const auto addEdge = [this](double newLength)
   {
@@ -339,28 +326,28 @@ void ConeMetric::Split(Side side, double fraction)
   const auto divide = [&](Side whole, double part, int firstEdge, int secondEdge)
   {
     const int i = whole.side;
-    const int j = Next(i);
-    const int k = Next(j);
-    const Triangle before = this->AllTriangles[At(whole.triangle)];
-    const double toFirst = this->Length(before.edges[At(k)]);
-    const double toSecond = this->Length(before.edges[At(j)]);
+    const int j = NextSide(i);
+    const int k = NextSide(j);
+    const Triangle before = this->AllTriangles[Index(whole.triangle)];
+    const double toFirst = this->Length(before.edges[Index(k)]);
+    const double toSecond = this->Length(before.edges[Index(j)]);
     // Stewart's theorem
     const int cut = addEdge(std::sqrt(std::max(0.0,
       (1.0 - part) * toFirst * toFirst + part * toSecond * toSecond -
         part * (1.0 - part) * length * length)));
     const int added = static_cast<int>(this->AllTriangles.size());
     Triangle second = before;
-    second.vertices[At(i)] = middle;
-    second.edges[At(i)] = secondEdge;
-    second.edges[At(k)] = cut;
-    second.neighbours[At(k)] = whole.triangle;
-    second.jumps[At(k)] = 0;
-    Triangle& first = this->AllTriangles[At(whole.triangle)];
-    first.vertices[At(j)] = middle;
-    first.edges[At(i)] = firstEdge;
-    first.edges[At(j)] = cut;
-    first.neighbours[At(j)] = added;
-    first.jumps[At(j)] = 0;
+    second.vertices[Index(i)] = middle;
+    second.edges[Index(i)] = secondEdge;
+    second.edges[Index(k)] = cut;
+    second.neighbours[Index(k)] = whole.triangle;
+    second.jumps[Index(k)] = 0;
+    Triangle& first = this->AllTriangles[Index(whole.triangle)];
+    first.vertices[Index(j)] = middle;
+    first.edges[Index(i)] = firstEdge;
+    first.edges[Index(j)] = cut;
+    first.neighbours[Index(j)] = added;
+    first.jumps[Index(j)] = 0;
     this->AllTriangles.push_back(second);
     return added;
   };
@@ -369,14 +356,14 @@ void ConeMetric::Split(Side side, double fraction)
   {
     const int entry = -1 - neighbour;
     const int added = divide(side, fraction, edge, half);
-    BoundaryEdge second = this->BoundaryEdges[At(entry)];
+    BoundaryEdge second = this->BoundaryEdges[Index(entry)];
     second.vertices[0] = middle;
-    this->BoundaryEdges[At(entry)].vertices[1] = middle;
-    this->AllTriangles[At(added)].neighbours[At(s)] =
+    this->BoundaryEdges[Index(entry)].vertices[1] = middle;
+    this->AllTriangles[Index(added)].neighbours[Index(s)] =
       -1 - static_cast<int>(this->BoundaryEdges.size());
     this->BoundaryEdges.push_back(second);
     this->BoundarySides.push_back({ added, s });
-    this->Logs[At(edge)] = std::log(fraction * length);
+    this->Logs[Index(edge)] = std::log(fraction * length);
     for (const int t : { side.triangle, added })
     {
       this->Attach(t);
@@ -387,12 +374,12 @@ void ConeMetric::Split(Side side, double fraction)
   const Side across = this->Across(side);
   const int added = divide(side, fraction, edge, half);
   const int addedAcross = divide(across, 1.0 - fraction, half, edge);
-  this->Logs[At(edge)] = std::log(fraction * length);
+  this->Logs[Index(edge)] = std::log(fraction * length);
   // The triangle of the side has the half at a, whose other side is now the added triangle across.
-  this->AllTriangles[At(side.triangle)].neighbours[At(s)] = addedAcross;
-  this->AllTriangles[At(addedAcross)].neighbours[At(across.side)] = side.triangle;
-  this->AllTriangles[At(added)].neighbours[At(s)] = across.triangle;
-  this->AllTriangles[At(across.triangle)].neighbours[At(across.side)] = added;
+  this->AllTriangles[Index(side.triangle)].neighbours[Index(s)] = addedAcross;
+  this->AllTriangles[Index(addedAcross)].neighbours[Index(across.side)] = side.triangle;
+  this->AllTriangles[Index(added)].neighbours[Index(s)] = across.triangle;
+  this->AllTriangles[Index(across.triangle)].neighbours[Index(across.side)] = added;
   for (const int t : { side.triangle, added, across.triangle, addedAcross })
   {
     this->Attach(t);

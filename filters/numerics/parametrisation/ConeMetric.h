@@ -15,6 +15,12 @@ struct MetricAngles
   std::array<double, 3> cotangent{};
 };
 
+/// Returns the side of a triangle after another, counter-clockwise.
+inline int NextSide(int side)
+{
+  return (side + 1) % 3;
+}
+
 /// Returns the angles of a triangle from the logarithms of its sides; side i + 1 is opposite to
 /// vertex i. Those of a triangle that violates the triangle inequality are 0 and π.
 MetricAngles AnglesFromLogLengths(const std::array<double, 3>& logs);

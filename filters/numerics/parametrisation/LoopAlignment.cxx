@@ -50,7 +50,7 @@ public:
       return;
     }
     // Between consecutive sides the direction turns by π minus the angle at their common vertex.
-    const bool forward = to == (from + 1) % 3;
+    const bool forward = to == NextSide(from);
     const int corner = forward ? to : from;
     const double sign = forward ? 1.0 : -1.0;
     this->Direction += sign * (Pi - this->Derivatives.AnglesOf(triangle).angle[Index(corner)]);

@@ -24,11 +24,6 @@ constexpr double SmallestFraction = 0.2;
 /// Least angle of new triangles in the plane, radians.
 constexpr double LeastPlanarAngle = 0.06;
 
-int Next(int side)
-{
-  return (side + 1) % 3;
-}
-
 std::vector<int> CountTriangles(const ConeMetric& metric)
 {
   std::vector<int> counts(metric.Points().size(), 0);
@@ -124,7 +119,7 @@ int FlipEdges(ConeMetric& metric, std::vector<int>& counts)
         }
         const auto old = metric.Triangles()[Index(t)].vertices;
         --counts[Index(old[Index(i)])];
-        --counts[Index(old[Index(Next(i))])];
+        --counts[Index(old[Index(NextSide(i))])];
         metric.Flip({ t, i });
         // Vertices 0 and 1 are those of the new edge.
         ++counts[Index(metric.Triangles()[Index(t)].vertices[0])];
@@ -148,10 +143,10 @@ int SplitSides(ConeMetric& metric, int maximum)
     const auto largest = std::max_element(angles.angle.begin(), angles.angle.end());
     if (*largest > SplitAngle)
     {
-      const int side = Next(static_cast<int>(largest - angles.angle.begin()));
+      const int side = NextSide(static_cast<int>(largest - angles.angle.begin()));
       // The foot divides the side in proportion to the cotangents at its ends.
       const double first = angles.cotangent[Index(side)];
-      const double second = angles.cotangent[Index(Next(side))];
+      const double second = angles.cotangent[Index(NextSide(side))];
       metric.Split({ t, side },
         std::clamp(first / (first + second), SmallestFraction, 1.0 - SmallestFraction));
       ++splits;
@@ -182,7 +177,7 @@ RemeshingCount SplitNarrowFans(ConeMetric& metric)
           if (here > angle)
           {
             angle = here;
-            widest = { t, Next(corner) };
+            widest = { t, NextSide(corner) };
           }
         }
       }

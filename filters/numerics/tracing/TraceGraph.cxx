@@ -164,15 +164,33 @@ private:
     this->Enter(number);
   }
 
+  /// Throws Error if separatrices wind around a narrow part of the map again and again.
+  void RequireProgress(const LineSegment& segment) const
+  {
+    // Per triangle of the mesh. Hundreds of separatrices cross a triangle ten times on average.
+    constexpr std::size_t MaximumComparisons = 2000;
+    if (this->Comparisons > MaximumComparisons * this->Latest.size())
+    {
+      throw CoarseMeshError("The separatrices of the seamless map wind around a narrow part of the "
+                            "domain near " +
+        Describe(
+          this->Topology.PointAt(this->Topology.mesh.triangles[Index(segment.triangle)][0])) +
+        " too often to be traced; use a finer mesh, or move singularities away from each other and "
+        "from the boundary.");
+    }
+  }
+
   /// Finds the separatrices that one meets in the triangle that it has entered.
   void Enter(int number)
   {
     const TracedSeparatrix& line = this->Graph.separatrices[Index(number)];
     const auto segment = static_cast<int>(line.segments.size()) - 1;
     const LineSegment& mine = line.segments.back();
+    this->RequireProgress(mine);
     for (int e = this->Latest[Index(mine.triangle)]; e >= 0; e = this->Entries[Index(e)].next)
     {
       const Entry& entry = this->Entries[Index(e)];
+      ++this->Comparisons;
       const LineSegment& theirs =
         this->Graph.separatrices[Index(entry.line)].segments[Index(entry.segment)];
       if ((mine.direction - theirs.direction) % 2 != 0)
@@ -371,7 +389,8 @@ private:
   const LineWalk Walk;
   const double Extent;
   const double Tolerance;
-  std::vector<int> Latest; ///< Latest entry of every triangle.
+  std::vector<int> Latest;     ///< Latest entry of every triangle.
+  std::size_t Comparisons = 0; ///< Of segments in the same triangle.
   std::vector<Entry> Entries;
   std::priority_queue<Event> Events;
   std::vector<int> PositionOfEdge;
