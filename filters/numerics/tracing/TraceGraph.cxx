@@ -167,8 +167,8 @@ private:
   /// Throws Error if separatrices wind around a narrow part of the map again and again.
   void RequireProgress(const LineSegment& segment) const
   {
-    // Per triangle of the mesh. Hundreds of separatrices cross a triangle ten times on average.
-    constexpr std::size_t MaximumComparisons = 2000;
+    // Per triangle of the mesh; 70 random rings and plates need at most 1.
+    constexpr std::size_t MaximumComparisons = 500;
     if (this->Comparisons > MaximumComparisons * this->Latest.size())
     {
       throw CoarseMeshError("The separatrices of the seamless map wind around a narrow part of the "
