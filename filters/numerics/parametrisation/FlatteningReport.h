@@ -32,8 +32,8 @@ struct FlatteningReport
   }
 };
 
-/// Predicted stretch above which meshes of random configurations have a minimum scaled Jacobian
-/// below 0.3 in most cases.
+/// Predicted stretch above which users are warned, |μ| = 1/3. Of 54 random rings 3 of the 9 above it
+/// have a minimum scaled Jacobian below 0.3, and 10 of the 45 below it.
 constexpr double NoticeableStretch = 2.0;
 
 /// Returns a sentence about the predicted stretch and the inner loop with the largest defect; empty

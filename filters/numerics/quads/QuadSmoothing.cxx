@@ -151,7 +151,7 @@ private:
   int Untangle(QuadEnergy& energy, QuadDescent& descent, Eigen::VectorXd& unknowns,
     const Progress& progress) const
   {
-    // Of 200 meshes that can be untangled all but a few take less than 40 rounds.
+    // χ decreases by a tenth at least per round: to 2e-3 of its start in all.
     constexpr int Rounds = 60;
     constexpr DescentLimits limits = { 100, 0.0, 1e-6 };
     constexpr double SmallestDecrease = 0.1;
