@@ -47,8 +47,8 @@
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner loop,
- * radians), `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in choosing singularities, one sentence each; empty where they
- * were given).
+ * radians), `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions
+ * made in choosing singularities, one sentence each; empty where they were given).
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
  * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with

@@ -10,8 +10,8 @@ namespace crossfield
 ///
 /// The local width at a point of the boundary is the distance to the nearest boundary on the
 /// opposite side: another loop, or a part of the same loop that is at least four times as far away
-/// along the loop. Near a single sharp corner no width is measured. Sources are at most a local width apart, and no size is below `smallest`. The
-/// result is empty if no part is narrow.
+/// along the loop. Near a single sharp corner no width is measured. Sources are at most a local
+/// width apart, and no size is below `smallest`. The result is empty if no part is narrow.
 std::vector<SizeSource> FindNarrowParts(
   const PlanarDomain& domain, const SizeField& size, double edgesAcross, double smallest);
 }

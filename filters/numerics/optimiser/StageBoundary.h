@@ -29,7 +29,8 @@ struct BoundaryVertices
   bool IsSmooth(const Point& position) const;
 };
 
-/// Returns the row of the singularity within a distance of a point, or the number of rows if there is none.
+/// Returns the row of the singularity within a distance of a point, or the number of rows if there
+/// is none.
 std::size_t RowAt(const Configuration& configuration, const Point& position, double reach);
 
 /// Returns the configuration in which the quarter index of one row is added to that of boundary

@@ -121,13 +121,6 @@ double ConeMetric::AreaOf(int triangle) const
     std::sin(this->AnglesOf(triangle).angle[0]);
 }
 
-double ConeMetric::PlanarAreaOf(int triangle) const
-{
-  const auto& v = this->AllTriangles[Index(triangle)].vertices;
-  const Point& origin = this->Positions[Index(v[0])];
-  return 0.5 * Cross(this->Positions[Index(v[1])] - origin, this->Positions[Index(v[2])] - origin);
-}
-
 double ConeMetric::PlanarAngleOf(int triangle, int corner) const
 {
   const auto& v = this->AllTriangles[Index(triangle)].vertices;
@@ -265,28 +258,30 @@ void ConeMetric::Flip(Side side)
   const int edge = one.edges[Index(s)];
   this->Logs[Index(edge)] = this->LogOtherDiagonal(side);
 
+  const int a = one.vertices[Index(s)];
+  const int b = one.vertices[Index(NextSide(s))];
+  const int p = one.vertices[Index(NextSide(NextSide(s)))];
+  const int q = two.vertices[Index(NextSide(NextSide(r)))];
   const auto take = [](Triangle& into, int i, const Triangle& from, int j)
   {
     into.edges[Index(i)] = from.edges[Index(j)];
     into.neighbours[Index(i)] = from.neighbours[Index(j)];
     into.jumps[Index(i)] = from.jumps[Index(j)];
   };
-  const int a = one.vertices[Index(s)];
-  const int b = one.vertices[Index(NextSide(s))];
-  const int p = one.vertices[Index(NextSide(NextSide(s)))];
-  const int q = two.vertices[Index(NextSide(NextSide(r)))];
-  Triangle& first = this->AllTriangles[Index(side.triangle)];
-  first.vertices = { p, q, b };
-  first.edges[0] = edge;
-  first.neighbours[0] = across.triangle;
-  first.jumps[0] = 0;
+  // Sets a triangle with the new edge as side 0.
+  const auto set = [&](int t, int neighbour, const std::array<int, 3>& vertices) -> Triangle&
+  {
+    Triangle& triangle = this->AllTriangles[Index(t)];
+    triangle.vertices = vertices;
+    triangle.edges[0] = edge;
+    triangle.neighbours[0] = neighbour;
+    triangle.jumps[0] = 0;
+    return triangle;
+  };
+  Triangle& first = set(side.triangle, across.triangle, { p, q, b });
   take(first, 1, two, NextSide(NextSide(r)));
   take(first, 2, one, NextSide(s));
-  Triangle& second = this->AllTriangles[Index(across.triangle)];
-  second.vertices = { q, p, a };
-  second.edges[0] = edge;
-  second.neighbours[0] = side.triangle;
-  second.jumps[0] = 0;
+  Triangle& second = set(across.triangle, side.triangle, { q, p, a });
   take(second, 1, one, NextSide(NextSide(s)));
   take(second, 2, two, NextSide(r));
   for (const int t : { side.triangle, across.triangle })

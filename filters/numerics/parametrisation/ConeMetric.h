@@ -80,8 +80,6 @@ public:
   bool IsValid() const;
   /// Returns the area of a triangle in the metric.
   double AreaOf(int triangle) const;
-  /// Returns the area of a triangle in the plane.
-  double PlanarAreaOf(int triangle) const;
   /// Returns the angle of a corner of a triangle in the plane.
   double PlanarAngleOf(int triangle, int corner) const;
   /// Returns the side of the neighbour across a side.

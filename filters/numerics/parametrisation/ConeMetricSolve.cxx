@@ -69,11 +69,12 @@ public:
         this->Report.converged = true;
         return this->Report;
       }
-      if (!this->Step(derivatives, angles, alignment) && !this->Remesh())
+      const bool hasMoved = this->Step(derivatives, angles, alignment);
+      const bool hasChanged = this->Remesh();
+      if (!hasMoved && !hasChanged)
       {
         return this->Report;
       }
-      this->Remesh();
     }
     return this->Report;
   }

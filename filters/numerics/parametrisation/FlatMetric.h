@@ -14,9 +14,9 @@ struct FlattenedTargets
 };
 
 /// Flattens the metric e^{−2H} |dz|² of frames with a holonomy defect (docs/method.md §12.4 to
-/// §12.7) and lays it out, on another triangulation if flips and splits are needed. If the strains
-/// do not converge with the quantile 0.3 it is tried again with 0.7. `report.converged` is set
-/// if the targets can be used.
+/// §12.7) and returns its layout, on another triangulation if flips and splits are needed. If the
+/// strains do not converge with the quantile 0.3 it is tried again with 0.7. `report.converged` is
+/// set if the targets can be used.
 FlattenedTargets FlattenFrames(const SharedTopology& topology, const TriangleFrames& frames,
   const std::vector<Cone>& cones, const Progress& progress = {});
 }

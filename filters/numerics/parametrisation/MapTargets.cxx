@@ -1,6 +1,7 @@
 #include "MapTargets.h"
 
 #include "Index.h"
+#include "TriangleArea.h"
 
 #include <cmath>
 
@@ -68,7 +69,8 @@ MapTargets LayOut(const ConeMetric& metric)
     corners.row(2) =
       metric.Length(triangle.edges[2]) * Point(std::cos(toThird), std::sin(toThird)).transpose();
     result.poisson.target.push_back(corners);
-    result.poisson.weights.push_back(metric.PlanarAreaOf(t) / metric.AreaOf(t));
+    result.poisson.weights.push_back(
+      TriangleArea(metric.Points(), triangle.vertices) / metric.AreaOf(t));
   }
   LimitWeights(result.poisson.weights);
   result.topology = ShareTopology(std::move(mesh));

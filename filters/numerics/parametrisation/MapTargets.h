@@ -14,7 +14,7 @@ struct MapTargets
   SeamlessPoisson poisson;
 };
 
-/// Lays out the triangles of a metric whose angle sums and alignments are as prescribed: the targets
+/// Returns the layout of a metric whose angle sums and alignments are as prescribed, as targets: they
 /// are isometric to it, so the seamless map with them is their layout, on the triangulation of the
 /// metric (docs/method.md §12.7).
 MapTargets LayOut(const ConeMetric& metric);

@@ -55,9 +55,10 @@ struct Cone
 };
 
 /// The seamless map of a cross field: w = u + iv with dw = e^{−(H + iθ)} dz on the mesh cut open
-/// (docs/method.md §12), or the nearest map if inner loops have a holonomy defect. In the map crosses are parallel to the axes and sides of the boundary are
-/// axis-parallel segments; across a seam w changes by quarter turns and a translation. Every
-/// singularity is a cone of angle (4 − k) π/2, every corner one of (2 − k) π/2.
+/// (docs/method.md §12), or the nearest map if inner loops have a holonomy defect. In the map
+/// crosses are parallel to the axes and sides of the boundary are axis-parallel segments; across a
+/// seam w changes by quarter turns and a translation. Every singularity is a cone of angle
+/// (4 − k) π/2, every corner one of (2 − k) π/2.
 struct SeamlessMap
 {
   SharedTopology topology;

@@ -16,8 +16,8 @@ namespace crossfield
 /// It depends on the mesh alone. Corners, quarter indices and the alignment of the boundary come
 /// with the right-hand sides, so any number of problems share one factor.
 ///
-/// The responses of holes and of periods and the Dirichlet solver are made when they are first used. Every member
-/// function may be called from several threads at once.
+/// The responses of holes and of periods and the Dirichlet solver are made when they are first used.
+/// Every member function may be called from several threads at once.
 class PotentialSolver
 {
 public:
