@@ -13,62 +13,114 @@ namespace
 /// with lengths that do not jump at the start of the loop.
 struct Run
 {
-  int loop = 0;
   std::vector<int> points;
   std::vector<double> at;
+  std::vector<double> ideal; ///< Its edges in proportion to their target lengths.
+  double loop = 0.0;         ///< Length of the loop.
 };
+
+/// The boundary edge that starts at a point.
+struct Step
+{
+  int next = -1;
+  double target = 0.0;
+};
+
+std::vector<Step> StepsOf(const QuadMesh& mesh)
+{
+  std::vector<Step> steps(mesh.points.size());
+  const std::vector<int> twins = mesh.Twins();
+  for (std::size_t side = 0; side < twins.size(); ++side)
+  {
+    if (twins[side] < 0)
+    {
+      const std::array<int, 4>& quad = mesh.quads[side / 4];
+      steps[Index(quad[side % 4])] = { quad[(side + 1) % 4],
+        mesh.targetLengths[side / 4][side % 2] };
+    }
+  }
+  return steps;
+}
+
+/// Sets the lengths of a run: forwards from place to place, if that leads around the loop at most
+/// once, otherwise those of LengthAlong.
+void Unwrap(const std::vector<CurvePlace>& places, Run& run)
+{
+  const auto forwards = [&run](double length)
+  { return length - run.loop * std::floor(length / run.loop); };
+  const double once = places.back().at == places.front().at
+    ? run.loop
+    : forwards(places.back().at - places.front().at);
+  run.at = { places.front().at };
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    run.at.push_back(run.at.back() + forwards(places[i].at - places[i - 1].at));
+  }
+  // Out of order, the edges go around once more for every edge that leads backwards.
+  if (run.at.back() - run.at.front() > once + 0.5 * run.loop)
+  {
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      run.at[i] = run.at[i - 1] + LengthAlong(places[i - 1], places[i], run.loop);
+    }
+  }
+  run.at.back() = run.at.front() + once;
+}
 
 /// Follows the boundary from a point to the next fixed point, or back to it.
 Run FollowFrom(
-  int start, const std::vector<int>& next, const QuadMesh& mesh, const BoundaryCurves& curves)
+  int start, const std::vector<Step>& steps, const QuadMesh& mesh, const BoundaryCurves& curves)
 {
-  const CurvePlace& first = mesh.points[Index(start)].curve;
-  const double loop = curves.Length(first.loop);
-  Run run{ first.loop, { start }, { first.at } };
-  for (int point = start;;)
+  Run run;
+  run.loop = curves.Length(mesh.points[Index(start)].curve.loop);
+  run.points = { start };
+  std::vector<CurvePlace> places = { mesh.points[Index(start)].curve };
+  std::vector<double> targets = { 0.0 };
+  do
   {
-    const int following = next[Index(point)];
-    run.at.push_back(run.at.back() +
-      LengthAlong(mesh.points[Index(point)].curve, mesh.points[Index(following)].curve, loop));
-    run.points.push_back(following);
-    point = following;
-    if (point == start || mesh.points[Index(point)].fixed)
-    {
-      break;
-    }
-  }
-  if (run.points.back() == start)
+    const Step& step = steps[Index(run.points.back())];
+    run.points.push_back(step.next);
+    places.push_back(mesh.points[Index(step.next)].curve);
+    targets.push_back(targets.back() + step.target);
+  } while (run.points.back() != start && !mesh.points[Index(run.points.back())].fixed);
+  Unwrap(places, run);
+  for (const double target : targets)
   {
-    run.at.back() = run.at.front() + loop;
+    run.ideal.push_back(
+      run.at.front() + (run.at.back() - run.at.front()) * target / targets.back());
   }
   return run;
 }
 
-/// Puts the lengths of a run in order. Its ends stay. Returns whether it had to change them.
-bool Order(Run& run)
+/// Returns whether every edge of a run is at least a part of its ideal length and, with part > 0,
+/// not too long.
+bool IsSpread(const Run& run, double part)
 {
-  const std::vector<double> given = run.at;
-  const auto edges = static_cast<double>(given.size() - 1);
-  const double mean = (given.back() - given.front()) / edges;
-  // Shortest edge, relative to the mean, of a run that has to be changed.
-  constexpr double Shortest = 0.1;
-  const auto isOrdered = [&run](double shortest)
+  for (std::size_t i = 1; i < run.at.size(); ++i)
   {
-    return std::adjacent_find(run.at.begin(), run.at.end(),
-             [&](double a, double b) { return b - a < shortest; }) == run.at.end();
-  };
-  if (isOrdered(0.0))
-  {
-    return false;
-  }
-  for (double part = 0.1; !isOrdered(Shortest * mean) && part < 1.05; part += 0.1)
-  {
-    for (std::size_t i = 0; i < given.size(); ++i)
+    const double length = run.at[i] - run.at[i - 1];
+    if (length < part * (run.ideal[i] - run.ideal[i - 1]) ||
+      (part > 0.0 && length > 0.9 * LongestPartOfLoop * run.loop))
     {
-      run.at[i] = (1.0 - part) * given[i] + part * (given.front() + mean * static_cast<double>(i));
+      return false;
     }
   }
   return true;
+}
+
+/// Moves the lengths of a run towards the ideal ones until they are spread. Its ends stay.
+void Spread(Run& run)
+{
+  // Shortest edge, relative to the ideal one, of a run that has to be changed.
+  constexpr double Shortest = 0.1;
+  const std::vector<double> given = run.at;
+  for (double part = 0.1; !IsSpread(run, Shortest) && part < 1.05; part += 0.1)
+  {
+    for (std::size_t i = 0; i < given.size(); ++i)
+    {
+      run.at[i] = (1.0 - part) * given[i] + part * run.ideal[i];
+    }
+  }
 }
 }
 
@@ -79,23 +131,23 @@ double LengthAlong(const CurvePlace& from, const CurvePlace& to, double loop)
   return length - loop * std::floor(length / loop + Shift);
 }
 
-void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves)
+void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shortest)
 {
-  std::vector<int> next(mesh.points.size(), -1);
-  for (const QuadBoundaryEdge& edge : mesh.boundary)
-  {
-    next[Index(edge.points[0])] = edge.points[1];
-  }
+  const std::vector<Step> steps = StepsOf(mesh);
   std::vector<bool> done(mesh.points.size(), false);
   const auto order = [&](int start)
   {
-    Run run = FollowFrom(start, next, mesh, curves);
-    const bool changed = Order(run);
+    Run run = FollowFrom(start, steps, mesh, curves);
+    const bool changes = !IsSpread(run, shortest);
+    if (changes)
+    {
+      Spread(run);
+    }
     for (std::size_t i = 0; i + 1 < run.points.size(); ++i)
     {
       QuadPoint& point = mesh.points[Index(run.points[i])];
       done[Index(run.points[i])] = true;
-      if (changed && i > 0)
+      if (changes && i > 0)
       {
         point.curve.at = run.at[i];
         point.place = curves.At(point.curve);
@@ -104,9 +156,9 @@ void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves)
   };
   for (const bool fixed : { true, false })
   {
-    for (int point = 0; point < static_cast<int>(next.size()); ++point)
+    for (int point = 0; point < static_cast<int>(steps.size()); ++point)
     {
-      if (next[Index(point)] >= 0 && mesh.points[Index(point)].fixed == fixed &&
+      if (steps[Index(point)].next >= 0 && mesh.points[Index(point)].fixed == fixed &&
         !done[Index(point)])
       {
         order(point);

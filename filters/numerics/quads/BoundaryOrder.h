@@ -4,12 +4,18 @@
 
 namespace crossfield
 {
+/// Part of a loop that a sliding boundary edge must not reach: the chord of a longer one would cross
+/// the hole. Four edges, the fewest of a loop, need less.
+constexpr double LongestPartOfLoop = 0.5;
+
 /// Returns the length from one position to the next along a loop of length `loop`, between −0.2 and
 /// 0.8 of it: few edges may share a loop, and positions may be in the wrong order, but not by much.
 double LengthAlong(const CurvePlace& from, const CurvePlace& to, double loop);
 
-/// Moves the points of boundary edges that run backwards, which can happen where arcs of the T-mesh
-/// have no edge: between two fixed points, positions are the mean of those given and of equidistant
-/// ones, with as little of the latter as it takes. Points in the right order do not move.
-void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves);
+/// Moves points of the boundary apart that are in the wrong order, which can happen where arcs of
+/// the T-mesh have no edge, or whose edges are shorter than the part `shortest` of their ideal
+/// length, or, with shortest > 0, longer than LongestPartOfLoop. Ideal lengths are in proportion to
+/// target lengths between two fixed points. Positions are the mean of those given and of ideal
+/// ones, with as little of the latter as it takes. Other points do not move.
+void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shortest = 0.0);
 }

@@ -16,6 +16,9 @@ namespace
 /// Minimum number of quads for two threads: their energy takes a millisecond.
 constexpr std::size_t MinimumQuadsForTwoThreads = 20000;
 
+/// Part of a loop up to which an edge is not penalised: that of eight equal edges.
+constexpr double Free = 0.125;
+
 /// The sides of a quad divided by their target lengths, two in each direction. Corner (i, j) is
 /// between a_i and b_j.
 struct QuadFrame
@@ -285,7 +288,8 @@ void QuadEnergy::HoldOrderOnBoundary()
       (isFixed[Index(to)] ? 0.0 : end.at) - (isFixed[Index(from)] ? 0.0 : start.at);
     this->BoundaryTerms.push_back(
       { isFixed[Index(from)] ? -1 : FirstUnknown(from), isFixed[Index(to)] ? -1 : FirstUnknown(to),
-        length - moving, 1.0 / this->Mesh.targetLengths[q][Index(side % 2)] });
+        length - moving, 1.0 / this->Mesh.targetLengths[q][Index(side % 2)],
+        length < LongestPartOfLoop * loop ? 1.0 / loop : 0.0 });
   }
 }
 
@@ -296,15 +300,20 @@ double QuadEnergy::BoundaryValue(const Eigen::VectorXd& unknowns, Eigen::VectorX
   double energy = 0.0;
   for (const BoundaryTerm& term : this->BoundaryTerms)
   {
-    const double length = term.inverse * (at(term.to) - at(term.from) + term.offset);
-    if (!(length > 0.0))
+    const double along = at(term.to) - at(term.from) + term.offset;
+    const double length = term.inverse * along;
+    const double excess =
+      std::max(0.0, (term.inverseLoop * along - Free) / (LongestPartOfLoop - Free));
+    if (!(length > 0.0) || !(excess < 1.0))
     {
       return std::numeric_limits<double>::infinity();
     }
-    energy += length + 1.0 / length;
+    energy += length + 1.0 / length + excess * excess * excess / (1.0 - excess);
     if (gradient != nullptr)
     {
-      const double slope = term.inverse * (1.0 - 1.0 / (length * length));
+      const double slope = term.inverse * (1.0 - 1.0 / (length * length)) +
+        term.inverseLoop / (LongestPartOfLoop - Free) * excess * excess * (3.0 - 2.0 * excess) /
+          ((1.0 - excess) * (1.0 - excess));
       if (term.to >= 0)
       {
         (*gradient)[term.to] += slope;

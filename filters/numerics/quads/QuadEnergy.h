@@ -33,9 +33,10 @@ public:
   /// Returns the unknowns of the mesh as it is.
   Eigen::VectorXd Unknowns() const;
   void SetPower(double power) { this->Power = power; }
-  /// Adds d + 1/d per boundary edge, d its length along the boundary over the target: points that
-  /// slide along the boundary keep their order and do not leave it to one long edge. No effect if
-  /// they are not in order.
+  /// Adds d + 1/d + t³ / (1 − t) per boundary edge, d its length along the boundary over the
+  /// target, t = max(0, (c − 1/8) / (LongestPartOfLoop − 1/8)), c its part of the loop: points that
+  /// slide along the boundary keep their order, and no edge leads around so much of a loop. No
+  /// effect if they are not in order; no t if an edge is too long at the start.
   void HoldOrderOnBoundary();
   /// Subtracts tilt · (unknowns − origin) from the energy, to prescribe the gradient at the origin.
   void Tilt(const Eigen::VectorXd& tilt, const Eigen::VectorXd& origin);
@@ -63,6 +64,7 @@ private:
     Eigen::Index to;
     double offset;
     double inverse;
+    double inverseLoop; ///< 1 / (length of the loop); 0 if the edge is longer.
   };
 
   /// Returns the energy of the boundary edges, infinite if they are not in order, and adds its

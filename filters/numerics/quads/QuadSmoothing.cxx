@@ -1,10 +1,13 @@
 #include "QuadSmoothing.h"
 
+#include "BoundaryOrder.h"
 #include "QuadDescent.h"
 #include "QuadPart.h"
 #include "QuadQuality.h"
+#include "QuadSizes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -211,25 +214,88 @@ private:
   const double SizePart;
 };
 
-std::ptrdiff_t CountInverted(const QuadMesh& mesh)
+/// How good a mesh is: first by the number of inverted quads, then by the minimum scaled Jacobian.
+struct Rank
 {
-  std::ptrdiff_t count = 0;
+  int inverted = 0;
+  double minimum = 1.0;
+
+  bool IsBetterThan(const Rank& other) const
+  {
+    return this->inverted != other.inverted ? this->inverted < other.inverted
+                                            : this->minimum > other.minimum;
+  }
+};
+
+Rank RankOf(const QuadMesh& mesh)
+{
+  Rank rank;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
-    count += ScaledJacobian(mesh, q) <= 0.0 ? 1 : 0;
+    const double jacobian = ScaledJacobian(mesh, q);
+    rank.inverted += jacobian <= 0.0 ? 1 : 0;
+    rank.minimum = std::min(rank.minimum, jacobian);
   }
-  return count;
+  return rank;
 }
 
-double MinimumJacobian(const QuadMesh& mesh)
+/// Improves the worst quads where target lengths cannot be met: with the lengths that the mesh has
+/// as targets, right angles count and sizes follow.
+class ShapeSearch
 {
-  double worst = 1.0;
-  for (std::size_t q = 0; q < mesh.quads.size(); ++q)
+public:
+  ShapeSearch(const Smoother& smoother, const Level& level)
+    : Shapes(smoother)
+    , At(level)
+    , Targets(level.mesh.targetLengths)
+    , Best(RankOf(level.mesh))
+    , Points(level.mesh.points)
   {
-    worst = std::min(worst, ScaledJacobian(mesh, q));
   }
-  return worst;
-}
+
+  /// Smooths while the worst quad is poor. The mesh ends with the points of the best one found and
+  /// its own target lengths. Returns the number of steps.
+  int Run(const Progress& progress)
+  {
+    // Part of the attainable minimum scaled Jacobian below which sizes give way to shapes.
+    constexpr double Poor = 0.8;
+    // Later rounds gain less than a tenth of what these gain.
+    constexpr int Rounds = 2;
+    QuadMesh& mesh = this->At.mesh;
+    // With many quads, only to untangle: powers need hundreds of steps of the whole mesh.
+    const bool large = mesh.quads.size() > MaximumAlone;
+    const double enough = large ? 0.0 : Poor * AttainableJacobian(mesh);
+    int steps = 0;
+    for (int round = 0; round < 2 * Rounds && this->Best.minimum <= enough; ++round)
+    {
+      SetMeasuredLengths(mesh);
+      const Progress part = progress.Part(0.5 * round / Rounds, 0.5 * (round + 1.0) / Rounds);
+      steps +=
+        round < Rounds ? this->Shapes.Smooth(this->At, {}, part) : this->Shapes.Even(mesh, part);
+      this->Keep();
+    }
+    mesh.points = this->Points;
+    mesh.targetLengths = this->Targets;
+    return steps;
+  }
+
+private:
+  void Keep()
+  {
+    const Rank rank = RankOf(this->At.mesh);
+    if (rank.IsBetterThan(this->Best))
+    {
+      this->Best = rank;
+      this->Points = this->At.mesh.points;
+    }
+  }
+
+  const Smoother& Shapes;
+  const Level& At;
+  const std::vector<std::array<double, 2>> Targets;
+  Rank Best;
+  std::vector<QuadPoint> Points;
+};
 
 /// Smooths for uniform sizes. Displacements are large, so a coarser mesh is smoothed first, with
 /// singularities fixed and then free. Returns the number of steps on the mesh itself.
@@ -250,7 +316,7 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progre
       released.Displace(level, coarse.Interpolate(curves, after - before));
       const int steps = released.Smooth(level, {}, progress.Part(0.4, 1.0));
       released.SmoothNearCones(level.mesh);
-      if (MinimumJacobian(level.mesh) > 0.0)
+      if (RankOf(level.mesh).inverted == 0)
       {
         return steps;
       }
@@ -272,39 +338,43 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const std::vector<double> weights(mesh.quads.size(), 1.0);
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
-  const double minimumAtStart = MinimumJacobian(mesh);
-  const std::ptrdiff_t invertedAtStart = CountInverted(mesh);
+  const Rank rankAtStart = RankOf(mesh);
+  if (rankAtStart.inverted > 0)
+  {
+    // Points that nearly coincide on the boundary would hardly move apart while quads untangle.
+    constexpr double Shortest = 0.1;
+    OrderOnBoundary(mesh, curves, Shortest);
+  }
+  const std::vector<QuadPoint> ordered = mesh.points;
+  const double sizePart = uniform ? UniformSizePart : SizePart;
+  const Smoother fixed(curves, false, sizePart);
+  const Smoother released(curves, true, sizePart);
   if (uniform)
   {
-    report.iterations = SmoothUniform(level, curves, progress);
+    report.iterations = SmoothUniform(level, curves, progress.Part(0.0, 0.6));
     report.released = true;
   }
   else
   {
-    const Smoother fixed(curves, false, SizePart);
     report.iterations = fixed.Smooth(level, {}, progress.Part(0.0, 0.6));
     if (large)
     {
       fixed.SmoothNearCones(mesh);
     }
-    if (minimumAtStart <= 0.0 && MinimumJacobian(mesh) <= 0.0)
-    {
-      const Smoother released(curves, true, SizePart);
-      report.iterations += released.Smooth(level, {}, progress.Part(0.6, 1.0));
-      report.released = true;
-    }
   }
-  // Below this part of what is attainable, shapes are improved at the cost of the mean.
-  constexpr double Poor = 0.5;
-  if (!large && MinimumJacobian(mesh) < Poor * AttainableJacobian(mesh))
+  report.iterations +=
+    ShapeSearch(report.released ? released : fixed, level).Run(progress.Part(0.6, 0.8));
+  if (!report.released && rankAtStart.inverted > 0 && RankOf(mesh).inverted > 0)
   {
-    const Smoother smoother(curves, report.released, uniform ? UniformSizePart : SizePart);
-    report.iterations += smoother.Even(mesh, progress.Part(0.9, 1.0));
+    report.released = true;
+    mesh.points = ordered; // moves of the first attempt are in the way
+    report.iterations += released.Smooth(level, {}, progress.Part(0.8, 0.9));
+    report.iterations += ShapeSearch(released, level).Run(progress.Part(0.9, 1.0));
   }
-  const double minimum = MinimumJacobian(mesh);
-  const std::ptrdiff_t inverted = CountInverted(mesh);
-  if (invertedAtStart < inverted ||
-    (invertedAtStart == inverted && minimumAtStart > minimum && (!uniform || minimum <= 0.0)))
+  const Rank rank = RankOf(mesh);
+  if (rankAtStart.inverted < rank.inverted ||
+    (rankAtStart.inverted == rank.inverted && rankAtStart.minimum > rank.minimum &&
+      (!uniform || rank.minimum <= 0.0)))
   {
     mesh.points = start;
     report.keptStart = true;

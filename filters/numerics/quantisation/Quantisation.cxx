@@ -17,7 +17,7 @@ namespace crossfield
 {
 namespace
 {
-/// Returns counts of at least one edge everywhere, and at least three around every loop, so that no
+/// Returns counts of at least one edge everywhere, and at least MinimumLoop around every loop, so that no
 /// points coincide.
 EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
 {

@@ -4,8 +4,9 @@
 
 namespace crossfield
 {
-/// Minimum number of edges of a boundary loop of a mesh: with fewer it is no polygon.
-constexpr int MinimumLoop = 3;
+/// Minimum number of edges of a boundary loop of a mesh: with three, corners of quads at a round
+/// hole would have 150° at least.
+constexpr int MinimumLoop = 4;
 
 /// A set of arcs at least one of which needs more edges.
 struct Violation
@@ -28,6 +29,6 @@ SeparationRow MakeSeparationRowFor(const std::vector<int>& best, const Violation
 /// Finds points that coincide but must not (docs/method.md §14.3): two cones, a singularity and the
 /// boundary, or points of the boundary that boundary arcs without edges do not join. There is one
 /// violation per class of coincident points, with the arcs on the shortest path between two of
-/// them, and one per boundary loop with fewer than three edges.
+/// them, and one per boundary loop with fewer than MinimumLoop edges.
 std::vector<Violation> FindViolations(const TMesh& mesh, const std::vector<int>& counts);
 }

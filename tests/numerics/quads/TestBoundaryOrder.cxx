@@ -5,10 +5,12 @@
 #include "MeshForPoints.h"
 #include "QuadEnergy.h"
 #include "QuadMesher.h"
+#include "QuadSizes.h"
 #include "SeamlessMapSolve.h"
 #include "Support.h"
 #include "TMeshPatches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -158,7 +160,7 @@ TEST(QuadEnergy, PowersKeepTheMinimum)
   }
 }
 
-/// Adds d + 1/d per boundary edge, and is infinite where edges run backwards.
+/// Adds d + 1/d + t³ / (1 − t) per boundary edge, and is infinite where edges run backwards.
 TEST(QuadEnergy, HoldsTheOrderOnTheBoundary)
 {
   for (const SeamlessMap& map : { MapOfL(), MapOfRing() })
@@ -177,10 +179,13 @@ TEST(QuadEnergy, HoldsTheOrderOnTheBoundary)
       if (twins[side] < 0)
       {
         const std::size_t q = side / 4;
-        const double d =
-          EdgeLength(mesh, curves, { { mesh.quads[q][side % 4], mesh.quads[q][(side + 1) % 4] } }) /
-          mesh.targetLengths[q][side % 2];
-        expected += d + 1.0 / d;
+        const QuadBoundaryEdge edge{ { mesh.quads[q][side % 4], mesh.quads[q][(side + 1) % 4] } };
+        const double length = EdgeLength(mesh, curves, edge);
+        const double d = length / mesh.targetLengths[q][side % 2];
+        const CurvePlace& place = mesh.points[static_cast<std::size_t>(edge.points[0])].curve;
+        const double t =
+          std::max(0.0, (length / curves.Length(place.loop) - 0.125) / (0.5 - 0.125));
+        expected += d + 1.0 / d + t * t * t / (1.0 - t);
       }
     }
     // Regularised, as quads fold over while points pass each other.
@@ -251,6 +256,59 @@ TEST(OrderOnBoundary, MovesOnlyPointsOutOfOrder)
     }
     EXPECT_GT(reversed, 20);
   }
+}
+
+/// Points of a hole that gather on one side of it are spread.
+TEST(OrderOnBoundary, SpreadsPointsThatGather)
+{
+  const SeamlessMap map = MapOfRing();
+  QuadMesh mesh = QuadsOf(map).mesh;
+  const BoundaryCurves curves(*map.topology);
+  for (QuadPoint& point : mesh.points)
+  {
+    if (point.curve.loop >= 0)
+    {
+      point.curve.at *= 0.02;
+      point.place = curves.At(point.curve);
+    }
+  }
+  const auto longest = [&]
+  {
+    double part = 0.0;
+    for (const QuadBoundaryEdge& edge : mesh.boundary)
+    {
+      const CurvePlace& from = mesh.points[static_cast<std::size_t>(edge.points[0])].curve;
+      const CurvePlace& to = mesh.points[static_cast<std::size_t>(edge.points[1])].curve;
+      const double loop = curves.Length(from.loop);
+      const double turns = (to.at - from.at) / loop;
+      part = std::max(part, turns - std::floor(turns));
+    }
+    return part;
+  };
+  ASSERT_GT(longest(), 0.97);
+  OrderOnBoundary(mesh, curves); // in order, so points stay
+  ASSERT_GT(longest(), 0.97);
+  OrderOnBoundary(mesh, curves, 0.1);
+  EXPECT_LT(longest(), LongestPartOfLoop);
+  EXPECT_GT(ShortestEdge(mesh, curves), 0.0);
+}
+
+TEST(SetMeasuredLengths, AreMeansOfOppositeSides)
+{
+  QuadMesh mesh;
+  mesh.points.resize(6);
+  mesh.points[1].place = { 4.0, 0.0 };
+  mesh.points[2].place = { 4.0, 3.0 };
+  mesh.points[3].place = { 0.0, 1.0 };
+  mesh.points[4].place = { 4.1, 0.0 };
+  mesh.points[5].place = { 4.1, 3.0 };
+  mesh.quads = { { 0, 1, 2, 3 }, { 1, 4, 5, 2 } };
+  mesh.targetLengths.resize(2);
+  SetMeasuredLengths(mesh);
+  EXPECT_NEAR(mesh.targetLengths[0][0], 0.5 * (4.0 + std::sqrt(20.0)), 1e-14);
+  EXPECT_NEAR(mesh.targetLengths[0][1], 0.5 * (3.0 + 1.0), 1e-14);
+  EXPECT_NEAR(mesh.targetLengths[1][0], 0.3 * 0.25 * (0.1 + 3.0 + 0.1 + 3.0), 1e-14);
+  EXPECT_NEAR(mesh.targetLengths[1][1], 3.0, 1e-14);
 }
 }
 }
