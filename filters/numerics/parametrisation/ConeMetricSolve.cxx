@@ -124,7 +124,7 @@ private:
     constexpr int Passes = 3;
     HolomorphicStrains::Strains strains;
     Eigen::VectorXd coefficients;
-    // Enough for integrals to a few percent.
+    // For integrals to a few per cent (docs/method.md §12.5).
     constexpr int Sampled = 600;
     const DifferentialSample sample = basis.Sample(Sampled);
     double least = 0.0;

@@ -1,60 +1,87 @@
 #include "FlatMetric.h"
 
 #include "Index.h"
-#include "MetricDerivatives.h"
 #include "MetricRemeshing.h"
+#include "SeamlessPoisson.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace crossfield
 {
 namespace
 {
-/// Returns H at the vertices of a metric: means over triangles, and over neighbours for vertices
-/// that are not of the mesh of the frames.
-Eigen::VectorXd VertexValues(
-  const MeshTopology& topology, const Eigen::VectorXd& ofTriangles, const ConeMetric& metric)
+/// A mean of logarithms.
+struct LogMean
 {
-  const auto given = static_cast<int>(topology.mesh.points.size());
-  const auto count = static_cast<Eigen::Index>(metric.Points().size());
-  Eigen::VectorXd sums = Eigen::VectorXd::Zero(count);
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(count);
+  double sum = 0.0;
+  int count = 0;
+
+  void Add(double log)
+  {
+    this->sum += log;
+    ++this->count;
+  }
+  double Value() const { return this->count > 0 ? this->sum / this->count : 0.0; }
+};
+
+/// Returns per edge of a metric the logarithm of its length in the targets of the seamless map over
+/// that in the plane: the mean over its triangles, and over neighbours for edges that splits have
+/// added.
+std::vector<double> LogScales(
+  const MeshTopology& topology, const SeamlessPoisson& targets, const ConeMetric& metric)
+{
+  std::map<std::pair<int, int>, LogMean> given;
   for (std::size_t t = 0; t < topology.mesh.triangles.size(); ++t)
   {
-    for (const int v : topology.mesh.triangles[t])
+    const std::array<int, 3>& v = topology.mesh.triangles[t];
+    for (int i = 0; i < 3; ++i)
     {
-      sums[v] += ofTriangles[static_cast<Eigen::Index>(t)];
-      weights[v] += 1.0;
+      const int j = (i + 1) % 3;
+      const double image = (targets.target[t].row(j) - targets.target[t].row(i)).norm();
+      const double length = (topology.PointAt(v[Index(j)]) - topology.PointAt(v[Index(i)])).norm();
+      given[std::minmax(v[Index(i)], v[Index(j)])].Add(std::log(image / length));
     }
   }
-  Eigen::VectorXd values = sums.cwiseQuotient(weights.cwiseMax(1.0));
+  std::vector<LogMean> scales(metric.LogLengths().size());
+  std::vector<LogMean> nearby(scales.size());
   for (const ConeMetric::Triangle& triangle : metric.Triangles())
   {
-    for (const int v : triangle.vertices)
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      for (const int other : triangle.vertices)
+      const auto found =
+        given.find(std::minmax(triangle.vertices[i], triangle.vertices[(i + 1) % 3]));
+      if (found != given.end())
       {
-        if (v >= given && other < given)
-        {
-          sums[v] += values[other];
-          weights[v] += 1.0;
-        }
+        scales[Index(triangle.edges[i])].Add(found->second.Value());
+        nearby[Index(triangle.edges[(i + 1) % 3])].Add(found->second.Value());
+        nearby[Index(triangle.edges[(i + 2) % 3])].Add(found->second.Value());
       }
     }
   }
-  return sums.cwiseQuotient(weights.cwiseMax(1.0));
+  std::vector<double> result;
+  for (std::size_t e = 0; e < scales.size(); ++e)
+  {
+    result.push_back((scales[e].count > 0 ? scales[e] : nearby[e]).Value());
+  }
+  return result;
 }
 
-/// Multiplies lengths by e^{−H}, or by a root of it if that leaves no triangle degenerate: the
+/// Multiplies lengths by e^scale, or by a root of it if that leaves no triangle degenerate: the
 /// first Newton steps are conformal and do the rest.
-void ScaleLengths(const Eigen::VectorXd& h, ConeMetric& metric)
+void ScaleLengths(const std::vector<double>& scales, ConeMetric& metric)
 {
-  const Eigen::VectorXd scale = ConformalChanges(metric, h);
   const std::vector<double> start = metric.LogLengths();
   for (double part = 1.0; part > 0.0; part -= 0.25)
   {
     std::vector<double> logs = start;
     for (std::size_t e = 0; e < logs.size(); ++e)
     {
-      logs[e] -= part * scale[static_cast<Eigen::Index>(e)];
+      logs[e] += part * scales[e];
     }
     metric.SetLogLengths(std::move(logs));
     if (metric.IsValid())
@@ -71,7 +98,7 @@ FlattenedTargets FlattenFrames(const SharedTopology& topology, const TriangleFra
 {
   ConeMetric start(*topology, frames.jump, cones);
   SplitNarrowFans(start);
-  ScaleLengths(VertexValues(*topology, frames.h, start), start);
+  ScaleLengths(LogScales(*topology, TargetGradients(*topology, frames), start), start);
   FlattenedTargets result;
   // 0.3 to 0.7 is a good compromise: near 0 the maximum of the strain is least and its mean large,
   // near 1 strains are unbounded at the poles (docs/method.md §12.5).
