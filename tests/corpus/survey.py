@@ -27,9 +27,8 @@ HEADER = """| domain | quads | irregular nodes | blocks | min SJ | attainable | 
 | --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
 
 
-def write_domain(folder, seed):
-    """Writes a random domain as .vtp; returns the path."""
-    name, loops = random_domains.domain(seed)
+def write_loops(folder, name, loops):
+    """Writes closed curves as .vtp; returns the path."""
     points, lines = [], []
     for loop in loops:
         first = len(points)
@@ -38,6 +37,10 @@ def write_domain(folder, seed):
     path = pathlib.Path(folder) / (name + ".vtp")
     domain_files.write_vtp(path, points, lines)
     return path
+
+
+def write_domain(folder, seed):
+    return write_loops(folder, *random_domains.domain(seed))
 
 
 def mesh(program, path, seconds=60, options=()):
