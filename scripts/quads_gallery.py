@@ -63,9 +63,17 @@ What remains refused:
 - a wrong total of quarter indices, and a singularity of quarter index 3 or more, for which there is no node
 - a singularity outside the domain
 - a configuration for which no map that closes the grid lines was found, which is possible with a single pair of 1 and −1 in a ring.
-  The message names the hole, the angle by which grid lines miss, and the predicted stretch. Use `--repair-holonomy`, or add a pair.
+  The message names the hole, the angle by which grid lines miss, and the predicted stretch. It offers `--repair-holonomy` if a mesh was
+  found with it. Otherwise choose other positions, or add a pair.
 
-Singularities closer to each other than the side of a quad may give inverted quads, with a warning. Use a smaller size.
+Singularities closer to each other than the side of a quad may give inverted quads. The warning names a smaller size with which there
+are none, if one was found.
+
+A singularity of quarter index 2 is a node of valence 2, whose quads have an angle of 180°; one of −2 is a node of valence 6. `--split`
+replaces each by two of index 1 or −1, about 1.5 quads apart.
+
+Where quads would be inverted with fixed singularities, the nodes move. Every move by more than a tenth of a quad is printed; the
+report and `--save-singularities` have the positions of the nodes.
 
 %s
 """

@@ -1,0 +1,112 @@
+// Remedies that errors and warnings of MakeQuadMesh offer: each test follows the advice.
+
+#include "QuadAdvice.h"
+#include "QuadWorkflow.h"
+
+#include "MakePlanarDomain.h"
+#include "Support.h"
+
+#include <algorithm>
+
+namespace crossfield::test
+{
+namespace
+{
+bool Says(const std::vector<std::string>& sentences, const std::string& words)
+{
+  return std::any_of(sentences.begin(), sentences.end(),
+    [&words](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+}
+
+/// Returns a request with singularities of index 1 and one of a given index in a disk.
+QuadRequest WithIndex(int quarters)
+{
+  QuadRequest request;
+  request.quadCount = 400;
+  request.singularities = OnCircle(4 - quarters, 0.6, 0.1, 1, 0.2);
+  request.singularities->push_back({ { 0.05, 0.1 }, quarters });
+  return request;
+}
+
+TEST(QuadAdvice, SplittingHelpsWithLargeIndices)
+{
+  const PlanarDomain disk = Builtin("disk");
+  QuadRequest three = WithIndex(3);
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(disk, three); }, { "(0.05, 0.1)", "index 3", "--split" }));
+  QuadRequest two = WithIndex(2);
+  const QuadWorkflowResult flat = MakeQuadMesh(disk, two);
+  EXPECT_LT(flat.quads.quality.jacobian.min, 0.01);
+  ASSERT_EQ(flat.warnings.size(), 1U);
+  EXPECT_TRUE(Says(flat.warnings, "valence 2")) << flat.warnings[0];
+  EXPECT_TRUE(Says(flat.warnings, "--split"));
+  QuadRequest minusTwo = WithIndex(-2);
+  const QuadWorkflowResult crowded = MakeQuadMesh(disk, minusTwo);
+  EXPECT_TRUE(crowded.warnings.empty()); // a node of valence 6 is no fault
+  EXPECT_TRUE(Says(crowded.events, "valence 6"));
+  for (QuadRequest* request : { &three, &two, &minusTwo })
+  {
+    request->split = true;
+    const QuadWorkflowResult split = MakeQuadMesh(disk, *request);
+    EXPECT_TRUE(split.warnings.empty());
+    EXPECT_TRUE(Says(split.events, "was split into"));
+    EXPECT_FALSE(Says(split.events, "--split"));
+    EXPECT_GT(split.quads.quality.jacobian.min, 0.6);
+    EXPECT_EQ(TotalQuarters(split.singularities), 4);
+    EXPECT_TRUE(std::all_of(split.singularities.begin(), split.singularities.end(),
+      [](const Singularity& singularity) { return std::abs(singularity.quarterIndex) == 1; }));
+  }
+}
+
+TEST(QuadAdvice, RepairHelpsWithStretchedQuads)
+{
+  // A pair without symmetry: grid lines miss by about 33°.
+  const PlanarDomain ring = RingOfEdges(0.05);
+  QuadRequest request;
+  request.quadCount = 400;
+  // With both at the same radius, a repair would make them meet, and is not offered.
+  request.singularities = Configuration{ { { 0.75, 0.0 }, 1 }, { { -0.48, 0.57 }, -1 } };
+  const QuadWorkflowResult helpless = MakeQuadMesh(ring, request);
+  ASSERT_TRUE(Says(helpless.warnings, "stretched by about"));
+  EXPECT_FALSE(Says(helpless.warnings, "repair"));
+  request.singularities = Configuration{ { { 0.85, 0.0 }, 1 }, { { -0.42, 0.5 }, -1 } };
+  const QuadWorkflowResult stretched = MakeQuadMesh(ring, request);
+  ASSERT_TRUE(Says(stretched.warnings, "stretched by about"));
+  EXPECT_TRUE(Says(stretched.warnings, "--repair-holonomy"));
+  request.repairHolonomy = true;
+  const QuadWorkflowResult repaired = MakeQuadMesh(ring, request);
+  EXPECT_TRUE(repaired.warnings.empty());
+  EXPECT_GT(repaired.quads.quality.eta.mean, stretched.quads.quality.eta.mean);
+}
+
+TEST(QuadAdvice, NobodyIsToldToRepairWhatWasChosen)
+{
+  // A rotated hole without singularities has a defect that no singularity can change.
+  PlanarDomain twisted;
+  twisted.loops = { { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } },
+    { { 0.3, 0.1 }, { 0.1, -0.3 }, { -0.3, -0.1 }, { -0.1, 0.3 } } };
+  QuadRequest request;
+  request.quadCount = 400;
+  request.repairHolonomy = true;
+  const QuadWorkflowResult chosen = MakeQuadMesh(twisted, request);
+  EXPECT_EQ(chosen.quads.quality.inverted, 0);
+  request.singularities = Configuration{};
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(twisted, request); }, { "inner loop 1", "add a pair" }));
+  request.singularities = Configuration{ { { 0.65, 0.1 }, 1 }, { { 0.0, 0.65 }, -1 } };
+  EXPECT_EQ(MakeQuadMesh(twisted, request).quads.quality.inverted, 0);
+}
+
+TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
+{
+  QuadQuality quality;
+  quality.inverted = 1;
+  quality.where = { 0.25, 0.5 };
+  EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }),
+    "1 quad is inverted, the worst near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
+    "none is inverted.");
+  quality.inverted = 2;
+  const std::string helpless = DescribeInverted(quality, {});
+  EXPECT_EQ(helpless.find("use a smaller size"), std::string::npos) << helpless;
+  EXPECT_EQ(WithAdvice("It fails.", "; do this"), "It fails; do this.");
+}
+}
+}
