@@ -69,6 +69,12 @@ class Survey(unittest.TestCase):
                                  required_sum(loops), report["singularities"])
         print("\n".join(survey.summary(results)))
 
+    def test_steps_that_overflow(self):
+        """Three slits with two singularities: the optimiser stepped to positions that were not
+        finite."""
+        for seed in (155, 178):
+            self.assertEqual(survey.problem(self.result(seed)), "")
+
     def test_a_seed_always_gives_the_same_domain(self):
         for seed in SEEDS:
             self.assertEqual(json.dumps(random_domains.domain(seed)),

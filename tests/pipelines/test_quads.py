@@ -220,7 +220,7 @@ LOOKUP_TABLE default
             self.refuse(*common, f"--size={size}", says=("--size: give a positive number", size))
         for count in ("1.5", "0", "-3", "1e10", "nan", "many"):
             self.refuse(*common, f"--quads={count}",
-                        says=("--quads: give a whole number from 1 to 2147483647", count))
+                        says=("--quads: give a whole number from 1 to 2,147,483,647", count))
         self.refuse(*common, "--pairs", "101", says=("a whole number from 0 to 100", "'101'"))
 
     def test_sizes_with_more_quads_than_can_be_numbered(self):

@@ -58,7 +58,7 @@ std::string EndReason(OptimizerEnd end, const ObjectiveOptions& objective,
       "far.";
   default:
     return "No step lowers the renormalised energy any more, although its derivatives are not "
-           "zero: the singularities are as close to its minimum as the mesh resolves.";
+           "zero; this is the best configuration so far.";
   }
 }
 
