@@ -46,7 +46,7 @@ void AddSizeTo(CLI::App& command, double& size)
 {
   command
     .add_option("--size", size,
-    "target edge length of the triangle mesh, positive; default: 1/40 of the domain's diagonal")
+      "target edge length of the triangle mesh, positive; default: 1/40 of the domain's diagonal")
     ->check(NumberCheck::Positive());
 }
 

@@ -4,7 +4,6 @@
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
 #include "NodePositions.h"
-#include "OptimizerReport.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "SizeSearch.h"
@@ -13,8 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -28,22 +25,6 @@ struct Layout
   SeamlessMap map;
   TMesh separatrices;
 };
-
-/// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
-/// be noticed after a long search for edge counts.
-void RequireCountable(const PlanarDomain& domain, double quadSize)
-{
-  constexpr double MaximumQuads = std::numeric_limits<int>::max();
-  const double quads = domain.Area() / quadSize / quadSize;
-  if (quadSize > 0.0 && quads > MaximumQuads)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << "The domain would need more quads of size " << quadSize
-         << " than the 2 billion that can be numbered; use a larger size.";
-    throw Error(text.str());
-  }
-}
 
 /// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
 /// leaves no angle for a quad. Capping changes corners of the domain only.
@@ -227,33 +208,35 @@ private:
     {
       HolonomyRepair repair =
         RepairForMap(this->Domain, this->Started, this->MapOptions, this->Request.meshSize);
-      const bool isNeeded = std::any_of(repair.before.begin(), repair.before.end(),
-        [](double defect) { return std::abs(defect) > NoticeableDefect; });
-      return isNeeded ? std::make_optional(std::move(repair)) : std::nullopt;
+      if (std::any_of(repair.before.begin(), repair.before.end(),
+            [](double defect) { return std::abs(defect) > NoticeableDefect; }))
+      {
+        return repair;
+      }
     }
     catch (const Error&)
     {
-      return std::nullopt;
+      // No repair exists.
     }
+    return std::nullopt;
   }
 
   /// Repairs the holonomy and lays out again; returns nothing if one of them fails.
   std::optional<Layout> TryRepaired(const Progress& progress)
   {
-    std::optional<HolonomyRepair> repair = this->FindRepair();
-    if (!repair)
-    {
-      return std::nullopt;
-    }
-    this->UseRepair(std::move(*repair));
     try
     {
-      return this->LayOut(progress);
+      if (std::optional<HolonomyRepair> repair = this->FindRepair())
+      {
+        this->UseRepair(std::move(*repair));
+        return this->LayOut(progress);
+      }
     }
     catch (const Error&)
     {
-      return std::nullopt;
+      // The repair does not help.
     }
+    return std::nullopt;
   }
 
   void AddWarnings()
@@ -344,47 +327,39 @@ QuadWorkflowResult RunSteps(
   return workflow.TakeResult();
 }
 
-/// Returns a half or a quarter of the size of quads if no quads are inverted with it.
-std::optional<SmallerSize> FindSmallerSize(const PlanarDomain& domain, const QuadRequest& request,
-  const QuadResult& quads, const Progress& progress)
-{
-  constexpr double MaximumQuads = 50000.0; // about two seconds
-  for (const double factor : { 2.0, 4.0 })
-  {
-    if (request.sizing == Sizing::Field ||
-      factor * factor * static_cast<double>(quads.mesh.quads.size()) > MaximumQuads)
-    {
-      return std::nullopt;
-    }
-    QuadRequest smaller = request;
-    smaller.quadSize = std::stod(FormatShort(quads.size / factor)); // as it is printed
-    try
-    {
-      const QuadWorkflowResult result = RunSteps(domain, smaller, progress.Part(1.0, 1.0));
-      constexpr double Valid = 0.01; // a smaller scaled Jacobian may be rounding
-      if (result.quads.quality.jacobian.min > Valid)
-      {
-        return SmallerSize{ smaller.quadSize, result.quads.mesh.quads.size() };
-      }
-    }
-    catch (const Error&)
-    {
-      return std::nullopt;
-    }
-  }
-  return std::nullopt;
-}
 }
 
 QuadWorkflowResult MakeQuadMesh(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
-  QuadWorkflowResult result = RunSteps(domain, request, progress);
-  const bool hasFlatNode = !DescribeFlatNodes(domain, result.singularities).empty();
-  if (result.quads.quality.inverted > 0 && !hasFlatNode)
+  const Progress trial = progress.Part(1.0, 1.0);
+  QuadWorkflowResult result;
+  try
   {
-    result.warnings.push_back(DescribeInverted(
-      result.quads.quality, FindSmallerSize(domain, request, result.quads, progress)));
+    result = RunSteps(domain, request, progress);
+  }
+  catch (const CoarseMeshError& error)
+  {
+    // Its remedy, a finer mesh, was tried.
+    const double length = FindSmoothing(domain, request.corners,
+      [&](const PlanarDomain& smooth) { RunSteps(smooth, request, trial); });
+    throw Error(WithAdvice(
+      WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
+  }
+  if (result.quads.quality.inverted > 0 && DescribeFlatNodes(domain, result.singularities).empty())
+  {
+    std::optional<SmallerSize> smaller;
+    if (request.sizing != Sizing::Field) // whose sizes are factors
+    {
+      smaller = FindSmallerSize(result.quads,
+        [&](double size)
+        {
+          QuadRequest other = request;
+          other.quadSize = size;
+          return RunSteps(domain, other, trial).quads;
+        });
+    }
+    result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
   return result;
 }

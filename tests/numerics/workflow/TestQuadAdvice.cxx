@@ -4,6 +4,7 @@
 #include "QuadWorkflow.h"
 
 #include "MakePlanarDomain.h"
+#include "SmoothBoundary.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -95,6 +96,57 @@ TEST(QuadAdvice, NobodyIsToldToRepairWhatWasChosen)
   EXPECT_EQ(MakeQuadMesh(twisted, request).quads.quality.inverted, 0);
 }
 
+TEST(QuadAdvice, SmoothingHelpsWithCusps)
+{
+  // A drop whose sides meet with an angle of 0 at (1, 0).
+  Loop loop;
+  for (int i = 0; i < 100; ++i)
+  {
+    const double t = 2.0 * Pi * i / 100;
+    loop.push_back({ std::cos(t), std::sin(t) * std::pow(std::sin(0.5 * t), 2) });
+  }
+  const PlanarDomain drop = MakePlanarDomain({ loop });
+  QuadRequest request;
+  try
+  {
+    EXPECT_GT(MakeQuadMesh(drop, request).quads.quality.jacobian.min, 0.0);
+  }
+  catch (const Error& error)
+  {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find("finer mesh"), std::string::npos) << message; // it was tried
+    const std::string words = "smooth the boundary with a length of ";
+    const std::size_t at = message.find(words);
+    ASSERT_NE(at, std::string::npos) << message;
+    const PlanarDomain smooth =
+      SmoothBoundary(drop, std::stod(message.substr(at + words.size()))).domain;
+    EXPECT_GT(MakeQuadMesh(smooth, request).quads.quality.jacobian.min, 0.05);
+  }
+}
+
+TEST(QuadAdvice, OffersTheFirstLengthThatWorks)
+{
+  const PlanarDomain disk = Builtin("disk");
+  int calls = 0;
+  const auto succeedAt = [&calls](int call)
+  {
+    calls = 0;
+    return [&calls, call](const PlanarDomain&)
+    {
+      if (++calls < call)
+      {
+        throw Error("No map.");
+      }
+    };
+  };
+  EXPECT_NEAR(FindSmoothing(disk, {}, succeedAt(3)), disk.Diagonal() / 100.0, 1e-4);
+  EXPECT_EQ(calls, 3);
+  EXPECT_EQ(FindSmoothing(disk, {}, succeedAt(99)), 0.0);
+  EXPECT_NE(SmoothingAdvice(0.025, false).find("--smooth-boundary"), std::string::npos);
+  EXPECT_EQ(SmoothingAdvice(0.0, false).find("smooth"), std::string::npos);
+  EXPECT_EQ(WithoutRemedy("The map folds; use a finer mesh."), "The map folds.");
+}
+
 TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
 {
   QuadQuality quality;
@@ -107,6 +159,23 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   const std::string helpless = DescribeInverted(quality, {});
   EXPECT_EQ(helpless.find("use a smaller size"), std::string::npos) << helpless;
   EXPECT_EQ(WithAdvice("It fails.", "; do this"), "It fails; do this.");
+  // The quads of each size, as long as some are inverted.
+  QuadResult quads;
+  quads.size = 0.1;
+  quads.mesh.quads.resize(100);
+  const auto withMinimum = [](double minimum)
+  {
+    return [minimum](double size)
+    {
+      QuadResult result;
+      result.quality.jacobian.min = size < 0.03 ? minimum : -1.0;
+      return result;
+    };
+  };
+  EXPECT_EQ(FindSmallerSize(quads, withMinimum(0.5))->size, 0.025);
+  EXPECT_FALSE(FindSmallerSize(quads, withMinimum(0.0)));
+  quads.mesh.quads.resize(20000); // trials would take too long
+  EXPECT_FALSE(FindSmallerSize(quads, withMinimum(0.5)));
 }
 }
 }
