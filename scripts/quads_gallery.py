@@ -14,6 +14,7 @@ TESTS = pathlib.Path(__file__).resolve().parent.parent / "tests"
 sys.path[:0] = [str(TESTS / "corpus"), str(TESTS / "pipelines")]
 import domain_files  # noqa: E402
 import engineering  # noqa: E402
+import survey  # noqa: E402
 
 PARTS = ("plate3", "bracket", "elbow", "naca_blunt", "tjunction")
 BUILT_IN = ("disk", "ring", "ellipse", "quarter-disk", "l-shape", "star")
@@ -31,6 +32,17 @@ runs on 2 cores, including files.
 | domain | quads | irregular nodes | blocks | scaled Jacobian: minimum, attainable, mean | seconds |
 | --- | --- | --- | --- | --- | --- |
 %s
+
+## Difficult domains
+
+The files of `tests/data/hard` and `tests/data/parts` as the only input: ragged, thin, sharp and crowded domains, and parts. *Ratio* is
+the minimum scaled Jacobian by the attainable one, *sizes* the standard deviation of edge length by its mean, *seconds* the processor
+time of the whole run. `tests/corpus/survey.py` makes this table for any files ([testing](testing.md#random-domains)).
+
+%s
+
+`heart` and `teardrop` end in cusps, where the sides meet with an angle of 0. The message offers a length with which
+`--smooth-boundary` rounds the cusp, and the domain then has quads.
 
 ## Configurations chosen by hand
 
@@ -115,6 +127,11 @@ def row(name, report, seconds):
         jacobian["bound"], jacobian["mean"], seconds)
 
 
+def difficult_rows(program):
+    files = [*(TESTS / "data" / "hard").iterdir(), *(TESTS / "data" / "parts").iterdir()]
+    return [survey.row(survey.mesh(program, file)) for file in sorted(files, key=lambda file: file.stem)]
+
+
 def main(program, folder, wanted, count=1000):
     domains = {name: str(TESTS / "data" / "parts" / (name + ".vtp")) for name in PARTS}
     domains.update((name, loops_of(folder, name)) for name in engineering.DOMAINS)
@@ -139,7 +156,9 @@ def main(program, folder, wanted, count=1000):
             [program, "quads", "builtin:ring", "-s", "by_hand.csv", "--quads", str(count), "-o", "ring_by_hand.vtu",
              "--layout", "ring_by_hand.vtp"], cwd=folder, check=True)
         domains["ring_by_hand"] = "builtin:ring"
-    (folder / "quads.md").write_text(PAGE % (count, "\n".join(rows), "\n\n".join(pictures)), encoding="utf-8")
+    difficult = [] if wanted else difficult_rows(program)
+    (folder / "quads.md").write_text(
+        PAGE % (count, "\n".join(rows), "\n".join([survey.HEADER, *difficult]), "\n\n".join(pictures)), encoding="utf-8")
     (folder / "names.txt").write_text("\n".join(domains) + "\n", encoding="utf-8")
 
 

@@ -89,7 +89,7 @@ def _points_of_block(grid: Any) -> np.ndarray:
 
 
 def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
-    """Returns the outputs of a mesher; the report lists the singularities if they were chosen."""
+    """Returns the outputs of a mesher; the report lists the singularities if they were chosen or moved."""
     grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)
     types = vtk_to_numpy(grid.GetCellTypesArray())
@@ -110,7 +110,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
         blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
         layout=chains(places(layout), layout.GetLines()), singularities=used,
         report=report_of("quads", grid, mesher.GetStageSeconds(),
-                         singularities=used.data if was_chosen else None),
+                         singularities=used.data if was_chosen or used.events else None),
         grid=grid, block_data=blocks, layout_data=layout)
 
 

@@ -114,7 +114,7 @@ class Quads(ProgramTest):
         (self.folder / "wedge.csv").write_text("x,y\n0,0\n4,1.5\n4,2.5\n0,4\n")
         needed = self.report("wedge.csv")
         self.assertEqual(needed["irregular"], {})
-        self.assertIn("pairs of singularities would make them more uniform", needed["events"][-1])
+        self.assertIn("pairs of singularities (Pairs, --pairs) may make them more uniform", needed["events"][-1])
         more = self.report("wedge.csv", "--pairs", "1")
         self.assertEqual(more["irregular"], {"3": 1, "5": 1})
         self.assertLess(more["size_variation"], 0.5 * needed["size_variation"])
