@@ -54,6 +54,7 @@ struct QuadsOptions
   int pairs = 0;
   bool capCorners = true;
   bool repairHolonomy = false;
+  bool split = false;
 };
 
 double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
@@ -61,7 +62,7 @@ double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
   return quads->GetFieldData()->GetArray(name)->GetTuple1(i);
 }
 
-/** Returns the singularities that the mesh was made of, at their positions after repair. */
+/** Returns the singularities that the mesh was made of, at the positions of their nodes. */
 vtkDataSet* Singularities(vtkQuadMesher* mesher)
 {
   return vtkDataSet::SafeDownCast(mesher->GetOutputDataObject(3));
@@ -125,6 +126,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetRepairHolonomy(options.repairHolonomy);
+  mesher->SetSplitSingularities(options.split);
   mesher->SetPairs(options.pairs);
   mesher->SetClearance(options.clearance);
   if (!options.singularities.empty())
@@ -234,6 +236,9 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddPairsTo(*command, options->pairs);
   AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
   AddRepairHolonomyTo(*command, options->repairHolonomy);
+  command->add_flag("--split", options->split,
+    "split singularities of quarter index 2 or more, or -2 or less, into ones of index 1 or -1, "
+    "about 1.5 quads apart");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

@@ -14,6 +14,7 @@ TESTS = pathlib.Path(__file__).resolve().parent.parent / "tests"
 sys.path[:0] = [str(TESTS / "corpus"), str(TESTS / "pipelines")]
 import domain_files  # noqa: E402
 import engineering  # noqa: E402
+import survey  # noqa: E402
 
 PARTS = ("plate3", "bracket", "elbow", "naca_blunt", "tjunction")
 BUILT_IN = ("disk", "ring", "ellipse", "quarter-disk", "l-shape", "star")
@@ -31,6 +32,17 @@ runs on 2 cores, including files.
 | domain | quads | irregular nodes | blocks | scaled Jacobian: minimum, attainable, mean | seconds |
 | --- | --- | --- | --- | --- | --- |
 %s
+
+## Difficult domains
+
+The files of `tests/data/hard` and `tests/data/parts` as the only input: ragged, thin, sharp and crowded domains, and parts. *Ratio* is
+the minimum scaled Jacobian by the attainable one, *sizes* the standard deviation of edge length by its mean, *seconds* the processor
+time of the whole run. `tests/corpus/survey.py` makes this table for any files ([testing](testing.md#random-domains)).
+
+%s
+
+`heart` and `teardrop` end in cusps, where the sides meet with an angle of 0. The message offers a length with which
+`--smooth-boundary` rounds the cusp, and the domain then has quads.
 
 ## Configurations chosen by hand
 
@@ -63,9 +75,17 @@ What remains refused:
 - a wrong total of quarter indices, and a singularity of quarter index 3 or more, for which there is no node
 - a singularity outside the domain
 - a configuration for which no map that closes the grid lines was found, which is possible with a single pair of 1 and −1 in a ring.
-  The message names the hole, the angle by which grid lines miss, and the predicted stretch. Use `--repair-holonomy`, or add a pair.
+  The message names the hole, the angle by which grid lines miss, and the predicted stretch. It offers `--repair-holonomy` if a mesh was
+  found with it. Otherwise choose other positions, or add a pair.
 
-Singularities closer to each other than the side of a quad may give inverted quads, with a warning. Use a smaller size.
+Singularities closer to each other than the side of a quad may give inverted quads. The warning names a smaller size with which there
+are none, if one was found.
+
+A singularity of quarter index 2 is a node of valence 2, whose quads have an angle of 180°; one of −2 is a node of valence 6. `--split`
+replaces each by two of index 1 or −1, about 1.5 quads apart.
+
+Where quads would be inverted with fixed singularities, the nodes move. Every move by more than a tenth of a quad is printed; the
+report and `--save-singularities` have the positions of the nodes.
 
 %s
 """
@@ -107,6 +127,11 @@ def row(name, report, seconds):
         jacobian["bound"], jacobian["mean"], seconds)
 
 
+def difficult_rows(program):
+    files = [*(TESTS / "data" / "hard").iterdir(), *(TESTS / "data" / "parts").iterdir()]
+    return [survey.row(survey.mesh(program, file)) for file in sorted(files, key=lambda file: file.stem)]
+
+
 def main(program, folder, wanted, count=1000):
     domains = {name: str(TESTS / "data" / "parts" / (name + ".vtp")) for name in PARTS}
     domains.update((name, loops_of(folder, name)) for name in engineering.DOMAINS)
@@ -131,7 +156,9 @@ def main(program, folder, wanted, count=1000):
             [program, "quads", "builtin:ring", "-s", "by_hand.csv", "--quads", str(count), "-o", "ring_by_hand.vtu",
              "--layout", "ring_by_hand.vtp"], cwd=folder, check=True)
         domains["ring_by_hand"] = "builtin:ring"
-    (folder / "quads.md").write_text(PAGE % (count, "\n".join(rows), "\n\n".join(pictures)), encoding="utf-8")
+    difficult = [] if wanted else difficult_rows(program)
+    (folder / "quads.md").write_text(
+        PAGE % (count, "\n".join(rows), "\n".join([survey.HEADER, *difficult]), "\n\n".join(pictures)), encoding="utf-8")
     (folder / "names.txt").write_text("\n".join(domains) + "\n", encoding="utf-8")
 
 

@@ -37,7 +37,7 @@ class QuadMesh:
     scaled_jacobian  (q,) float, minimum sine of the angles of each quad, negative where it is inverted
     blocks           list of (i, j, 3) float, the points of each block, right-handed
     layout           list of (m, 3) float, a polyline for each side of a block
-    singularities    the singularities used, at their positions after repair, with the corners used
+    singularities    the singularities used, at the positions of their nodes, with the corners used
     report           the numbers, under the names of `crossfield quads --json`
     grid, block_data, layout_data
                      all of it as a vtkUnstructuredGrid, a vtkMultiBlockDataSet and a vtkPolyData
@@ -89,7 +89,7 @@ def _points_of_block(grid: Any) -> np.ndarray:
 
 
 def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
-    """Returns the outputs of a mesher; the report lists the singularities if they were chosen."""
+    """Returns the outputs of a mesher; the report lists the singularities if they were chosen or moved."""
     grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)
     types = vtk_to_numpy(grid.GetCellTypesArray())
@@ -110,7 +110,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
         blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
         layout=chains(places(layout), layout.GetLines()), singularities=used,
         report=report_of("quads", grid, mesher.GetStageSeconds(),
-                         singularities=used.data if was_chosen else None),
+                         singularities=used.data if was_chosen or used.events else None),
         grid=grid, block_data=blocks, layout_data=layout)
 
 
@@ -118,7 +118,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
-          repair_holonomy: bool = False, clearance: Optional[float] = None,
+          repair_holonomy: bool = False, split: bool = False, clearance: Optional[float] = None,
           pairs: int = 0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
@@ -137,6 +137,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     coarse         merges separatrices for the fewest blocks whose worst quad is at least half as good
     repair_holonomy
                    moves singularities by the smallest distances after which no inner loop has a holonomy defect
+    split          splits singularities inside of quarter index k, |k| >= 2, into |k| of index 1 or -1, about 1.5
+                   quads apart
     clearance      minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of
                    the size of quads
     pairs          maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities
@@ -177,6 +179,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetCoarse(coarse)
     mesher.SetRepairHolonomy(repair_holonomy)
+    mesher.SetSplitSingularities(split)
     mesher.SetClearance(checked(clearance))
     mesher.SetPairs(pairs)
     if singularities is not None:

@@ -1,5 +1,6 @@
 #include "vtkBoundarySimplifier.h"
 
+#include "BoundaryCorners.h"
 #include "ColumnWriting.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
@@ -14,6 +15,8 @@
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -24,6 +27,8 @@
 #include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkBoundarySimplifier);
 
@@ -51,10 +56,36 @@ bool HasSurfaceWithArrays(vtkDataSet* input)
   return hasSurface && input->GetPointData()->GetNumberOfArrays() > 0;
 }
 
+/** Writes the positions of the corners that the new boundary does not have. */
+void WriteRemovedCorners(const DomainConversion::Domain& given,
+  const DomainConversion::Domain& simple, double cornerAngle, vtkDataSet* output)
+{
+  const double rounding = 1e-9 * given.domain.Diagonal();
+  const std::vector<crossfield::Corner> after =
+    crossfield::FindCorners(simple.domain.loops, cornerAngle);
+  vtkNew<vtkDoubleArray> removed;
+  removed->SetName(vtkCrossFieldArrayNames::BoundaryRemovedCorners);
+  removed->SetNumberOfComponents(3);
+  for (const crossfield::Corner& corner : crossfield::FindCorners(given.domain.loops, cornerAngle))
+  {
+    if (std::none_of(after.begin(), after.end(),
+          [&](const crossfield::Corner& other)
+          { return (other.position - corner.position).norm() <= rounding; }))
+    {
+      removed->InsertNextTuple(given.plane.ToSpace(corner.position).data());
+    }
+  }
+  if (removed->GetNumberOfTuples() > 0)
+  {
+    output->GetFieldData()->AddArray(removed);
+  }
+}
+
 /** Copies the input to the output, without the field data of an earlier simplification. */
 void PassThrough(vtkDataSet* input, vtkDataSet* output)
 {
   output->ShallowCopy(input);
+  output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryRemovedCorners);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryMoved);
   output->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::BoundaryPoints);
 }
@@ -194,6 +225,7 @@ int vtkBoundarySimplifier::RequestData(
       ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
       ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,
         { CountPoints(given.domain), CountPoints(simple.domain) });
+      WriteRemovedCorners(given, simple, cornerAngle, output);
     });
 }
 

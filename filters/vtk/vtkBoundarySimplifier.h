@@ -19,7 +19,9 @@
  * arrays. Field data, only if something was removed:
  * - `BoundaryMoved` (double): the maximum distance of a point of the boundary from the new
  *   boundary. After both thinning and smoothing it is the sum of the two distances, an upper bound;
- * - `BoundaryPoints` (int, two values): the numbers of boundary points before and after.
+ * - `BoundaryPoints` (int, two values): the numbers of boundary points before and after;
+ * - `BoundaryRemovedCorners` (double, 3 components): the positions of corners that were merged with
+ *   others or smoothed, if there are any.
  *
  * The filter fails, with an empty output, if vtkDrillHoles would refuse the domain or if the
  * smoothed boundary would cross itself.

@@ -16,6 +16,7 @@ constexpr const char* Radius = "Radius";
 // Field data: vtkBoundarySimplifier.
 constexpr const char* BoundaryMoved = "BoundaryMoved";
 constexpr const char* BoundaryPoints = "BoundaryPoints";
+constexpr const char* BoundaryRemovedCorners = "BoundaryRemovedCorners";
 // Field: vtkPerforatedCrossField.
 constexpr const char* CrossFieldCR = "CrossFieldCR";
 constexpr const char* Representation = "Representation";

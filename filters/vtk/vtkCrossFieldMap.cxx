@@ -109,9 +109,9 @@ int vtkCrossFieldMap::RequestData(
         const double defect = result.map.holonomyDefect[k];
         if (std::abs(defect) > crossfield::NoticeableDefect)
         {
-          vtkWarningMacro("The map is not conformal: at inner loop "
-            << k + 1 << " there is a holonomy defect of " << defect
-            << " radians. Repair the holonomy: singularities move until it vanishes.");
+          vtkWarningMacro("The map is not conformal: the grid lines around inner loop "
+            << k + 1 << " do not close up by " << crossfield::CrossAngle(defect)
+            << ". Move singularities until they do.");
         }
       }
       MapConversion::WriteMap(result, output);

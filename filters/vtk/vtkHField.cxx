@@ -88,9 +88,9 @@ int vtkHField::RequestData(
         if (std::abs(defect) > crossfield::NoticeableDefect)
         {
           vtkWarningMacro("H is not single-valued: at inner loop "
-            << k + 1 << " there is a holonomy defect of " << defect << " radians, and H jumps by "
-            << field.periods[k]
-            << " along a path to it. Move singularities until the defect vanishes.");
+            << k + 1 << " the crosses miss by " << crossfield::CrossAngle(defect)
+            << ", and H jumps by " << field.periods[k]
+            << " along a path to it. Move singularities until they fit.");
         }
       }
       if (given != nullptr)

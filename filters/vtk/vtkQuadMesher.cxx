@@ -90,6 +90,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.pairs = this->Pairs;
   request.capCorners = this->CapCorners;
   request.repairHolonomy = this->RepairHolonomy;
+  request.split = this->SplitSingularities;
   request.coarse = this->Coarse;
   return request;
 }
@@ -108,16 +109,9 @@ void vtkQuadMesher::ReportWarnings(
                     << " was found for these separatrices; " << result.quads.mesh.quads.size()
                     << " is the nearest; request another number.");
   }
-  if (result.flattening && result.flattening->PredictedStretch() > crossfield::NoticeableStretch)
+  for (const std::string& warning : result.warnings)
   {
-    vtkWarningMacro(<< crossfield::DescribeStretch(*result.flattening)
-                    << " Move singularities, or repair the holonomy, to lower it.");
-  }
-  const crossfield::QuadQuality& quality = result.quads.quality;
-  if (quality.inverted > 0)
-  {
-    vtkWarningMacro(<< quality.inverted << " quads are inverted, the worst near "
-                    << crossfield::Describe(quality.where) << "; use a smaller size.");
+    vtkWarningMacro(<< warning);
   }
 }
 
@@ -133,6 +127,8 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   }
   ColumnWriting::AddNumbers(
     quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
+  ColumnWriting::AddNumbers(
+    quads->GetFieldData(), vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, quads->GetFieldData());
   EnergyConversion::WriteEvents(result.events, quads);
   QuadConversion::WriteBlocks(result.quads, plane, vtkMultiBlockDataSet::GetData(outputVector, 1));
@@ -166,6 +162,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
+  os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";
   os << indent << "StageSeconds:";
   for (const double seconds : this->StageSeconds)
   {

@@ -33,8 +33,8 @@
  * quads along each.
  *
  * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
- * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at their positions after
- * RepairHolonomy. If they were chosen, with the field data `Events`.
+ * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at the positions of their
+ * nodes. If they were chosen or moved, with the field data `Events`.
  *
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
@@ -46,9 +46,10 @@
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
- * singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner loop,
- * radians), `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions
- * made in choosing singularities, one sentence each; empty where they were given).
+ * singularities had to move), `Moved` (maximum distance of a node from the position of its
+ * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
+ * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
+ * choosing singularities, and their moves by more than a tenth of a quad, one sentence each).
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
  * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
@@ -204,10 +205,21 @@ public:
   vtkBooleanMacro(RepairHolonomy, bool);
   ///@}
 
+  ///@{
+  /**
+   * Splits each interior singularity of quarter index k, |k| ≥ 2, into |k| of index ±1 around its
+   * position, about 1.5 quads apart: nodes of valence 3 or 5 instead of one of valence 4 − k.
+   * Default: off.
+   */
+  vtkSetMacro(SplitSingularities, bool);
+  vtkGetMacro(SplitSingularities, bool);
+  vtkBooleanMacro(SplitSingularities, bool);
+  ///@}
+
   /**
    * Returns the seconds that the last run took for triangles, map, separatrices, edge counts,
-   * layout, smoothing and, last, for choosing singularities (0 if they were given). They are not
-   * part of the output.
+   * layout, smoothing and, last, for choosing and repairing singularities. They are not part of the
+   * output.
    */
   vtkGetVectorMacro(StageSeconds, double, 7);
 
@@ -240,6 +252,7 @@ private:
   double Clearance = 0.0;
   bool CapCorners = true;
   bool RepairHolonomy = false;
+  bool SplitSingularities = false;
   double StageSeconds[7] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -71,7 +71,10 @@ int vtkSingularityOptimizer::RequestData(
         ConfigurationConversion::ReadConfiguration(singularities, input.plane), options, progress);
       if (!result.converged && !result.aborted)
       {
-        vtkWarningMacro(<< result.reason);
+        const bool isAtLimit = result.iterations >= this->MaximumIterations;
+        vtkWarningMacro(<< result.reason
+                        << (isAtLimit ? " More steps (MaximumIterations, --iterations) may help."
+                                      : ""));
       }
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
       ConfigurationConversion::WriteConfiguration(result.configuration, input.plane, output);

@@ -2,20 +2,15 @@
 
 #include "DomainReader.h"
 #include "NumberCheck.h"
-#include "vtkBoundaryCornerClassifier.h"
 #include "vtkBoundarySimplifier.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
-#include "vtkMath.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -46,40 +41,19 @@ std::optional<Change> ChangeOf(vtkAlgorithm* domain)
     static_cast<long long>(points->GetComponent(1, 0)), moved->GetComponent(0, 0) };
 }
 
-/** Returns the corners of a domain. */
-vtkSmartPointer<vtkPolyData> CornersOf(vtkDataObject* domain)
-{
-  vtkNew<vtkBoundaryCornerClassifier> classifier;
-  classifier->SetInputData(domain);
-  classifier->Update();
-  return classifier->GetOutput();
-}
-
 /** Prints how many corners the boundary has no longer, and where the first of them was. */
 void PrintRemovedCorners(vtkBoundarySimplifier* simplifier)
 {
-  const vtkSmartPointer<vtkPolyData> before = CornersOf(simplifier->GetInputDataObject(0, 0));
-  const vtkSmartPointer<vtkPolyData> after = CornersOf(simplifier->GetOutputDataObject(0));
-  // The points of the new boundary went through the coordinates of its plane.
-  const double rounding = 1e-9 * before->GetLength();
-  vtkIdType removed = 0;
-  std::array<double, 3> first = {};
-  for (vtkIdType i = before->GetNumberOfPoints(); i-- > 0;)
+  vtkDataArray* removed =
+    simplifier->GetOutputDataObject(0)->GetFieldData()->GetArray(names::BoundaryRemovedCorners);
+  if (removed != nullptr)
   {
-    const vtkIdType nearest = after->FindPoint(before->GetPoint(i));
-    if (nearest < 0 ||
-      vtkMath::Distance2BetweenPoints(before->GetPoint(i), after->GetPoint(nearest)) >
-        rounding * rounding)
-    {
-      before->GetPoint(i, first.data());
-      ++removed;
-    }
-  }
-  if (removed > 0)
-  {
-    std::cout << (removed == 1 ? "A corner" : std::to_string(removed) + " corners")
-              << " of the boundary, the first at (" << first[0] << ", " << first[1]
-              << "), merged with others nearby"
+    const vtkIdType count = removed->GetNumberOfTuples();
+    const double* first = removed->GetTuple3(0);
+    std::cout << (count == 1 ? "A corner of the boundary at ("
+                             : std::to_string(count) + " corners of the boundary, the first at (")
+              << first[0] << ", " << first[1] << (count == 1 ? ")" : "),")
+              << " merged with others nearby"
               << (simplifier->GetSmoothingLength() > 0.0 ? " or were smoothed" : "")
               << "; --thin-boundary 0 retains all corners.\n";
   }

@@ -44,8 +44,10 @@ CLI::Option* AddSingularitiesTo(CLI::App& command, std::string& file, const std:
 
 void AddSizeTo(CLI::App& command, double& size)
 {
-  command.add_option("--size", size,
-    "target edge length of the triangle mesh, positive; default: 1/40 of the domain's diagonal");
+  command
+    .add_option("--size", size,
+      "target edge length of the triangle mesh, positive; default: 1/40 of the domain's diagonal")
+    ->check(NumberCheck::Positive());
 }
 
 void AddCornersTo(CLI::App& command, std::string& corners)

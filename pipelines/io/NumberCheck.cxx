@@ -18,6 +18,18 @@ double NumberOf(const std::string& text)
   return isNumber && std::isfinite(number) ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
+/** Returns digits in groups of three, such as 2,147,483,647. */
+std::string Grouped(int number)
+{
+  std::string digits = std::to_string(number);
+  const int first = number < 0 ? 1 : 0;
+  for (int i = static_cast<int>(digits.size()) - 3; i > first; i -= 3)
+  {
+    digits.insert(static_cast<std::size_t>(i), ",");
+  }
+  return digits;
+}
+
 std::string Refusal(const std::string& required, const std::string& given)
 {
   return "give " + required + " instead of '" + given + "'";
@@ -49,7 +61,7 @@ CLI::Validator NotNegative()
 CLI::Validator Whole(int minimum, int maximum)
 {
   const std::string required =
-    "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+    "a whole number from " + Grouped(minimum) + " to " + Grouped(maximum);
   return CLI::Validator(
     [=](std::string& text)
     {

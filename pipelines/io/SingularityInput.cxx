@@ -126,7 +126,9 @@ vtkSmartPointer<vtkAlgorithm> OpenPointsOf(vtkAlgorithm* domain, const std::stri
 
 void PrintRepair(vtkFieldData* field)
 {
-  if (vtkDataArray* distance = field->GetArray(names::RepairDistance))
+  vtkDataArray* defects = field->GetArray(names::DefectBefore);
+  vtkDataArray* distance = field->GetArray(names::RepairDistance);
+  if (distance != nullptr && defects != nullptr && defects->GetNumberOfTuples() > 0)
   {
     std::cout << "The singularities moved by up to " << distance->GetTuple1(0)
               << " to repair the holonomy.\n";

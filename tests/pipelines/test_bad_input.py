@@ -207,7 +207,8 @@ class Usage(ProgramTest):
     def test_size_that_is_not_a_length(self):
         for bad in ("-0.1", "nan", "inf", "small", ""):
             with self.subTest(bad):
-                self.refuse_solve("builtin:disk", f"--size={bad}")
+                self.refuse_solve("builtin:disk", f"--size={bad}",
+                                  says=("--size", *((f"positive number instead of '{bad}'",) if bad else ())))
                 self.refuse("domain", "disk", f"--size={bad}", "-o", "disk.vtp")
 
     def test_size_below_the_rounding_of_the_coordinates(self):

@@ -2,6 +2,7 @@
 import json
 import math
 import pathlib
+import re
 import time
 import unittest
 
@@ -36,8 +37,8 @@ class Quads(ProgramTest):
             self.assertTrue((self.folder / name).is_file(), name)
 
     def test_singularities_are_those_used(self):
-        """After the repair of the holonomy, and with the sizes that they were chosen for."""
-        for domain, arguments in (("builtin:disk", ("--quads", "300", "--sizing", "uniform")),
+        """After the repair of the holonomy; the same mesh is made of them again."""
+        for domain, arguments in (("builtin:disk", ("--quads", "300")),
                                   (str(PARTS / "bracket.vtp"), ("--quads", "300", "--repair-holonomy"))):
             report = self.report(domain, *arguments, "--save-singularities", "used.csv")
             self.assertGreater(report["seconds"]["choose"], 0)
@@ -48,6 +49,38 @@ class Quads(ProgramTest):
             again = self.report(domain, "-s", "used.csv", *(a for a in arguments if a != "--repair-holonomy"))
             for name in ("quads", "irregular", "blocks", "scaled_jacobian", "singularities"):
                 self.assertEqual(again[name], report[name])
+
+    def test_positions_are_those_of_the_nodes(self):
+        """Uniform sizes move the nodes; every move by more than a tenth of a quad is an event."""
+        chosen = self.report("builtin:l-shape", "--quads", "300", "--save-singularities", "used.csv")
+        self.assertEqual(chosen["moved"], 0)
+        write_configuration(self.folder / "pair.csv", [(0.25, 0.3, 1, 0.02), (0.6, 0.2, -1, 0.02)])
+        report = self.report("builtin:l-shape", "-s", "pair.csv", "--quads", "300", "--sizing", "uniform",
+                             "--save-singularities", "used.csv")
+        moves = [re.fullmatch(r"Singularity ([12]) moved by (\S+), \S+ quads, from \((.+), (.+)\) to its node at "
+                              r"\((.+), (.+)\)\.", event) for event in report["events"]]
+        self.assertTrue(moves and all(moves), report["events"])
+        for move in moves:
+            row = report["singularities"][int(move[1]) - 1]
+            self.assertAlmostEqual(float(move[5]), row["x"], places=7)
+            self.assertAlmostEqual(float(move[6]), row["y"], places=7)
+        self.assertAlmostEqual(max(float(move[2]) for move in moves), report["moved"], delta=1e-2 * report["moved"])
+        rows = [line.split(",") for line in (self.folder / "used.csv").read_text().split()[1:]]
+        self.assertEqual([(float(x), float(y)) for x, y, *_ in rows],
+                         [(s["x"], s["y"]) for s in report["singularities"]])
+
+    def test_large_indices_are_split_on_request(self):
+        rows = [(0.2, 0.1, -2, 0.02)] + [(0.6 * math.cos(a), 0.6 * math.sin(a), 1, 0.02) for a in range(6)]
+        write_configuration(self.folder / "six.csv", rows)
+        self.assertEqual(self.report("builtin:disk", "-s", "six.csv")["irregular"], {"3": 6, "6": 1})
+        self.assertEqual(self.report("builtin:disk", "-s", "six.csv", "--split")["irregular"], {"3": 6, "5": 2})
+        write_configuration(self.folder / "three.csv", [(0.2, 0.1, 3, 0.02), (-0.5, 0, 1, 0.02)])
+        self.refuse("quads", "builtin:disk", "-s", "three.csv", "-o", "quads.vtu", says=("index 3", "(0.2, 0.1)", "--split"))
+        self.assertEqual(self.report("builtin:disk", "-s", "three.csv", "--split")["irregular"], {"3": 4})
+
+    def test_nothing_is_said_about_holonomy_without_holes(self):
+        printed = self.succeed("quads", "builtin:disk", "-s", "four.csv", "-o", "quads.vtu", "--repair-holonomy")
+        self.assertNotIn("holonomy", printed)
 
     def test_positions_are_those_after_repair(self):
         rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.02)
@@ -81,7 +114,7 @@ class Quads(ProgramTest):
         (self.folder / "wedge.csv").write_text("x,y\n0,0\n4,1.5\n4,2.5\n0,4\n")
         needed = self.report("wedge.csv")
         self.assertEqual(needed["irregular"], {})
-        self.assertIn("pairs of singularities would make them more uniform", needed["events"][-1])
+        self.assertIn("pairs of singularities (Pairs, --pairs) may make them more uniform", needed["events"][-1])
         more = self.report("wedge.csv", "--pairs", "1")
         self.assertEqual(more["irregular"], {"3": 1, "5": 1})
         self.assertLess(more["size_variation"], 0.5 * needed["size_variation"])
@@ -172,6 +205,10 @@ LOOKUP_TABLE default
         printed = self.succeed("check", "tail.csv")
         self.assertIn("2 corners of the boundary, the first at (1, ", printed)
         self.assertIn("--thin-boundary 0 retains all corners", printed)
+        report = json.loads(self.succeed("check", "tail.csv", "--json", "-"))
+        self.assertEqual(sorted(report["boundary"]["removed_corners"]), [[1, -0.0005, 0], [1, 0.0005, 0]])
+        report = json.loads(self.succeed("check", "tail.csv", "--thin-boundary", "0", "--json", "-"))
+        self.assertNotIn("boundary", report)
         self.assertNotIn("corners of the boundary",
                          self.succeed("check", "tail.csv", "--thin-boundary", "0"))
 
@@ -183,7 +220,7 @@ LOOKUP_TABLE default
             self.refuse(*common, f"--size={size}", says=("--size: give a positive number", size))
         for count in ("1.5", "0", "-3", "1e10", "nan", "many"):
             self.refuse(*common, f"--quads={count}",
-                        says=("--quads: give a whole number from 1 to 2147483647", count))
+                        says=("--quads: give a whole number from 1 to 2,147,483,647", count))
         self.refuse(*common, "--pairs", "101", says=("a whole number from 0 to 100", "'101'"))
 
     def test_sizes_with_more_quads_than_can_be_numbered(self):

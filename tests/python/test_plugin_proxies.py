@@ -36,7 +36,7 @@ PROXIES = {
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
-                   "RepairHolonomy"),
+                   "RepairHolonomy SplitSingularities"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (

@@ -72,6 +72,15 @@ class Quads(unittest.TestCase):
         self.assertLess(np.abs(again.points - mesh.points).max(), 1e-9)
         self.assertNotIn("events", again.report)
 
+    def test_large_indices_are_split_and_moves_are_reported(self):
+        six = [(0.2, 0.1, -2)] + [(0.6 * np.cos(a), 0.6 * np.sin(a), 1) for a in range(6)]
+        self.assertEqual(crossfield.quads("builtin:disk", six).report["irregular"], {"3": 6, "6": 1})
+        split = crossfield.quads("builtin:disk", six, split=True)
+        self.assertEqual(split.report["irregular"], {"3": 6, "5": 2})
+        self.assertIn("was split into 2 of index -1.", split.report["events"][0])
+        for x, y in split.singularities.points[:, :2]:
+            self.assertLess(np.hypot(*(split.points[:, :2] - (x, y)).T).min(), 1e-12)
+
     def test_arrays_are_a_conforming_mesh_with_these_valences(self):
         mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
         kept.keep_data(mesh.grid)

@@ -71,7 +71,7 @@ TEST_F(QuadMesher, FollowsFilterConventions)
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
     { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance", "Pairs",
-      "CapCorners", "RepairHolonomy", "StageSeconds" });
+      "CapCorners", "RepairHolonomy", "SplitSingularities", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

@@ -147,7 +147,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
     result.events.push_back(
       "Sizes are far from uniform: the standard deviation of their logarithm is " +
       FormatShort(result.optimum.sizeSpread) +
-      "; added pairs of singularities would make them more uniform.");
+      "; pairs of singularities (Pairs, --pairs) may make them more uniform.");
   }
 }
 }

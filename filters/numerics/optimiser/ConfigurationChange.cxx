@@ -38,6 +38,18 @@ std::vector<std::size_t> StoppedSingularities(
   return stopped;
 }
 
+std::size_t HeldSingularities(const OptimizerState& state)
+{
+  // The derivative of W by a position is 2π over a distance that is at most 1 here.
+  constexpr double Negligible = 0.01;
+  std::size_t held = 0;
+  for (Eigen::Index i = 0; i < state.barrier.gradient.size(); i += 2)
+  {
+    held += state.barrier.gradient.segment<2>(i).norm() > Negligible ? 1U : 0U;
+  }
+  return held;
+}
+
 std::optional<ConfigurationChange> FindAnnihilation(
   const OptimizerStage& stage, const OptimizerState& current)
 {

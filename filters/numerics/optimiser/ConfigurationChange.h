@@ -39,6 +39,10 @@ std::optional<ConfigurationChange> FindRelease(const OptimizerStage& stage,
 std::optional<ConfigurationChange> FindBoundaryMoves(const OptimizerStage& stage,
   const OptimizerState& current, const std::set<std::string>& rejected);
 
+/// Returns how many interior singularities the barrier holds against W, away from the boundary or
+/// from each other.
+std::size_t HeldSingularities(const OptimizerState& state);
+
 /// Returns the numbers of the interior singularities that the barrier keeps from the boundary.
 std::vector<std::size_t> StoppedSingularities(
   const OptimizerStage& stage, const OptimizerState& current);

@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "OptimizerStage.h"
+#include "PoincareHopf.h"
 
 #include <Eigen/QR>
 
@@ -23,14 +24,18 @@ std::vector<double> AsVector(const Eigen::VectorXd& values)
   return { values.data(), values.data() + values.size() };
 }
 
-[[noreturn]] void ThrowIrreparable(const Eigen::VectorXd& defects)
+[[noreturn]] void ThrowIrreparable(const Eigen::VectorXd& defects, const std::string& reason)
 {
   Eigen::Index loop = 0;
   defects.cwiseAbs().maxCoeff(&loop);
-  throw Error("The holonomy defect of inner loop " + std::to_string(loop + 1) + ", " +
-    std::to_string(defects[loop]) +
-    " radians, cannot be repaired by moving the singularities; add a pair of quarter indices 1 and -1, or "
-    "let them be optimised.");
+  throw Error("The grid lines around inner loop " + std::to_string(loop + 1) +
+    " do not close up by " + CrossAngle(defects[loop]) + ", " + reason);
+}
+
+[[noreturn]] void ThrowUnreachable(const Eigen::VectorXd& defects)
+{
+  ThrowIrreparable(
+    defects, "which no singularity can change; add a pair of quarter indices 1 and -1 inside.");
 }
 
 /// Returns the shortest step with J step = change; throws Error if there is none.
@@ -38,7 +43,7 @@ Eigen::VectorXd ShortestStep(const OptimizerState& current, const Eigen::VectorX
 {
   if (current.defectGradient.cols() == 0)
   {
-    ThrowIrreparable(current.defects);
+    ThrowUnreachable(current.defects);
   }
   const Eigen::VectorXd step =
     current.defectGradient.completeOrthogonalDecomposition().solve(change);
@@ -46,7 +51,7 @@ Eigen::VectorXd ShortestStep(const OptimizerState& current, const Eigen::VectorX
   constexpr double UnreachableTolerance = 1e-6;
   if ((current.defectGradient * step - change).norm() > UnreachableTolerance * change.norm())
   {
-    ThrowIrreparable(current.defects);
+    ThrowUnreachable(current.defects);
   }
   return step;
 }
@@ -78,7 +83,8 @@ OptimizerState RemoveDefects(
     }
     if (i == MaximumSteps || fraction <= MinimumFraction)
     {
-      ThrowIrreparable(current.defects);
+      ThrowIrreparable(objective.Evaluate(objective.Start()).defects,
+        "and no positions near the given ones where they do were found; choose other positions.");
     }
     current = next;
   }

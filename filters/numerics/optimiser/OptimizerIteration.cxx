@@ -250,7 +250,8 @@ OptimizerEnd OptimizerIteration::Run(
     // With this penalty every step of the model is a descent direction of the merit function.
     penalty = std::max(penalty, 1.5 * model.multipliers.norm());
     OptimizerState next;
-    if (!SearchLine(objective, current, model, penalty, next))
+    // The updates may overflow where singularities are pressed together.
+    if (!model.step.allFinite() || !SearchLine(objective, current, model, penalty, next))
     {
       if (isReset)
       {

@@ -22,9 +22,11 @@ std::string Capitalised(std::string sentence)
   return sentence;
 }
 
-std::string EndReason(
-  OptimizerEnd end, const ObjectiveOptions& objective, std::size_t singularities, int iterations)
+std::string EndReason(OptimizerEnd end, const ObjectiveOptions& objective,
+  std::size_t singularities, std::size_t held, int iterations)
 {
+  const std::string holds = "The clearance of " + FormatShort(objective.clearance) + " holds " +
+    std::to_string(held) + (held == 1 ? " singularity" : " singularities");
   switch (end)
   {
   case OptimizerEnd::Converged:
@@ -34,7 +36,12 @@ std::string EndReason(
     }
     if (objective.goal == OptimizerGoal::Energy)
     {
-      return "The singularities are at a stationary point of the renormalised energy.";
+      return held == 0 ? "The singularities are at a stationary point of the renormalised energy."
+                       : holds + "; without it the renormalised energy would decrease further.";
+    }
+    if (held > 0)
+    {
+      return holds + "; without it sizes would be closer to the target sizes.";
     }
     return objective.sizes.sizing == Sizing::Field
       ? "The singularities are at positions where sizes are closest to the target sizes."
@@ -43,14 +50,15 @@ std::string EndReason(
     return "The iteration was aborted; this is the best configuration so far.";
   case OptimizerEnd::IterationLimit:
     return "The iteration stopped after " + std::to_string(iterations) +
-      " steps before the singularities converged; allow more steps.";
+      " steps, its limit, before the singularities converged; this is the best configuration so "
+      "far.";
   case OptimizerEnd::BudgetSpent:
     return "The search ended after " + std::to_string(objective.budget->GetSpent()) +
       " solves, its limit, before the singularities converged; this is the best configuration so "
       "far.";
   default:
-    return "No step lowers the renormalised energy any more, although its derivatives are "
-           "not zero; choose a larger tolerance or a finer mesh.";
+    return "No step lowers the renormalised energy any more, although its derivatives are not "
+           "zero; this is the best configuration so far.";
   }
 }
 

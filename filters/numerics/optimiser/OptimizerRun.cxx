@@ -4,6 +4,7 @@
 #include "OptimizerPairs.h"
 #include "OptimizerReport.h"
 #include "OptimizerStart.h"
+#include "PoincareHopf.h"
 
 #include <cmath>
 #include <numeric>
@@ -15,6 +16,8 @@ namespace
 {
 /// Defects below this may be errors of the mesh; radians.
 constexpr double NotableDefect = 0.01;
+/// Moves below this are rounding errors; relative to the diagonal.
+constexpr double NotableMove = 1e-9;
 }
 
 OptimizerRun::OptimizerRun(
@@ -58,7 +61,7 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   for (std::size_t i = 0; i < start.size(); ++i)
   {
     const double distance = (tracked.singularities[i].position - start[i].position).norm();
-    if (distance > 0.0)
+    if (distance > NotableMove * this->Domain.Diagonal())
     {
       this->AddEvent("Singularity " + std::to_string(i + 1) + " at " + Describe(start[i].position) +
         " was moved by " + FormatShort(distance) + " to keep the clearance at the start.");
@@ -67,6 +70,7 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   this->StartStage(tracked, progress.Part(0.0, 0.2));
   this->StartsSymmetric = this->Stage.objective->KeepsSymmetry();
   this->Result.energyBefore = this->Current.fullEnergy;
+  this->DefectBefore = this->Current.defects.lpNorm<Eigen::Infinity>();
   progress.Report(0.2);
 }
 
@@ -198,8 +202,8 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   result.history = this->Iteration.history;
   result.converged = end == OptimizerEnd::Converged;
   result.aborted = end == OptimizerEnd::Aborted;
-  result.reason =
-    EndReason(end, this->Options.objective, this->Stage.objective->Count(), result.iterations);
+  result.reason = EndReason(end, this->Options.objective, this->Stage.objective->Count(),
+    HeldSingularities(this->Current), result.iterations);
   for (const std::size_t i : StoppedSingularities(this->Stage, this->Current))
   {
     this->AddEvent("The clearance stops " + last.Name(this->Stage.placed.rows[i]) + " at " +
@@ -208,10 +212,12 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   }
   if (this->Iteration.unreachableDefect > NotableDefect)
   {
-    this->AddEvent("A holonomy defect of " + FormatShort(this->Iteration.unreachableDefect) +
-      " remains that no interior singularity can change; add two singularities of opposite sign.");
+    this->AddEvent("A holonomy defect of " + CrossAngle(this->Iteration.unreachableDefect) +
+      " of the crosses remains that no interior singularity can change; add two singularities of "
+      "opposite sign.");
   }
-  if (!this->Changed && this->Options.objective.goal == OptimizerGoal::Energy &&
+  if (!this->Changed && this->DefectBefore > NotableDefect &&
+    this->Options.objective.goal == OptimizerGoal::Energy &&
     result.energyAfter > result.energyBefore + 1e-3 * (1.0 + std::abs(result.energyBefore)))
   {
     this->AddEvent("Removing the holonomy defects raised the renormalised energy from " +

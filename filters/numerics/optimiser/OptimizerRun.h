@@ -65,6 +65,7 @@ private:
   Eigen::VectorXd PreviousPositions; ///< Positions one step ago.
   int StepsDue = 0;                  ///< Number of successive steps for which a change was due.
   bool Changed = false;
+  double DefectBefore = 0.0; ///< Largest holonomy defect at the start, radians.
   bool StartsSymmetric = false;
   bool SymmetryTried = false; ///< Whether RestoreSymmetry has been tried.
 };

@@ -131,10 +131,9 @@ std::string Rounded(double value)
   {
     throw CoarseMeshError(what + ", because the grid lines around inner loop " +
       std::to_string(worst - holonomyDefect.begin() + 1) + " do not close up by " +
-      Degrees(0.25 * std::abs(*worst)) + " and a map that closes them (predicted stretch " +
+      CrossAngle(*worst) + " and a map that closes them (predicted stretch " +
       Rounded(report.PredictedStretch()) +
-      " : 1) was not found; repair the holonomy (RepairHolonomy, --repair-holonomy), which moves the "
-      "singularities.");
+      " : 1) was not found; move singularities to positions where they close up.");
   }
   throw CoarseMeshError(what +
     "; use a finer mesh, smooth the boundary if it has a thin tip there, or move singularities "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 namespace crossfield
 {
@@ -120,6 +121,14 @@ PoincareHopfCount CountMeshQuarters(
   return CountQuarters(topology.AlignedLoops(), given, DefaultCornerAngle, choices);
 }
 
+std::string CrossAngle(double defect)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << 0.25 * std::abs(defect) * 180.0 / Pi << "°";
+  return text.str();
+}
+
 std::string ConsistencyReason(
   const PoincareHopfCount& count, const std::vector<double>& holonomyDefects)
 {
@@ -132,11 +141,10 @@ std::string ConsistencyReason(
     const auto defect = std::find_if(holonomyDefects.begin(), holonomyDefects.end(),
       [](double value) { return std::abs(value) > NoticeableDefect; });
     return sums + ", as the Poincaré-Hopf theorem requires" + domain +
-      (defect == holonomyDefects.end()
-          ? "."
-          : ", but at inner loop " + std::to_string(defect - holonomyDefects.begin() + 1) +
-            " there is a holonomy defect of " + std::to_string(*defect) +
-            " radians, so grid lines around it do not close up; move singularities until it vanishes.");
+      (defect == holonomyDefects.end() ? "."
+                                       : ", but the grid lines around inner loop " +
+            std::to_string(defect - holonomyDefects.begin() + 1) + " do not close up by " +
+            CrossAngle(*defect) + "; move singularities until they do.");
   }
   const int missing = count.requiredInteriorQuarters - count.givenInteriorQuarters;
   const std::string difference = sums + " but the Poincaré-Hopf theorem requires " +

@@ -74,6 +74,10 @@ PoincareHopfCount CountMeshQuarters(
 /// Holonomy defect, in radians, below which the defect may be an artefact of the mesh.
 constexpr double NoticeableDefect = 1e-2;
 
+/// Returns the angle of the crosses by which grid lines miss, a quarter of a holonomy defect in
+/// radians, as text such as "12.5°".
+std::string CrossAngle(double defect);
+
 /// Returns one sentence: either that the sums agree, or by how much they differ and what to add. It
 /// also suggests what to remove if the given sum shows that there is enough to remove. When the
 /// sums agree it names the first inner loop with a NoticeableDefect (HolonomyCheck.h).

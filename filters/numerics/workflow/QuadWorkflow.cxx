@@ -1,16 +1,17 @@
 #include "QuadWorkflow.h"
 
+#include "IndexSplit.h"
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
+#include "NodePositions.h"
 #include "PoincareHopf.h"
+#include "QuadAdvice.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -24,22 +25,6 @@ struct Layout
   SeamlessMap map;
   TMesh separatrices;
 };
-
-/// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
-/// be noticed after a long search for edge counts.
-void RequireCountable(const PlanarDomain& domain, double quadSize)
-{
-  constexpr double MaximumQuads = std::numeric_limits<int>::max();
-  const double quads = domain.Area() / quadSize / quadSize;
-  if (quadSize > 0.0 && quads > MaximumQuads)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << "The domain would need more quads of size " << quadSize
-         << " than the 2 billion that can be numbered; use a larger size.";
-    throw Error(text.str());
-  }
-}
 
 /// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
 /// leaves no angle for a quad. Capping changes corners of the domain only.
@@ -92,15 +77,66 @@ public:
     this->Result.seconds.choose = this->Clock.Lap();
   }
 
+  /// Splits large quarter indices on request; otherwise throws Error for those without a node.
+  void Split()
+  {
+    if (this->Request.split)
+    {
+      SplitConfiguration split =
+        SplitIndices(this->Domain, this->Result.singularities, 1.5 * this->SideLength());
+      this->Result.singularities = std::move(split.singularities);
+      this->AddEvents(split.events);
+    }
+    RequireNodes(this->Domain, this->Result.singularities);
+    this->Started = this->Result.singularities;
+  }
+
   void Repair(const Progress& progress)
   {
-    if (this->Request.repairHolonomy)
+    if (!this->Request.repairHolonomy)
     {
-      this->Result.repair = RepairForMap(this->Domain, this->Result.singularities, this->MapOptions,
-        this->Request.meshSize, progress);
-      this->Result.singularities = this->Result.repair->singularities;
+      return;
     }
-    this->Clock.Lap();
+    try
+    {
+      this->UseRepair(RepairForMap(
+        this->Domain, this->Started, this->MapOptions, this->Request.meshSize, progress));
+    }
+    catch (const Error& error)
+    {
+      if (this->Request.singularities)
+      {
+        throw;
+      }
+      this->AddEvents({ "The holonomy was not repaired. " + std::string(error.what()) });
+    }
+    this->Result.seconds.choose += this->Clock.Lap();
+  }
+
+  /// Lays out as LayOut does. If that fails, it is tried with the holonomy repaired: chosen
+  /// singularities are used there; for given ones the error offers it.
+  Layout LayOutOrAdvise(const Progress& progress)
+  {
+    try
+    {
+      return this->LayOut(progress.Part(0.0, 0.9));
+    }
+    catch (const CoarseMeshError& error)
+    {
+      std::optional<Layout> layout = this->TryRepaired(progress.Part(0.9, 1.0));
+      if (!layout)
+      {
+        throw;
+      }
+      if (this->Request.singularities)
+      {
+        throw Error(WithAdvice(error.what(), RepairAdvice(*this->Result.repair)));
+      }
+      this->AddEvents({ "The singularities were moved so that grid lines close up around the inner "
+                        "loops. Without this: " +
+        std::string(error.what()) });
+      return std::move(*layout);
+    }
   }
 
   /// Meshes, solves for the map and traces the separatrices.
@@ -138,11 +174,95 @@ public:
     seconds.integers = this->Result.quads.counts.seconds;
     seconds.layout = this->Result.quads.layoutSeconds;
     seconds.smooth = this->Result.quads.smoothSeconds;
+    NodePositions nodes =
+      FindNodePositions(map, this->Result.quads.mesh, this->Result.singularities, this->Started);
+    this->Result.singularities = std::move(nodes.singularities);
+    this->Result.moved = nodes.moved;
+    this->AddEvents(nodes.events);
+    this->AddWarnings();
   }
 
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
+  void AddEvents(const std::vector<std::string>& events)
+  {
+    this->Result.events.insert(this->Result.events.end(), events.begin(), events.end());
+  }
+
+  void UseRepair(HolonomyRepair repair)
+  {
+    this->Result.singularities = repair.singularities;
+    this->Result.repair = std::move(repair);
+  }
+
+  /// Returns a repair of the holonomy that was not requested; none if there is nothing to repair or
+  /// it is impossible.
+  std::optional<HolonomyRepair> FindRepair() const
+  {
+    if (this->Result.repair || this->Domain.loops.size() < 2)
+    {
+      return std::nullopt;
+    }
+    try
+    {
+      HolonomyRepair repair =
+        RepairForMap(this->Domain, this->Started, this->MapOptions, this->Request.meshSize);
+      if (std::any_of(repair.before.begin(), repair.before.end(),
+            [](double defect) { return std::abs(defect) > NoticeableDefect; }))
+      {
+        return repair;
+      }
+    }
+    catch (const Error&)
+    {
+      // No repair exists.
+    }
+    return std::nullopt;
+  }
+
+  /// Repairs the holonomy and lays out again; returns nothing if one of them fails.
+  std::optional<Layout> TryRepaired(const Progress& progress)
+  {
+    try
+    {
+      if (std::optional<HolonomyRepair> repair = this->FindRepair())
+      {
+        this->UseRepair(std::move(*repair));
+        return this->LayOut(progress);
+      }
+    }
+    catch (const Error&)
+    {
+      // The repair does not help.
+    }
+    return std::nullopt;
+  }
+
+  void AddWarnings()
+  {
+    QuadWorkflowResult& result = this->Result;
+    result.warnings = DescribeFlatNodes(this->Domain, result.singularities);
+    if (!this->Request.split)
+    {
+      this->AddEvents(DescribeCrowdedNodes(this->Domain, result.singularities));
+    }
+    if (result.flattening && result.flattening->PredictedStretch() > NoticeableStretch)
+    {
+      const std::optional<HolonomyRepair> repair = this->FindRepair();
+      result.warnings.push_back(WithAdvice(
+        DescribeStretch(*result.flattening), repair ? RepairAdvice(*repair) : std::string()));
+    }
+  }
+
+  /// Returns the side length of quads that the request asks for.
+  double SideLength() const
+  {
+    return this->Request.quadSize > 0.0 && this->Request.sizing != Sizing::Field
+      ? this->Request.quadSize
+      : std::sqrt(this->Domain.Area() / this->Request.quadCount);
+  }
+
   SharedTopology Mesh(double refinement, const Progress& progress)
   {
     SharedTopology topology = ShareTopology(MeshThroughPoints(
@@ -180,12 +300,16 @@ private:
   const PlanarDomain& Domain;
   const QuadRequest& Request;
   SeamlessMapOptions MapOptions;
+  Configuration Started; ///< The singularities before they were repaired.
   QuadWorkflowResult Result;
   Stopwatch Clock;
 };
 }
 
-QuadWorkflowResult MakeQuadMesh(
+namespace
+{
+/// Runs the steps of MakeQuadMesh once.
+QuadWorkflowResult RunSteps(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   if (request.sizing != Sizing::Field) // whose sizes are factors
@@ -196,10 +320,48 @@ QuadWorkflowResult MakeQuadMesh(
   const Progress remaining = progress.Part(chosen, 1.0);
   Workflow workflow(domain, request);
   workflow.Choose(progress.Part(0.0, chosen));
+  workflow.Split();
   workflow.Repair(remaining.Part(0.0, 0.1));
-  Layout layout = workflow.LayOut(remaining.Part(0.1, 0.6));
+  Layout layout = workflow.LayOutOrAdvise(remaining.Part(0.1, 0.6));
   workflow.MakeQuads(layout.map, std::move(layout.separatrices), remaining.Part(0.6, 0.95));
   return workflow.TakeResult();
+}
+
+}
+
+QuadWorkflowResult MakeQuadMesh(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+{
+  const Progress trial = progress.Part(1.0, 1.0);
+  QuadWorkflowResult result;
+  try
+  {
+    result = RunSteps(domain, request, progress);
+  }
+  catch (const CoarseMeshError& error)
+  {
+    // Its remedy, a finer mesh, was tried.
+    const double length = FindSmoothing(domain, request.corners,
+      [&](const PlanarDomain& smooth) { RunSteps(smooth, request, trial); });
+    throw Error(WithAdvice(
+      WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
+  }
+  if (result.quads.quality.inverted > 0 && DescribeFlatNodes(domain, result.singularities).empty())
+  {
+    std::optional<SmallerSize> smaller;
+    if (request.sizing != Sizing::Field) // whose sizes are factors
+    {
+      smaller = FindSmallerSize(result.quads,
+        [&](double size)
+        {
+          QuadRequest other = request;
+          other.quadSize = size;
+          return RunSteps(domain, other, trial).quads;
+        });
+    }
+    result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
+  }
+  return result;
 }
 
 AutomaticConfiguration ChooseSingularities(

@@ -32,13 +32,16 @@ struct QuadRequest
   int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
   bool capCorners = true; ///< As in SeamlessMapOptions.
   bool repairHolonomy = false;
+  /// Splits interior singularities of quarter index ±2 and beyond into ones of index ±1
+  /// (IndexSplit.h).
+  bool split = false;
   bool coarse = false; ///< As in QuadOptions.
 };
 
 /// Wall-clock time of each step of MakeQuadMesh, in seconds.
 struct QuadSeconds
 {
-  double choose = 0.0; ///< 0 if singularities were given.
+  double choose = 0.0; ///< Choosing and repairing singularities.
   double mesh = 0.0;
   double map = 0.0;
   double trace = 0.0;
@@ -50,14 +53,17 @@ struct QuadSeconds
 /// A quad mesh, and the singularities and corners that it was made of.
 struct QuadWorkflowResult
 {
-  Configuration singularities;       ///< Given or chosen, at their positions after repair.
+  Configuration singularities; ///< Given or chosen, at the positions of their nodes.
+  double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
-  /// Decisions made in choosing, and whether the mesh was refined; one sentence each.
+  /// Decisions made in choosing, moves of singularities, and whether the mesh was refined; one
+  /// sentence each.
   std::vector<std::string> events;
   std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
   std::optional<HolonomyRepair> repair;       ///< If it was requested.
   std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
+  std::vector<std::string> warnings;          ///< What is wrong with the mesh, and what helps.
   QuadResult quads;
   QuadSeconds seconds;
 };
@@ -65,7 +71,8 @@ struct QuadWorkflowResult
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
 /// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
 /// makes quads. If the map or the separatrices fail with CoarseMeshError, they are tried once more
-/// on a mesh with edges half as long.
+/// on a mesh with edges half as long. Remedies that an error or a warning offers have been tried
+/// (QuadAdvice.h).
 ///
 /// Throws Error if there would be more quads than can be numbered, and as ChooseSingularities,
 /// RepairForMap, MeshThroughPoints, SolveSeamlessMap, TraceSeparatrices, MakeTMesh and MakeQuads do.

@@ -206,8 +206,8 @@ TEST(AutomaticConfiguration, AddsPairsForQuadsWhereTheyAreAllowed)
   AutomaticOptions options;
   options.quadCount = 1000;
   const AutomaticConfiguration needed = ChooseConfiguration(ring, options);
-  EXPECT_NE(needed.events.back().find("pairs of singularities would make them more uniform"),
-    std::string::npos);
+  EXPECT_NE(
+    needed.events.back().find("pairs of singularities (Pairs, --pairs) may"), std::string::npos);
   options.optimizer.pairs = 2;
   const AutomaticConfiguration more = ChooseConfiguration(ring, options);
   EXPECT_EQ(TotalQuarters(more.singularities), TotalQuarters(needed.singularities));

@@ -104,7 +104,7 @@ TEST(HolonomyRepair, MovesNothingOrThrowsIfImpossible)
   PlanarDomain twisted;
   twisted.loops = { { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } },
     { { 0.3, 0.1 }, { 0.1, -0.3 }, { -0.3, -0.1 }, { -0.1, 0.3 } } };
-  EXPECT_TRUE(Refuses(
-    [&] { RepairHolonomy(twisted, {}, {}, 0.1); }, { "inner loop 1", "radians", "add a pair" }));
+  EXPECT_TRUE(Refuses([&] { RepairHolonomy(twisted, {}, {}, 0.1); },
+    { "inner loop 1", "do not close up by 26.6°", "add a pair" }));
 }
 }

@@ -38,6 +38,15 @@ void ExpectSamePoints(const QuadMesh& mesh, const QuadMesh& expected, double tol
   }
 }
 
+/// Returns whether a singularity is at the node of a mesh that belongs to it.
+bool IsNode(const QuadMesh& mesh, const Singularity& singularity)
+{
+  return std::any_of(mesh.points.begin(), mesh.points.end(),
+    [&](const QuadPoint& point) {
+      return point.place == singularity.position && point.quarterIndex == singularity.quarterIndex;
+    });
+}
+
 int SumOfQuarters(const QuadWorkflowResult& result)
 {
   int sum = TotalQuarters(result.singularities);
@@ -92,12 +101,22 @@ TEST(QuadWorkflow, ChoosesAsChooseConfigurationDoes)
     options.quadSize = sizing == Sizing::Field ? relative.mean : 0.1;
     const AutomaticConfiguration choice = ChooseConfiguration(domain, options);
     ASSERT_EQ(result.singularities.size(), choice.singularities.size());
+    double moved = 0.0;
     for (std::size_t i = 0; i < choice.singularities.size(); ++i)
     {
-      EXPECT_EQ(result.singularities[i].position, choice.singularities[i].position);
-      EXPECT_EQ(result.singularities[i].quarterIndex, choice.singularities[i].quarterIndex);
+      const Singularity& used = result.singularities[i];
+      moved = std::max(moved, (used.position - choice.singularities[i].position).norm());
+      EXPECT_EQ(used.quarterIndex, choice.singularities[i].quarterIndex);
+      EXPECT_TRUE(IsNode(result.quads.mesh, used)) << Describe(used.position);
     }
-    EXPECT_EQ(result.events, choice.events);
+    EXPECT_EQ(result.moved, moved);
+    // Uniform sizes move them, by more than a tenth of a quad.
+    const bool isConformal = sizing == Sizing::Conformal;
+    EXPECT_EQ(moved < 1e-9, isConformal) << moved;
+    ASSERT_GE(result.events.size(), choice.events.size());
+    EXPECT_TRUE(std::equal(choice.events.begin(), choice.events.end(), result.events.begin()));
+    EXPECT_EQ(result.events.size() == choice.events.size(), isConformal);
+    EXPECT_EQ(result.events.back().find("to its node at") == std::string::npos, isConformal);
     ASSERT_TRUE(result.optimum);
     EXPECT_GT(result.seconds.choose, 0.0);
   }
@@ -151,6 +170,9 @@ TEST(QuadWorkflow, SingularitiesAreAtTheirPositionsAfterRepair)
       [&position](const QuadPoint& point) { return (point.place - position).norm() < 1e-9; }));
   }
   EXPECT_EQ(largest, result.repair->largestMove);
+  // The report of moves includes the repair.
+  EXPECT_NEAR(result.moved, largest, 1e-9);
+  EXPECT_GT(result.seconds.choose, 0.0);
 }
 
 TEST(QuadWorkflow, ThinDomainsHaveAMap)

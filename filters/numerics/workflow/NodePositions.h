@@ -1,0 +1,25 @@
+#pragma once
+
+#include "QuadMesh.h"
+#include "SeamlessMap.h"
+#include "Singularity.h"
+
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+/// Singularities at the positions of their nodes, and how far these are from where they started.
+struct NodePositions
+{
+  Configuration singularities;
+  double moved = 0.0; ///< Maximum distance.
+  /// A sentence for every singularity that moved by more than a tenth of the edges at its node.
+  std::vector<std::string> events;
+};
+
+/// Finds the nodes of the singularities of a map in its quad mesh. `singularities` are those of the
+/// map, `start` the same at the positions that were given or chosen.
+NodePositions FindNodePositions(const SeamlessMap& map, const QuadMesh& mesh,
+  const Configuration& singularities, const Configuration& start);
+}

@@ -1,0 +1,204 @@
+#include "QuadAdvice.h"
+
+#include "DomainQueries.h"
+#include "Error.h"
+#include "OptimizerReport.h"
+#include "SmoothBoundary.h"
+
+#include <limits>
+#include <sstream>
+
+namespace crossfield
+{
+namespace
+{
+bool IsInside(const PlanarDomain& domain, const Singularity& singularity)
+{
+  return SignedDistance(singularity.position, domain) > BoundaryReach * domain.Diagonal();
+}
+
+/// Returns "The singularity at (1, 2) of quarter index 3".
+std::string Name(const Singularity& singularity)
+{
+  return "The singularity at " + Describe(singularity.position) + " of quarter index " +
+    std::to_string(singularity.quarterIndex);
+}
+
+std::string SplitAdvice(int count, int sign)
+{
+  return "; to have " + std::to_string(count) + " of index " + std::to_string(sign) +
+    " instead, split it (SplitSingularities, --split).";
+}
+}
+
+void RequireCountable(const PlanarDomain& domain, double quadSize)
+{
+  constexpr double MaximumQuads = std::numeric_limits<int>::max();
+  const double quads = domain.Area() / quadSize / quadSize;
+  if (quadSize > 0.0 && quads > MaximumQuads)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "The domain would need more quads of size " << quadSize
+         << " than the 2 billion that can be numbered; use a larger size.";
+    throw Error(text.str());
+  }
+}
+
+void RequireNodes(const PlanarDomain& domain, const Configuration& singularities)
+{
+  for (const Singularity& singularity : singularities)
+  {
+    if (singularity.quarterIndex > 2 && IsInside(domain, singularity))
+    {
+      throw Error(Name(singularity) + " would be a node with " +
+        std::to_string(4 - singularity.quarterIndex) + " quads, which no mesh has" +
+        SplitAdvice(singularity.quarterIndex, 1));
+    }
+  }
+}
+
+std::vector<std::string> DescribeFlatNodes(
+  const PlanarDomain& domain, const Configuration& singularities)
+{
+  std::vector<std::string> sentences;
+  for (const Singularity& singularity : singularities)
+  {
+    if (singularity.quarterIndex == 2 && IsInside(domain, singularity))
+    {
+      sentences.push_back(Name(singularity) +
+        " is a node of valence 2, between two quads with angles of 180°" + SplitAdvice(2, 1));
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> DescribeCrowdedNodes(
+  const PlanarDomain& domain, const Configuration& singularities)
+{
+  std::vector<std::string> sentences;
+  for (const Singularity& singularity : singularities)
+  {
+    if (singularity.quarterIndex <= -2 && IsInside(domain, singularity))
+    {
+      sentences.push_back(Name(singularity) + " is a node of valence " +
+        std::to_string(4 - singularity.quarterIndex) + SplitAdvice(-singularity.quarterIndex, -1));
+    }
+  }
+  return sentences;
+}
+
+std::optional<SmallerSize> FindSmallerSize(
+  const QuadResult& quads, const std::function<QuadResult(double size)>& mesh)
+{
+  constexpr double MaximumQuads = 50000.0; // about two seconds
+  constexpr double Valid = 0.01;           // a smaller scaled Jacobian may be rounding
+  for (const double factor : { 2.0, 4.0 })
+  {
+    if (factor * factor * static_cast<double>(quads.mesh.quads.size()) > MaximumQuads)
+    {
+      break;
+    }
+    const double size = std::stod(FormatShort(quads.size / factor)); // as it is printed
+    try
+    {
+      const QuadResult smaller = mesh(size);
+      if (smaller.quality.jacobian.min > Valid)
+      {
+        return SmallerSize{ size, smaller.mesh.quads.size() };
+      }
+    }
+    catch (const Error&)
+    {
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
+  const std::function<void(const PlanarDomain& domain)>& mesh)
+{
+  std::vector<Point> kept;
+  for (const CornerChoice& corner : corners)
+  {
+    kept.push_back(corner.position);
+  }
+  for (const double part : { 400.0, 200.0, 100.0, 50.0 })
+  {
+    const double length = std::stod(FormatShort(domain.Diagonal() / part)); // as it is printed
+    try
+    {
+      mesh(SmoothBoundary(domain, length, kept).domain);
+      return length;
+    }
+    catch (const Error&)
+    {
+      continue;
+    }
+  }
+  return 0.0;
+}
+
+std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller)
+{
+  std::ostringstream text;
+  text << quality.inverted << (quality.inverted == 1 ? " quad is" : " quads are")
+       << " inverted, the worst near " << Describe(quality.where);
+  if (smaller)
+  {
+    text << "; use a smaller size: with " << smaller->size << ", " << smaller->quads
+         << " quads, none is inverted.";
+  }
+  else
+  {
+    text << ", and smaller sizes do not help; choose other positions for the singularities nearby.";
+  }
+  return text.str();
+}
+
+std::string RepairAdvice(const HolonomyRepair& repair)
+{
+  std::ostringstream text;
+  text.precision(3);
+  text << "; the repair of the holonomy (RepairHolonomy, --repair-holonomy) avoids this and moves "
+          "singularities by up to "
+       << repair.largestMove;
+  return text.str();
+}
+
+std::string SmoothingAdvice(double length, bool singularitiesAreGiven)
+{
+  std::ostringstream text;
+  if (length > 0.0)
+  {
+    text << "; smooth the boundary with a length of " << length
+         << " (SmoothingLength of Boundary Simplifier, --smooth-boundary)";
+  }
+  else if (singularitiesAreGiven)
+  {
+    text << " on a finer mesh as well; move singularities away from each other and from the "
+            "boundary";
+  }
+  else
+  {
+    text << " on a finer mesh as well; give other singularities";
+  }
+  return text.str();
+}
+
+std::string WithoutRemedy(std::string sentence)
+{
+  const std::size_t remedy = sentence.rfind("; ");
+  return remedy == std::string::npos ? sentence : sentence.substr(0, remedy) + ".";
+}
+
+std::string WithAdvice(std::string sentence, const std::string& clause)
+{
+  if (!sentence.empty() && sentence.back() == '.')
+  {
+    sentence.pop_back();
+  }
+  return sentence + clause + ".";
+}
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "BoundaryCorners.h"
+#include "HolonomyRepair.h"
+#include "PlanarDomain.h"
+#include "QuadMesher.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+/// A size with which no quads are inverted, and the number of quads.
+struct SmallerSize
+{
+  double size = 0.0;
+  std::size_t quads = 0;
+};
+
+/// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
+/// be noticed after a long search for edge counts.
+void RequireCountable(const PlanarDomain& domain, double quadSize);
+
+/// Throws Error if an interior singularity has a quarter index above 2, for which there is no node.
+void RequireNodes(const PlanarDomain& domain, const Configuration& singularities);
+
+/// Returns a sentence for every interior singularity of quarter index 2: its node has two quads, with
+/// an angle of 180° each.
+std::vector<std::string> DescribeFlatNodes(
+  const PlanarDomain& domain, const Configuration& singularities);
+
+/// Returns a sentence for every interior singularity of quarter index −2 or below, whose node has
+/// six quads or more.
+std::vector<std::string> DescribeCrowdedNodes(
+  const PlanarDomain& domain, const Configuration& singularities);
+
+/// Returns a half or a quarter of the size of quads, rounded to four digits, if no quads are
+/// inverted with it. `mesh` makes the quads of a size.
+std::optional<SmallerSize> FindSmallerSize(
+  const QuadResult& quads, const std::function<QuadResult(double size)>& mesh);
+
+/// Returns a length for which the domain with a smoothed boundary (SmoothBoundary.h) has quads,
+/// rounded to four digits; 0 if none of 1/400 to 1/50 of the diagonal has. `mesh` makes the quads of a
+/// domain, or throws Error.
+double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
+  const std::function<void(const PlanarDomain& domain)>& mesh);
+
+/// Returns a sentence about inverted quads. The remedy is a size with which there are none, if one
+/// was found.
+std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller);
+
+/// Returns the clause that offers a repair of the holonomy that was found to work.
+std::string RepairAdvice(const HolonomyRepair& repair);
+
+/// Returns the clause that offers smoothing with a length that was found to work, or, if it is 0,
+/// other singularities.
+std::string SmoothingAdvice(double length, bool singularitiesAreGiven);
+
+/// Returns a sentence without the clause after its last semicolon.
+std::string WithoutRemedy(std::string sentence);
+
+/// Returns a sentence with another clause before its full stop.
+std::string WithAdvice(std::string sentence, const std::string& clause);
+}
