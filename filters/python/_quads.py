@@ -40,7 +40,8 @@ class QuadMesh:
     singularities    the singularities used, at their positions after repair, with the corners used
     report           the numbers, under the names of `crossfield quads --json`
     grid, block_data, layout_data
-                     all of it as a vtkUnstructuredGrid, a vtkMultiBlockDataSet and a vtkPolyData
+                     all of it as a vtkUnstructuredGrid (quads, edges and report), a vtkMultiBlockDataSet and a
+                     vtkPolyData
     """
 
     points: np.ndarray
@@ -90,7 +91,9 @@ def _points_of_block(grid: Any) -> np.ndarray:
 
 def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
     """Returns the outputs of a mesher; the report lists the singularities if they were chosen."""
-    grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
+    grid = vtkUnstructuredGrid()
+    mesher.CopyMesh(grid)
+    blocks, layout = mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)
     types = vtk_to_numpy(grid.GetCellTypesArray())
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())

@@ -90,8 +90,11 @@ void ShowQuads(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
+/** Applies a display to an output that the user shows only on demand. */
+template <void (*show)(vtkSMProxy*)>
 void Hide(vtkSMProxy* shown)
 {
+  show(shown);
   Set(shown, "Visibility", 0.0);
 }
 
@@ -103,7 +106,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 19> Rules = { {
+constexpr std::array<Rule, 22> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "SingularitySource", 0, Look::ShowSingularities },
@@ -119,10 +122,13 @@ constexpr std::array<Rule, 19> Rules = { {
   { "Separatrices", 0, ShowLines },
   { "Separatrices", 1, Look::ShowPatches },
   { "QuadMesher", 0, ShowQuads },
-  { "QuadMesher", 1, Hide }, // the blocks would cover the quads
+  { "QuadMesher", 1, Hide<ShowQuads> }, // the blocks would cover the quads
   { "QuadMesher", 2, ShowOutline },
-  { "QuadMesher", 3, Look::ShowSingularities },
-  { "QuadMesher", 4, Hide }, // corners are visible in the outline
+  { "QuadMesher", 3, Hide<Look::ShowSingularities> }, // the irregular nodes are shown
+  { "QuadMesher", 4, Hide<Look::ShowSingularities> }, // corners are visible in the outline
+  { "QuadMesher", 5, Hide<ShowOutline> },
+  { "QuadMesher", 6, Look::ShowSingularities },
+  { "QuadMesher", 7, Hide<ShowLines> },
 } };
 
 /** Output that is a text for the view. */
@@ -134,10 +140,11 @@ struct Text
 };
 
 // Texts on inputs are at the top, texts on results at the bottom.
-constexpr std::array<Text, 3> Texts = { {
+constexpr std::array<Text, 4> Texts = { {
   { "PoincareHopfCheck", 3, "Upper Left Corner" },
   { "PerforatedCrossField", 1, "Lower Center" },
   { "LayoutDesigner", 4, "Lower Center" },
+  { "QuadMesher", 8, "Lower Center" },
 } };
 
 bool IsProxy(pqPipelineSource* source, const char* proxy)

@@ -71,6 +71,10 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::ShowSingularities(shown);
     lift(0.001);
     break;
+  case 5: // the separatrices include the boundary
+    Look::SetColour(shown, Look::Black);
+    Set(shown, "Visibility", 0.0);
+    break;
   default:
     Set(shown, "Representation", "Wireframe");
     lift(0.00025);

@@ -97,10 +97,24 @@ def test_quads():
     shown = make("Quad Mesher", Singularities="Points")
     is_coloured(shown, "BlockId")
     check_equal(shown.Representation, "Surface With Edges", "quads")
-    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 1), GetActiveView()).Visibility, 0, "visibility of the blocks over the quads")
-    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 2), GetActiveView()).LineWidth, 3, "sides of blocks")
+    mesher, view = GetActiveSource(), GetActiveView()
+    _, blocks, layout, singularities, _, boundary, nodes, separatrices, summary = (
+        GetRepresentation(OutputPort(mesher, port), view) for port in range(9))
+    # Blocks would cover the quads, and singularities the irregular nodes.
+    check_equal([part.Visibility for part in (shown, blocks, layout, singularities, boundary, nodes, separatrices, summary)],
+                [1, 0, 1, 0, 0, 1, 0, 1], "visibility of the outputs")
+    check_equal(layout.LineWidth, 3, "sides of blocks")
+    is_coloured(nodes, "QuarterIndex")
     check_equal(legends(), 0, "legends of blocks")
     check(all(min(colour) > 0.7 for colour in colours("BlockId").values()), "colours of blocks are not pale")
+    # The blocks, shown instead of the quads, look like them.
+    blocks.Visibility, shown.Visibility = 1, 0
+    Render()
+    wait(400)
+    is_coloured(blocks, "BlockId")
+    check_equal(blocks.Representation, "Surface With Edges", "blocks")
+    check_equal(legends(), 0, "legends of blocks")
+    picture("blocks.png", is_whole_window=False)
 
 
 def test_scripts_keep_their_settings():
