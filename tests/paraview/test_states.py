@@ -10,6 +10,8 @@ import paraview.simple as simple
 from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
 STATES = os.environ["STATES"]
+# States that begin with handles to drag.
+WITH_HANDLES = "design.py", "place_and_solve.py"
 
 
 def load(state):
@@ -24,6 +26,8 @@ def load(state):
         texts = [str(shown.WindowLocation) for shown in view.Representations
                  if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility]
         check_equal(sorted(set(texts)), sorted(texts), "positions of texts, in " + state)
+    if state in WITH_HANDLES:
+        check(gui.gui_rows() > 0, "the handles of the state are not shown")
     picture(state[:-3] + ".png")
     check_equal(messages(), "", "messages of " + state)
 
