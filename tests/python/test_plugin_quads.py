@@ -129,6 +129,10 @@ def test_size_arrays():
             choice = proxy.GetProperty("SizeArray").FindDomain("vtkSMArrayListDomain")
             choice.Update(given)
             check_equal({choice.GetString(i) for i in range(choice.GetNumberOfStrings())}, arrays, "the arrays")
+    unset = QuadMesher(Input=sized, Sizing="Field", SizeArray="None")
+    unset.UpdatePipeline()
+    text = servermanager.Fetch(unset, idx=8).GetValueByName(0, "Summary").ToString()
+    check("No size array is chosen" in text, "the text without a size array: " + text)
     optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), UniformSizes=1,
                                      Sizing="Field", SizeArray="Length")
     moved = fetch(optimizer)
