@@ -3,22 +3,34 @@
 #include "pqSingularityHandlesWidget.h"
 
 #include "pqApplicationCore.h"
+#include "pqDataRepresentation.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <QCheckBox>
 #include <QEvent>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace
 {
@@ -46,6 +58,64 @@ public:
 private:
   std::vector<QSignalBlocker> Blockers;
 };
+
+class QuietOutputWindow final : public vtkOutputWindow
+{
+public:
+  static QuietOutputWindow* New();
+  vtkTypeMacro(QuietOutputWindow, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+};
+vtkStandardNewMacro(QuietOutputWindow);
+
+/**
+ * Hides messages of filters during its lifetime. ParaView switches vtkObject's global display of
+ * warnings on before each update.
+ */
+class MessageBlocker
+{
+public:
+  MessageBlocker() { vtkOutputWindow::SetInstance(vtkNew<QuietOutputWindow>()); }
+  ~MessageBlocker() { vtkOutputWindow::SetInstance(this->Before); }
+  Q_DISABLE_COPY(MessageBlocker)
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
+};
+
+/** Returns the sources that are visible in a view. */
+std::vector<pqPipelineSource*> VisibleSources(pqView* view)
+{
+  std::vector<pqPipelineSource*> sources;
+  for (pqRepresentation* shown : view->getRepresentations())
+  {
+    auto* data = qobject_cast<pqDataRepresentation*>(shown);
+    if (data && data->isVisible() && data->getInput())
+    {
+      sources.push_back(data->getInput());
+    }
+  }
+  return sources;
+}
+
+/** Returns whether a source has failed or has the result of an earlier input. */
+bool IsStale(pqPipelineSource* source)
+{
+  auto* algorithm = vtkAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject());
+  if (!algorithm)
+  {
+    return false; // on a remote server
+  }
+  vtkDataObject* output = algorithm->GetOutputDataObject(0);
+  vtkDataArray* stale = output ? output->GetFieldData()->GetArray("Stale") : nullptr;
+  return algorithm->GetErrorCode() != 0 || (stale && stale->GetTuple1(0) != 0);
+}
+
+bool HasStaleSource(pqView* view)
+{
+  const std::vector<pqPipelineSource*> sources = VisibleSources(view);
+  return std::any_of(sources.begin(), sources.end(), &IsStale);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -133,7 +203,46 @@ void pqSingularityHandlesWidget::UpdateHandles()
   {
     interactor->AddObserver(event, this->Mouse, MousePriority);
   }
+  QObject::connect(this->view(), &pqView::endRender, this, [this] { this->CheckPicture(); });
   this->view()->render();
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::UpdatePipeline()
+{
+  auto* renderView =
+    vtkPVRenderView::SafeDownCast(this->view()->getViewProxy()->GetClientSideObject());
+  if (!this->Handles.GetRenderer() || !renderView || this->IsUpdating)
+  {
+    return;
+  }
+  // ParaView processes events while filters report their progress.
+  const QScopedValueRollback<bool> updating(this->IsUpdating, true);
+  // The view still has the data of its last update.
+  for (pqPipelineSource* source : VisibleSources(this->view()))
+  {
+    source->getSourceProxy()->UpdatePipeline();
+  }
+  if (!HasStaleSource(this->view()))
+  {
+    this->Picture.Hide();
+  }
+  else if (!this->Picture.IsShown())
+  {
+    this->Picture.Show(renderView);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::CheckPicture()
+{
+  // Other commands change the pipeline and the view as well.
+  if (this->Picture.IsShown() && !this->IsUpdating &&
+    (!this->Picture.FitsView() || !HasStaleSource(this->view())))
+  {
+    this->Picture.Hide();
+    this->view()->render();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +250,11 @@ void pqSingularityHandlesWidget::Detach()
 {
   this->FollowTimer.stop();
   this->EndDrag();
+  this->Picture.Hide();
+  if (this->view())
+  {
+    QObject::disconnect(this->view(), &pqView::endRender, this, nullptr);
+  }
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -223,6 +337,7 @@ void pqSingularityHandlesWidget::FollowMouse()
   }
   {
     const QScopedValueRollback<bool> handling(this->IsHandlingMove, true);
+    const MessageBlocker messages;
     this->HasPendingMove = false;
     const auto point =
       this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
@@ -243,6 +358,7 @@ void pqSingularityHandlesWidget::FollowMouse()
     // Anti-aliasing takes a software renderer 10 ms a frame and is hardly visible on moving edges.
     this->SmoothEdges(false);
     const PipelineSignalBlocker blocker;
+    this->UpdatePipeline();
     this->view()->forceRender();
   }
   if (this->HasPendingMove)

@@ -70,8 +70,9 @@ std::vector<double> RequireLengths(
   vtkDataArray* array = domain->GetPointData()->GetArray(name.c_str());
   if (array == nullptr && (name.empty() || name == "None")) // ParaView's choice of no array
   {
-    throw Error("No size array is chosen; choose a point array of the domain with the target length "
-                "of quads at each point, or another sizing.");
+    throw Error(
+      "No size array is chosen; choose a point array of the domain with the target length "
+      "of quads at each point, or another sizing.");
   }
   if (array == nullptr || array->GetNumberOfComponents() != 1)
   {
