@@ -13,6 +13,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 
 #include <QTimer>
 
@@ -56,13 +57,28 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     const HandlePlane::Vector position = { height * up[0], height * up[1], height * up[2] };
     vtkSMPropertyHelper(shown, "Position").Set(position.data(), 3);
   };
+  switch (port)
+  {
+  case 0:
+    Look::SetColourMap(shown, "Shade", Look::SignColours(Look::PaleGrey));
+    break;
+  case 1:
+    Look::SetPatchColours(shown);
+    break;
+  case 2:
+    Look::SetSingularityColours(shown);
+    break;
+  default:
+    break;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
   Look::SetFlat(shown);
   switch (port)
   {
   case 0:
     Set(shown, "LineWidth", 3.0);
     lift(0.0005);
-    Look::ColourBy(shown, vtkDataObject::CELL, "Shade", Look::SignColours(Look::PaleGrey));
+    Look::ColourBy(shown, vtkDataObject::CELL, "Shade");
     break;
   case 1:
     Look::ShowPatches(shown);

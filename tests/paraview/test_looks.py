@@ -1,6 +1,11 @@
 """Default display of sources and filters created from the menu; started by run_client.py."""
+import os
+
+from paraview import smtrace
 from paraview.modules.vtkRemotingViews import vtkSMPVRepresentationProxy
 from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
@@ -122,6 +127,39 @@ def test_scripts_keep_their_settings():
     SetProperties(shown, LineWidth=7)
     wait(400)
     check_equal(shown.LineWidth, 7, "the width that the script has set")
+
+
+def drawn(name):
+    """Returns the pixels of the view."""
+    picture(name, is_whole_window=False)
+    reader = vtkPNGReader()
+    reader.SetFileName(os.path.join(os.environ["FOLDER"], name))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+    return pixels[:, width * 2 // 5:-10].astype(int)
+
+
+def test_traces_replay_the_picture():
+    ResetSession()
+    wait(300)
+    smtrace.start_trace()
+    try:
+        make("Planar Domain Source")
+        make("Quad Mesher")
+        make("Layout Designer")
+    finally:
+        trace = smtrace.stop_trace()
+    seen = drawn("traced.png")
+    ResetSession()
+    wait(300)
+    exec(trace, dict(globals()))
+    Render()
+    wait(400)
+    replayed = drawn("replayed.png")
+    check_equal(messages(), "", "messages of the trace")
+    different = (abs(replayed - seen).max(axis=2) > 8).mean()
+    check(different < 0.005, "%g of the pixels of the replayed trace differ" % different)
 
 
 def run_in_empty_view(test):
