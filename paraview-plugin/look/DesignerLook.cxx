@@ -9,11 +9,14 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkWeakPointer.h"
 
 #include <QTimer>
 
@@ -48,6 +51,8 @@ HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* repre
 void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
 {
   vtkSMProxy* shown = representation->getProxy();
+  const vtkWeakPointer<vtkSMProxy> chosen =
+    vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // ParaView's choice, with a legend
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
   const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
   const auto lift = [&](double part)
@@ -98,5 +103,14 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     break;
   }
   shown->UpdateVTKObjects();
-  QTimer::singleShot(0, representation, [representation] { Look::HideLegend(representation); });
+  QTimer::singleShot(0, representation,
+    [representation, chosen]
+    {
+      Look::HideLegend(representation);
+      if (chosen && representation->getView())
+      {
+        vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(
+          chosen, representation->getView()->getProxy());
+      }
+    });
 }

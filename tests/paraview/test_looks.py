@@ -150,6 +150,10 @@ def test_traces_replay_the_picture():
         make("Layout Designer")
     finally:
         trace = smtrace.stop_trace()
+    check_equal(legends(), 0, "legends of the designer of coloured quads")
+    texts = [str(shown.WindowLocation).strip("'") for shown in GetActiveView().Representations
+             if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility]
+    check_equal(sorted(texts), ["Lower Center", "Upper Center"], "the positions of the texts")
     seen = drawn("traced.png")
     ResetSession()
     wait(300)
