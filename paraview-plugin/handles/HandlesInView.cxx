@@ -2,17 +2,14 @@
 
 #include "pqSingularityHandlesWidget.h"
 
+#include "ViewSources.h"
+
 #include "pqApplicationCore.h"
-#include "pqDataRepresentation.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
-#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
-#include "vtkDataArray.h"
-#include "vtkDataObject.h"
-#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -30,7 +27,6 @@
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
 
-#include <algorithm>
 
 namespace
 {
@@ -82,40 +78,6 @@ public:
 private:
   vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
 };
-
-/** Returns the sources that are visible in a view. */
-std::vector<pqPipelineSource*> VisibleSources(pqView* view)
-{
-  std::vector<pqPipelineSource*> sources;
-  for (pqRepresentation* shown : view->getRepresentations())
-  {
-    auto* data = qobject_cast<pqDataRepresentation*>(shown);
-    if (data && data->isVisible() && data->getInput())
-    {
-      sources.push_back(data->getInput());
-    }
-  }
-  return sources;
-}
-
-/** Returns whether a source has failed or has the result of an earlier input. */
-bool IsStale(pqPipelineSource* source)
-{
-  auto* algorithm = vtkAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject());
-  if (!algorithm)
-  {
-    return false; // on a remote server
-  }
-  vtkDataObject* output = algorithm->GetOutputDataObject(0);
-  vtkDataArray* stale = output ? output->GetFieldData()->GetArray("Stale") : nullptr;
-  return algorithm->GetErrorCode() != 0 || (stale && stale->GetTuple1(0) != 0);
-}
-
-bool HasStaleSource(pqView* view)
-{
-  const std::vector<pqPipelineSource*> sources = VisibleSources(view);
-  return std::any_of(sources.begin(), sources.end(), &IsStale);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -219,11 +181,11 @@ void pqSingularityHandlesWidget::UpdatePipeline()
   // ParaView processes events while filters report their progress.
   const QScopedValueRollback<bool> updating(this->IsUpdating, true);
   // The view still has the data of its last update.
-  for (pqPipelineSource* source : VisibleSources(this->view()))
+  for (pqPipelineSource* source : ViewSources::Visible(this->view()))
   {
     source->getSourceProxy()->UpdatePipeline();
   }
-  if (!HasStaleSource(this->view()))
+  if (!ViewSources::HasStale(this->view()))
   {
     this->Picture.Hide();
   }
@@ -238,7 +200,7 @@ void pqSingularityHandlesWidget::CheckPicture()
 {
   // Other commands change the pipeline and the view as well.
   if (this->Picture.IsShown() && !this->IsUpdating &&
-    (!this->Picture.FitsView() || !HasStaleSource(this->view())))
+    (!this->Picture.FitsView() || !ViewSources::HasStale(this->view())))
   {
     this->Picture.Hide();
     this->view()->render();
