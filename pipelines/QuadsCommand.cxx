@@ -69,10 +69,11 @@ vtkDataSet* Singularities(vtkQuadMesher* mesher)
 }
 
 /** Returns the data that the report of a mesh is written from. */
-ReportJson::Sources SourcesOf(vtkQuadMesher* mesher, vtkAlgorithm* domain)
+ReportJson::Sources SourcesOf(
+  vtkUnstructuredGrid* quads, vtkQuadMesher* mesher, vtkAlgorithm* domain)
 {
   const double* seconds = mesher->GetStageSeconds();
-  return { mesher->GetOutput(),
+  return { quads,
     { { "singularities", Singularities(mesher) }, { "domain", domain->GetOutputDataObject(0) } },
     std::vector<double>(seconds, seconds + 7) };
 }
@@ -141,7 +142,8 @@ int Mesh(const QuadsOptions& options)
 
   // 3. Mesh.
   PipelineRun::Update(mesher, "meshing");
-  vtkUnstructuredGrid* quads = mesher->GetOutput();
+  const vtkNew<vtkUnstructuredGrid> quads;
+  mesher->CopyMesh(quads);
 
   // 4. Write.
   OutputTransaction outputs;
@@ -166,7 +168,7 @@ int Mesh(const QuadsOptions& options)
   }
   if (!options.json.empty())
   {
-    outputs.Write(ReportJson::Write("quads", SourcesOf(mesher, domain)), options.json);
+    outputs.Write(ReportJson::Write("quads", SourcesOf(quads, mesher, domain)), options.json);
   }
   else if (!outputs.PrintsData())
   {
@@ -183,9 +185,9 @@ int Mesh(const QuadsOptions& options)
     }
     std::cout << Value(quads, names::Quads) << " quads in " << Value(quads, names::Blocks)
               << " blocks, irregular nodes by valence "
-              << ReportJson::Write("quads", "irregular", quads) << ", minimum scaled Jacobian "
-              << Value(quads, names::ScaledJacobianRange) << " (attainable "
-              << Value(quads, names::ScaledJacobianBound) << ")\n";
+              << ReportJson::Write("quads", "irregular", quads.Get())
+              << ", minimum scaled Jacobian " << Value(quads, names::ScaledJacobianRange)
+              << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
   }
   outputs.Commit();
   return Value(quads, names::Inverted) > 0.0 ? AnswerIsNo : Done;

@@ -29,6 +29,7 @@ Singularities = Union[ArrayLike, vtkDataSet, Path, None]
 _READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader,
             ".vtk": vtkGenericDataObjectReader, ".stl": vtkSTLReader, ".obj": vtkOBJReader,
             ".ply": vtkPLYReader}
+_BUILTIN = "builtin:"
 
 
 def _numbers(values: Any, widths: Sequence[int], what: str) -> np.ndarray:
@@ -120,11 +121,13 @@ def _read_gmsh(path: str) -> vtkPolyData:
 
 def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
-    aerofoil .dat, or a .msh of Gmsh if meshio is installed.
+    aerofoil .dat, or a .msh of Gmsh if meshio is installed. "builtin:NAME" is a built-in domain.
 
-    Raises Error if there is no such file, it cannot be read or holds no cells.
+    Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
     path = os.fspath(path)
+    if path.startswith(_BUILTIN):
+        return _builtin(path, 0.0)
     if not os.path.isfile(path):
         raise Error("There is no file '%s'; check the name of the domain." % path)
     ending = os.path.splitext(path)[1].lower()
@@ -143,6 +146,13 @@ def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
         raise Error(
             "The file '%s' holds no cells; give boundary lines or a triangle mesh." % path)
     return _as_curves_or_surfaces(data)
+
+
+def _builtin(name: str, size: float) -> vtkPolyData:
+    source = vtkPlanarDomainSource()
+    source.SetDomainName(name[len(_BUILTIN):])
+    source.SetEdgeLength(size)
+    return Pipeline().update_one(source).GetOutput()
 
 
 def _read_with(kind: Any, path: str) -> Any:
@@ -174,12 +184,7 @@ def as_domain(domain: Domain, size: Optional[float]) -> Union[vtkPolyData, vtkUn
         return _as_curves_or_surfaces(domain)
     if isinstance(domain, (str, os.PathLike)):
         name = os.fspath(domain)
-        if not name.startswith("builtin:"):
-            return read(name)
-        source = vtkPlanarDomainSource()
-        source.SetDomainName(name[len("builtin:"):])
-        source.SetEdgeLength(size or 0.0)
-        return Pipeline().update_one(source).GetOutput()
+        return _builtin(name, size or 0.0) if name.startswith(_BUILTIN) else read(name)
     return _loops(domain)
 
 

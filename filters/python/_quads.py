@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
+from ._plot import plot_quads
 from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
 from ._run import Error, Pipeline
@@ -22,7 +23,7 @@ _SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher
             "field": vtkQuadMesher.SizingField}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class QuadMesh:
     """An all-quad mesh and the structured blocks that it consists of.
 
@@ -40,7 +41,8 @@ class QuadMesh:
     singularities    the singularities used, at the positions of their nodes, with the corners used
     report           the numbers, under the names of `crossfield quads --json`
     grid, block_data, layout_data
-                     all of it as a vtkUnstructuredGrid, a vtkMultiBlockDataSet and a vtkPolyData
+                     all of it as a vtkUnstructuredGrid (quads, edges and report), a vtkMultiBlockDataSet and a
+                     vtkPolyData
     """
 
     points: np.ndarray
@@ -59,6 +61,18 @@ class QuadMesh:
     grid: vtkUnstructuredGrid
     block_data: vtkMultiBlockDataSet
     layout_data: vtkPolyData
+
+    def __repr__(self) -> str:
+        return "<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian %.2f>" % (
+            len(self.quads), len(self.blocks), self.report["scaled_jacobian"]["min"])
+
+    def plot(self, file: Optional[Union[str, "os.PathLike[str]"]] = None, width: int = 900) -> Any:
+        """Shows the mesh in a window until it is closed, with pale blocks and irregular nodes in
+        red (valence 3) and blue (valence 5).
+
+        In a notebook returns an image instead. With `file`, writes a .png of this width in pixels.
+        """
+        return plot_quads(self, file, width)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes `grid` to a .vtu file; other endings (.msh, .inp, .su2) are written by meshio:
@@ -90,7 +104,9 @@ def _points_of_block(grid: Any) -> np.ndarray:
 
 def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
     """Returns the outputs of a mesher; the report lists the singularities if they were chosen or moved."""
-    grid, blocks, layout = mesher.GetOutput(), mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
+    grid = vtkUnstructuredGrid()
+    mesher.CopyMesh(grid)
+    blocks, layout = mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)
     types = vtk_to_numpy(grid.GetCellTypesArray())
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -148,6 +164,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     RuntimeWarning, and report["inverted"] counts them.
 
     >>> mesh = quads("builtin:l-shape", size=0.2)
+    >>> mesh
+    <QuadMesh: 75 quads in 3 blocks, minimum scaled Jacobian 1.00>
     >>> mesh.quads.shape, mesh.report["irregular"], [block.shape for block in mesh.blocks]
     ((75, 4), {}, [(6, 6, 3), (6, 6, 3), (6, 6, 3)])
     >>> plate = [(0, 0), (3, 0), (3, 1), (0, 1)]

@@ -62,7 +62,7 @@ def replace_file(text: str, path: Union[str, "os.PathLike[str]"]) -> None:
         raise
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Mesh:
     """A triangle mesh with a hole at every singularity.
 
@@ -83,12 +83,15 @@ class Mesh:
     quarter_index: np.ndarray
     grid: vtkUnstructuredGrid
 
+    def __repr__(self) -> str:
+        return "<%s: %d triangles, %d points>" % (type(self).__name__, len(self.triangles), len(self.points))
+
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes `grid` to a .vtu file, in a form that Debian's VTK can read back."""
         write_grid(self.grid, path)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CrossField(Mesh):
     """A cross field on a mesh. A cross at angle θ is u = exp(4iθ), |u| its norm.
 
@@ -129,7 +132,7 @@ class CrossField(Mesh):
         return places(found), copied(found.GetPointData(), names.QuarterIndex)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class HField(CrossField):
     """A cross field of norm one with singularities as points, its size field H and its size map.
 
@@ -141,7 +144,7 @@ class HField(CrossField):
     size_map: np.ndarray
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Configuration:
     """Singularities that were proposed or optimised; every function accepts it as `singularities`.
 
@@ -161,6 +164,9 @@ class Configuration:
     report: dict[str, Any]
     data: vtkPolyData
     corners: Optional[vtkPolyData]
+
+    def __repr__(self) -> str:
+        return "<Configuration: quarter indices %s>" % self.quarter_index.tolist()
 
 
 def configuration_of(algorithm: Any, port: int = 0) -> Configuration:
@@ -293,7 +299,7 @@ class Corners:
     data: vtkPolyData
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Separatrices:
     """Separatrices, the lines that leave the singularities of a cross field, and the rectangles
     between them.
@@ -321,6 +327,9 @@ class Separatrices:
     line_data: vtkPolyData
     face_data: vtkPolyData
     map: vtkUnstructuredGrid
+
+    def __repr__(self) -> str:
+        return "<Separatrices: %d lines, %d faces>" % (len(self.lines), len(self.faces))
 
 
 def chains(points: np.ndarray, cells: Any) -> list[np.ndarray]:

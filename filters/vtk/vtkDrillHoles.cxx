@@ -32,7 +32,7 @@ vtkDrillHoles::vtkDrillHoles()
 //------------------------------------------------------------------------------
 int vtkDrillHoles::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptPoints(info);
+  return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptSingularities(info);
 }
 
 //------------------------------------------------------------------------------
@@ -40,14 +40,13 @@ int vtkDrillHoles::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
-  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      const crossfield::Configuration configuration =
-        ConfigurationConversion::ReadConfiguration(singularities, input.plane);
+      const crossfield::Configuration configuration = ConfigurationConversion::ReadConfiguration(
+        FilterPorts::RequireSingularities(inputVector[1], "Singularities"), input.plane);
       crossfield::DrillOptions options;
       options.mode = static_cast<crossfield::DrillMode>(this->Mode);
       options.meshSize = this->MeshSize;

@@ -11,6 +11,7 @@
 #include "PatchConversion.h"
 #include "PlaneFrame.h"
 #include "QuadConversion.h"
+#include "QuadReport.h"
 #include "TMeshConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -41,6 +42,7 @@ public:
     , Singularities(vtkPolyData::GetData(outputVector, 2))
     , Quads(vtkUnstructuredGrid::GetData(outputVector, 3))
     , Summary(vtkTable::GetData(outputVector, 4))
+    , Boundary(vtkPolyData::GetData(outputVector, 5))
   {
   }
 
@@ -78,6 +80,8 @@ private:
     if (design.quads)
     {
       QuadConversion::WriteQuads(*design.quads, plane, this->Quads);
+      QuadConversion::WriteBoundary(design.quads->mesh, plane, this->Boundary);
+      QuadReport::Write(*design.quads, plane, this->Summary->GetFieldData());
     }
   }
 
@@ -98,6 +102,7 @@ private:
   vtkPolyData* Singularities;
   vtkUnstructuredGrid* Quads;
   vtkTable* Summary;
+  vtkPolyData* Boundary;
 };
 }
 
@@ -107,7 +112,7 @@ vtkLayoutDesigner::vtkLayoutDesigner()
   , Session(std::make_unique<DesignSession>())
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
   this->OutputRows->SetNumberOfComponents(4);
   PlaneFrame().Write(this->Plane);
 }
@@ -124,8 +129,8 @@ int vtkLayoutDesigner::FillInputPortInformation(int port, vtkInformation* info)
 //------------------------------------------------------------------------------
 int vtkLayoutDesigner::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* const types[5] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
-    "vtkTable" };
+  const char* const types[6] = { "vtkPolyData", "vtkPolyData", "vtkPolyData", "vtkUnstructuredGrid",
+    "vtkTable", "vtkPolyData" };
   return FilterPorts::Produce(info, types[port]);
 }
 

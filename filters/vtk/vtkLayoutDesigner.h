@@ -25,7 +25,9 @@
  * `QuarterIndex`.
  * Output port 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
  * Output port 4 (vtkTable): the column `Summary` with one row, the field data `Summary` in lines of
- * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error.
+ * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error; the
+ * others are the report of vtkQuadMesher on the quads of output 3.
+ * Output port 5 (vtkPolyData): the boundary edges of the quads, as output 5 of vtkQuadMesher.
  *
  * A configuration without a layout, for example one with a wrong sum of quarter indices or with a
  * singularity outside, is not a failure. Outputs 0, 1 and 3 are then those of the last valid
@@ -41,7 +43,7 @@
  * - `Faces` (int): the number of patches;
  * - `ShortestArc`: the length of the shortest arc of the T-mesh, in sides of quads;
  * - `PredictedStretch`, `StretchReason`: as for vtkCrossFieldMap;
- * - `MinimumAngle`: with quads, 90° minus the maximum deviation of a quad's corner from 90°.
+ * - `MinimumAngle`: with quads, the minimum angle of a quad, in degrees.
  *
  * An empty domain gives empty outputs. The filter fails if vtkDrillHoles would refuse the domain or
  * if arrays are missing or not integer. The outputs are then empty except for `Stale` 1 and the

@@ -9,8 +9,10 @@
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
 #include "QuadConversion.h"
+#include "QuadReport.h"
 #include "QuadWorkflow.h"
 #include "SizeConversion.h"
+#include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkDataSet.h"
@@ -19,6 +21,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -26,11 +29,16 @@
 
 vtkStandardNewMacro(vtkQuadMesher);
 
+namespace
+{
+constexpr int SummaryPort = 8;
+}
+
 //------------------------------------------------------------------------------
 vtkQuadMesher::vtkQuadMesher()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(9);
 }
 
 //------------------------------------------------------------------------------
@@ -43,9 +51,10 @@ int vtkQuadMesher::FillInputPortInformation(int port, vtkInformation* info)
 int vtkQuadMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
   return FilterPorts::Produce(info,
-    port == 0     ? "vtkUnstructuredGrid"
-      : port == 1 ? "vtkMultiBlockDataSet"
-                  : "vtkPolyData");
+    port == 0               ? "vtkUnstructuredGrid"
+      : port == 1           ? "vtkMultiBlockDataSet"
+      : port == SummaryPort ? "vtkTable"
+                            : "vtkPolyData");
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +64,8 @@ int vtkQuadMesher::RequestData(
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
-  return FilterRun::Run(this, this->ErrorCode, domain,
+  return FilterRun::Run(
+    this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
@@ -65,6 +75,11 @@ int vtkQuadMesher::RequestData(
         crossfield::MakeQuadMesh(input.domain, request, progress);
       this->ReportWarnings(request, result);
       this->WriteOutputs(result, input.plane, outputVector);
+    },
+    [&](const char* message)
+    {
+      ViewText::Write(vtkCrossFieldArrayNames::Summary, ViewText::WrapLines(message), true,
+        vtkTable::GetData(outputVector, SummaryPort));
     });
 }
 
@@ -119,18 +134,8 @@ void vtkQuadMesher::ReportWarnings(
 void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   const crossfield::DomainPlane& plane, vtkInformationVector* outputVector)
 {
-  vtkUnstructuredGrid* quads = vtkUnstructuredGrid::GetData(outputVector, 0);
-  QuadConversion::WriteQuads(result.quads, plane, quads);
-  if (result.repair)
-  {
-    HolonomyConversion::WriteRepair(*result.repair, plane, quads->GetFieldData());
-  }
-  ColumnWriting::AddNumbers(
-    quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
-  ColumnWriting::AddNumbers(
-    quads->GetFieldData(), vtkCrossFieldArrayNames::Moved, { result.moved });
-  HolonomyConversion::WriteStretch(result.flattening, quads->GetFieldData());
-  EnergyConversion::WriteEvents(result.events, quads);
+  const crossfield::QuadMesh& mesh = result.quads.mesh;
+  QuadConversion::WriteQuads(result.quads, plane, vtkUnstructuredGrid::GetData(outputVector, 0));
   QuadConversion::WriteBlocks(result.quads, plane, vtkMultiBlockDataSet::GetData(outputVector, 1));
   QuadConversion::WriteLayout(result.quads, plane, vtkPolyData::GetData(outputVector, 2));
 
@@ -141,11 +146,43 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
     EnergyConversion::WriteEvents(result.events, singularities);
   }
   CornerConversion::WriteChoices(result.corners, plane, vtkPolyData::GetData(outputVector, 4));
+  QuadConversion::WriteBoundary(mesh, plane, vtkPolyData::GetData(outputVector, 5));
+  QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
+  QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
+  this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
 
   const crossfield::QuadSeconds& seconds = result.seconds;
   const double stages[] = { seconds.mesh, seconds.map, seconds.trace, seconds.integers,
     seconds.layout, seconds.smooth, seconds.choose };
   std::copy(std::begin(stages), std::end(stages), this->StageSeconds);
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
+  const crossfield::DomainPlane& plane, vtkTable* summary) const
+{
+  vtkFieldData* report = summary->GetFieldData();
+  QuadReport::Write(result.quads, plane, report);
+  if (result.repair)
+  {
+    HolonomyConversion::WriteRepair(*result.repair, plane, report);
+  }
+  ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
+  ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
+  HolonomyConversion::WriteStretch(result.flattening, report);
+  EnergyConversion::WriteEvents(result.events, summary);
+  ViewText::Write(vtkCrossFieldArrayNames::Summary,
+    ViewText::WrapLines(QuadReport::Summary(result.quads)), result.quads.quality.inverted > 0,
+    summary);
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::CopyMesh(vtkUnstructuredGrid* mesh)
+{
+  QuadConversion::Combine(
+    this->GetOutput(), vtkPolyData::SafeDownCast(this->GetOutputDataObject(5)), mesh);
+  mesh->GetFieldData()->DeepCopy(this->GetOutputDataObject(SummaryPort)->GetFieldData());
+  mesh->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::Alarm);
 }
 
 //------------------------------------------------------------------------------

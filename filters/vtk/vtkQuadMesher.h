@@ -14,23 +14,21 @@
  * connection, singularities are chosen as vtkConfigurationProposal does with Automatic, then moved
  * to suit the requested quads. A connected data set without points means no singularities.
  *
- * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, then VTK_LINE for every boundary
- * edge with the domain on the left, with
- * - cells: `BlockId`, `I`, `J` (int): block, column and row; −1 on lines; `ScaledJacobian`
- *   (double): the minimum sine of the angles of a quad, `SizeRatio` (double): actual over target
- *   size; both 1 on lines; `BoundaryKind`, `BoundaryId` (int): as for vtkDrillHoles;
+ * Output 0 (vtkUnstructuredGrid): VTK_QUAD, counter-clockwise, with
+ * - cells: `BlockId`, `I`, `J` (int): block, column and row; `ScaledJacobian` (double): the minimum
+ *   sine of the angles of a quad; `SizeRatio` (double): actual over target size;
  * - points: `Valence` (int): number of quads at the node; `Irregular` (int): the quarter index of a
  *   singularity or corner, else 0; `BoundarySide` (int): number of the boundary loop, −1 inside.
  *
- * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block; shared points are
- * equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
+ * Output 1 (vtkMultiBlockDataSet): a right-handed vtkStructuredGrid per block with the cell array
+ * `BlockId`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
  * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
  * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
  * same order; −1: the reversed order; 0: boundary). Every side that is not on the boundary is
  * adjacent to exactly one complete side.
  *
- * Output 2 (vtkPolyData): the sides of the blocks as polylines, with the cell array `Edges` (int):
- * quads along each.
+ * Output 2 (vtkPolyData): the layout: the sides of the blocks as polylines along edges of quads,
+ * with the cell array `Edges` (int): quads along each. A side that two blocks share occurs once.
  *
  * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
  * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at the positions of their
@@ -39,9 +37,22 @@
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
  *
- * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`,
+ * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, with the cell
+ * arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles, and the point array `VertexId`
+ * (int), the point of output 0.
+ *
+ * Output 6 (vtkPolyData): the irregular nodes, as points with `QuarterIndex` (int), 4 − valence, and
+ * `Valence` (int). Corners and other boundary nodes are not among them.
+ *
+ * Output 7 (vtkPolyData): the separatrices of the map, from which the quads were built, as one
+ * polyline per arc with the cell array `Edges` (int): quads along each, possibly 0.
+ *
+ * Output 8 (vtkTable): the column `Summary` with one row, a text for a view in lines of at most 60
+ * characters: numbers of quads, blocks and irregular nodes, quality and inverted quads, or after a
+ * failure the message. Its field data `Alarm` (int) is 1 after a failure and if quads are inverted.
+ * Its other field data are the report of the mesh: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`,
  * `IrregularRequested` (numbers of interior nodes per valence), `ScaledJacobianRange` (minimum,
- * mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
+ * mean), `ScaledJacobianBound` (attainable minimum), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
@@ -51,7 +62,7 @@
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities, and their moves by more than a tenth of a quad, one sentence each).
  *
- * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
+ * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as for vtkCrossFieldMap and
  * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
  * inverted quads is output with a warning.
  *
@@ -70,6 +81,8 @@
 #include <string> // for the name of an array
 
 class vtkDataSet;
+class vtkTable;
+class vtkUnstructuredGrid;
 namespace crossfield
 {
 class DomainPlane;
@@ -223,6 +236,14 @@ public:
    */
   vtkGetVectorMacro(StageSeconds, double, 7);
 
+  /**
+   * Copies the result of the last update into one grid, the form of files: quads, then a VTK_LINE
+   * for every boundary edge, with the arrays of both and the field data of output 8. On lines
+   * `BlockId`, `I` and `J` are −1, `ScaledJacobian` and `SizeRatio` 1; on quads `BoundaryKind` is 0
+   * and `BoundaryId` −1.
+   */
+  void CopyMesh(vtkUnstructuredGrid* mesh);
+
 protected:
   vtkQuadMesher();
   ~vtkQuadMesher() override = default;
@@ -241,6 +262,8 @@ private:
     const crossfield::QuadRequest& request, const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
+  void WriteSummary(const crossfield::QuadWorkflowResult& result,
+    const crossfield::DomainPlane& plane, vtkTable* summary) const;
 
   double QuadSize = 0.0;
   int QuadCount = 1000;

@@ -15,6 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkSingularityEnergy);
 
 //------------------------------------------------------------------------------
@@ -34,7 +36,7 @@ int vtkSingularityEnergy::FillInputPortInformation(int port, vtkInformation* inf
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-    return FilterPorts::AcceptPoints(info);
+    return FilterPorts::AcceptSingularities(info);
   }
   return port == 0 ? FilterPorts::AcceptDomain(info) : FilterPorts::AcceptOptionalPoints(info);
 }
@@ -55,14 +57,14 @@ int vtkSingularityEnergy::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain& input = this->Cache->Read(domain);
-      const int count = inputVector[1]->GetNumberOfInformationObjects();
+      const int count = std::max(1, inputVector[1]->GetNumberOfInformationObjects());
       std::vector<crossfield::Configuration> configurations;
       crossfield::Configuration all;
       configurations.reserve(static_cast<std::size_t>(count));
       for (int i = 0; i < count; ++i)
       {
         configurations.push_back(ConfigurationConversion::ReadConfiguration(
-          vtkDataSet::GetData(inputVector[1], i), input.plane));
+          FilterPorts::RequireSingularities(inputVector[1], "Configurations", i), input.plane));
         all.insert(all.end(), configurations.back().begin(), configurations.back().end());
       }
       crossfield::ConfigurationEnergyOptions options;

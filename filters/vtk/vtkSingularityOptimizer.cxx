@@ -26,7 +26,7 @@ vtkSingularityOptimizer::vtkSingularityOptimizer()
 //------------------------------------------------------------------------------
 int vtkSingularityOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  return port == 1 ? FilterPorts::AcceptPoints(info)
+  return port == 1 ? FilterPorts::AcceptSingularities(info)
     : port == 0    ? FilterPorts::AcceptDomain(info)
                    : FilterPorts::AcceptOptionalPoints(info);
 }
@@ -42,12 +42,13 @@ int vtkSingularityOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* domain = vtkDataSet::GetData(inputVector[0]);
-  vtkDataSet* singularities = vtkDataSet::GetData(inputVector[1]);
   vtkDataSet* corners = vtkDataSet::GetData(inputVector[2]);
   return FilterRun::Run(this, this->ErrorCode, domain,
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
+      vtkDataSet* singularities =
+        FilterPorts::RequireSingularities(inputVector[1], "Singularities");
       crossfield::OptimizerOptions options;
       options.meshSize = this->MeshSize;
       options.corners = CornerConversion::ReadCorners(corners, input.plane);

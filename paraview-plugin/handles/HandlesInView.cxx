@@ -2,23 +2,31 @@
 
 #include "pqSingularityHandlesWidget.h"
 
+#include "ViewSources.h"
+
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <QCheckBox>
 #include <QEvent>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
+
 
 namespace
 {
@@ -45,6 +53,30 @@ public:
 
 private:
   std::vector<QSignalBlocker> Blockers;
+};
+
+class QuietOutputWindow final : public vtkOutputWindow
+{
+public:
+  static QuietOutputWindow* New();
+  vtkTypeMacro(QuietOutputWindow, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+};
+vtkStandardNewMacro(QuietOutputWindow);
+
+/**
+ * Hides messages of filters during its lifetime. ParaView switches vtkObject's global display of
+ * warnings on before each update.
+ */
+class MessageBlocker
+{
+public:
+  MessageBlocker() { vtkOutputWindow::SetInstance(vtkNew<QuietOutputWindow>()); }
+  ~MessageBlocker() { vtkOutputWindow::SetInstance(this->Before); }
+  Q_DISABLE_COPY(MessageBlocker)
+
+private:
+  vtkSmartPointer<vtkOutputWindow> Before = vtkOutputWindow::GetInstance();
 };
 }
 
@@ -133,7 +165,46 @@ void pqSingularityHandlesWidget::UpdateHandles()
   {
     interactor->AddObserver(event, this->Mouse, MousePriority);
   }
+  QObject::connect(this->view(), &pqView::endRender, this, [this] { this->CheckPicture(); });
   this->view()->render();
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::UpdatePipeline()
+{
+  auto* renderView =
+    vtkPVRenderView::SafeDownCast(this->view()->getViewProxy()->GetClientSideObject());
+  if (!this->Handles.GetRenderer() || !renderView || this->IsUpdating)
+  {
+    return;
+  }
+  // ParaView processes events while filters report their progress.
+  const QScopedValueRollback<bool> updating(this->IsUpdating, true);
+  // The view still has the data of its last update.
+  for (pqPipelineSource* source : ViewSources::Visible(this->view()))
+  {
+    source->getSourceProxy()->UpdatePipeline();
+  }
+  if (!ViewSources::HasStale(this->view()))
+  {
+    this->Picture.Hide();
+  }
+  else if (!this->Picture.IsShown())
+  {
+    this->Picture.Show(renderView);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::CheckPicture()
+{
+  // Other commands change the pipeline and the view as well.
+  if (this->Picture.IsShown() && !this->IsUpdating &&
+    (!this->Picture.FitsView() || !ViewSources::HasStale(this->view())))
+  {
+    this->Picture.Hide();
+    this->view()->render();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -141,6 +212,11 @@ void pqSingularityHandlesWidget::Detach()
 {
   this->FollowTimer.stop();
   this->EndDrag();
+  this->Picture.Hide();
+  if (this->view())
+  {
+    QObject::disconnect(this->view(), &pqView::endRender, this, nullptr);
+  }
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -223,6 +299,7 @@ void pqSingularityHandlesWidget::FollowMouse()
   }
   {
     const QScopedValueRollback<bool> handling(this->IsHandlingMove, true);
+    const MessageBlocker messages;
     this->HasPendingMove = false;
     const auto point =
       this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
@@ -243,6 +320,7 @@ void pqSingularityHandlesWidget::FollowMouse()
     // Anti-aliasing takes a software renderer 10 ms a frame and is hardly visible on moving edges.
     this->SmoothEdges(false);
     const PipelineSignalBlocker blocker;
+    this->UpdatePipeline();
     this->view()->forceRender();
   }
   if (this->HasPendingMove)

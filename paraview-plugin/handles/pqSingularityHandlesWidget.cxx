@@ -256,6 +256,7 @@ void pqSingularityHandlesWidget::Commit(const std::vector<SingularityRow>& befor
   this->ShowRows();
   if (this->view())
   {
+    this->UpdatePipeline();
     this->view()->render();
   }
 }

@@ -22,6 +22,10 @@
  *
  * The hint <WithoutRadius/> of the group hides the column of radii.
  *
+ * Where the handles are admits no result if a filter in the view fails or keeps the result of
+ * earlier positions. The view then shows its last picture in grey (StalePicture.h), as long as it
+ * is not moved, and texts report the reason. Messages of a failure appear at the end of a drag.
+ *
  * The handles are visible while the panel shows the proxy. Handles and table follow changes of the
  * property by Python, undo or a state.
  */
@@ -31,6 +35,7 @@
 
 #include "SingularityHandles.h"
 #include "SingularityRows.h"
+#include "StalePicture.h"
 
 #include "pqPropertyWidget.h"
 #include "vtkNew.h"
@@ -105,6 +110,8 @@ private:
   void SmoothEdges(bool isWanted);
   void SetDragging(bool isDragging);
   void Hover(int x, int y);
+  void UpdatePipeline();
+  void CheckPicture();
 
   vtkSMProperty* Singularities = nullptr;
   vtkSMProperty* OutputRows = nullptr; ///< Optional.
@@ -116,6 +123,8 @@ private:
   int Changes = 0; ///< Number of changes of the property.
 
   SingularityHandles Handles;
+  StalePicture Picture;
+  bool IsUpdating = false;
   vtkNew<vtkCallbackCommand> Mouse;
   vtkNew<vtkEventQtSlotConnect> Connections;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;

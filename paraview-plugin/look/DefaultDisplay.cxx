@@ -17,6 +17,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
 
@@ -48,14 +49,20 @@ void ShowMesh(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
-void ShowNorm(vtkSMProxy* shown)
+void SetNormColours(vtkSMProxy* shown)
 {
   // Dark where the field vanishes, light at norm 1, where black crosses are visible.
   std::vector<double> points;
   Look::AddColour(points, 0, { 0.2, 0.08, 0.3 });
   Look::AddColour(points, 0.5, { 0.35, 0.55, 0.8 });
   Look::AddColour(points, 1, { 0.93, 0.96, 1 });
-  Look::ColourBy(shown, vtkDataObject::POINT, "CrossNorm", points);
+  Look::SetColourMap(shown, "CrossNorm", points);
+}
+
+//------------------------------------------------------------------------------
+void ShowNorm(vtkSMProxy* shown)
+{
+  Look::ColourBy(shown, vtkDataObject::POINT, "CrossNorm");
 }
 
 //------------------------------------------------------------------------------
@@ -86,12 +93,21 @@ void ShowQuads(vtkSMProxy* shown)
 {
   Set(shown, "Representation", "Surface With Edges");
   vtkSMPropertyHelper(shown, "EdgeColor").Set(Look::Grey.data(), 3);
-  Look::ColourBy(shown, vtkDataObject::CELL, "BlockId", Look::PaleColours());
+  Look::ColourBy(shown, vtkDataObject::CELL, "BlockId");
 }
 
 //------------------------------------------------------------------------------
+void SetBlockColours(vtkSMProxy* shown)
+{
+  Look::SetColourMap(shown, "BlockId", Look::PaleColours());
+}
+
+//------------------------------------------------------------------------------
+/** Applies a display to an output that the user shows only on demand. */
+template <void (*show)(vtkSMProxy*)>
 void Hide(vtkSMProxy* shown)
 {
+  show(shown);
   Set(shown, "Visibility", 0.0);
 }
 
@@ -100,29 +116,33 @@ struct Rule
   const char* proxy;
   int port;
   void (*show)(vtkSMProxy*);
+  void (*setColourMap)(vtkSMProxy*) = nullptr; ///< Before `show`.
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 19> Rules = { {
+constexpr std::array<Rule, 22> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
-  { "SingularitySource", 0, Look::ShowSingularities },
-  { "SingularityHandles", 0, Look::ShowSingularities },
-  { "ConfigurationProposal", 0, Look::ShowSingularities },
-  { "SingularityOptimizer", 0, Look::ShowSingularities },
-  { "CrossFieldSingularities", 0, Look::ShowSingularities },
+  { "SingularitySource", 0, Look::ShowSingularities, Look::SetSingularityColours },
+  { "SingularityHandles", 0, Look::ShowSingularities, Look::SetSingularityColours },
+  { "ConfigurationProposal", 0, Look::ShowSingularities, Look::SetSingularityColours },
+  { "SingularityOptimizer", 0, Look::ShowSingularities, Look::SetSingularityColours },
+  { "CrossFieldSingularities", 0, Look::ShowSingularities, Look::SetSingularityColours },
   { "DrillHoles", 0, ShowMesh },
-  { "PerforatedCrossField", 0, ShowNorm, true },
-  { "GinzburgLandauCrossField", 0, ShowNorm, true },
-  { "HField", 0, ShowSizes, true },
+  { "PerforatedCrossField", 0, ShowNorm, SetNormColours, true },
+  { "GinzburgLandauCrossField", 0, ShowNorm, SetNormColours, true },
+  { "HField", 0, ShowSizes, nullptr, true },
   { "CrossGlyphs", 0, ShowCrosses },
   { "Separatrices", 0, ShowLines },
-  { "Separatrices", 1, Look::ShowPatches },
-  { "QuadMesher", 0, ShowQuads },
-  { "QuadMesher", 1, Hide }, // the blocks would cover the quads
+  { "Separatrices", 1, Look::ShowPatches, Look::SetPatchColours },
+  { "QuadMesher", 0, ShowQuads, SetBlockColours },
+  { "QuadMesher", 1, Hide<ShowQuads>, SetBlockColours }, // the blocks would cover the quads
   { "QuadMesher", 2, ShowOutline },
-  { "QuadMesher", 3, Look::ShowSingularities },
-  { "QuadMesher", 4, Hide }, // corners are visible in the outline
+  { "QuadMesher", 3, Hide<Look::ShowSingularities>, Look::SetSingularityColours }, // the irregular nodes are shown
+  { "QuadMesher", 4, Hide<Look::ShowSingularities>, Look::SetSingularityColours }, // corners are visible in the outline
+  { "QuadMesher", 5, Hide<ShowOutline> },
+  { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
+  { "QuadMesher", 7, Hide<ShowLines> },
 } };
 
 /** Output that is a text for the view. */
@@ -134,10 +154,11 @@ struct Text
 };
 
 // Texts on inputs are at the top, texts on results at the bottom.
-constexpr std::array<Text, 3> Texts = { {
+constexpr std::array<Text, 4> Texts = { {
   { "PoincareHopfCheck", 3, "Upper Left Corner" },
   { "PerforatedCrossField", 1, "Lower Center" },
   { "LayoutDesigner", 4, "Lower Center" },
+  { "QuadMesher", 8, "Lower Center" },
 } };
 
 bool IsProxy(pqPipelineSource* source, const char* proxy)
@@ -172,9 +193,17 @@ void ApplyDefaults(pqPipelineSource* source, pqDataRepresentation* representatio
         representation->getView() ? representation->getView()->getProxy() : nullptr;
       vtkSMProxy* chosen =
         vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // ParaView's choice
-      Look::SetFlat(shown);
-      rule.show(shown);
-      shown->UpdateVTKObjects();
+      if (rule.setColourMap)
+      {
+        rule.setColourMap(shown);
+      }
+      {
+        // A trace replays the same picture.
+        SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
+        Look::SetFlat(shown);
+        rule.show(shown);
+        shown->UpdateVTKObjects();
+      }
       if (chosen && view)
       {
         vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(chosen, view);

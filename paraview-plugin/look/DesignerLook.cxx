@@ -9,10 +9,14 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
+#include "vtkSMTransferFunctionManager.h"
+#include "vtkWeakPointer.h"
 
 #include <QTimer>
 
@@ -47,6 +51,8 @@ HandlePlane::Vector TowardsEye(vtkSMProxy* designer, pqDataRepresentation* repre
 void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* representation, int port)
 {
   vtkSMProxy* shown = representation->getProxy();
+  const vtkWeakPointer<vtkSMProxy> chosen =
+    vtkSMPropertyHelper(shown, "LookupTable").GetAsProxy(); // ParaView's choice, with a legend
   const vtkBoundingBox box(source->getSourceProxy()->GetDataInformation(1)->GetBounds());
   const HandlePlane::Vector up = TowardsEye(source->getProxy(), representation);
   const auto lift = [&](double part)
@@ -56,13 +62,28 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     const HandlePlane::Vector position = { height * up[0], height * up[1], height * up[2] };
     vtkSMPropertyHelper(shown, "Position").Set(position.data(), 3);
   };
+  switch (port)
+  {
+  case 0:
+    Look::SetColourMap(shown, "Shade", Look::SignColours(Look::PaleGrey));
+    break;
+  case 1:
+    Look::SetPatchColours(shown);
+    break;
+  case 2:
+    Look::SetSingularityColours(shown);
+    break;
+  default:
+    break;
+  }
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
   Look::SetFlat(shown);
   switch (port)
   {
   case 0:
     Set(shown, "LineWidth", 3.0);
     lift(0.0005);
-    Look::ColourBy(shown, vtkDataObject::CELL, "Shade", Look::SignColours(Look::PaleGrey));
+    Look::ColourBy(shown, vtkDataObject::CELL, "Shade");
     break;
   case 1:
     Look::ShowPatches(shown);
@@ -71,6 +92,10 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::ShowSingularities(shown);
     lift(0.001);
     break;
+  case 5: // the separatrices include the boundary
+    Look::SetColour(shown, Look::Black);
+    Set(shown, "Visibility", 0.0);
+    break;
   default:
     Set(shown, "Representation", "Wireframe");
     lift(0.00025);
@@ -78,5 +103,14 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     break;
   }
   shown->UpdateVTKObjects();
-  QTimer::singleShot(0, representation, [representation] { Look::HideLegend(representation); });
+  QTimer::singleShot(0, representation,
+    [representation, chosen]
+    {
+      Look::HideLegend(representation);
+      if (chosen && representation->getView())
+      {
+        vtkNew<vtkSMTransferFunctionManager>()->HideScalarBarIfNotNeeded(
+          chosen, representation->getView()->getProxy());
+      }
+    });
 }

@@ -7,6 +7,7 @@
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
 
 namespace
@@ -77,11 +78,11 @@ std::vector<double> PaleColours()
 }
 
 //------------------------------------------------------------------------------
-void ColourBy(
-  vtkSMProxy* shown, int association, const char* array, const std::vector<double>& points)
+void SetColourMap(vtkSMProxy* shown, const char* array, const std::vector<double>& points)
 {
   const vtkNew<vtkSMTransferFunctionManager> manager;
   vtkSMProxy* colours = manager->GetColorTransferFunction(array, shown->GetSessionProxyManager());
+  SM_SCOPED_TRACE(PropertiesModified).arg("proxy", colours);
   vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode")
     .Set(vtkSMTransferFunctionManager::NEVER);
   vtkSMPropertyHelper(colours, "ColorSpace").Set("RGB");
@@ -89,6 +90,13 @@ void ColourBy(
   vtkSMPropertyHelper(colours, "RGBPoints")
     .Set(points.data(), static_cast<unsigned int>(points.size()));
   colours->UpdateVTKObjects();
+}
+
+//------------------------------------------------------------------------------
+void ColourBy(vtkSMProxy* shown, int association, const char* array)
+{
+  const vtkNew<vtkSMTransferFunctionManager> manager;
+  vtkSMProxy* colours = manager->GetColorTransferFunction(array, shown->GetSessionProxyManager());
   // Does not access the data, which may not exist yet.
   vtkSMPropertyHelper(shown, "ColorArrayName").SetInputArrayToProcess(association, array);
   vtkSMPropertyHelper(shown, "LookupTable").Set(colours);
@@ -100,13 +108,25 @@ void ShowSingularities(vtkSMProxy* shown)
   Set(shown, "Representation", "Points");
   Set(shown, "PointSize", 12.0);
   Set(shown, "RenderPointsAsSpheres", 1.0);
-  ColourBy(shown, vtkDataObject::POINT, "QuarterIndex", SignColours(Grey));
+  ColourBy(shown, vtkDataObject::POINT, "QuarterIndex");
+}
+
+//------------------------------------------------------------------------------
+void SetSingularityColours(vtkSMProxy* shown)
+{
+  SetColourMap(shown, "QuarterIndex", SignColours(Grey));
 }
 
 //------------------------------------------------------------------------------
 void ShowPatches(vtkSMProxy* shown)
 {
-  ColourBy(shown, vtkDataObject::CELL, "FaceId", PaleColours());
+  ColourBy(shown, vtkDataObject::CELL, "FaceId");
+}
+
+//------------------------------------------------------------------------------
+void SetPatchColours(vtkSMProxy* shown)
+{
+  SetColourMap(shown, "FaceId", PaleColours());
 }
 
 //------------------------------------------------------------------------------

@@ -38,13 +38,16 @@ std::vector<double> SignColours(const Colour& ofZero);
 /** Returns a colour map for identifiers, as those of blocks: five pale colours in turn. */
 std::vector<double> PaleColours();
 
-/** Colours by an array, which may not exist yet, with a fixed colour map. */
-void ColourBy(
-  vtkSMProxy* shown, int association, const char* array, const std::vector<double>& points);
-/** Shows points with a quarter index as red and blue spheres. */
+/** Gives an array a fixed colour map, a step of its own in a trace. */
+void SetColourMap(vtkSMProxy* shown, const char* array, const std::vector<double>& points);
+/** Colours by an array, which may not exist yet, with its colour map. */
+void ColourBy(vtkSMProxy* shown, int association, const char* array);
+/** Shows points with a quarter index as red and blue spheres, with the colours below. */
 void ShowSingularities(vtkSMProxy* shown);
-/** Shows the patches of a T-mesh in pale colours. */
+void SetSingularityColours(vtkSMProxy* shown);
+/** Shows the patches of a T-mesh in pale colours, those below. */
 void ShowPatches(vtkSMProxy* shown);
+void SetPatchColours(vtkSMProxy* shown);
 
 /** Hides the legend of the colouring array, which ParaView shows for a new representation. */
 void HideLegend(pqDataRepresentation* representation);

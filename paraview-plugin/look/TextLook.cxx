@@ -14,10 +14,13 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSMTrace.h"
 #include "vtkWeakPointer.h"
 
 #include <QTimer>
 
+#include <algorithm>
+#include <cstring>
 #include <functional>
 #include <utility>
 
@@ -83,6 +86,41 @@ private:
   vtkWeakPointer<vtkSMProxy> Proxy;
 };
 
+bool IsTaken(const char* location, pqDataRepresentation* representation)
+{
+  const QList<pqRepresentation*> all = representation->getView()->getRepresentations();
+  return std::any_of(all.begin(), all.end(),
+    [&](pqRepresentation* other)
+    {
+      return other != representation && other->isVisible() &&
+        other->getProxy()->GetProperty("WindowLocation") &&
+        std::strcmp(
+          vtkSMPropertyHelper(other->getProxy(), "WindowLocation").GetAsString(), location) == 0;
+    });
+}
+
+/** Moves a text to a place of the view where there is no other text. */
+void FindPlace(pqDataRepresentation* representation)
+{
+  vtkSMProxy* shown = representation->getProxy();
+  if (!representation->getView() ||
+    !IsTaken(vtkSMPropertyHelper(shown, "WindowLocation").GetAsString(), representation))
+  {
+    return;
+  }
+  for (const char* location : { "Upper Center", "Lower Center", "Upper Left Corner" })
+  {
+    if (!IsTaken(location, representation))
+    {
+      SCOPED_UNDO_EXCLUDE();
+      SM_SCOPED_TRACE(PropertiesModified).arg("proxy", shown);
+      vtkSMPropertyHelper(shown, "WindowLocation").Set(location);
+      shown->UpdateVTKObjects();
+      return;
+    }
+  }
+}
+
 void Paint(pqDataRepresentation* representation, const Colour& colour)
 {
   vtkSMProxy* shown = representation->getProxy();
@@ -117,6 +155,7 @@ void TextLook::Show(
   QTimer::singleShot(0, representation,
     [source, representation, port]
     {
+      FindPlace(representation);
       const Colour plain = PlainColour(representation);
       new Painter(source->getProxy(), representation,
         [source, representation, port, plain]

@@ -12,8 +12,8 @@ class pqPipelineSource;
 namespace TextLook
 {
 /**
- * Applies the display; `location` is ParaView's name, for example "Lower Center". Has no effect in
- * a spreadsheet.
+ * Applies the display; `location` is ParaView's name, for example "Lower Center". If another text
+ * is there, a free place is taken. Has no effect in a spreadsheet.
  */
 void Show(
   pqPipelineSource* source, pqDataRepresentation* representation, int port, const char* location);

@@ -1,6 +1,6 @@
 """State: the layout of eight singularities on a disk, to be dragged.
 
-Select *Designer* and drag its handles, edit its rows, or use its buttons. To design a domain of
+Drag the handles in the view, edit the rows in the panel, or use its buttons. To design a domain of
 your own, change the input of the designer.
 
 Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1,
@@ -48,3 +48,4 @@ SetProperties(shown, Ambient=1, Diffuse=0)
 SetProperties(Show(OutputPort(designer, 4), view), Color=[0, 0, 0], FontSize=16, WindowLocation="Lower Center")
 ResetCamera(view)
 view.CameraParallelScale *= 0.82
+SetActiveSource(designer)  # shows its handles

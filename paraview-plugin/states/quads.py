@@ -2,7 +2,7 @@
 
 Change the rows of the singularities and press *Apply*. Without singularities the mesher chooses
 them. Blocks have pale colours and thick outlines; nodes of valence 3 are red, nodes of valence 5
-blue.
+blue. The text reports the quality.
 """
 from paraview.simple import *
 
@@ -16,10 +16,7 @@ quads = QuadMesher(registrationName="Quads", Input=domain, Singularities=singula
 view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
-# A threshold of 0 would be replaced by the minimum of the array, -1.
-faces = Threshold(registrationName="Blocks", Input=quads, Scalars=["CELLS", "BlockId"],
-                  LowerThreshold=-0.5, UpperThreshold=1e9)
-shown = Show(faces, view)
+shown = Show(quads, view)
 ColorBy(shown, ("CELLS", "BlockId"))
 SetProperties(
     GetColorTransferFunction("BlockId"), AutomaticRescaleRangeMode="Never", Discretize=0,
@@ -32,12 +29,12 @@ layout = Show(OutputPort(quads, 2), view)
 SetProperties(layout, ColorArrayName=["POINTS", ""], AmbientColor=[0, 0, 0], DiffuseColor=[0, 0, 0],
               LineWidth=3)
 for name, low, high, colour in (("Valence 3", 1, 9, [0.85, 0.1, 0.1]), ("Valence 5", -9, -1, [0.1, 0.2, 0.85])):
-    nodes = Threshold(registrationName=name, Input=singularities, Scalars=["POINTS", "QuarterIndex"],
+    nodes = Threshold(registrationName=name, Input=OutputPort(quads, 6), Scalars=["POINTS", "QuarterIndex"],
                       LowerThreshold=low, UpperThreshold=high)
     discs = Glyph(registrationName=name + " as discs", Input=nodes, GlyphType="Sphere",
                   ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.05, GlyphMode="All Points")
     SetProperties(Show(discs, view), ColorArrayName=[None, ""], AmbientColor=colour, DiffuseColor=colour,
                   Ambient=1, Diffuse=0)
-Hide(quads, view)
+SetProperties(Show(OutputPort(quads, 8), view), Color=[0, 0, 0], FontSize=14, WindowLocation="Lower Center")
 Hide(singularities, view)
 ResetCamera(view)

@@ -37,7 +37,7 @@ def check(quads):
     """Ends the script if the mesh is missing or has inverted quads, because ParaView continues
     after an error."""
     quads.UpdatePipeline()
-    report = servermanager.Fetch(quads).GetFieldData()
+    report = servermanager.Fetch(quads, idx=8).GetFieldData()  # output Summary
     count = report.GetArray("Quads")
     if count is None:
         sys.exit("There is no mesh; the error above says why.")

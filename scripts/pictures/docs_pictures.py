@@ -299,8 +299,7 @@ def quad_mesher():
         quads = QuadMesher(Input=disk(), Singularities=points, QuadCount=500, **options)
         view = panel(disk(), title)
         draw_blocks(quads, view)
-        if not options:  # the separatrices, from which uniform quads deviate
-            draw_lines(OutputPort(quads, 2), view, BLACK, 2)
+        draw_lines(OutputPort(quads, 2), view, BLACK, 2)
         draw_nodes(quads, view, 0.03)
         views.append(view)
     figure(path_of("quad_mesher"), *views)

@@ -1,6 +1,11 @@
 """Default display of sources and filters created from the menu; started by run_client.py."""
+import os
+
+from paraview import smtrace
 from paraview.modules.vtkRemotingViews import vtkSMPVRepresentationProxy
 from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 from gui_driver import check, check_equal, gui, messages, picture, run, wait
 
@@ -97,10 +102,24 @@ def test_quads():
     shown = make("Quad Mesher", Singularities="Points")
     is_coloured(shown, "BlockId")
     check_equal(shown.Representation, "Surface With Edges", "quads")
-    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 1), GetActiveView()).Visibility, 0, "visibility of the blocks over the quads")
-    check_equal(GetRepresentation(OutputPort(GetActiveSource(), 2), GetActiveView()).LineWidth, 3, "sides of blocks")
+    mesher, view = GetActiveSource(), GetActiveView()
+    _, blocks, layout, singularities, _, boundary, nodes, separatrices, summary = (
+        GetRepresentation(OutputPort(mesher, port), view) for port in range(9))
+    # Blocks would cover the quads, and singularities the irregular nodes.
+    check_equal([part.Visibility for part in (shown, blocks, layout, singularities, boundary, nodes, separatrices, summary)],
+                [1, 0, 1, 0, 0, 1, 0, 1], "visibility of the outputs")
+    check_equal(layout.LineWidth, 3, "sides of blocks")
+    is_coloured(nodes, "QuarterIndex")
     check_equal(legends(), 0, "legends of blocks")
     check(all(min(colour) > 0.7 for colour in colours("BlockId").values()), "colours of blocks are not pale")
+    # The blocks, shown instead of the quads, look like them.
+    blocks.Visibility, shown.Visibility = 1, 0
+    Render()
+    wait(400)
+    is_coloured(blocks, "BlockId")
+    check_equal(blocks.Representation, "Surface With Edges", "blocks")
+    check_equal(legends(), 0, "legends of blocks")
+    picture("blocks.png", is_whole_window=False)
 
 
 def test_scripts_keep_their_settings():
@@ -108,6 +127,43 @@ def test_scripts_keep_their_settings():
     SetProperties(shown, LineWidth=7)
     wait(400)
     check_equal(shown.LineWidth, 7, "the width that the script has set")
+
+
+def drawn(name):
+    """Returns the pixels of the view."""
+    picture(name, is_whole_window=False)
+    reader = vtkPNGReader()
+    reader.SetFileName(os.path.join(os.environ["FOLDER"], name))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+    return pixels[:, width * 2 // 5:-10].astype(int)
+
+
+def test_traces_replay_the_picture():
+    ResetSession()
+    wait(300)
+    smtrace.start_trace()
+    try:
+        make("Planar Domain Source")
+        make("Quad Mesher")
+        make("Layout Designer")
+    finally:
+        trace = smtrace.stop_trace()
+    check_equal(legends(), 0, "legends of the designer of coloured quads")
+    texts = [str(shown.WindowLocation).strip("'") for shown in GetActiveView().Representations
+             if shown.GetXMLName() == "TextSourceRepresentation" and shown.Visibility]
+    check_equal(sorted(texts), ["Lower Center", "Upper Center"], "the positions of the texts")
+    seen = drawn("traced.png")
+    ResetSession()
+    wait(300)
+    exec(trace, dict(globals()))
+    Render()
+    wait(400)
+    replayed = drawn("replayed.png")
+    check_equal(messages(), "", "messages of the trace")
+    different = (abs(replayed - seen).max(axis=2) > 8).mean()
+    check(different < 0.005, "%g of the pixels of the replayed trace differ" % different)
 
 
 def run_in_empty_view(test):

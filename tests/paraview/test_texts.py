@@ -116,6 +116,25 @@ def test_designer(domain, points):
     check_equal(gui.gui_rows(), rows, "rows of the table with a domain again")
 
 
+def test_quads(domain, points):
+    SetActiveSource(domain)
+    mesher = make("Quad Mesher")
+    text, colour = drawn("Lower Center")
+    count = mesher.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+    check(text.startswith("%d quads in" % count) and "minimum angle" in text and "of valence 3" in text, "the text: " + text)
+    check_equal(colour, BLACK, "the colour of the text")
+    check_equal(messages(), "", "messages of quads")
+    picture("quads.png", is_whole_window=False)
+    points.Singularities = [0.5, 0, 1, 0.1, -0.5, 0, 1, 0.1, 0, 0.5, 1, 0.1, 0, -0.5, 1, 0.1, 0, 0, 1, 0.1]
+    SetProperties(mesher, Singularities=points)
+    Render()
+    wait(400)
+    text, colour = drawn("Lower Center")
+    check("add up to 5" in text and colour == RED, "the text on a wrong sum: %s %s" % (text, colour))
+    check("add up to 5" in messages(), "no message of a wrong sum")
+    picture("no_quads.png", is_whole_window=False)
+
+
 def test_designer_of_no_domain(domain, points):
     """The designer is created while its domain is invalid."""
     domain.Closed = 0

@@ -67,6 +67,9 @@ def test_files():
     with silence():
         mesh.write(name)
         again = crossfield.read(name)
+    builtin = crossfield.read("builtin:disk")
+    check_equal(crossfield.quads(builtin, count=100).report["quads"], crossfield.quads("builtin:disk", count=100).report["quads"],
+                "quads of a built-in domain that was read")
     check(isinstance(again, vtkUnstructuredGrid), "a .vtu is no vtkUnstructuredGrid")
     check_equal(fingerprint(again), fingerprint(mesh.grid), "the field from its file")
     check_equal(crossfield.check(name).consistent, crossfield.check(mesh.grid).consistent, "a file")

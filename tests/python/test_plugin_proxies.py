@@ -64,6 +64,7 @@ def check_tooltip(item, name):
 
 
 def test_proxies():
+    icons = set()
     for name, (group, wanted) in PROXIES.items():
         prototype = servermanager.ProxyManager().GetPrototypeProxy(group, name)
         check(prototype is not None, "there is no proxy %s" % name)
@@ -79,6 +80,8 @@ def test_proxies():
             check_equal(menu.GetAttribute("category"), None, "the menu of %s" % name)
             icon = re.fullmatch(":/CrossField/(.*)", menu.GetAttribute("icon")).group(1)
             xml.dom.minidom.parse(os.path.join(ICONS, icon))  # raises if it is not valid XML
+            check(icon not in icons, "%s has the icon %s of another filter" % (name, icon))
+            icons.add(icon)
         found = dict(properties_of(prototype))
         check(set(wanted.split()) <= set(found), "%s lacks a property" % name)
         for key, item in found.items():

@@ -1,5 +1,7 @@
 """The size field, layouts and quads in ParaView: pvpython test_plugin_quads.py PLUGIN"""
 import math
+import os
+import tempfile
 
 import numpy as np
 from paraview import servermanager
@@ -127,11 +129,37 @@ def test_size_arrays():
             choice = proxy.GetProperty("SizeArray").FindDomain("vtkSMArrayListDomain")
             choice.Update(given)
             check_equal({choice.GetString(i) for i in range(choice.GetNumberOfStrings())}, arrays, "the arrays")
+    unset = QuadMesher(Input=sized, Sizing="Field", SizeArray="None")
+    unset.UpdatePipeline()
+    text = servermanager.Fetch(unset, idx=8).GetValueByName(0, "Summary").ToString()
+    check("No size array is chosen" in text, "the text without a size array: " + text)
     optimizer = SingularityOptimizer(Input=sized, Singularities=SingularitySource(), UniformSizes=1,
                                      Sizing="Field", SizeArray="Length")
     moved = fetch(optimizer)
     check_equal(value(moved, "Converged"), 1, "Converged")
     check(value(moved, "SizeSpreadAfter") < 0.95 * value(moved, "SizeSpreadBefore"), "the spread of sizes does not shrink")
+
+
+def test_quad_mesher_for_a_first_user():
+    """Quads alone are the first output, its colours are those of quads, and a text reports it."""
+    mesher = QuadMesher(Input=PlanarDomainSource(), QuadCount=300)
+    quads = fetch(mesher)
+    report = servermanager.Fetch(mesher, idx=8)
+    check_equal(quads.GetNumberOfCells(), value(report, "Quads"), "the number of cells")
+    shown = Show(mesher, CreateView("RenderView")).SMProxy.GetProperty("ColorArrayName")
+    choice = shown.FindDomain("vtkSMArrayListDomain")
+    check_equal([choice.GetString(i) for i in range(choice.GetNumberOfStrings())],
+                ["BoundarySide", "Irregular", "Valence", "BlockId", "I", "J", "ScaledJacobian", "SizeRatio"], "the colours")
+    text = report.GetValueByName(0, "Summary").ToString().replace("\n", " ")
+    check("%d quads in 5 blocks" % quads.GetNumberOfCells() in text and "4 of valence 3" in text, "the text: " + text)
+    boundary, nodes = (servermanager.Fetch(mesher, idx=port) for port in (5, 6))
+    check_equal(boundary.GetNumberOfCells(), boundary.GetNumberOfPoints(), "the edges of one loop")
+    check_equal(nodes.GetNumberOfPoints(), 4, "irregular nodes")
+    # Writers that accept one type of cells.
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "quads.vtu")
+        SaveData(file, proxy=mesher, DataMode="Binary")
+        check_equal(fetch(OpenDataFile(file)).GetNumberOfCells(), quads.GetNumberOfCells(), "cells of the file")
 
 
 def test_quad_mesher_outputs():
@@ -154,4 +182,4 @@ def test_quad_mesher_outputs():
 
 
 run_tests(test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
-          test_energies, test_size_arrays, test_quad_mesher_outputs)
+          test_energies, test_size_arrays, test_quad_mesher_for_a_first_user, test_quad_mesher_outputs)

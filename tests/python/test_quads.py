@@ -19,6 +19,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import crossfield
 from crossfield import _quads
@@ -171,6 +172,40 @@ class Quads(unittest.TestCase):
         least = 0.15 * 4 / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2)
         most = least / np.sqrt(4 / 0.8 ** 2 + 4 / 0.55 ** 2) / 0.55
         self.assertAlmostEqual(repaired.report["repair"]["distance"], most, delta=0.03 * most)
+
+    def test_results_have_short_summaries(self):
+        mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
+        self.assertRegex(repr(mesh), r"^<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian 0\.\d\d>$"
+                         % (len(mesh.quads), len(mesh.blocks)))
+        self.assertEqual(repr(crossfield.propose("builtin:disk")), "<Configuration: quarter indices [1, 1, 1, 1]>")
+        field = crossfield.hfield("builtin:disk", [(0, 0, 4)])
+        self.assertEqual(repr(field), "<HField: %d triangles, %d points>" % (len(field.triangles), len(field.points)))
+
+    def test_a_picture_has_blocks_and_nodes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mesh.png")
+            with open(os.path.join(folder, "draw.py"), "w", encoding="utf-8") as script:
+                script.write("import crossfield\ncrossfield.quads('builtin:disk', %r, size=0.1).plot(%r, width=500)\n"
+                             % ([tuple(map(float, row)) for row in FIVE], file))
+            # The executable that pvpython reports does not exist.
+            python = sys.executable if os.path.exists(sys.executable) else "pvpython"
+            subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", python, script.name], check=True)
+            reader = vtkPNGReader()
+            reader.SetFileName(file)
+            reader.Update()
+            image = reader.GetOutput()
+            width, height, _ = image.GetDimensions()
+            self.assertEqual(width, 500)
+            self.assertAlmostEqual(height, 500, delta=2)
+            pixels = vtk_to_numpy(image.GetPointData().GetScalars())[:, :3].astype(int)
+            shares = [(np.abs(pixels - colour).max(axis=1) < 8).mean() for colour in (
+                (255, 255, 255), (250, 217, 204), (209, 230, 250), (0, 0, 0), (217, 26, 26), (26, 51, 217))]
+            self.assertAlmostEqual(shares[0], 1 - np.pi / 4 / 1.06 ** 2, delta=0.03)  # around the disk
+            for share, least in zip(shares[1:], (0.05, 0.05, 0.003, 3e-4, 6e-5)):
+                self.assertGreater(share, least)
+            mesh = crossfield.quads("builtin:disk", FIVE, size=0.1)
+            self.assertRaisesRegex(crossfield.Error, "ends in .png", mesh.plot, "mesh.jpg")
+            self.assertRaisesRegex(crossfield.Error, "no folder", mesh.plot, os.path.join(folder, "no", "mesh.png"))
 
     def test_what_is_written_is_read(self):
         mesh = crossfield.quads("builtin:l-shape", [], size=0.2)

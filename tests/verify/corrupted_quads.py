@@ -32,7 +32,7 @@ def quad_point_moved(file):
     file.points[_inner(file), :2] += 1e-5
 
 
-@of("quads", "no two points are in one place", "Inverted", *SHAPES)
+@of("quads", "no two points are in one place", "Inverted", "MinimumAngle", *SHAPES)
 def quad_point_on_another(file):
     quad = file.data.quads[_inner_quad(file)]
     file.points[quad[0]] = file.points[quad[1]]
@@ -95,6 +95,11 @@ def minimum_jacobian_changed(file):
     file.report("ScaledJacobianRange")[0] += 1e-9
 
 
+@of("quads", "MinimumAngle")
+def minimum_angle_changed(file):
+    file.report("MinimumAngle")[0] += 1e-6
+
+
 @of("quads", "EtaRange")
 def eta_changed(file):
     file.report("EtaRange")[1] += 1e-9
@@ -120,7 +125,7 @@ def quad_lines_turned(file):
 @of("quads", "quads have four points", "no edge has more than two quads", "quads agree in their orientation", SIDES,
     "Valence counts the quads", VALENCE, "IrregularObtained", "irregular nodes as asked",
     "neighbours in a lattice share their side", "Inverted", "quads fill the loops",
-    "no quad is turned over except the reported ones", *SHAPES)
+    "no quad is turned over except the reported ones", "MinimumAngle", *SHAPES)
 def quad_with_a_point_twice(file):
     first = 4 * _inner_quad(file)
     file.corners[first] = file.corners[first + 2]

@@ -10,7 +10,10 @@ def _cross(a, b):
 
 
 def check_quads(data, report):
-    """Checks conformity, valences, blocks, shapes and counts."""
+    """Checks conformity, valences, blocks, shapes and counts.
+
+    Files that ParaView saves have the quads alone, without boundary lines and counts.
+    """
     frame = Frame(data.points)
     report.bound("points lie in a plane", frame.deviation, 1e-6 * frame.size, "of the domain's size")
     report.true("cells are quads and lines", len(data.triangles) == 0 and data.only_known_cells)
@@ -19,7 +22,8 @@ def check_quads(data, report):
                 "%d points have %d places" % (len(data.points), places))
     distinct = [len(set(quad)) == 4 for quad in data.quads.tolist()]
     report.true("quads have four points", all(distinct), "%d have not" % (len(distinct) - sum(distinct)))
-    edges = _check_edges(data, report)
+    has_lines = "BoundaryId" in data.cells
+    edges = _check_edges(data, has_lines, report)
     loops = _loops(data)
     report.equal("Euler characteristic of a connected mesh in its loops",
                  2 - len(loops), len(data.points) - len(edges) + len(data.quads))
@@ -34,8 +38,8 @@ def check_quads(data, report):
                 "not have: not recomputed")
 
 
-def _check_edges(data, report):
-    """Checks the edges and returns them without direction."""
+def _check_edges(data, has_lines, report):
+    """Checks the edges and returns them without direction; adds lines where the file has none."""
     sides = np.concatenate([data.quads[:, [i, (i + 1) % 4]] for i in range(4)])
     directed, times = np.unique(sides, axis=0, return_counts=True)
     report.true("quads agree in their orientation", bool((times == 1).all()))
@@ -43,6 +47,10 @@ def _check_edges(data, report):
     report.true("no edge has more than two quads", bool((quads <= 2).all()))
     opposite = set(map(tuple, directed[:, ::-1].tolist()))
     single = {side for side in map(tuple, sides.tolist()) if side not in opposite}
+    if not has_lines:
+        data.lines = np.array(sorted(single))
+        data.cells["BoundaryId"] = None, data.at_points["BoundarySide"][data.lines[:, 0]]
+        return edges
     report.true("every boundary edge has one line with the domain on its left, and no other has",
                 single == set(map(tuple, data.lines.tolist())) and len(single) == len(data.lines))
     return edges
@@ -75,6 +83,8 @@ def _check_valences(data, on_loop, characteristic, report):
     report.true("quads at a point: 4 - k inside, 2 - k on the boundary", len(wrong) == 0,
                 "point %s has %s" % (wrong[:1], valence[wrong[:1]]))
     report.equal("sum of all indices: 4 times the Euler characteristic", int(asked.sum()), 4 * characteristic)
+    if "IrregularValence" not in data.field:
+        return
     valences = np.atleast_1d(data.field["IrregularValence"]).tolist()
     inside = valence[on_loop < 0]
     found = [int((inside == v).sum()) for v in valences]
@@ -87,8 +97,9 @@ def _check_blocks(data, report):
     """Checks that the quads of a block form a full lattice of columns I and rows J, counted from
     its corner."""
     block, column, row = (data.quad_cells[name] for name in ("BlockId", "I", "J"))
-    report.equal("Blocks", data.value("Blocks"), len(np.unique(block)))
-    report.equal("Quads", data.value("Quads"), len(data.quads))
+    if "Blocks" in data.field:
+        report.equal("Blocks", data.value("Blocks"), len(np.unique(block)))
+        report.equal("Quads", data.value("Quads"), len(data.quads))
     at = {place: quad for quad, place in enumerate(zip(block.tolist(), column.tolist(), row.tolist()))}
     full = len(at) == len(data.quads)
     for number in np.unique(block):
@@ -117,6 +128,13 @@ def _check_shapes(data, frame, report):
     stated = data.quad_cells["ScaledJacobian"]
     report.bound("ScaledJacobian is the least sine of the angles", np.abs(stated - jacobian).max(), exactness,
                  "rounding of coordinates")
+    area = 0.5 * _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    ends = frame.coordinates[data.lines]
+    inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
+    report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
+    if "Inverted" not in data.field:
+        return
+    report.true("no quad is turned over except the reported ones", data.value("Inverted") > 0 or (area > 0).all())
     report.equal("Inverted", data.value("Inverted"), int((jacobian <= 0).sum()))
     report.bound("ScaledJacobianRange", np.abs(
         data.field["ScaledJacobianRange"] - [jacobian.min(), jacobian.mean()]).max(), exactness, "rounding")
@@ -124,11 +142,9 @@ def _check_shapes(data, frame, report):
     eta = 1 - 2 / np.pi * np.abs(np.pi / 2 - angle).max(axis=1)
     report.bound("EtaRange", np.abs(data.field["EtaRange"] - [eta.min(), eta.mean()]).max(), exactness,
                  "rounding of angles")
-    area = 0.5 * _cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    if "MinimumAngle" in data.field:
+        report.bound("MinimumAngle", abs(data.value("MinimumAngle") - np.degrees(angle.min())), 60 * exactness,
+                     "rounding of angles, in degrees")
     size = np.sqrt(np.maximum(area, 0.0))
     report.bound("SizeRange: roots of areas", np.abs(
         data.field["SizeRange"] / [size.min(), size.mean(), size.max()] - 1).max(), exactness, "rounding")
-    ends = frame.coordinates[data.lines]
-    inside = 0.5 * _cross(ends[:, 0], ends[:, 1]).sum()
-    report.bound("quads fill the loops", abs(area.sum() - inside) / inside, exactness, "rounding of areas")
-    report.true("no quad is turned over except the reported ones", data.value("Inverted") > 0 or (area > 0).all())

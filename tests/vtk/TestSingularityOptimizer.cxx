@@ -176,7 +176,8 @@ TEST_F(SingularityOptimizer, SizesFollowAnArrayOfTheDomain)
   EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "no point array 'Width'", "name one" }),
     vtkErrorCode::UserError);
   this->Filter->SetSizeArray(std::string());
-  EXPECT_EQ(FilterChecks::CaptureError(this->Filter, { "no point array ''", "name one" }),
+  EXPECT_EQ(
+    FilterChecks::CaptureError(this->Filter, { "No size array is chosen", "choose a point array" }),
     vtkErrorCode::UserError);
   this->Filter->SetSizeArray("Length");
   setTargetSizes({ 0.1, 0.0, 0.2, 0.1 });

@@ -40,6 +40,24 @@ std::vector<int> PointsAlong(const QuadBlock& block, std::size_t side)
   return points;
 }
 
+std::vector<std::vector<int>> SidesOf(const std::vector<QuadBlock>& blocks)
+{
+  std::vector<std::vector<int>> sides;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      const BlockNeighbour& neighbour = blocks[b].neighbours[side];
+      const auto own = std::make_pair(static_cast<int>(b), static_cast<int>(side));
+      if (neighbour.block < 0 || own < std::make_pair(neighbour.block, neighbour.side))
+      {
+        sides.push_back(PointsAlong(blocks[b], side));
+      }
+    }
+  }
+  return sides;
+}
+
 void FindNeighbours(std::vector<QuadBlock>& blocks)
 {
   std::map<std::array<int, 4>, BlockSide> open;

@@ -28,6 +28,10 @@ struct QuadBlock
 /// Returns the points of a side, by increasing i or j.
 std::vector<int> PointsAlong(const QuadBlock& block, std::size_t side);
 
+/// Returns the sides of all blocks, as points by increasing i or j. A side that two blocks share is
+/// listed once. Requires FindNeighbours.
+std::vector<std::vector<int>> SidesOf(const std::vector<QuadBlock>& blocks);
+
 /// Sets the neighbours of blocks that meet side to side, by their points.
 void FindNeighbours(std::vector<QuadBlock>& blocks);
 }

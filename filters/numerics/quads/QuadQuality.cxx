@@ -32,27 +32,39 @@ Range RangeOf(const std::vector<double>& values)
   return range;
 }
 
-double Eta(const QuadMesh& mesh, std::size_t quad)
+struct QuadAngles
+{
+  double eta = 1.0;
+  double minimum = 0.0;
+};
+
+QuadAngles AnglesOf(const QuadMesh& mesh, std::size_t quad)
 {
   // At a convex corner the sine of |π/2 − angle| is |cos angle|, so one arc sine of the largest
   // suffices.
   double largestCosine = 0.0;
   double worst = 0.0;
+  double cosineOfMinimum = -1.0;
+  double minimumElsewhere = 2.0 * Pi;
   for (std::size_t c = 0; c < 4; ++c)
   {
     const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
     const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
     if (Cross(next, previous) > 0.0)
     {
-      largestCosine = std::max(largestCosine,
-        std::abs(next.dot(previous)) / std::sqrt(next.squaredNorm() * previous.squaredNorm()));
+      const double cosine =
+        next.dot(previous) / std::sqrt(next.squaredNorm() * previous.squaredNorm());
+      largestCosine = std::max(largestCosine, std::abs(cosine));
+      cosineOfMinimum = std::max(cosineOfMinimum, cosine);
       continue;
     }
     const double signedAngle = AngleBetween(next, previous);
     const double angle = signedAngle < 0.0 ? signedAngle + 2.0 * Pi : signedAngle;
     worst = std::max(worst, std::abs(0.5 * Pi - angle));
+    minimumElsewhere = std::min(minimumElsewhere, angle);
   }
-  return 1.0 - 2.0 / Pi * std::max(worst, std::asin(std::min(1.0, largestCosine)));
+  return { 1.0 - 2.0 / Pi * std::max(worst, std::asin(std::min(1.0, largestCosine))),
+    std::min(minimumElsewhere, std::acos(std::min(1.0, cosineOfMinimum))) };
 }
 
 double Area(const QuadMesh& mesh, std::size_t quad)
@@ -119,7 +131,9 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
   {
     const double jacobian = ScaledJacobian(mesh, q);
     quality.scaledJacobian.push_back(jacobian);
-    eta.push_back(Eta(mesh, q));
+    const QuadAngles angles = AnglesOf(mesh, q);
+    eta.push_back(angles.eta);
+    quality.minimumAngle = q == 0 ? angles.minimum : std::min(quality.minimumAngle, angles.minimum);
     sizes.push_back(std::sqrt(std::max(0.0, Area(mesh, q))));
     double scale = 0.0;
     Point centre = Point::Zero();

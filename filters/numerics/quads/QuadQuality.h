@@ -22,6 +22,7 @@ struct QuadQuality
   /// at corners of angle α with m quads.
   double bound = 1.0;
   Range eta;                   ///< 1 − (2/π) max |π/2 − angle|.
+  double minimumAngle = 0.0;   ///< Minimum angle inside a quad, in radians, in [0, 2π).
   Range size;                  ///< √area.
   double variation = 0.0;      ///< Standard deviation of √area over its mean.
   int inverted = 0;            ///< Number of quads whose scaled Jacobian is not positive.

@@ -3,25 +3,16 @@
 #include "ColumnWriting.h"
 #include "HolonomyConversion.h"
 #include "PoincareHopf.h"
+#include "QuadReport.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
 
 #include <iomanip>
-#include <optional>
 #include <sstream>
 
 namespace names = vtkCrossFieldArrayNames;
-
-namespace
-{
-/** Returns the minimum angle of the quads in degrees; nothing without quads. */
-std::optional<double> MinimumAngle(const crossfield::LayoutDesign& design)
-{
-  return design.quads ? std::optional<double>(90.0 * design.quads->quality.eta.min) : std::nullopt;
-}
-}
 
 namespace LayoutConversion
 {
@@ -46,17 +37,16 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
     return report.refusal;
   }
   std::ostringstream text;
-  text << std::fixed << std::setprecision(0);
   if (design->quads)
   {
-    text << design->quads->mesh.quads.size() << " quads in " << design->quads->blocks.blocks.size()
-         << " blocks; minimum angle " << *MinimumAngle(*design) << "°";
+    text << QuadReport::DescribeQuads(*design->quads);
   }
   else
   {
     text << design->mesh.patches.size() << " patches";
   }
-  text << std::setprecision(2) << "; energy W " << design->energy.energy << " (lower is better).";
+  text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
+       << " (lower is better).";
   if (design->shortestArc < 0.5 * report.quadSize)
   {
     text << " Two separatrices nearly coincide: try Snap.";
@@ -86,9 +76,10 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   HolonomyConversion::WriteStretch(design->map.flattening, data);
-  if (const std::optional<double> angle = MinimumAngle(*design))
+  if (design->quads)
   {
-    ColumnWriting::AddNumbers(data, names::MinimumAngle, { *angle });
+    ColumnWriting::AddNumbers(
+      data, names::MinimumAngle, { 180.0 / crossfield::Pi * design->quads->quality.minimumAngle });
   }
 }
 }

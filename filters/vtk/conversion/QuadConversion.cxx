@@ -11,7 +11,10 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <vector>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -21,34 +24,13 @@ using crossfield::QuadMesh;
 using crossfield::QuadPoint;
 using crossfield::QuadResult;
 
-/** Appends one value for every boundary line to the values of the quads. */
-template <class T>
-std::vector<T> AppendForLines(std::vector<T> values, std::size_t lines, T value)
-{
-  values.insert(values.end(), lines, value);
-  return values;
-}
-
 void WriteCellData(const QuadResult& result, vtkCellData* data)
 {
-  const QuadMesh& mesh = result.mesh;
-  const std::size_t lines = mesh.boundary.size();
-  ColumnWriting::AddIntegers(data, names::BlockId, AppendForLines(result.blocks.block, lines, -1));
-  ColumnWriting::AddIntegers(data, names::I, AppendForLines(result.blocks.i, lines, -1));
-  ColumnWriting::AddIntegers(data, names::J, AppendForLines(result.blocks.j, lines, -1));
-  ColumnWriting::AddNumbers(
-    data, names::ScaledJacobian, AppendForLines(result.quality.scaledJacobian, lines, 1.0));
-  ColumnWriting::AddNumbers(
-    data, names::SizeRatio, AppendForLines(result.quality.sizeRatio, lines, 1.0));
-  std::vector<int> kinds(mesh.quads.size(), 0);
-  std::vector<int> ids(mesh.quads.size(), -1);
-  for (const crossfield::QuadBoundaryEdge& edge : mesh.boundary)
-  {
-    kinds.push_back(static_cast<int>(edge.kind));
-    ids.push_back(edge.id);
-  }
-  ColumnWriting::AddIntegers(data, names::BoundaryKind, kinds);
-  ColumnWriting::AddIntegers(data, names::BoundaryId, ids);
+  ColumnWriting::AddIntegers(data, names::BlockId, result.blocks.block);
+  ColumnWriting::AddIntegers(data, names::I, result.blocks.i);
+  ColumnWriting::AddIntegers(data, names::J, result.blocks.j);
+  ColumnWriting::AddNumbers(data, names::ScaledJacobian, result.quality.scaledJacobian);
+  ColumnWriting::AddNumbers(data, names::SizeRatio, result.quality.sizeRatio);
 }
 
 void WritePointData(const QuadMesh& mesh, vtkPointData* data)
@@ -61,60 +43,31 @@ void WritePointData(const QuadMesh& mesh, vtkPointData* data)
     [](const QuadPoint& point) { return point.curve.loop; });
 }
 
-/** Writes the numbers of irregular interior points by valence: obtained and requested. */
-void WriteIrregular(const QuadMesh& mesh, vtkFieldData* data)
+void InsertPoint(const QuadPoint& point, const crossfield::DomainPlane& plane, vtkPoints* points)
 {
-  std::map<int, std::array<int, 2>> counts;
-  for (const QuadPoint& point : mesh.points)
-  {
-    if (point.curve.loop < 0 && point.valence != 4)
-    {
-      ++counts[point.valence][0];
-    }
-    if (point.curve.loop < 0 && point.quarterIndex != 0)
-    {
-      ++counts[4 - point.quarterIndex][1];
-    }
-  }
-  std::array<std::vector<int>, 3> columns;
-  for (const auto& [valence, count] : counts)
-  {
-    columns[0].push_back(valence);
-    columns[1].push_back(count[0]);
-    columns[2].push_back(count[1]);
-  }
-  ColumnWriting::AddIntegers(data, names::IrregularValence, columns[0]);
-  ColumnWriting::AddIntegers(data, names::IrregularObtained, columns[1]);
-  ColumnWriting::AddIntegers(data, names::IrregularRequested, columns[2]);
+  points->InsertNextPoint(plane.ToSpace(point.place).data());
 }
 
-void WriteReport(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFieldData* data)
+/** Appends a value for each boundary line to an array of quads. */
+template <class Array>
+void Append(vtkFieldData* from, const char* name, typename Array::ValueType value, vtkIdType lines,
+  vtkFieldData* to)
 {
-  const auto addCount = [data](const char* name, std::size_t value)
-  { ColumnWriting::AddIntegers(data, name, { static_cast<int>(value) }); };
-  const auto addFlag = [data](const char* name, bool value)
-  { ColumnWriting::AddIntegers(data, name, { value ? 1 : 0 }); };
-  const crossfield::QuadQuality& quality = result.quality;
-  addCount(names::Quads, result.mesh.quads.size());
-  addCount(names::Blocks, result.blocks.blocks.size());
-  WriteIrregular(result.mesh, data);
-  ColumnWriting::AddNumbers(
-    data, names::ScaledJacobianRange, { quality.jacobian.min, quality.jacobian.mean });
-  ColumnWriting::AddNumbers(data, names::ScaledJacobianBound, { quality.bound });
-  ColumnWriting::AddNumbers(data, names::EtaRange, { quality.eta.min, quality.eta.mean });
-  ColumnWriting::AddNumbers(
-    data, names::SizeRange, { quality.size.min, quality.size.mean, quality.size.max });
-  ColumnWriting::AddNumbers(data, names::SizeVariation, { quality.variation });
-  ColumnWriting::AddNumbers(data, names::Size, { result.size });
-  ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.ZeroArcs() });
-  addCount(names::IntegerVariables, result.counts.counts.size());
-  ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.Gap() });
-  addFlag(names::IntegerOptimal, result.counts.optimal);
-  ColumnWriting::AddIntegers(data, names::Inverted, { quality.inverted });
-  const Eigen::Vector3d where = plane.ToSpace(quality.where);
-  ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
-  addFlag(names::Released, result.smoothing.released);
-  ColumnWriting::AddNumbers(data, names::Moved, { result.smoothing.moved });
+  vtkNew<Array> array;
+  array->DeepCopy(from->GetArray(name));
+  for (vtkIdType i = 0; i < lines; ++i)
+  {
+    array->InsertNextValue(value);
+  }
+  to->AddArray(array);
+}
+
+/** Prepends a value for each quad to an array of boundary lines. */
+void Prepend(vtkFieldData* from, const char* name, int value, vtkIdType quads, vtkFieldData* to)
+{
+  const auto array = ColumnWriting::NewArray<vtkIntArray>(to, name, 1, quads, value);
+  vtkDataArray* ofLines = from->GetArray(name);
+  array->InsertTuples(quads, ofLines->GetNumberOfTuples(), 0, ofLines);
 }
 }
 
@@ -131,20 +84,84 @@ void WriteQuads(
     points->InsertNextPoint(plane.ToSpace(point.place).data());
   }
   output->SetPoints(points);
-  output->Allocate(static_cast<vtkIdType>(result.mesh.quads.size() + result.mesh.boundary.size()));
+  output->Allocate(static_cast<vtkIdType>(result.mesh.quads.size()));
   for (const std::array<int, 4>& quad : result.mesh.quads)
   {
     const std::array<vtkIdType, 4> ids = { quad[0], quad[1], quad[2], quad[3] };
     output->InsertNextCell(VTK_QUAD, 4, ids.data());
   }
-  for (const crossfield::QuadBoundaryEdge& edge : result.mesh.boundary)
-  {
-    const std::array<vtkIdType, 2> ids = { edge.points[0], edge.points[1] };
-    output->InsertNextCell(VTK_LINE, 2, ids.data());
-  }
   WriteCellData(result, output->GetCellData());
   WritePointData(result.mesh, output->GetPointData());
-  WriteReport(result, plane, output->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+void WriteBoundary(const QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  std::map<int, vtkIdType> numbers;
+  std::vector<int> vertices;
+  std::vector<int> kinds;
+  std::vector<int> ids;
+  for (const crossfield::QuadBoundaryEdge& edge : mesh.boundary)
+  {
+    lines->InsertNextCell(2);
+    for (const int point : edge.points)
+    {
+      const auto [place, isNew] = numbers.emplace(point, points->GetNumberOfPoints());
+      if (isNew)
+      {
+        InsertPoint(mesh.points[static_cast<std::size_t>(point)], plane, points);
+        vertices.push_back(point);
+      }
+      lines->InsertCellPoint(place->second);
+    }
+    kinds.push_back(static_cast<int>(edge.kind));
+    ids.push_back(edge.id);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  ColumnWriting::AddIntegers(output->GetCellData(), names::BoundaryKind, kinds);
+  ColumnWriting::AddIntegers(output->GetCellData(), names::BoundaryId, ids);
+  ColumnWriting::AddIntegers(output->GetPointData(), names::VertexId, vertices);
+}
+
+//------------------------------------------------------------------------------
+void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* output)
+{
+  const vtkIdType quadCount = quads->GetNumberOfCells();
+  const vtkIdType lineCount = boundary->GetNumberOfCells();
+  output->Initialize();
+  if (quadCount == 0)
+  {
+    return;
+  }
+  output->DeepCopy(quads);
+  vtkDataArray* vertices = boundary->GetPointData()->GetArray(names::VertexId);
+  for (vtkIdType line = 0; line < lineCount; ++line)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ends = nullptr;
+    boundary->GetLines()->GetCellAtId(line, size, ends);
+    std::array<vtkIdType, 2> ids{};
+    std::transform(ends, ends + 2, ids.begin(),
+      [&](vtkIdType end) { return static_cast<vtkIdType>(vertices->GetTuple1(end)); });
+    output->InsertNextCell(VTK_LINE, 2, ids.data());
+  }
+  vtkCellData* from = quads->GetCellData();
+  vtkCellData* to = output->GetCellData();
+  to->Initialize();
+  for (const char* name : { names::BlockId, names::I, names::J })
+  {
+    Append<vtkIntArray>(from, name, -1, lineCount, to);
+  }
+  for (const char* name : { names::ScaledJacobian, names::SizeRatio })
+  {
+    Append<vtkDoubleArray>(from, name, 1.0, lineCount, to);
+  }
+  Prepend(boundary->GetCellData(), names::BoundaryKind, 0, quadCount, to);
+  Prepend(boundary->GetCellData(), names::BoundaryId, -1, quadCount, to);
 }
 
 //------------------------------------------------------------------------------
@@ -159,12 +176,13 @@ void WriteBlocks(
     points->SetDataTypeToDouble();
     for (const int point : block.points)
     {
-      points->InsertNextPoint(
-        plane.ToSpace(result.mesh.points[static_cast<std::size_t>(point)].place).data());
+      InsertPoint(result.mesh.points[static_cast<std::size_t>(point)], plane, points);
     }
     vtkNew<vtkStructuredGrid> grid;
     grid->SetDimensions(block.width + 1, block.height + 1, 1);
     grid->SetPoints(points);
+    ColumnWriting::NewArray<vtkIntArray>(
+      grid->GetCellData(), names::BlockId, 1, grid->GetNumberOfCells(), static_cast<int>(b));
     using crossfield::BlockNeighbour;
     const auto add = [&](const char* name, int BlockNeighbour::*member)
     {
@@ -188,6 +206,29 @@ void WriteLayout(
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
+  std::vector<int> edges;
+  for (const std::vector<int>& side : crossfield::SidesOf(result.blocks.blocks))
+  {
+    lines->InsertNextCell(static_cast<int>(side.size()));
+    for (const int point : side)
+    {
+      lines->InsertCellPoint(points->GetNumberOfPoints());
+      InsertPoint(result.mesh.points[static_cast<std::size_t>(point)], plane, points);
+    }
+    edges.push_back(static_cast<int>(side.size()) - 1);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  ColumnWriting::AddIntegers(output->GetCellData(), names::Edges, edges);
+}
+
+//------------------------------------------------------------------------------
+void WriteSeparatrices(
+  const QuadResult& result, const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
   for (const crossfield::TArc& arc : result.tMesh.arcs)
   {
     lines->InsertNextCell(static_cast<int>(arc.polyline.size()));
@@ -199,5 +240,31 @@ void WriteLayout(
   output->SetPoints(points);
   output->SetLines(lines);
   ColumnWriting::AddIntegers(output->GetCellData(), names::Edges, result.counts.counts);
+}
+
+//------------------------------------------------------------------------------
+void WriteIrregularNodes(
+  const QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  std::vector<int> valences;
+  std::vector<int> quarters;
+  for (const QuadPoint& point : mesh.points)
+  {
+    if (point.curve.loop < 0 && point.valence != 4)
+    {
+      vertices->InsertNextCell(1);
+      vertices->InsertCellPoint(points->GetNumberOfPoints());
+      InsertPoint(point, plane, points);
+      valences.push_back(point.valence);
+      quarters.push_back(4 - point.valence);
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  ColumnWriting::AddIntegers(output->GetPointData(), names::QuarterIndex, quarters);
+  ColumnWriting::AddIntegers(output->GetPointData(), names::Valence, valences);
 }
 }

@@ -11,17 +11,32 @@ class vtkUnstructuredGrid;
 /** Conversion of quad meshes; see vtkQuadMesher for the arrays. */
 namespace QuadConversion
 {
-/** Writes quads, boundary lines, and the report as field data. */
+/** Writes quads with their points, output 0 of vtkQuadMesher. */
 void WriteQuads(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkUnstructuredGrid* output);
+
+/** Writes the boundary edges with the domain on their left. */
+void WriteBoundary(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output);
+
+/** Writes quads and their boundary edges into one grid; see vtkQuadMesher::CopyMesh. */
+void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* output);
 
 /** Writes one vtkStructuredGrid per block. */
 void WriteBlocks(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkMultiBlockDataSet* output);
 
-/** Writes one polyline per arc of the T-mesh. */
+/** Writes one polyline per side of a block; a side that two blocks share is written once. */
 void WriteLayout(
   const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkPolyData* output);
+
+/** Writes one polyline per arc of the T-mesh. */
+void WriteSeparatrices(
+  const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkPolyData* output);
+
+/** Writes the interior points whose valence is not 4. */
+void WriteIrregularNodes(
+  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output);
 }
 
 #endif

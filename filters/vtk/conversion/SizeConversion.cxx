@@ -68,6 +68,12 @@ std::vector<double> RequireLengths(
   vtkDataSet* domain, const UsedPoints& used, const std::string& name)
 {
   vtkDataArray* array = domain->GetPointData()->GetArray(name.c_str());
+  if (array == nullptr && (name.empty() || name == "None")) // ParaView's choice of no array
+  {
+    throw Error(
+      "No size array is chosen; choose a point array of the domain with the target length "
+      "of quads at each point, or another sizing.");
+  }
   if (array == nullptr || array->GetNumberOfComponents() != 1)
   {
     throw Error("The domain has no point array '" + name +

@@ -1,9 +1,15 @@
 #ifndef FilterPorts_h
 #define FilterPorts_h
 
+#include "Error.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <string>
 
 /**
  * Data types of the ports of this module's filters. Every function returns 1, the result of
@@ -33,18 +39,35 @@ inline int AcceptMesh(vtkInformation* info)
   return 1;
 }
 
-/** Accepts points with arrays: singularities or corners. */
-inline int AcceptPoints(vtkInformation* info)
+/** Accepts points with arrays, singularities or corners, or no connection. */
+inline int AcceptOptionalPoints(vtkInformation* info)
 {
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
-/** Accepts points or no connection. */
-inline int AcceptOptionalPoints(vtkInformation* info)
+/**
+ * Accepts singularities that RequireSingularities reads. The port is optional for VTK, whose message
+ * about a missing connection names neither the input nor a remedy.
+ */
+inline int AcceptSingularities(vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return AcceptPoints(info);
+  return AcceptOptionalPoints(info);
+}
+
+/** Returns the data of a connection of a port; throws Error if there is none. */
+inline vtkDataSet* RequireSingularities(
+  vtkInformationVector* port, const char* name, int connection = 0)
+{
+  vtkDataSet* points = vtkDataSet::GetData(port, connection);
+  if (points == nullptr)
+  {
+    throw crossfield::Error("The input " + std::string(name) +
+      " has no connection; connect points with the array QuarterIndex, for example a Singularity "
+      "Source.");
+  }
+  return points;
 }
 
 /** Produces data of a class. */

@@ -189,6 +189,7 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
   }
   // Every side of a block is a full side of another block, or on the boundary.
   std::size_t boundary = 0;
+  std::size_t edges = 0;
   for (std::size_t b = 0; b < result.blocks.blocks.size(); ++b)
   {
     const QuadBlock& block = result.blocks.blocks[b];
@@ -196,6 +197,7 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
     {
       const BlockNeighbour& neighbour = block.neighbours[side];
       std::vector<int> points = PointsAlong(block, side);
+      edges += points.size() - 1;
       if (neighbour.block < 0)
       {
         boundary += points.size() - 1;
@@ -218,6 +220,13 @@ void ExpectSound(const QuadResult& result, const SeamlessMap& map, double size)
     }
   }
   EXPECT_EQ(boundary, mesh.boundary.size());
+  // The layout has each boundary edge once, and each edge between blocks once.
+  std::size_t drawn = 0;
+  for (const std::vector<int>& side : SidesOf(result.blocks.blocks))
+  {
+    drawn += side.size() - 1;
+  }
+  EXPECT_EQ(2 * drawn, edges + boundary);
 }
 
 /// Five meshes for each random domain. CROSSFIELD_QUAD_CASES sets the number of domains,

@@ -1,0 +1,141 @@
+#include "QuadReport.h"
+
+#include "ColumnWriting.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include <array>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+using crossfield::QuadMesh;
+using crossfield::QuadPoint;
+using crossfield::QuadQuality;
+using crossfield::QuadResult;
+
+double Degrees(double radians)
+{
+  return 180.0 / crossfield::Pi * radians;
+}
+
+/** Numbers of irregular interior points by valence: obtained and requested. */
+using IrregularCounts = std::map<int, std::array<int, 2>>;
+
+IrregularCounts CountIrregular(const QuadMesh& mesh)
+{
+  IrregularCounts counts;
+  for (const QuadPoint& point : mesh.points)
+  {
+    if (point.curve.loop < 0 && point.valence != 4)
+    {
+      ++counts[point.valence][0];
+    }
+    if (point.curve.loop < 0 && point.quarterIndex != 0)
+    {
+      ++counts[4 - point.quarterIndex][1];
+    }
+  }
+  return counts;
+}
+
+void WriteIrregular(const IrregularCounts& counts, vtkFieldData* data)
+{
+  std::array<std::vector<int>, 3> columns;
+  for (const auto& [valence, count] : counts)
+  {
+    columns[0].push_back(valence);
+    columns[1].push_back(count[0]);
+    columns[2].push_back(count[1]);
+  }
+  ColumnWriting::AddIntegers(data, names::IrregularValence, columns[0]);
+  ColumnWriting::AddIntegers(data, names::IrregularObtained, columns[1]);
+  ColumnWriting::AddIntegers(data, names::IrregularRequested, columns[2]);
+}
+
+/** Returns for example "irregular nodes: 4 of valence 3, 1 of valence 5". */
+std::string DescribeIrregular(const QuadMesh& mesh)
+{
+  std::string text;
+  for (const auto& [valence, count] : CountIrregular(mesh))
+  {
+    if (count[0] > 0)
+    {
+      text += (text.empty() ? "irregular nodes: " : ", ") + std::to_string(count[0]) +
+        " of valence " + std::to_string(valence);
+    }
+  }
+  return text.empty() ? "no irregular nodes" : text;
+}
+}
+
+namespace QuadReport
+{
+//------------------------------------------------------------------------------
+void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFieldData* data)
+{
+  const auto addCount = [data](const char* name, std::size_t value)
+  { ColumnWriting::AddIntegers(data, name, { static_cast<int>(value) }); };
+  const auto addFlag = [data](const char* name, bool value)
+  { ColumnWriting::AddIntegers(data, name, { value ? 1 : 0 }); };
+  const crossfield::QuadQuality& quality = result.quality;
+  addCount(names::Quads, result.mesh.quads.size());
+  addCount(names::Blocks, result.blocks.blocks.size());
+  WriteIrregular(CountIrregular(result.mesh), data);
+  ColumnWriting::AddNumbers(
+    data, names::ScaledJacobianRange, { quality.jacobian.min, quality.jacobian.mean });
+  ColumnWriting::AddNumbers(data, names::ScaledJacobianBound, { quality.bound });
+  ColumnWriting::AddNumbers(data, names::MinimumAngle, { Degrees(quality.minimumAngle) });
+  ColumnWriting::AddNumbers(data, names::EtaRange, { quality.eta.min, quality.eta.mean });
+  ColumnWriting::AddNumbers(
+    data, names::SizeRange, { quality.size.min, quality.size.mean, quality.size.max });
+  ColumnWriting::AddNumbers(data, names::SizeVariation, { quality.variation });
+  ColumnWriting::AddNumbers(data, names::Size, { result.size });
+  ColumnWriting::AddIntegers(data, names::ZeroArcs, { result.counts.ZeroArcs() });
+  addCount(names::IntegerVariables, result.counts.counts.size());
+  ColumnWriting::AddNumbers(data, names::IntegerGap, { result.counts.Gap() });
+  addFlag(names::IntegerOptimal, result.counts.optimal);
+  ColumnWriting::AddIntegers(data, names::Inverted, { quality.inverted });
+  const Eigen::Vector3d where = plane.ToSpace(quality.where);
+  ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
+  addFlag(names::Released, result.smoothing.released);
+  ColumnWriting::AddNumbers(data, names::Moved, { result.smoothing.moved });
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeInverted(const QuadQuality& quality)
+{
+  if (quality.inverted == 0)
+  {
+    return "";
+  }
+  const bool one = quality.inverted == 1;
+  return std::to_string(quality.inverted) + (one ? " quad is" : " quads are") + " inverted, " +
+    (one ? "near " : "the worst near ") + crossfield::Describe(quality.where) +
+    "; use a smaller size.";
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeQuads(const QuadResult& result)
+{
+  std::ostringstream text;
+  text << result.mesh.quads.size() << " quads in " << result.blocks.blocks.size()
+       << " blocks; minimum angle " << std::fixed << std::setprecision(0)
+       << Degrees(result.quality.minimumAngle) << "°";
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string Summary(const QuadResult& result)
+{
+  std::ostringstream text;
+  text << DescribeQuads(result) << ", minimum scaled Jacobian " << std::fixed
+       << std::setprecision(2) << result.quality.jacobian.min << "; "
+       << DescribeIrregular(result.mesh) << ".";
+  const std::string inverted = DescribeInverted(result.quality);
+  return text.str() + (inverted.empty() ? "" : " ") + inverted;
+}
+}

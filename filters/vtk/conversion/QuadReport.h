@@ -1,0 +1,28 @@
+#ifndef QuadReport_h
+#define QuadReport_h
+
+#include "DomainPlane.h"
+#include "QuadMesher.h"
+
+#include <string>
+
+class vtkFieldData;
+
+/** Numbers and sentences about a quad mesh. */
+namespace QuadReport
+{
+/** Adds the field data of vtkQuadMesher. */
+void Write(
+  const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkFieldData* data);
+
+/** Returns a sentence with the number of inverted quads and a place; empty if there are none. */
+std::string DescribeInverted(const crossfield::QuadQuality& quality);
+
+/** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
+std::string DescribeQuads(const crossfield::QuadResult& result);
+
+/** Returns the text that vtkQuadMesher writes for the view. */
+std::string Summary(const crossfield::QuadResult& result);
+}
+
+#endif
