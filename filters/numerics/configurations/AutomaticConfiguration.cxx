@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace crossfield
@@ -78,19 +79,27 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
   {
     return HasConvergedWithoutDefect(one);
   }
-  return LargestDefect(one) < LargestDefect(other);
+  // Smaller defects may be artefacts of the mesh.
+  const double defect = std::max(LargestDefect(one), NoticeableDefect);
+  const double otherDefect = std::max(LargestDefect(other), NoticeableDefect);
+  return std::make_tuple(defect, one.rankingEnergy) <
+    std::make_tuple(otherDefect, other.rankingEnergy);
+}
+
+/// Returns the size of the quads for which singularities are chosen, 0 if no quads will be made.
+double ResolveQuadSize(const PlanarDomain& domain, const AutomaticOptions& options)
+{
+  return options.quadSize == 0.0 && options.quadCount > 0
+    ? std::sqrt(domain.Area() / options.quadCount)
+    : options.quadSize;
 }
 
 /// Returns the requested clearance, 0 for the default.
 double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  if (options.optimizer.clearance != 0.0)
-  {
-    return options.optimizer.clearance;
-  }
-  return ClearanceForQuads(options.quadSize == 0.0 && options.quadCount > 0
-      ? std::sqrt(domain.Area() / options.quadCount)
-      : options.quadSize);
+  return options.optimizer.clearance != 0.0
+    ? options.optimizer.clearance
+    : ClearanceForQuads(ResolveQuadSize(domain, options));
 }
 
 /// Adds the events of the last run.
@@ -182,6 +191,7 @@ AutomaticConfiguration ChooseConfiguration(
     options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;
   AutomaticOptions minimum = options;
   minimum.optimizer.clearance = fits ? 0.0 : clearance;
+  minimum.optimizer.quadSize = ResolveQuadSize(domain, options);
   minimum.optimizer.sizes = {};
   minimum.optimizer.pairs = 0;
 
