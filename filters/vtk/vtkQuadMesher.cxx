@@ -63,8 +63,13 @@ int vtkQuadMesher::RequestData(
         this->MakeRequest(domain, singularities, corners, input.plane);
       const crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
-      this->ReportWarnings(request, result);
+      const std::vector<std::string> warnings = crossfield::WarningsOf(request, result);
+      for (const std::string& warning : warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
       this->WriteOutputs(result, input.plane, outputVector);
+      EnergyConversion::WriteWarnings(warnings, vtkUnstructuredGrid::GetData(outputVector, 0));
     });
 }
 
@@ -92,33 +97,6 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.repairHolonomy = this->RepairHolonomy;
   request.coarse = this->Coarse;
   return request;
-}
-
-//------------------------------------------------------------------------------
-void vtkQuadMesher::ReportWarnings(
-  const crossfield::QuadRequest& request, const crossfield::QuadWorkflowResult& result)
-{
-  if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
-  {
-    vtkWarningMacro(<< result.optimum->reason);
-  }
-  if (!crossfield::HasRequestedCount(request, result.quads))
-  {
-    vtkWarningMacro(<< "No number of quads within 5 % of " << this->QuadCount
-                    << " was found for these separatrices; " << result.quads.mesh.quads.size()
-                    << " is the nearest; request another number.");
-  }
-  if (result.flattening && result.flattening->PredictedStretch() > crossfield::NoticeableStretch)
-  {
-    vtkWarningMacro(<< crossfield::DescribeStretch(*result.flattening)
-                    << " Move singularities, or repair the holonomy, to lower it.");
-  }
-  const crossfield::QuadQuality& quality = result.quads.quality;
-  if (quality.inverted > 0)
-  {
-    vtkWarningMacro(<< quality.inverted << " quads are inverted, the worst near "
-                    << crossfield::Describe(quality.where) << "; use a smaller size.");
-  }
 }
 
 //------------------------------------------------------------------------------

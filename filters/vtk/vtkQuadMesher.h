@@ -48,11 +48,13 @@
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner loop,
  * radians), `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions
- * made in choosing singularities, one sentence each; empty where they were given).
+ * made in choosing singularities, one sentence each; empty where they were given), `Warnings`
+ * (one sentence each).
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
  * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
- * inverted quads is output with a warning.
+ * inverted quads is output with a warning, and so is one whose minimum scaled Jacobian is below 0.05
+ * or below 0.2 times the attainable one; the warning names the place.
  *
  * Paper: quads are left to "Further thoughts".
  *
@@ -225,8 +227,6 @@ private:
 
   crossfield::QuadRequest MakeRequest(vtkDataSet* domain, vtkDataSet* singularities,
     vtkDataSet* corners, const crossfield::DomainPlane& plane) const;
-  void ReportWarnings(
-    const crossfield::QuadRequest& request, const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
 

@@ -86,6 +86,16 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
     std::make_tuple(otherDefect, other.rankingEnergy);
 }
 
+/// Returns whether a start has less energy than a minimum, by more than the error of the meshes: the
+/// start that was best may have had a defect, which cost energy to remove. A start with a defect
+/// promises nothing.
+bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& minimum)
+{
+  constexpr double MeshError = 1e-2;
+  return start.holonomyDefect < NoticeableDefect &&
+    start.energy < minimum.rankingEnergy - MeshError * (1.0 + std::abs(minimum.rankingEnergy));
+}
+
 /// Returns the size of the quads for which singularities are chosen, 0 if no quads will be made.
 double ResolveQuadSize(const PlanarDomain& domain, const AutomaticOptions& options)
 {
@@ -97,9 +107,8 @@ double ResolveQuadSize(const PlanarDomain& domain, const AutomaticOptions& optio
 /// Returns the requested clearance, 0 for the default.
 double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  return options.optimizer.clearance != 0.0
-    ? options.optimizer.clearance
-    : ClearanceForQuads(ResolveQuadSize(domain, options));
+  return options.optimizer.clearance != 0.0 ? options.optimizer.clearance
+                                            : ClearanceForQuads(ResolveQuadSize(domain, options));
 }
 
 /// Adds the events of the last run.
@@ -199,8 +208,12 @@ AutomaticConfiguration ChooseConfiguration(
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
   std::size_t solves = 0;
-  for (std::size_t i = 0; i < starts.size() && !HasConvergedWithoutDefect(best.optimum); ++i)
+  for (std::size_t i = 0; i < starts.size(); ++i)
   {
+    if (HasConvergedWithoutDefect(best.optimum) && !PromisesMore(starts[i], best.optimum))
+    {
+      continue;
+    }
     if (options.maximumSolves > 0)
     {
       if (solves >= options.maximumSolves)

@@ -69,8 +69,7 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
     const std::size_t v = (other.position - position).norm() <= vertexReach
       ? boundary.At(other.position)
       : boundary.vertices.size();
-    const double energy =
-      v < boundary.vertices.size() && v != lowest.vertex &&
+    const double energy = v < boundary.vertices.size() && v != lowest.vertex &&
         boundary.LoopLength(v) > vertexReach && boundary.Allows(v, boundary.quarters[v] + quarters)
       ? energyAt(v)
       : lowest.energy;

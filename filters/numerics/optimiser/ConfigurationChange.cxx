@@ -26,8 +26,8 @@ constexpr double MeetingFactor = 1.5;
 /// Returns whether the inner loops can be aligned without singularities i and j, whose sum is `sum`:
 /// if enough coordinates are left for the holonomy conditions, or if the others satisfy them where
 /// they are.
-bool CanAlignWithout(const OptimizerStage& stage, const OptimizerState& current, std::size_t i,
-  std::size_t j, int sum)
+bool CanAlignWithout(
+  const OptimizerStage& stage, const OptimizerState& current, std::size_t i, std::size_t j, int sum)
 {
   const std::size_t remaining = stage.placed.interior.size() - (sum == 0 ? 2 : 1);
   if (2 * remaining >= static_cast<std::size_t>(current.defects.size()))

@@ -63,10 +63,13 @@ double BoundaryVertices::LoopLength(std::size_t vertex) const
 
 double BoundaryVertices::AngleForQuads(std::size_t vertex, std::size_t ignored) const
 {
-  // Quads between two points with an index are smaller than their distance.
+  // Quads at a point with an index are smaller than others, and those between two such points are
+  // smaller than their distance.
+  constexpr double SizeFraction = 0.35;
   constexpr double IndexFraction = 0.25;
-  const double range = std::min(this->QuadRange(vertex),
-    IndexFraction * this->DistanceToIndex(vertex, ignored, this->quadSize / IndexFraction));
+  const double own = SizeFraction * this->QuadRange(vertex);
+  const double range =
+    std::min(own, IndexFraction * this->DistanceToIndex(vertex, ignored, own / IndexFraction));
   const Corner& corner = this->vertices[vertex];
   const auto away = [&](const std::vector<std::size_t>& neighbours)
   {
@@ -92,7 +95,7 @@ double BoundaryVertices::AngleForQuads(std::size_t vertex, std::size_t ignored) 
 
 bool BoundaryVertices::Allows(std::size_t vertex, int index, std::size_t ignored) const
 {
-  constexpr double SufficientQuality = 0.3;
+  constexpr double SufficientQuality = 0.5; // quads have at least 0.3 if the angle is inexact
   const double spacing = this->QuadRange(vertex);
   if (this->quarters[vertex] == 0 && index > 0 &&
     this->DistanceToIndex(vertex, ignored, spacing) < spacing)
@@ -101,7 +104,7 @@ bool BoundaryVertices::Allows(std::size_t vertex, int index, std::size_t ignored
   }
   const double angle = this->AngleForQuads(vertex, ignored);
   double best = 0.0;
-  for (int other = 1; other >= -3; --other) // more than five quads have less than 0.3 at π/2
+  for (int other = 1; other >= -3; --other) // down to five quads
   {
     best = std::max(best, CornerQuality(angle, other));
   }

@@ -30,12 +30,13 @@ struct BoundaryVertices
   std::size_t At(const Point& position) const;
   /// Returns the length of the loop of a vertex.
   double LoopLength(std::size_t vertex) const;
-  /// Returns the angle at a vertex between the points of the boundary one quad away: the angle that
-  /// quads have to fill there. Where the quads must be smaller, the points are closer: at a quarter
-  /// of the distance to another vertex with a quarter index, and at an eighth of the length of the
-  /// loop. Indices at `ignored` are not regarded.
+  /// Returns the angle at a vertex that quads have to fill: the angle between the points of the
+  /// boundary at 0.35 of the size of quads, which are smaller there than elsewhere. They are closer
+  /// where quads must be even smaller: at most a quarter of the distance to another vertex with a
+  /// quarter index away, and on short loops quads are at most an eighth of the length. Indices at
+  /// `ignored` are not regarded.
   double AngleForQuads(std::size_t vertex, std::size_t ignored) const;
-  /// Returns whether a vertex may have a quarter index: whether its CornerQuality is at least 0.3,
+  /// Returns whether a vertex may have a quarter index: whether its CornerQuality is at least 0.5,
   /// or the best of all indices. A positive index must also be one quad away from others: between
   /// two of them, all quads across the domain would end. `ignored` is a vertex whose index will be
   /// removed.

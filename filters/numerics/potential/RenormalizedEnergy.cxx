@@ -189,8 +189,8 @@ double CoreOverlapEnergy(const Configuration& interior, double radius)
     double core = radius;
     for (std::size_t j = 0; j < interior.size(); ++j)
     {
-      core = i == j ? core
-                    : std::min(core, 0.5 * (interior[i].position - interior[j].position).norm());
+      core =
+        i == j ? core : std::min(core, 0.5 * (interior[i].position - interior[j].position).norm());
     }
     const double quarters = interior[i].quarterIndex;
     energy += core < radius ? Pi * quarters * quarters * std::log(radius / core) : 0.0;

@@ -237,6 +237,32 @@ HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& sin
   return RepairHolonomy(domain, singularities, corners, meshSize, progress);
 }
 
+std::vector<std::string> WarningsOf(const QuadRequest& request, const QuadWorkflowResult& result)
+{
+  std::vector<std::string> warnings;
+  if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
+  {
+    warnings.push_back(result.optimum->reason);
+  }
+  if (!HasRequestedCount(request, result.quads))
+  {
+    warnings.push_back("No number of quads within 5 % of " + std::to_string(request.quadCount) +
+      " was found for these separatrices; " + std::to_string(result.quads.mesh.quads.size()) +
+      " is the nearest; request another number.");
+  }
+  if (result.flattening && result.flattening->PredictedStretch() > NoticeableStretch)
+  {
+    warnings.push_back(DescribeStretch(*result.flattening) +
+      " Move singularities, or repair the holonomy, to lower it.");
+  }
+  const std::string worst = DescribeWorstQuad(result.quads.mesh, result.quads.quality);
+  if (!worst.empty())
+  {
+    warnings.push_back(worst);
+  }
+  return warnings;
+}
+
 bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads)
 {
   const auto count = static_cast<double>(quads.mesh.quads.size());

@@ -81,6 +81,11 @@ AutomaticConfiguration ChooseSingularities(
 HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,
   const SeamlessMapOptions& options, double meshSize, const Progress& progress = {});
 
+/// Returns what a user should know about a result, one sentence each: that the positions of chosen
+/// singularities are no minimum, that the number of quads is not the requested one, that quads are
+/// stretched, or that some are nearly degenerate (DescribeWorstQuad).
+std::vector<std::string> WarningsOf(const QuadRequest& request, const QuadWorkflowResult& result);
+
 /// Returns whether a mesh has the requested number of quads within CountTolerance, or none was
 /// requested.
 bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);
