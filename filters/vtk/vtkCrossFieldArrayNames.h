@@ -76,6 +76,7 @@ constexpr const char* FrontRenormalizedEnergy = "FrontRenormalizedEnergy";
 constexpr const char* FrontHolonomyDefect = "FrontHolonomyDefect";
 constexpr const char* Annihilation = "Annihilation";
 constexpr const char* Events = "Events";
+constexpr const char* Warnings = "Warnings";
 constexpr const char* Iteration = "Iteration";
 constexpr const char* GradientNorm = "GradientNorm";
 constexpr const char* StepLength = "StepLength";

@@ -73,7 +73,10 @@ int vtkQuadMesher::RequestData(
         this->MakeRequest(domain, singularities, corners, input.plane);
       const crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
-      this->ReportWarnings(request, result);
+      for (const std::string& warning : result.warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
       this->WriteOutputs(result, input.plane, outputVector);
     },
     [&](const char* message)
@@ -108,26 +111,6 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.split = this->SplitSingularities;
   request.coarse = this->Coarse;
   return request;
-}
-
-//------------------------------------------------------------------------------
-void vtkQuadMesher::ReportWarnings(
-  const crossfield::QuadRequest& request, const crossfield::QuadWorkflowResult& result)
-{
-  if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
-  {
-    vtkWarningMacro(<< result.optimum->reason);
-  }
-  if (!crossfield::HasRequestedCount(request, result.quads))
-  {
-    vtkWarningMacro(<< "No number of quads within 5 % of " << this->QuadCount
-                    << " was found for these separatrices; " << result.quads.mesh.quads.size()
-                    << " is the nearest; request another number.");
-  }
-  for (const std::string& warning : result.warnings)
-  {
-    vtkWarningMacro(<< warning);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -171,6 +154,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
   EnergyConversion::WriteEvents(result.events, summary);
+  EnergyConversion::WriteWarnings(result.warnings, summary);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
     ViewText::WrapLines(QuadReport::Summary(result.quads)), result.quads.quality.inverted > 0,
     summary);

@@ -60,11 +60,13 @@
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
- * choosing singularities, and their moves by more than a tenth of a quad, one sentence each).
+ * choosing singularities, and their moves by more than a tenth of a quad, one sentence each),
+ * `Warnings` (one sentence each).
  *
- * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as for vtkCrossFieldMap and
- * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
- * inverted quads is output with a warning.
+ * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as
+ * for vtkCrossFieldMap and vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with
+ * inverted quads is output with a warning, and so is one whose minimum scaled Jacobian is below 0.05
+ * or below 0.2 times the attainable one; the warning names the place.
  *
  * Paper: quads are left to "Further thoughts".
  *
@@ -258,8 +260,6 @@ private:
 
   crossfield::QuadRequest MakeRequest(vtkDataSet* domain, vtkDataSet* singularities,
     vtkDataSet* corners, const crossfield::DomainPlane& plane) const;
-  void ReportWarnings(
-    const crossfield::QuadRequest& request, const crossfield::QuadWorkflowResult& result);
   void WriteOutputs(const crossfield::QuadWorkflowResult& result,
     const crossfield::DomainPlane& plane, vtkInformationVector* outputVector);
   void WriteSummary(const crossfield::QuadWorkflowResult& result,

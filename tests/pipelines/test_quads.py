@@ -120,6 +120,18 @@ class Quads(ProgramTest):
         self.assertLess(more["size_variation"], 0.5 * needed["size_variation"])
         self.refuse("quads", "wedge.csv", "-o", "quads.vtu", "--pairs", "101", says=("--pairs",))
 
+    def test_a_degenerate_quad_is_reported_with_its_place(self):
+        """Two quads share the angle of 360° at a node of valence 2."""
+        (self.folder / "two.csv").write_text(
+            "x,y,quarter_index\n-0.4,0.1,2\n0.3,0.4,1\n0.4,-0.4,1\n")
+        result = self.run_program("quads", "builtin:disk", "-s", "two.csv", "-o", "quads.vtu",
+                                  "--json", "-")
+        worst = [text for text in json.loads(result.stdout)["warnings"] if "valence 2" in text]
+        self.assertEqual(len(worst), 1)
+        self.assertIn("near (", worst[0])
+        self.assertIn(worst[0], result.stderr)
+        self.assertNotIn("warnings", self.report("builtin:disk", "-s", "four.csv"))
+
     def test_a_count_is_reached(self):
         for count in (1000, 4000):
             report = self.report("builtin:disk", "-s", "four.csv", "--quads", str(count))

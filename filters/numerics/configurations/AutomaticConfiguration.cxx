@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace crossfield
@@ -78,19 +79,36 @@ bool IsBetter(const OptimizerResult& one, const OptimizerResult& other)
   {
     return HasConvergedWithoutDefect(one);
   }
-  return LargestDefect(one) < LargestDefect(other);
+  // Smaller defects may be artefacts of the mesh.
+  const double defect = std::max(LargestDefect(one), NoticeableDefect);
+  const double otherDefect = std::max(LargestDefect(other), NoticeableDefect);
+  return std::make_tuple(defect, one.rankingEnergy) <
+    std::make_tuple(otherDefect, other.rankingEnergy);
+}
+
+/// Returns whether a start has less energy than a minimum, by more than the error of the meshes: the
+/// start that was best may have had a defect, which cost energy to remove. A start with a defect
+/// promises nothing.
+bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& minimum)
+{
+  constexpr double MeshError = 1e-2;
+  return start.holonomyDefect < NoticeableDefect &&
+    start.energy < minimum.rankingEnergy - MeshError * (1.0 + std::abs(minimum.rankingEnergy));
+}
+
+/// Returns the size of the quads for which singularities are chosen, 0 if no quads will be made.
+double ResolveQuadSize(const PlanarDomain& domain, const AutomaticOptions& options)
+{
+  return options.quadSize == 0.0 && options.quadCount > 0
+    ? std::sqrt(domain.Area() / options.quadCount)
+    : options.quadSize;
 }
 
 /// Returns the requested clearance, 0 for the default.
 double RequestedClearance(const PlanarDomain& domain, const AutomaticOptions& options)
 {
-  if (options.optimizer.clearance != 0.0)
-  {
-    return options.optimizer.clearance;
-  }
-  return ClearanceForQuads(options.quadSize == 0.0 && options.quadCount > 0
-      ? std::sqrt(domain.Area() / options.quadCount)
-      : options.quadSize);
+  return options.optimizer.clearance != 0.0 ? options.optimizer.clearance
+                                            : ClearanceForQuads(ResolveQuadSize(domain, options));
 }
 
 /// Adds the events of the last run.
@@ -182,6 +200,7 @@ AutomaticConfiguration ChooseConfiguration(
     options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;
   AutomaticOptions minimum = options;
   minimum.optimizer.clearance = fits ? 0.0 : clearance;
+  minimum.optimizer.quadSize = ResolveQuadSize(domain, options);
   minimum.optimizer.sizes = {};
   minimum.optimizer.pairs = 0;
 
@@ -189,8 +208,12 @@ AutomaticConfiguration ChooseConfiguration(
     ProposeConfigurations(domain, options.proposal, progress.Part(0.0, 0.4));
   AutomaticConfiguration best;
   std::size_t solves = 0;
-  for (std::size_t i = 0; i < starts.size() && !HasConvergedWithoutDefect(best.optimum); ++i)
+  for (std::size_t i = 0; i < starts.size(); ++i)
   {
+    if (HasConvergedWithoutDefect(best.optimum) && !PromisesMore(starts[i], best.optimum))
+    {
+      continue;
+    }
     if (options.maximumSolves > 0)
     {
       if (solves >= options.maximumSolves)

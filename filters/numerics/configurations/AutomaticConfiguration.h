@@ -41,9 +41,11 @@ struct AutomaticConfiguration
 
 /// Chooses the singularities of a domain: proposes starts (ConfigurationProposal.h) and moves their
 /// interior singularities to a minimum of the renormalised energy (SingularityOptimizer.h), from
-/// one start after the other until a run converges without a holonomy defect. If none does, the run
-/// with the smallest defect is used; this is no error: optimum.converged is false, and the last
-/// event gives the reason.
+/// one start after the other until a run converges without a holonomy defect. After that, only starts
+/// are tried whose energy is below that of the result; the order is that of CompareConfigurations.
+/// If no run converges, the one with the smallest defect is used, and among those without a defect
+/// the one with the lowest energy; this is no error: optimum.converged is false, and the last event
+/// gives the reason.
 ///
 /// For quads a second run follows, with the clearance for quads. It also moves to the target sizes
 /// if their sizing is Uniform or Field, and to uniform sizes if the sizes at the minimum are far

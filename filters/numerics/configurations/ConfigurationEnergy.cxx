@@ -6,8 +6,10 @@
 #include "EnergyMesh.h"
 #include "Error.h"
 #include "MeshForPoints.h"
+#include "OptimizerStage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -16,7 +18,7 @@ namespace crossfield
 {
 double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain)
 {
-  return coreRadius > 0.0 ? coreRadius : 0.01 * domain.Diagonal();
+  return coreRadius > 0.0 ? coreRadius : RankingRadius(domain);
 }
 
 namespace
@@ -44,7 +46,9 @@ std::vector<ConfigurationEnergy> Compare(const std::shared_ptr<const PotentialSo
         potential, AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
       energy.renormalized = EvaluateRenormalizedEnergy(points, points.Solve(placed.interior));
       energy.coreRadius = coreRadius;
-      energy.atCoreRadius = energy.renormalized.AtCoreRadius(coreRadius);
+      energy.atCoreRadius = energy.renormalized.energy -
+        energy.renormalized.logarithmCoefficient * std::log(coreRadius) +
+        CoreOverlapEnergy(energy.interior, coreRadius);
       if (perforate)
       {
         energy.perforated =

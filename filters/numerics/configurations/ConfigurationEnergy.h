@@ -32,12 +32,11 @@ struct ConfigurationEnergyOptions
 };
 
 /// Returns the core radius at which configurations with different Σ k² are compared, a length. 0
-/// stands for 1/100 of the diagonal, where the error o(1) of the energy is small and the energies
-/// of cores are comparable to those in a quad mesh.
+/// stands for the RankingRadius, 1/100 of the diagonal.
 double ResolveCoreRadius(double coreRadius, const PlanarDomain& domain);
 
 /// Computes the energies of configurations on a domain, sorted by the energy at the core radius ρ,
-/// W + coefficient × log(1/ρ) (docs/method.md §5.6), lowest first; inconsistent configurations come
+/// W + coefficient × log(1/ρ) + CoreOverlapEnergy (docs/method.md §5.6), lowest first; inconsistent configurations come
 /// last. Singularities may be located on the boundary (ConfigurationPlacement.h). E_ρ needs a mesh
 /// for each configuration; W needs one mesh without holes for all of them (MeshForConfigurations),
 /// which is factored once.

@@ -58,7 +58,8 @@ void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
   proposal.renormalized = trial.energyAfter;
   proposal.logarithmCoefficient =
     LogarithmCoefficient(domain, proposal.singularities, proposal.corners, options.cornerAngle);
-  proposal.energy = proposal.renormalized - proposal.logarithmCoefficient * std::log(coreRadius);
+  proposal.energy = proposal.renormalized - proposal.logarithmCoefficient * std::log(coreRadius) +
+    CoreOverlapEnergy(proposal.singularities, coreRadius);
   proposal.sizeSpread = trial.sizeSpread;
   for (const double defect : trial.holonomyDefect)
   {

@@ -65,7 +65,9 @@ void AddWithClearance(
       }
     }
   }
-  if (largest > 0.0)
+  // Closer to the boundary it would be a singularity of the boundary: in a thin corner, none of the
+  // directions need lead inside.
+  if (largest > BoundaryReach * domain.Diagonal())
   {
     result.push_back(singularity);
   }

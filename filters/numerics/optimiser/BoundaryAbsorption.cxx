@@ -15,7 +15,8 @@ namespace
 constexpr double CornerReach = 20.0;
 
 /// Returns the nearby corner whose energy a singularity lowers most, otherwise the vertex with the
-/// lowest energy on the way down from the nearest one, or one that already has a singularity.
+/// lowest energy on the way down from the nearest one, or one that already has a singularity; only
+/// vertices whose angle allows the index.
 VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
   const OptimizerState& current, std::size_t i)
 {
@@ -31,7 +32,8 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
     const double distance = (corner.position - position).norm();
     const double saved = CornerCoefficient(corner, boundary.quarters[v]) +
       Pi * quarters * quarters - CornerCoefficient(corner, boundary.quarters[v] + quarters);
-    if (distance <= cornerReach && saved > reduction)
+    if (distance <= cornerReach && saved > reduction &&
+      boundary.Allows(v, boundary.quarters[v] + quarters))
     {
       reduction = saved;
       target = v;
@@ -47,13 +49,19 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
   {
     return { target, energyAt(target) };
   }
-  VertexEnergy lowest = DescendAlongLoop(boundary, NearestVertex(boundary, position),
-    [&](std::size_t v)
-    {
-      return (boundary.vertices[v].position - position).norm() > vertexReach
-        ? std::numeric_limits<double>::infinity()
-        : energyAt(v);
-    });
+  VertexEnergy lowest{ boundary.vertices.size(), std::numeric_limits<double>::infinity() };
+  const std::size_t nearest = NearestAllowedVertex(boundary, position, vertexReach, quarters);
+  if (nearest < boundary.vertices.size())
+  {
+    lowest = DescendAlongLoop(boundary, nearest,
+      [&](std::size_t v)
+      {
+        return (boundary.vertices[v].position - position).norm() <= vertexReach &&
+            boundary.Allows(v, boundary.quarters[v] + quarters)
+          ? energyAt(v)
+          : std::numeric_limits<double>::infinity();
+      });
+  }
   // Singularities on the boundary attract those of opposite sign, and may hold equal ones,
   // except on loops within reach, which are too small for a map with both in one vertex.
   for (const Singularity& other : tracked.singularities)
@@ -61,8 +69,8 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
     const std::size_t v = (other.position - position).norm() <= vertexReach
       ? boundary.At(other.position)
       : boundary.vertices.size();
-    const double energy =
-      v < boundary.vertices.size() && v != lowest.vertex && boundary.LoopLength(v) > vertexReach
+    const double energy = v < boundary.vertices.size() && v != lowest.vertex &&
+        boundary.LoopLength(v) > vertexReach && boundary.Allows(v, boundary.quarters[v] + quarters)
       ? energyAt(v)
       : lowest.energy;
     lowest = energy < lowest.energy ? VertexEnergy{ v, energy } : lowest;
@@ -106,6 +114,10 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     if (finds && !isKnown)
     {
       targets.found.insert_or_assign(i, BoundaryTargets::Found{ unit, target });
+    }
+    if (target.vertex == boundary.vertices.size())
+    {
+      continue;
     }
     const Point& place = boundary.vertices[target.vertex].position;
     // The singularity moves into the boundary only if W decreases in that direction.

@@ -22,10 +22,10 @@ struct BoundaryTargets
 
 /// Finds an interior singularity at the clearance from the boundary with W decreasing further
 /// towards it, and adds it to the quarter index of a boundary vertex nearby: of the corner whose
-/// energy this lowers most, otherwise of the nearby vertex with the lowest energy. If several
-/// singularities have been stopped, the one that lowers the energy most is absorbed, then with
-/// `several` each further one at some distance that lowers it further: a change costs a mesh,
-/// whatever their number.
+/// energy this lowers most, otherwise of the nearby vertex with the lowest energy; only vertices are
+/// considered whose angle allows the index (BoundaryVertices::Allows). If several singularities have
+/// been stopped, the one that lowers the energy most is absorbed, then with `several` each further
+/// one at some distance that lowers it further: a change costs a mesh, whatever their number.
 std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
   const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
   bool several);

@@ -2,6 +2,7 @@
 
 #include "DomainQueries.h"
 #include "OptimizerReport.h"
+#include "PoincareHopf.h"
 #include "StageBoundary.h"
 
 #include <algorithm>
@@ -21,6 +22,30 @@ constexpr double StoppedFactor = 1.25;
 /// barrier keeps them at 1.22 clearances, and slightly farther apart if others pull at them
 /// (docs/method.md §5.5).
 constexpr double MeetingFactor = 1.5;
+
+/// Returns whether the inner loops can be aligned without singularities i and j, whose sum is `sum`:
+/// if enough coordinates are left for the holonomy conditions, or if the others satisfy them where
+/// they are.
+bool CanAlignWithout(
+  const OptimizerStage& stage, const OptimizerState& current, std::size_t i, std::size_t j, int sum)
+{
+  const std::size_t remaining = stage.placed.interior.size() - (sum == 0 ? 2 : 1);
+  if (2 * remaining >= static_cast<std::size_t>(current.defects.size()))
+  {
+    return true;
+  }
+  if (sum != 0)
+  {
+    return false;
+  }
+  Configuration others = stage.objective->At(current.positions);
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(std::min(i, j)));
+  stage.objective->Budget().Spend(stage.objective->EvaluationCost());
+  const std::vector<double> defects = stage.potential->Solve(others).holonomyDefect;
+  return std::all_of(defects.begin(), defects.end(),
+    [](double defect) { return std::abs(defect) < NoticeableDefect; });
+}
 }
 
 std::vector<std::size_t> StoppedSingularities(
@@ -59,11 +84,10 @@ std::optional<ConfigurationChange> FindAnnihilation(
     for (std::size_t j = 0; j < i; ++j)
     {
       const int sum = interior[i].quarterIndex + interior[j].quarterIndex;
-      const std::size_t remaining = interior.size() - (sum == 0 ? 2 : 1);
       if (interior[i].quarterIndex * interior[j].quarterIndex >= 0 ||
         (current.PositionOf(i) - current.PositionOf(j)).norm() >
           MeetingFactor * stage.objective->Clearance() ||
-        2 * remaining < static_cast<std::size_t>(current.defects.size()))
+        !CanAlignWithout(stage, current, i, j, sum))
       {
         continue;
       }
@@ -194,7 +218,8 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
     {
       const Point& target = boundary.vertices[v].position;
       const bool isFree = (target - position).norm() <= reach && boundary.IsSmooth(target) &&
-        RowAt(tracked.singularities, target, boundary.reach) == tracked.singularities.size();
+        RowAt(tracked.singularities, target, boundary.reach) == tracked.singularities.size() &&
+        boundary.Allows(v, tracked.singularities[row].quarterIndex, start);
       if (v == start || !isFree)
       {
         return v == start ? lowest : std::numeric_limits<double>::infinity();

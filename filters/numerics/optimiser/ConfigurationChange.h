@@ -24,7 +24,7 @@ struct ConfigurationChange
 /// Finds two interior singularities of opposite sign at the clearance, and replaces them by one
 /// with the sum of their quarter indices in the middle, or removes them if the sum is zero. Nothing
 /// is proposed if fewer coordinates than inner loops would be left to satisfy the holonomy
-/// conditions.
+/// conditions, unless the others satisfy them without the pair.
 std::optional<ConfigurationChange> FindAnnihilation(
   const OptimizerStage& stage, const OptimizerState& current);
 

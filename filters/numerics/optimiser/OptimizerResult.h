@@ -25,6 +25,10 @@ struct OptimizerOptions
   /// stands for 1/400 of the diagonal, a tenth of the default mesh size: no mesh for a field would
   /// resolve singularities closer to the boundary.
   double clearance = 0.0;
+  /// Side length of the quads that will be made, 0 if it is not known. The boundary takes a
+  /// singularity only where quads of this size have sufficient angles (docs/method.md §5.5). 0
+  /// stands for 1/40 of the diagonal, the default mesh size.
+  double quadSize = 0.0;
   /// Keeps the number and kind of singularities: none moves into the boundary or out of it, and
   /// none is removed.
   bool keepAll = false;
@@ -63,6 +67,7 @@ struct OptimizerResult
   Configuration configuration;
   double energyBefore = 0.0;              ///< W at the start.
   double energyAfter = 0.0;               ///< W at the result.
+  double rankingEnergy = 0.0;             ///< OptimizerStage::CoreEnergy at the RankingRadius.
   std::optional<SizeSpreads> sizeSpreads; ///< Empty if the sizing is Conformal.
   /// Points of the Pareto front if sizes are Uniform or Field: at the minimum of W, with uniform
   /// sizes, and after each added pair.

@@ -34,6 +34,7 @@ OptimizerRun::OptimizerRun(
   }
   this->Options.meshSize = options.meshSize;
   this->Options.corners = options.corners;
+  this->Options.quadSize = options.quadSize;
   this->Options.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
   this->Options.objective.sizes = options.sizes;
@@ -189,6 +190,7 @@ void OptimizerRun::WriteResult(OptimizerEnd end)
   OptimizerResult& result = this->Result;
   result.configuration = last.singularities;
   result.energyAfter = this->Current.fullEnergy;
+  result.rankingEnergy = this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain));
   if (result.sizeSpreads)
   {
     result.sizeSpreads->after = this->Current.sizeSpread;

@@ -37,7 +37,7 @@ TrackedConfiguration OptimizerStage::At(const Eigen::VectorXd& positions) const
   return moved;
 }
 
-double OptimizerStage::CoreEnergy(const OptimizerState& state) const
+double OptimizerStage::CoreEnergy(const OptimizerState& state, double radius) const
 {
   double coefficient = 0.0;
   for (const Singularity& singularity : this->placed.interior)
@@ -48,7 +48,13 @@ double OptimizerStage::CoreEnergy(const OptimizerState& state) const
   {
     coefficient += 0.5 * corner.angle * corner.strength * corner.strength;
   }
-  return state.fullEnergy - coefficient * std::log(CoreRadius(this->potential->GetDomain()));
+  return state.fullEnergy - coefficient * std::log(radius) +
+    CoreOverlapEnergy(this->objective->At(state.positions), radius);
+}
+
+double OptimizerStage::CoreEnergy(const OptimizerState& state) const
+{
+  return this->CoreEnergy(state, CoreRadius(this->potential->GetDomain()));
 }
 
 double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
@@ -64,8 +70,9 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
     this->objective->Budget().Spend(this->objective->EvaluationCost());
     const RenormalizedEnergyValue value =
       PositionEnergy(points).Evaluate(other.interior, false).renormalized;
-    return value.energy -
-      value.logarithmCoefficient * std::log(CoreRadius(this->potential->GetDomain()));
+    const double radius = CoreRadius(this->potential->GetDomain());
+    return value.energy - value.logarithmCoefficient * std::log(radius) +
+      CoreOverlapEnergy(other.interior, radius);
   }
   catch (const Error&)
   {
@@ -73,9 +80,23 @@ double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
   }
 }
 
+namespace
+{
+/// Returns the size of quads on which a field on a mesh of the default size can be resolved.
+double QuadsOfDefaultMesh(const PlanarDomain& domain)
+{
+  return domain.Diagonal() / 40.0;
+}
+}
+
 double CoreRadius(const PlanarDomain& domain)
 {
   return domain.Diagonal() / 400.0;
+}
+
+double RankingRadius(const PlanarDomain& domain)
+{
+  return domain.Diagonal() / 100.0;
 }
 
 OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration& tracked,
@@ -102,6 +123,7 @@ OptimizerStage MakeStage(const PlanarDomain& domain, const TrackedConfiguration&
   OptimizerStage stage;
   stage.tracked = tracked;
   stage.corners = options.corners;
+  stage.quadSize = options.quadSize > 0.0 ? options.quadSize : QuadsOfDefaultMesh(domain);
   stage.placed = PlaceConfiguration(*topology, singularities, options.corners);
   Alignment alignment =
     AlignWithBoundary(*topology, stage.placed.corners, TotalQuarters(stage.placed.interior));

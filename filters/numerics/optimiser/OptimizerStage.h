@@ -34,16 +34,19 @@ struct OptimizerStage
   TrackedConfiguration tracked;
   PlacedConfiguration placed;        ///< Placement of tracked.singularities.
   std::vector<CornerChoice> corners; ///< As given.
+  double quadSize = 0.0;             ///< As in OptimizerOptions, resolved.
   std::shared_ptr<const PointPotential> potential;
   std::shared_ptr<const OptimizerObjective> objective; ///< Objective for placed.interior.
 
   /// Returns the singularities with the interior ones at given positions.
   TrackedConfiguration At(const Eigen::VectorXd& positions) const;
-  /// Returns the energy E_ρ without terms that vanish with ρ, at ρ = 1/400 of the diagonal. It is
-  /// comparable between configurations with different numbers of singularities.
+  /// Returns the energy E_ρ without terms that vanish with ρ (CoreOverlapEnergy). It is comparable
+  /// between configurations with different numbers of singularities.
+  double CoreEnergy(const OptimizerState& state, double radius) const;
+  /// Returns the same at ρ = 1/400 of the diagonal.
   double CoreEnergy(const OptimizerState& state) const;
-  /// Returns the same energy for another configuration on this mesh whose boundary singularities
-  /// are at vertices; infinity if the configuration cannot exist. Needs no factorisation.
+  /// Returns the latter for another configuration on this mesh whose boundary singularities are at
+  /// vertices; infinity if the configuration cannot exist. Needs no factorisation.
   double CoreEnergyOf(const Configuration& configuration) const;
 };
 
@@ -52,9 +55,15 @@ struct OptimizerStage
 /// or from the boundary.
 double CoreRadius(const PlanarDomain& domain);
 
+/// Returns the core radius at which configurations with different Σ k² are ranked, 1/100 of the
+/// diagonal: the error o(1) of the energy is small there, and the energies of cores are comparable
+/// to those in a quad mesh.
+double RankingRadius(const PlanarDomain& domain);
+
 struct StageOptions
 {
   double meshSize = 0.0;
+  double quadSize = 0.0; ///< As in OptimizerOptions.
   std::vector<CornerChoice> corners;
   ObjectiveOptions objective;
 };

@@ -10,8 +10,14 @@ double CornerCoefficient(const Corner& corner, int quarters)
   return jump * jump / (2.0 * corner.angle);
 }
 
+double CornerQuality(double angle, int quarters)
+{
+  return quarters < 2 ? std::max(0.0, std::sin(std::min(Pi, angle / (2 - quarters)))) : 0.0;
+}
+
 BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
   : reach(BoundaryReach * stage.objective->LengthUnit())
+  , quadSize(stage.quadSize)
 {
   const MeshTopology& topology = stage.potential->GetProblem().Topology();
   const Alignment& alignment = stage.potential->GetProblem().alignment;
@@ -31,6 +37,7 @@ BoundaryVertices::BoundaryVertices(const OptimizerStage& stage)
           ? chosen->second
           : SmallestRotationIndex(corner.Turning()));
     }
+    this->loopLengths.push_back(count == 0 ? 0.0 : this->LoopLength(first));
   }
 }
 
@@ -52,6 +59,88 @@ double BoundaryVertices::LoopLength(std::size_t vertex) const
     v = this->next[v];
   } while (v != vertex);
   return length;
+}
+
+double BoundaryVertices::AngleForQuads(std::size_t vertex, std::size_t ignored) const
+{
+  // Quads at a point with an index are smaller than others, and those between two such points are
+  // smaller than their distance.
+  constexpr double SizeFraction = 0.35;
+  constexpr double IndexFraction = 0.25;
+  const double own = SizeFraction * this->QuadRange(vertex);
+  const double range =
+    std::min(own, IndexFraction * this->DistanceToIndex(vertex, ignored, own / IndexFraction));
+  const Corner& corner = this->vertices[vertex];
+  const auto away = [&](const std::vector<std::size_t>& neighbours)
+  {
+    double remaining = range;
+    Point point = corner.position;
+    for (std::size_t v = neighbours[vertex]; v != vertex; v = neighbours[v])
+    {
+      const Point edge = this->vertices[v].position - point;
+      if (edge.norm() >= remaining)
+      {
+        return Point(point + remaining / edge.norm() * edge - corner.position);
+      }
+      remaining -= edge.norm();
+      point = this->vertices[v].position;
+    }
+    return Point(point - corner.position);
+  };
+  double angle = AngleBetween(away(this->next), away(this->previous));
+  // The angle is known up to 2π; it differs from that of the vertex by less than π.
+  angle += angle < corner.angle - Pi ? 2.0 * Pi : 0.0;
+  return std::max(angle, 0.0);
+}
+
+bool BoundaryVertices::Allows(std::size_t vertex, int index, std::size_t ignored) const
+{
+  constexpr double SufficientQuality = 0.5; // quads have at least 0.3 if the angle is inexact
+  const double spacing = this->QuadRange(vertex);
+  if (this->quarters[vertex] == 0 && index > 0 &&
+    this->DistanceToIndex(vertex, ignored, spacing) < spacing)
+  {
+    return false;
+  }
+  const double angle = this->AngleForQuads(vertex, ignored);
+  double best = 0.0;
+  for (int other = 1; other >= -3; --other) // down to five quads
+  {
+    best = std::max(best, CornerQuality(angle, other));
+  }
+  return CornerQuality(angle, index) >= std::min(SufficientQuality, best);
+}
+
+double BoundaryVertices::QuadRange(std::size_t vertex) const
+{
+  constexpr double LoopFraction = 0.125;
+  return std::min(this->quadSize,
+    LoopFraction * this->loopLengths[static_cast<std::size_t>(this->vertices[vertex].loop)]);
+}
+
+double BoundaryVertices::DistanceToIndex(
+  std::size_t vertex, std::size_t ignored, double range) const
+{
+  double nearest = range;
+  for (const std::vector<std::size_t>* neighbours : { &this->next, &this->previous })
+  {
+    double length = 0.0;
+    for (std::size_t v = vertex; length < nearest;)
+    {
+      const std::size_t following = (*neighbours)[v];
+      length += (this->vertices[following].position - this->vertices[v].position).norm();
+      v = following;
+      if (v == vertex)
+      {
+        break;
+      }
+      if (this->quarters[v] != 0 && v != ignored)
+      {
+        nearest = std::min(nearest, length);
+      }
+    }
+  }
+  return nearest;
 }
 
 bool BoundaryVertices::IsSmooth(const Point& position) const
@@ -99,6 +188,23 @@ std::size_t NearestVertex(const BoundaryVertices& boundary, const Point& positio
     if ((boundary.vertices[v].position - position).squaredNorm() <
       (boundary.vertices[nearest].position - position).squaredNorm())
     {
+      nearest = v;
+    }
+  }
+  return nearest;
+}
+
+std::size_t NearestAllowedVertex(
+  const BoundaryVertices& boundary, const Point& position, double distance, int quarters)
+{
+  std::size_t nearest = boundary.vertices.size();
+  double lowest = distance * distance;
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+  {
+    const double squared = (boundary.vertices[v].position - position).squaredNorm();
+    if (squared <= lowest && boundary.Allows(v, boundary.quarters[v] + quarters))
+    {
+      lowest = squared;
       nearest = v;
     }
   }

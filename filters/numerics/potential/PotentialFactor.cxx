@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -64,8 +65,9 @@ PotentialFactor::Eliminated PotentialFactor::Eliminate(
   {
     const double sum = atVertices.col(column).sum();
     // The rounding error of a sum of n terms is at most n ε times the sum of their magnitudes.
+    // Sources are differences of angles, with errors of ε even where they are zero.
     const double rounding = static_cast<double>(this->Operator.VertexCount()) *
-      std::numeric_limits<double>::epsilon() * atVertices.col(column).lpNorm<1>();
+      std::numeric_limits<double>::epsilon() * std::max(1.0, atVertices.col(column).lpNorm<1>());
     if (!(std::abs(sum) <= rounding))
     {
       throw Error("The sources of the potential add up to " + std::to_string(sum) +

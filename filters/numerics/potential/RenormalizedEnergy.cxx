@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace crossfield
@@ -178,5 +179,22 @@ RenormalizedEnergyValue EvaluateRenormalizedEnergy(
     result.gradient += meanPeriods[static_cast<Eigen::Index>(k)] * result.defectGradient[k];
   }
   return result;
+}
+
+double CoreOverlapEnergy(const Configuration& interior, double radius)
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < interior.size(); ++i)
+  {
+    double core = radius;
+    for (std::size_t j = 0; j < interior.size(); ++j)
+    {
+      core =
+        i == j ? core : std::min(core, 0.5 * (interior[i].position - interior[j].position).norm());
+    }
+    const double quarters = interior[i].quarterIndex;
+    energy += core < radius ? Pi * quarters * quarters * std::log(radius / core) : 0.0;
+  }
+  return energy;
 }
 }

@@ -2,8 +2,6 @@
 
 #include "PointPotential.h"
 
-#include <cmath>
-
 namespace crossfield
 {
 /// The renormalised energy W of a configuration: the finite part of the energy ½ ∫ |∇φ|² of the
@@ -16,12 +14,6 @@ struct RenormalizedEnergyValue
   double energy = 0.0;             ///< W, with the harmonic field of the holonomy defects.
   double singleValuedEnergy = 0.0; ///< W without it.
   double logarithmCoefficient = 0.0;
-  /// Returns the energy at a core radius ρ, without the o(1). It compares configurations whose
-  /// coefficients of the logarithm differ; W does not.
-  double AtCoreRadius(double radius) const
-  {
-    return this->energy - this->logarithmCoefficient * std::log(radius);
-  }
   Eigen::Matrix2Xd gradient;             ///< dW / db_j, one column per singularity.
   Eigen::Matrix2Xd singleValuedGradient; ///< The same for W without the harmonic field.
   std::vector<double> holonomyDefect;
@@ -41,4 +33,13 @@ struct RenormalizedEnergyValue
 /// are in the mesh, and its gradient is exact and needs no further solve.
 RenormalizedEnergyValue EvaluateRenormalizedEnergy(
   const PointPotential& potential, const PointPotential::Solution& solution);
+
+/// Returns the energy of cores that would overlap at a radius ρ,
+///   Σ_j π k_j² log(ρ / ρ_j),   ρ_j = min(ρ, half the distance to the nearest other singularity).
+/// W + coefficient × log(1/ρ) + this sum is the energy outside of cores of radius ρ_j, without the
+/// o(1). It compares configurations whose coefficients of the logarithm differ; W does not. Without
+/// the sum, a pair of opposite signs would have less energy the closer it is, below that of the
+/// same configuration without the pair (docs/method.md §5.6). `interior` has no singularities on the
+/// boundary.
+double CoreOverlapEnergy(const Configuration& interior, double radius);
 }

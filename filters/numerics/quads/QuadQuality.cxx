@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace crossfield
 {
@@ -77,25 +79,15 @@ bool IsCorner(const QuadPoint& point)
   return point.curve.loop >= 0 && point.fixed;
 }
 
-}
-
-double ScaledJacobian(const QuadMesh& mesh, std::size_t quad)
+/// Returns the angle that the quads at each point have together, 0 at points that slide along the
+/// boundary.
+std::vector<double> AnglesForQuads(const QuadMesh& mesh)
 {
-  double minimum = 1.0;
-  for (std::size_t c = 0; c < 4; ++c)
-  {
-    const Point next = At(mesh, quad, c + 1) - At(mesh, quad, c);
-    const Point previous = At(mesh, quad, c + 3) - At(mesh, quad, c);
-    const double lengths = next.norm() * previous.norm();
-    minimum = std::min(minimum, lengths > 0.0 ? Cross(next, previous) / lengths : 0.0);
-  }
-  return minimum;
-}
-
-double AttainableJacobian(const QuadMesh& mesh)
-{
-  double bound = 1.0;
   std::vector<double> angles(mesh.points.size(), 0.0);
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    angles[p] = mesh.points[p].curve.loop < 0 ? 2.0 * Pi : 0.0;
+  }
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
     for (std::size_t c = 0; c < 4; ++c)
@@ -108,15 +100,43 @@ double AttainableJacobian(const QuadMesh& mesh)
       }
     }
   }
+  return angles;
+}
+
+/// Returns the attainable scaled Jacobian at a point with an angle for its quads.
+double AttainableAt(const QuadPoint& point, double angle)
+{
+  return IsCorner(point) || point.curve.loop < 0 ? std::sin(std::min(Pi, angle / point.valence))
+                                                 : 1.0;
+}
+
+/// Returns the sine of the angle of a quad at one of its corners, 0 if a side has no length.
+double SineAt(const QuadMesh& mesh, std::size_t quad, std::size_t corner)
+{
+  const Point next = At(mesh, quad, corner + 1) - At(mesh, quad, corner);
+  const Point previous = At(mesh, quad, corner + 3) - At(mesh, quad, corner);
+  const double lengths = next.norm() * previous.norm();
+  return lengths > 0.0 ? Cross(next, previous) / lengths : 0.0;
+}
+}
+
+double ScaledJacobian(const QuadMesh& mesh, std::size_t quad)
+{
+  double minimum = 1.0;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    minimum = std::min(minimum, SineAt(mesh, quad, c));
+  }
+  return minimum;
+}
+
+double AttainableJacobian(const QuadMesh& mesh)
+{
+  const std::vector<double> angles = AnglesForQuads(mesh);
+  double bound = 1.0;
   for (std::size_t p = 0; p < mesh.points.size(); ++p)
   {
-    const QuadPoint& point = mesh.points[p];
-    const bool corner = IsCorner(point);
-    if (corner || point.curve.loop < 0)
-    {
-      const double around = corner ? angles[p] : 2.0 * Pi;
-      bound = std::min(bound, std::sin(std::min(Pi, around / point.valence)));
-    }
+    bound = std::min(bound, AttainableAt(mesh.points[p], angles[p]));
   }
   return bound;
 }
@@ -163,5 +183,50 @@ QuadQuality MeasureQuads(const QuadMesh& mesh, double size)
     : std::sqrt(squares / static_cast<double>(sizes.size())) / quality.size.mean;
   quality.bound = AttainableJacobian(mesh);
   return quality;
+}
+
+std::string DescribeWorstQuad(const QuadMesh& mesh, const QuadQuality& quality)
+{
+  // Below, solvers fail, or elements are far from what is possible with these irregular nodes.
+  constexpr double MinimumJacobian = 0.05;
+  constexpr double MinimumFraction = 0.2;
+  if (mesh.quads.empty() || quality.inverted > 0 ||
+    quality.jacobian.min >= std::max(MinimumJacobian, MinimumFraction * quality.bound))
+  {
+    return "";
+  }
+  const auto worst = static_cast<std::size_t>(
+    std::min_element(quality.scaledJacobian.begin(), quality.scaledJacobian.end()) -
+    quality.scaledJacobian.begin());
+  std::size_t corner = 0;
+  for (std::size_t c = 1; c < 4; ++c)
+  {
+    corner = SineAt(mesh, worst, c) < SineAt(mesh, worst, corner) ? c : corner;
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "The worst quad, near " << Describe(quality.where) << ", has a scaled Jacobian of "
+       << quality.jacobian.min;
+  const std::size_t p = Index(mesh.quads[worst][corner]);
+  const QuadPoint& point = mesh.points[p];
+  const double angle = AnglesForQuads(mesh)[p];
+  if (AttainableAt(point, angle) >= MinimumJacobian)
+  {
+    text << ", where " << quality.bound << " is attainable.";
+  }
+  else if (point.curve.loop < 0)
+  {
+    text << ", where a node of valence " << point.valence
+         << " leaves no other angle; give singularities of quarter index 1 in place of this one.";
+  }
+  else
+  {
+    const double degrees = angle * 180.0 / Pi;
+    text << ", where the boundary has an angle of " << std::fixed << std::setprecision(0) << degrees
+         << "° for " << point.valence << (point.valence == 1 ? " quad; " : " quads; ")
+         << (degrees < 90.0 * point.valence ? "cut off the sharp corner."
+                                            : "give a smaller quarter index there.");
+  }
+  return text.str();
 }
 }

@@ -2,6 +2,8 @@
 
 #include "QuadMesh.h"
 
+#include <string>
+
 namespace crossfield
 {
 /// Minimum, mean and maximum.
@@ -35,6 +37,10 @@ double ScaledJacobian(const QuadMesh& mesh, std::size_t quad);
 
 /// Returns the attainable minimum scaled Jacobian, QuadQuality::bound.
 double AttainableJacobian(const QuadMesh& mesh);
+
+/// Returns one sentence that names the place of the worst quad and its cause if the minimum scaled
+/// Jacobian is below 0.05 or below 0.2 times the attainable one, otherwise an empty text.
+std::string DescribeWorstQuad(const QuadMesh& mesh, const QuadQuality& quality);
 
 /// Measures a mesh of quads of edge length `size` in the map.
 QuadQuality MeasureQuads(const QuadMesh& mesh, double size);

@@ -327,6 +327,25 @@ QuadWorkflowResult RunSteps(
   return workflow.TakeResult();
 }
 
+/// Adds warnings about the choice, the number of quads and nearly degenerate quads.
+void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
+{
+  if (result.optimum && !result.optimum->converged && !result.optimum->aborted)
+  {
+    result.warnings.push_back(result.optimum->reason);
+  }
+  if (!HasRequestedCount(request, result.quads))
+  {
+    result.warnings.push_back("No number of quads within 5 % of " +
+      std::to_string(request.quadCount) + " was found for these separatrices; " +
+      std::to_string(result.quads.mesh.quads.size()) + " is the nearest; request another number.");
+  }
+  const std::string worst = DescribeWorstQuad(result.quads.mesh, result.quads.quality);
+  if (!worst.empty())
+  {
+    result.warnings.push_back(worst);
+  }
+}
 }
 
 QuadWorkflowResult MakeQuadMesh(
@@ -361,6 +380,7 @@ QuadWorkflowResult MakeQuadMesh(
     }
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
+  AddWarnings(request, result);
   return result;
 }
 

@@ -63,7 +63,10 @@ struct QuadWorkflowResult
   std::optional<HolonomyRepair> repair;       ///< If it was requested.
   std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
-  std::vector<std::string> warnings;          ///< What is wrong with the mesh, and what helps.
+  /// What is wrong with the mesh, and what helps where something was found that does: positions of
+  /// chosen singularities that are no minimum, another number of quads than requested, nodes of
+  /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
+  std::vector<std::string> warnings;
   QuadResult quads;
   QuadSeconds seconds;
 };

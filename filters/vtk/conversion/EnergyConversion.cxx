@@ -159,6 +159,17 @@ void WriteEvents(const std::vector<std::string>& events, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
+void WriteWarnings(const std::vector<std::string>& warnings, vtkDataObject* output)
+{
+  if (warnings.empty())
+  {
+    return;
+  }
+  AddColumn<vtkStringArray>(output->GetFieldData(), names::Warnings, warnings,
+    [](const std::string& warning) { return warning; });
+}
+
+//------------------------------------------------------------------------------
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output)
 {
   using crossfield::OptimizerStep;

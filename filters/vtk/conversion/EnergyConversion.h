@@ -25,6 +25,9 @@ void WriteOptimizerReport(const crossfield::OptimizerResult& result, vtkPolyData
 /** Writes the field data `Events`, one sentence each. */
 void WriteEvents(const std::vector<std::string>& events, vtkDataObject* output);
 
+/** Writes the field data `Warnings`, one sentence each; nothing if there are none. */
+void WriteWarnings(const std::vector<std::string>& warnings, vtkDataObject* output);
+
 /** Writes one row per iteration; see vtkSingularityOptimizer. */
 void WriteHistory(const crossfield::OptimizerResult& result, vtkTable* output);
 }

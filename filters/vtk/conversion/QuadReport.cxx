@@ -17,6 +17,18 @@ using crossfield::QuadPoint;
 using crossfield::QuadQuality;
 using crossfield::QuadResult;
 
+/** Returns a sentence with the number of inverted quads and a place; empty if there are none. */
+std::string DescribeInverted(const QuadQuality& quality)
+{
+  if (quality.inverted == 0)
+  {
+    return "";
+  }
+  const bool one = quality.inverted == 1;
+  return std::to_string(quality.inverted) + (one ? " quad is" : " quads are") + " inverted, " +
+    (one ? "near " : "the worst near ") + crossfield::Describe(quality.where) + ".";
+}
+
 double Degrees(double radians)
 {
   return 180.0 / crossfield::Pi * radians;
@@ -102,20 +114,6 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
   const Eigen::Vector3d where = plane.ToSpace(quality.where);
   ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
   addFlag(names::Released, result.smoothing.released);
-  ColumnWriting::AddNumbers(data, names::Moved, { result.smoothing.moved });
-}
-
-//------------------------------------------------------------------------------
-std::string DescribeInverted(const QuadQuality& quality)
-{
-  if (quality.inverted == 0)
-  {
-    return "";
-  }
-  const bool one = quality.inverted == 1;
-  return std::to_string(quality.inverted) + (one ? " quad is" : " quads are") + " inverted, " +
-    (one ? "near " : "the worst near ") + crossfield::Describe(quality.where) +
-    "; use a smaller size.";
 }
 
 //------------------------------------------------------------------------------

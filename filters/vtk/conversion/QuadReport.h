@@ -15,9 +15,6 @@ namespace QuadReport
 void Write(
   const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkFieldData* data);
 
-/** Returns a sentence with the number of inverted quads and a place; empty if there are none. */
-std::string DescribeInverted(const crossfield::QuadQuality& quality);
-
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);
 

@@ -3,6 +3,7 @@
 
 #include "AutomaticConfiguration.h"
 
+#include "ConfigurationEnergy.h"
 #include "ConfigurationSymmetry.h"
 #include "DomainQueries.h"
 #include "MakePlanarDomain.h"
@@ -222,6 +223,66 @@ TEST(AutomaticConfiguration, NothingIsNeededWhereCornersDoIt)
   const AutomaticConfiguration chosen = ChooseConfiguration(LShape());
   EXPECT_TRUE(chosen.singularities.empty());
   EXPECT_NE(chosen.events.front().find("needs no singularities"), std::string::npos);
+}
+
+TEST(AutomaticConfiguration, AddsNoPairWhereNoSingularityIsNeeded)
+{
+  // Rings have a conformal map to a rectangle, and in a square with a parallel slot the crosses are
+  // constant: there is a field without singularities and without a defect.
+  struct Case
+  {
+    const char* name;
+    PlanarDomain domain;
+  };
+  const auto ring = [](double radius, double shift) {
+    return MakePlanarDomain({ RegularPolygon(150), RegularPolygon(120, radius, { shift, 0.0 }) });
+  };
+  const auto slot = [](double x, double y, double width, double height)
+  {
+    Loop inner = Box(width, height);
+    for (Point& point : inner)
+    {
+      point += Point(x, y);
+    }
+    return MakePlanarDomain({ Box(2.0, 2.0), inner });
+  };
+  const Case cases[] = { { "ring of 0.84", ring(0.84, 0.0) }, { "ring of 0.91", ring(0.91, 0.0) },
+    { "eccentric ring", ring(0.88, 0.03) }, { "slot in the middle", slot(0.5, 0.98, 1.0, 0.04) },
+    { "slot at the side", slot(0.3, 0.2, 0.12, 1.4) } };
+  for (const Case& one : cases)
+  {
+    SCOPED_TRACE(one.name);
+    AutomaticOptions options;
+    options.quadCount = 1000;
+    const AutomaticConfiguration chosen = ChooseConfiguration(one.domain, options);
+    EXPECT_TRUE(chosen.singularities.empty());
+    ASSERT_EQ(chosen.optimum.holonomyDefect.size(), 1U);
+    EXPECT_NEAR(chosen.optimum.holonomyDefect[0], 0.0, 1e-3);
+  }
+}
+
+TEST(AutomaticConfiguration, RanksNoPairAheadOfOneWhoseCoresOverlap)
+{
+  // The cores of the comparison have a radius of 0.028, more than the distance of the pair.
+  const FactoredDomain ring(
+    MakePlanarDomain({ RegularPolygon(150), RegularPolygon(120, 0.9) }), {}, 0.0);
+  const Configuration pair = { { { 0.0, -0.959 }, 1, 0.0 }, { { 0.0, -0.938 }, -1, 0.0 } };
+  const auto energies = CompareRenormalizedEnergies(ring, { pair, {} });
+  ASSERT_EQ(energies.size(), 2U);
+  EXPECT_EQ(energies[0].configuration, 1);
+  const RenormalizedEnergyValue& value = energies[1].renormalized;
+  EXPECT_LT(value.energy - value.logarithmCoefficient * std::log(energies[1].coreRadius),
+    energies[0].atCoreRadius);
+}
+
+TEST(AutomaticConfiguration, SingularitiesOfThinCornersAreInside)
+{
+  const PlanarDomain triangle = MakePlanarDomain({ { { 0.0, 0.0 }, { 10.0, 0.0 }, { 9.0, 1.0 } } });
+  AutomaticOptions options;
+  CapCorners(triangle, options);
+  const AutomaticConfiguration chosen = ChooseConfiguration(triangle, options);
+  ASSERT_EQ(chosen.singularities.size(), 1U);
+  EXPECT_GT(SignedDistance(chosen.singularities[0].position, triangle), 1e-4 * triangle.Diagonal());
 }
 }
 }

@@ -372,5 +372,32 @@ TEST(RenormalizedEnergy, EnergyOfHolesGrowsWithPiTimesTheSquareOfTheIndex)
     EXPECT_NEAR(slope, Pi * index * index, 0.02 * Pi * index * index);
   }
 }
+
+TEST(RenormalizedEnergy, PairThatClosesUpHasMoreEnergyThanNone)
+{
+  // On a square, W = 0 without singularities. W of a pair at distance d is 2π log d + O(1), and so is
+  // its energy at a core radius larger than d.
+  const PlanarDomain square = Builtin("square", 0.02);
+  const double radius = 0.05;
+  const auto topology = ShareTopology(DrillHoles(square, {}, DrillOptions{}));
+  const PointPotential potential(
+    std::make_shared<const PotentialSolver>(topology), AlignWithBoundary(*topology, {}, 0));
+  double previous = 0.0;
+  for (const double distance : { 0.02, 0.01, 0.005 })
+  {
+    const Configuration pair = { { { 0.5, 0.5 }, 1, 0.0 }, { { 0.5 + distance, 0.5 }, -1, 0.0 } };
+    const RenormalizedEnergyValue value =
+      EvaluateRenormalizedEnergy(potential, potential.Solve(pair));
+    const double atRadius = value.energy - value.logarithmCoefficient * std::log(radius);
+    const double overlap = CoreOverlapEnergy(pair, radius);
+    EXPECT_NEAR(overlap, 2.0 * Pi * std::log(radius / (0.5 * distance)), 1e-12);
+    EXPECT_LT(atRadius, 0.0);
+    EXPECT_GT(atRadius + overlap, 0.0);
+    EXPECT_TRUE(previous == 0.0 || std::abs(atRadius + overlap - previous) < 0.05);
+    previous = atRadius + overlap;
+  }
+  const Configuration apart = { { { 0.2, 0.5 }, 1, 0.0 }, { { 0.8, 0.5 }, -1, 0.0 } };
+  EXPECT_EQ(CoreOverlapEnergy(apart, radius), 0.0);
+}
 }
 }

@@ -275,5 +275,42 @@ TEST(PrescribedSizes, AreRelativeToTheirMeanAndContinuedFromTheBoundary)
     }
   }
 }
+
+TEST(QuadWorkflow, EllipsesOfAnyRatioHaveQuads)
+{
+  int points = 230; // those at the tips are closer together or farther apart than quads
+  for (const double ratio : { 2.0, 12.0, 28.0, 45.0, 90.0 })
+  {
+    SCOPED_TRACE(ratio);
+    Loop loop = RegularPolygon(points);
+    for (Point& point : loop)
+    {
+      point.x() *= ratio;
+    }
+    const QuadWorkflowResult result = MakeQuadMesh(MakePlanarDomain({ loop }), QuadRequest{});
+    EXPECT_GT(result.quads.quality.jacobian.min, 0.3);
+    const std::string worst = DescribeWorstQuad(result.quads.mesh, result.quads.quality);
+    EXPECT_TRUE(worst.empty()) << worst;
+    points += 100;
+  }
+}
+
+TEST(QuadWorkflow, WarnsOfNodeWithoutAngle)
+{
+  // Two quads at an interior node of valence 2 have 180° each.
+  const PlanarDomain disk = DiskOfEdges(0.05);
+  QuadRequest request;
+  request.singularities =
+    Configuration{ { { -0.4, 0.1 }, 2, 0.0 }, { { 0.3, 0.4 }, 1, 0.0 }, { { 0.4, -0.4 }, 1, 0.0 } };
+  request.quadCount = 400;
+  const QuadWorkflowResult result = MakeQuadMesh(disk, request);
+  EXPECT_LT(result.quads.quality.jacobian.min, 0.05);
+  EXPECT_LT((result.quads.quality.where - Point(-0.4, 0.1)).norm(), 0.2);
+  const std::vector<std::string>& warnings = result.warnings;
+  const auto worst = std::find_if(warnings.begin(), warnings.end(),
+    [](const std::string& warning) { return warning.find("valence 2") != std::string::npos; });
+  ASSERT_NE(worst, warnings.end());
+  EXPECT_NE(worst->find(Describe(result.quads.quality.where)), std::string::npos) << *worst;
+}
 }
 }
