@@ -90,7 +90,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.pairs = this->Pairs;
   request.capCorners = this->CapCorners;
   request.repairHolonomy = this->RepairHolonomy;
-  request.coarse = this->Coarse;
+  request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
 }
 
@@ -131,6 +131,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
   {
     HolonomyConversion::WriteRepair(*result.repair, plane, quads->GetFieldData());
   }
+  QuadConversion::WriteBlockCounts(result.blocks, quads->GetFieldData());
   ColumnWriting::AddNumbers(
     quads->GetFieldData(), vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   HolonomyConversion::WriteStretch(result.flattening, quads->GetFieldData());
@@ -148,7 +149,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
 
   const crossfield::QuadSeconds& seconds = result.seconds;
   const double stages[] = { seconds.mesh, seconds.map, seconds.trace, seconds.integers,
-    seconds.layout, seconds.smooth, seconds.choose };
+    seconds.layout, seconds.smooth, seconds.choose, seconds.clean };
   std::copy(std::begin(stages), std::end(stages), this->StageSeconds);
 }
 
@@ -161,7 +162,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
-  os << indent << "Coarse: " << this->Coarse << "\n";
+  os << indent << "Merge: " << this->Merge << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";

@@ -39,7 +39,8 @@
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
  *
- * Field data of output 0: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`,
+ * Field data of output 0: `Quads`, `Blocks`, `BlocksUnmerged`, `BlocksClean` and `BlocksCoarse`
+ * (number of blocks with each kind of Merge, as far as it was computed), `IrregularValence`, `IrregularObtained`,
  * `IrregularRequested` (numbers of interior nodes per valence), `ScaledJacobianRange` (minimum,
  * mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
@@ -144,14 +145,27 @@ public:
   /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
+  /** Treatment of separatrices that nearly meet. */
+  enum MergeType
+  {
+    MergeNone = 0,
+    MergeClean = 1,
+    MergeCoarse = 2
+  };
+
   ///@{
   /**
-   * Merges separatrices that are close to each other: makes the smallest number of blocks for which
-   * the minimum scaled Jacobian is at least half of that with all blocks. Default: off.
+   * Selects how separatrices that nearly meet are treated: each one bounds blocks of its own
+   * (MergeNone); singularities are moved so that separatrices meet, as far as the quads stay as good
+   * (MergeClean; docs/quads.md gives the limits); or separatrices are merged without moving
+   * singularities, for the smallest number of blocks for which the minimum scaled Jacobian is at
+   * least half of that with all blocks (MergeCoarse). Default: MergeNone.
    */
-  vtkSetMacro(Coarse, bool);
-  vtkGetMacro(Coarse, bool);
-  vtkBooleanMacro(Coarse, bool);
+  vtkSetClampMacro(Merge, int, MergeNone, MergeCoarse);
+  vtkGetMacro(Merge, int);
+  void SetMergeToNone() { this->SetMerge(MergeNone); }
+  void SetMergeToClean() { this->SetMerge(MergeClean); }
+  void SetMergeToCoarse() { this->SetMerge(MergeCoarse); }
   ///@}
 
   ///@{
@@ -209,7 +223,7 @@ public:
    * layout, smoothing and, last, for choosing singularities (0 if they were given). They are not
    * part of the output.
    */
-  vtkGetVectorMacro(StageSeconds, double, 7);
+  vtkGetVectorMacro(StageSeconds, double, 8);
 
 protected:
   vtkQuadMesher();
@@ -235,12 +249,12 @@ private:
   int Sizing = SizingConformal;
   std::string SizeArray;
   int Pairs = 0;
-  bool Coarse = false;
+  int Merge = MergeNone;
   double MeshSize = 0.0;
   double Clearance = 0.0;
   bool CapCorners = true;
   bool RepairHolonomy = false;
-  double StageSeconds[7] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -18,7 +18,7 @@ class Quads(ProgramTest):
     def test_the_report_has_its_numbers(self):
         report = self.report("builtin:disk", "-s", "four.csv", "--size", "0.1", "--blocks",
                              "blocks.vtm", "--layout", "layout.vtp")
-        # docs/method.md §14.10
+        # docs/method.md §14.11
         self.assertEqual(report["quads"], 297)
         self.assertEqual(report["irregular"], {"3": 4})
         self.assertEqual(report["asked"], {"3": 4})

@@ -40,7 +40,7 @@ class Quads(unittest.TestCase):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
                                    ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05")),
                                    ({"pairs": 1, "clearance": 0.1}, ("--pairs", "1", "--clearance", "0.1")),
-                                   ({"size": 0.1, "sizing": "uniform", "coarse": True},
+                                   ({"size": 0.1, "sizing": "uniform", "merge": "coarse"},
                                     ("--size", "0.1", "--sizing", "uniform", "--coarse"))):
             with tempfile.TemporaryDirectory() as folder:
                 printed = subprocess.run(

@@ -70,7 +70,7 @@ TEST_F(QuadMesher, FollowsFilterConventions)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance", "Pairs",
+    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Merge", "MeshSize", "Clearance", "Pairs",
       "CapCorners", "RepairHolonomy", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }

@@ -1,5 +1,7 @@
 #include "QuadWorkflow.h"
 
+#include "CleanBlocks.h"
+#include "HolePattern.h"
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
 #include "PoincareHopf.h"
@@ -18,13 +20,6 @@ namespace crossfield
 {
 namespace
 {
-/// A seamless map and the patches between its separatrices.
-struct Layout
-{
-  SeamlessMap map;
-  TMesh separatrices;
-};
-
 /// Throws Error if a domain needs more quads of a size than can be numbered, which would otherwise
 /// be noticed after a long search for edge counts.
 void RequireCountable(const PlanarDomain& domain, double quadSize)
@@ -104,7 +99,7 @@ public:
   }
 
   /// Meshes, solves for the map and traces the separatrices.
-  Layout LayOut(const Progress& progress)
+  ClosingLayout LayOut(const Progress& progress)
   {
     return RetryOnFinerMesh(
       [&](double refinement)
@@ -114,26 +109,31 @@ public:
         const SharedTopology topology = this->Mesh(refinement, part.Part(0.0, 0.2));
         SeamlessMap map = this->Map(topology, part.Part(0.2, 0.8));
         TMesh separatrices = this->Trace(map, part.Part(0.8, 1.0));
-        return Layout{ std::move(map), std::move(separatrices) };
+        return ClosingLayout{ this->Result.singularities, std::move(map), std::move(separatrices) };
       },
       this->Result.events);
   }
 
-  void MakeQuads(const SeamlessMap& map, TMesh separatrices, const Progress& progress)
+  /// Makes the quads of a layout; returns the layout if it is needed to merge blocks.
+  void MakeQuads(ClosingLayout layout, const Progress& progress)
   {
-    QuadOptions options;
-    options.quadSize = this->Request.quadSize;
-    options.quadCount = this->Request.quadCount;
-    options.coarse = this->Request.coarse;
-    options.sizes.sizing = this->Request.sizing;
-    if (this->Request.sizing == Sizing::Field)
+    const bool clean = this->Request.merge == BlockMerge::Clean;
+    const QuadOptions options = this->OptionsFor(*layout.map.topology);
+    const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
+    this->Result.quads = crossfield::MakeQuads(
+      layout.map, clean ? layout.tMesh : std::move(layout.tMesh), options, making);
+    this->Result.blocks.none = this->Result.quads.separateBlocks;
+    if (options.coarse)
     {
-      RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, *map.topology);
-      options.sizes.field = std::move(sizes.field);
-      options.quadSize *= sizes.mean;
-      RequireCountable(this->Domain, options.quadSize);
+      this->Result.blocks.coarse = static_cast<int>(this->Result.quads.blocks.blocks.size());
     }
-    this->Result.quads = crossfield::MakeQuads(map, std::move(separatrices), options, progress);
+    if (clean)
+    {
+      this->Clock.Lap();
+      this->Clean(
+        { std::move(layout), std::move(this->Result.quads) }, options, progress.Part(0.2, 1.0));
+      this->Result.seconds.clean = this->Clock.Lap();
+    }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = this->Result.quads.counts.seconds;
     seconds.layout = this->Result.quads.layoutSeconds;
@@ -143,6 +143,109 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
+  QuadOptions OptionsFor(const MeshTopology& topology) const
+  {
+    QuadOptions options;
+    options.quadSize = this->Request.quadSize;
+    options.quadCount = this->Request.quadCount;
+    options.coarse = this->Request.merge == BlockMerge::Coarse;
+    options.sizes.sizing = this->Request.sizing;
+    if (this->Request.sizing == Sizing::Field)
+    {
+      RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);
+      options.sizes.field = std::move(sizes.field);
+      options.quadSize *= sizes.mean;
+      RequireCountable(this->Domain, options.quadSize);
+    }
+    return options;
+  }
+
+  /// Moves singularities so that separatrices meet, if that gives a mesh as good with fewer blocks.
+  void Clean(MeshedLayout start, const QuadOptions& quads, const Progress& progress)
+  {
+    CleanOptions options;
+    options.map = this->MapOptions;
+    options.meshSize = this->Request.meshSize;
+    options.quads = quads;
+    bool isPattern = false;
+    if (!this->Request.singularities)
+    {
+      isPattern = this->StartFromPattern(start, options);
+    }
+    CleanBlocksResult clean = CleanBlocks(this->Domain, std::move(start), options, progress);
+    this->MapOptions = options.map;
+    this->Result.blocks.clean = static_cast<int>(clean.mesh.quads.blocks.blocks.size());
+    std::ostringstream text;
+    text.precision(3);
+    if (isPattern)
+    {
+      text << "Four singularities around every round hole give a mesh as good with fewer blocks. ";
+    }
+    if (clean.accepted)
+    {
+      text << "Singularities were moved by at most " << clean.largestMove
+           << " so that separatrices meet. ";
+    }
+    text << "Blocks: " << *this->Result.blocks.clean << " instead of " << *this->Result.blocks.none
+         << ".";
+    this->Result.events.push_back(text.str());
+    this->Result.singularities = clean.mesh.layout.singularities;
+    this->Describe(clean.mesh.layout.map);
+    this->Result.quads = std::move(clean.mesh.quads);
+  }
+
+  /// Tries four singularities around every round hole and the singularities of the domain with the
+  /// holes filled. Replaces the start if the mesh is as good and has fewer blocks. Returns whether it
+  /// did.
+  bool StartFromPattern(MeshedLayout& start, CleanOptions& options) const
+  {
+    const std::vector<RoundHole> holes = FindRoundHoles(this->Domain);
+    constexpr std::size_t Fewest = 2; // a single hole has no neighbours to line up with
+    if (holes.size() < Fewest)
+    {
+      return false;
+    }
+    try
+    {
+      const PlanarDomain filled = FillHoles(this->Domain, holes);
+      AutomaticConfiguration choice = ChooseSingularities(filled, this->Request);
+      SeamlessMapOptions map = this->MapOptions;
+      map.corners = choice.corners;
+      const ClosingLayout field =
+        crossfield::LayOut(filled, choice.singularities, map, options.meshSize);
+      Configuration singularities = PatternAroundHoles(holes, field.map);
+      singularities.insert(
+        singularities.end(), choice.singularities.begin(), choice.singularities.end());
+      ClosingLayout layout = crossfield::LayOut(this->Domain, singularities, map, options.meshSize);
+      QuadResult quads = crossfield::MakeQuads(layout.map, layout.tMesh, options.quads);
+      if (IsCleaner(quads, start.quads))
+      {
+        start = { std::move(layout), std::move(quads) };
+        options.map = std::move(map);
+        return true;
+      }
+    }
+    catch (const Error&)
+    {
+      return false; // the pattern has no layout
+    }
+    return false;
+  }
+
+  /// Sets what the result says about a map.
+  void Describe(const SeamlessMap& map)
+  {
+    this->Result.holonomyDefect = map.holonomyDefect;
+    this->Result.flattening = map.flattening;
+    this->Result.corners.clear();
+    const PlacedConfiguration placed =
+      PlaceForMap(*map.topology, this->Result.singularities, this->MapOptions);
+    for (const CountedCorner& corner : CountMeshQuarters(*map.topology, placed.corners).corners)
+    {
+      this->Result.corners.push_back({ corner.position, corner.quarterIndex });
+    }
+  }
+
   SharedTopology Mesh(double refinement, const Progress& progress)
   {
     SharedTopology topology = ShareTopology(MeshThroughPoints(
@@ -159,13 +262,7 @@ private:
     RequireAngles(this->Domain, this->Result.singularities, count.corners);
     SeamlessMap map =
       SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
-    this->Result.holonomyDefect = map.holonomyDefect;
-    this->Result.flattening = map.flattening;
-    this->Result.corners.clear();
-    for (const CountedCorner& corner : count.corners)
-    {
-      this->Result.corners.push_back({ corner.position, corner.quarterIndex });
-    }
+    this->Describe(map);
     this->Result.seconds.map += this->Clock.Lap();
     return map;
   }
@@ -197,8 +294,9 @@ QuadWorkflowResult MakeQuadMesh(
   Workflow workflow(domain, request);
   workflow.Choose(progress.Part(0.0, chosen));
   workflow.Repair(remaining.Part(0.0, 0.1));
-  Layout layout = workflow.LayOut(remaining.Part(0.1, 0.6));
-  workflow.MakeQuads(layout.map, std::move(layout.separatrices), remaining.Part(0.6, 0.95));
+  const double laidOut = request.merge == BlockMerge::Clean ? 0.2 : 0.6;
+  ClosingLayout layout = workflow.LayOut(remaining.Part(0.1, laidOut));
+  workflow.MakeQuads(std::move(layout), remaining.Part(laidOut, 0.95));
   return workflow.TakeResult();
 }
 

@@ -12,6 +12,14 @@
 
 namespace crossfield
 {
+/// How separatrices that nearly meet are treated.
+enum class BlockMerge
+{
+  None,  ///< Each one bounds blocks of its own.
+  Clean, ///< Singularities are moved so that they meet, where this costs no quality.
+  Coarse ///< They are merged without moving singularities (QuadOptions::coarse).
+};
+
 /// Input of MakeQuadMesh besides the domain.
 struct QuadRequest
 {
@@ -32,7 +40,15 @@ struct QuadRequest
   int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
   bool capCorners = true; ///< As in SeamlessMapOptions.
   bool repairHolonomy = false;
-  bool coarse = false; ///< As in QuadOptions.
+  BlockMerge merge = BlockMerge::None;
+};
+
+/// Numbers of blocks with each kind of merging, as far as they were computed.
+struct BlockCounts
+{
+  std::optional<int> none;
+  std::optional<int> clean;
+  std::optional<int> coarse;
 };
 
 /// Wall-clock time of each step of MakeQuadMesh, in seconds.
@@ -41,6 +57,7 @@ struct QuadSeconds
   double choose = 0.0; ///< 0 if singularities were given.
   double mesh = 0.0;
   double map = 0.0;
+  double clean = 0.0; ///< 0 unless blocks are merged with BlockMerge::Clean.
   double trace = 0.0;
   double integers = 0.0;
   double layout = 0.0;
@@ -52,19 +69,21 @@ struct QuadWorkflowResult
 {
   Configuration singularities;       ///< Given or chosen, at their positions after repair.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
-  /// Decisions made in choosing, and whether the mesh was refined; one sentence each.
+  /// Decisions made in choosing and in merging blocks, and whether the mesh was refined; one
+  /// sentence each.
   std::vector<std::string> events;
   std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
   std::optional<HolonomyRepair> repair;       ///< If it was requested.
   std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
   std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
   QuadResult quads;
+  BlockCounts blocks;
   QuadSeconds seconds;
 };
 
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
-/// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
-/// makes quads. If the map or the separatrices fail with CoarseMeshError, they are tried once more
+/// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices, makes
+/// quads and merges blocks. If the map or the separatrices fail with CoarseMeshError, they are tried once more
 /// on a mesh with edges half as long.
 ///
 /// Throws Error if there would be more quads than can be numbered, and as ChooseSingularities,

@@ -5,6 +5,7 @@
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
@@ -12,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <map>
+#include <optional>
 
 namespace names = vtkCrossFieldArrayNames;
 
@@ -145,6 +147,21 @@ void WriteQuads(
   WriteCellData(result, output->GetCellData());
   WritePointData(result.mesh, output->GetPointData());
   WriteReport(result, plane, output->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data)
+{
+  const auto add = [data](const char* name, const std::optional<int>& count)
+  {
+    if (count)
+    {
+      ColumnWriting::AddIntegers(data, name, { *count });
+    }
+  };
+  add(names::BlocksUnmerged, counts.none);
+  add(names::BlocksClean, counts.clean);
+  add(names::BlocksCoarse, counts.coarse);
 }
 
 //------------------------------------------------------------------------------

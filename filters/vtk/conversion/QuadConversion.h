@@ -2,8 +2,9 @@
 #define QuadConversion_h
 
 #include "DomainPlane.h"
-#include "QuadMesher.h"
+#include "QuadWorkflow.h"
 
+class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -14,6 +15,9 @@ namespace QuadConversion
 /** Writes quads, boundary lines, and the report as field data. */
 void WriteQuads(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkUnstructuredGrid* output);
+
+/** Writes the numbers of blocks that were computed. */
+void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data);
 
 /** Writes one vtkStructuredGrid per block. */
 void WriteBlocks(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
