@@ -34,22 +34,22 @@
  *
  * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
  * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at their positions after
- * RepairHolonomy. If they were chosen, with the field data `Events`.
+ * RepairHolonomy and MergeClean. If they were chosen, with the field data `Events`.
  *
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
  *
  * Field data of output 0: `Quads`, `Blocks`, `BlocksUnmerged`, `BlocksClean` and `BlocksCoarse`
- * (number of blocks with each kind of Merge, as far as it was computed), `IrregularValence`, `IrregularObtained`,
- * `IrregularRequested` (numbers of interior nodes per valence), `ScaledJacobianRange` (minimum,
- * mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
+ * (number of blocks with each kind of Merge, as far as it was computed), `IrregularValence`,
+ * `IrregularObtained`, `IrregularRequested` (numbers of interior nodes per valence),
+ * `ScaledJacobianRange` (minimum, mean), `ScaledJacobianBound` (attainable minimum), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `Moved` (maximum distance), `HolonomyDefect` (per inner loop,
  * radians), `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions
- * made in choosing singularities, one sentence each; empty where they were given).
+ * made in choosing singularities and merging blocks, one sentence each).
  *
  * An empty domain gives empty outputs. Failure, with empty outputs: as for vtkCrossFieldMap and
  * vtkSeparatrices; a size so large that no mesh has the requested irregular nodes. A mesh with

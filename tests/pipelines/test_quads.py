@@ -28,8 +28,11 @@ class Quads(ProgramTest):
         self.assertTrue(report["integers"]["optimal"])
         self.assertEqual(report["inverted"], 0)
         self.assertEqual(set(report["seconds"]),
-                         {"mesh", "map", "trace", "integers", "layout", "smooth", "choose"})
+                         {"mesh", "map", "trace", "integers", "layout", "smooth", "choose",
+                          "clean"})
         self.assertEqual(report["seconds"]["choose"], 0)
+        self.assertEqual(report["seconds"]["clean"], 0)
+        self.assertEqual(report["blocks_by_merge"], {"none": 5})
         self.assertNotIn("events", report)
         for name in ("quads.vtu", "layout.vtp", "blocks.vtm", "blocks/block0.vts",
                      "blocks/block4.vts"):
@@ -48,6 +51,26 @@ class Quads(ProgramTest):
             again = self.report(domain, "-s", "used.csv", *(a for a in arguments if a != "--repair-holonomy"))
             for name in ("quads", "irregular", "blocks", "scaled_jacobian", "singularities"):
                 self.assertEqual(again[name], report[name])
+
+    def test_clean_layouts_have_fewer_blocks(self):
+        bracket = str(PARTS / "bracket.vtp")
+        separate = self.report(bracket)
+        report = self.report(bracket, "--merge", "clean", "--save-singularities", "used.csv")
+        self.assertEqual(report["blocks_by_merge"], {"none": separate["blocks"], "clean": report["blocks"]})
+        self.assertLessEqual(report["blocks"], 28)  # of 39
+        self.assertGreater(report["scaled_jacobian"]["min"], separate["scaled_jacobian"]["min"] - 0.02)
+        self.assertGreater(report["seconds"]["clean"], 0)
+        self.assertIn("so that separatrices meet", report["events"][-1])
+        # The singularities that were used give the same mesh without merging.
+        again = self.report(bracket, "-s", "used.csv")
+        for name in ("quads", "irregular", "blocks", "scaled_jacobian"):
+            self.assertEqual(again[name], report[name])
+        # --coarse is short for --merge coarse.
+        coarse = self.report(bracket, "--merge", "coarse")
+        self.assertEqual(coarse["blocks_by_merge"], {"none": separate["blocks"], "coarse": coarse["blocks"]})
+        self.assertEqual(self.report(bracket, "--coarse")["blocks"], coarse["blocks"])
+        self.refuse("quads", bracket, "-o", "quads.vtu", "--coarse", "--merge", "clean", says=("--merge",))
+        self.refuse("quads", bracket, "-o", "quads.vtu", "--merge", "some", says=("--merge",))
 
     def test_positions_are_those_after_repair(self):
         rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.02)

@@ -107,6 +107,26 @@ TEST_F(QuadMesher, BlocksAreTheQuadsAndShareTheirPoints)
   EXPECT_GT(quads->GetNumberOfCells(), count); // and the boundary's lines
 }
 
+TEST_F(QuadMesher, ReportsTheBlocksOfEachMerge)
+{
+  const auto count = [this](const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutput()->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  };
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(count("BlocksUnmerged"), 5.0);
+  EXPECT_EQ(count("BlocksClean"), 5.0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("BlocksCoarse"), nullptr);
+  this->Filter->SetMergeToCoarse();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(count("BlocksCoarse"), count("Blocks"));
+  this->Filter->SetMergeToNone();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("BlocksClean"), nullptr);
+}
+
 /// Each side of a block has the same points as the adjacent side, in the order that
 /// `NeighbourOrientation` states, and both name each other; the sides without a neighbour make up
 /// the boundary.

@@ -114,7 +114,7 @@ public:
       this->Result.events);
   }
 
-  /// Makes the quads of a layout; returns the layout if it is needed to merge blocks.
+  /// Makes the quads of a layout, and merges blocks.
   void MakeQuads(ClosingLayout layout, const Progress& progress)
   {
     const bool clean = this->Request.merge == BlockMerge::Clean;
@@ -170,9 +170,10 @@ private:
     bool isPattern = false;
     if (!this->Request.singularities)
     {
-      isPattern = this->StartFromPattern(start, options);
+      isPattern = this->StartFromPattern(start, options, progress.Part(0.0, 0.2));
     }
-    CleanBlocksResult clean = CleanBlocks(this->Domain, std::move(start), options, progress);
+    CleanBlocksResult clean =
+      CleanBlocks(this->Domain, std::move(start), options, progress.Part(0.2, 1.0));
     this->MapOptions = options.map;
     this->Result.blocks.clean = static_cast<int>(clean.mesh.quads.blocks.blocks.size());
     std::ostringstream text;
@@ -186,8 +187,15 @@ private:
       text << "Singularities were moved by at most " << clean.largestMove
            << " so that separatrices meet. ";
     }
-    text << "Blocks: " << *this->Result.blocks.clean << " instead of " << *this->Result.blocks.none
-         << ".";
+    if (isPattern || clean.accepted)
+    {
+      text << "There are " << *this->Result.blocks.clean << " blocks instead of "
+           << *this->Result.blocks.none << ".";
+    }
+    else
+    {
+      text << "No mesh with fewer blocks is as good.";
+    }
     this->Result.events.push_back(text.str());
     this->Result.singularities = clean.mesh.layout.singularities;
     this->Describe(clean.mesh.layout.map);
@@ -197,7 +205,7 @@ private:
   /// Tries four singularities around every round hole and the singularities of the domain with the
   /// holes filled. Replaces the start if the mesh is as good and has fewer blocks. Returns whether it
   /// did.
-  bool StartFromPattern(MeshedLayout& start, CleanOptions& options) const
+  bool StartFromPattern(MeshedLayout& start, CleanOptions& options, const Progress& progress) const
   {
     const std::vector<RoundHole> holes = FindRoundHoles(this->Domain);
     constexpr std::size_t Fewest = 2; // a single hole has no neighbours to line up with
@@ -208,7 +216,8 @@ private:
     try
     {
       const PlanarDomain filled = FillHoles(this->Domain, holes);
-      AutomaticConfiguration choice = ChooseSingularities(filled, this->Request);
+      AutomaticConfiguration choice =
+        ChooseSingularities(filled, this->Request, progress.Part(0.0, 0.5));
       SeamlessMapOptions map = this->MapOptions;
       map.corners = choice.corners;
       const ClosingLayout field =
@@ -218,7 +227,9 @@ private:
         singularities.end(), choice.singularities.begin(), choice.singularities.end());
       ClosingLayout layout = crossfield::LayOut(this->Domain, singularities, map, options.meshSize);
       QuadResult quads = crossfield::MakeQuads(layout.map, layout.tMesh, options.quads);
-      if (IsCleaner(quads, start.quads))
+      progress.Report(1.0);
+      if (IsCleaner(quads, start.quads) &&
+        HasRequestedCount(this->Request, quads) >= HasRequestedCount(this->Request, start.quads))
       {
         start = { std::move(layout), std::move(quads) };
         options.map = std::move(map);
