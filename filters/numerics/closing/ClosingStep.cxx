@@ -68,6 +68,10 @@ ClosingStep SolveClosing(const ClosingConditions& conditions)
       step.unreachable.push_back(row);
     }
   }
+  const double largest = remaining.maxCoeff();
+  const auto follows = [&](Eigen::Index row) { return remaining[row] < 0.5 * largest; };
+  step.unreachable.erase(std::remove_if(step.unreachable.begin(), step.unreachable.end(), follows),
+    step.unreachable.end());
   std::stable_sort(step.unreachable.begin(), step.unreachable.end(),
     [&](Eigen::Index a, Eigen::Index b) { return remaining[a] > remaining[b]; });
   return step;

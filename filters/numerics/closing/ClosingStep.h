@@ -21,7 +21,8 @@ struct ClosingStep
 {
   Eigen::VectorXd moves; ///< y.
   /// Lengths that no step changes enough in the linearised problem: rows whose remaining length
-  /// exceeds both half of the length and a tenth of a quad. The largest remainder comes first.
+  /// exceeds both half of the length and a tenth of a quad. Only those with at least half of the
+  /// largest remainder, since others may follow from these; the largest first.
   std::vector<Eigen::Index> unreachable;
 };
 

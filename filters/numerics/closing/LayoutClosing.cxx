@@ -176,14 +176,16 @@ private:
   /// or is left out if it has no edges even with quads of the target size.
   void ChooseArcs(const ArcPaths& paths)
   {
-    constexpr int MaximumProblems = 50; // integer problems, which are cheap beside a map
+    // Integer problems of a large T-mesh take as long as a map. What remains is left out.
+    constexpr int MaximumProblems = 10;
     const auto countsFor = [this](double coarseness, const std::vector<int>& kept)
     { return CoarseCounts(this->Layout.tMesh, this->Options, coarseness, kept); };
     const std::vector<int> fine = countsFor(1.0, {});
     std::vector<int> kept;
     std::vector<int> leftOut;
     std::vector<int> counts = countsFor(this->Options.coarseness, kept);
-    for (int i = 0; i < MaximumProblems; ++i)
+    int problems = 1;
+    for (;;)
     {
       this->DifferentiateArcs(paths, counts);
       this->SetConditions(counts, leftOut);
@@ -192,15 +194,17 @@ private:
       {
         return;
       }
-      const int worst = this->Arcs[static_cast<std::size_t>(this->Step.unreachable.front())];
-      if (fine[Index(worst)] == 0)
+      const bool isLast = problems == MaximumProblems;
+      const std::size_t before = kept.size();
+      for (const Eigen::Index row : this->Step.unreachable)
       {
-        leftOut.push_back(worst);
+        const int arc = this->Arcs[static_cast<std::size_t>(row)];
+        (isLast || fine[Index(arc)] == 0 ? leftOut : kept).push_back(arc);
       }
-      else
+      if (kept.size() > before)
       {
-        kept.push_back(worst);
         counts = countsFor(this->Options.coarseness, kept);
+        ++problems;
       }
     }
   }

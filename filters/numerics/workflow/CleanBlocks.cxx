@@ -51,6 +51,13 @@ bool IsBetter(const QuadResult& a, const QuadResult& b)
   return blocks != others ? blocks < others : a.quality.jacobian.min > b.quality.jacobian.min;
 }
 
+/// Returns the number of maps that the options allow for a number of singularities.
+int MapsWithin(const CleanOptions& options, std::size_t singularities)
+{
+  const auto solvesPerMap = static_cast<int>(2 * std::max<std::size_t>(1, singularities));
+  return std::min(options.maximumMaps, options.maximumSolves / solvesPerMap);
+}
+
 /// A layout to close, and the arcs that were tried last.
 struct ClosingStart
 {
@@ -65,6 +72,7 @@ public:
   CleanSearch(const PlanarDomain& domain, const MeshedLayout& start, const CleanOptions& options)
     : Domain(domain)
     , Options(options)
+    , MaximumMaps(MapsWithin(options, start.layout.singularities.size()))
     , Start(start.quads)
     , First{ start.layout, {} }
     , Best{ start.layout, {} }
@@ -120,7 +128,7 @@ private:
   {
     std::vector<int> arcs = FindArcsToClose(start.layout.tMesh, this->Closing);
     this->Closing.maximumMaps =
-      std::min(ClosingOptions().maximumMaps, this->Options.maximumMaps - this->Result.maps);
+      std::min(ClosingOptions().maximumMaps, this->MaximumMaps - this->Result.maps);
     if (arcs == start.tried || this->Closing.maximumMaps <= 0)
     {
       return Outcome::Nothing;
@@ -150,6 +158,7 @@ private:
 
   const PlanarDomain& Domain;
   const CleanOptions& Options;
+  const int MaximumMaps;
   const QuadResult& Start;
   ClosingStart First;
   ClosingStart Best;

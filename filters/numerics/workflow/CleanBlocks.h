@@ -11,6 +11,9 @@ struct CleanOptions
   double meshSize = 0.0; ///< As in DrillOptions.
   QuadOptions quads;
   int maximumMaps = 60; ///< Maximum number of maps (docs/method.md §14.10).
+  /// Maximum number of maps times coordinates of singularities: each map has as many
+  /// back-substitutions, and integer problems that grow with it.
+  int maximumSolves = 3000;
 };
 
 /// A layout and its quad mesh.
