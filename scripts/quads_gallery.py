@@ -95,9 +95,9 @@ Table: number of blocks, and minimum scaled Jacobian of about 1,000 quads, with 
 | domain | singularities | blocks: none, clean, coarse | minimum scaled Jacobian: none, clean, coarse |
 | --- | --- | --- | --- |
 | bracket | 9 | 39, 28, 28 | 0.920, 0.916, 0.558 |
-| ellipse with four circles | 16 | 120, 41, 37 | 0.861, 0.855, 0.566 |
+| ellipse with four circles | 16 | 120, 40, 37 | 0.861, 0.861, 0.566 |
 | twenty holes | 80 | 369, 159, 165 | 0.871, 0.903, 0.500 |
-| blob with three lobes | 8 | 53, 14, 14 | 0.853, 0.858, 0.491 |
+| blob with three lobes | 8 | 53, 14, 14 | 0.853, 0.859, 0.491 |
 | plate with 10 holes | 40 | 251, 162, 100 | 0.875, 0.864, 0.580 |
 | plate with 2 holes | 8 | 29, 24, 24 | 0.929, 0.923, 0.555 |
 | plate with 3 holes | 12 | 53, 33, 33 | 0.909, 0.897, 0.586 |
@@ -113,8 +113,8 @@ Table: number of blocks, and minimum scaled Jacobian of about 1,000 quads, with 
 | random blob 4 | 4 | 18, 5, 5 | 0.854, 0.860, 0.593 |
 
 The first five domains were used while the method was developed, the others were not. *bracket* is in this gallery. *twenty holes* are
-of radius 0.22, one in every unit square of a rectangle 5 × 4. Plates have holes of random radii at random positions. `clean` takes 0.1 to 1 s
-with up to 12 singularities and 1 to 6 s with 16 to 24; with 32 to 48 it takes 10 to 30 s, more than everything else, and so it is not
+of radius 0.22, one in every unit square of a rectangle 5 × 4. Plates have holes of random radii at random positions. `clean` takes 0.1 to 0.4 s
+with up to 12 singularities and 1 to 3 s with 16 to 24; with 32 to 48 it takes 6 to 13 s, more than everything else, and so it is not
 the default.
 
 %s
