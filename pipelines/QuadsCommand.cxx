@@ -49,7 +49,7 @@ struct QuadsOptions
   int quads = 1000;
   bool countIsGiven = false;
   std::vector<std::string> sizing = { "conformal" };
-  bool coarse = false;
+  int merge = vtkQuadMesher::MergeNone;
   double clearance = 0.0;
   int pairs = 0;
   bool capCorners = true;
@@ -75,7 +75,7 @@ ReportJson::Sources SourcesOf(
   const double* seconds = mesher->GetStageSeconds();
   return { quads,
     { { "singularities", Singularities(mesher) }, { "domain", domain->GetOutputDataObject(0) } },
-    std::vector<double>(seconds, seconds + 7) };
+    std::vector<double>(seconds, seconds + 8) };
 }
 
 void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
@@ -123,7 +123,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetQuadSize(options.size);
   mesher->SetQuadCount(options.quads);
   SetSizing(options, mesher);
-  mesher->SetCoarse(options.coarse);
+  mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
   mesher->SetRepairHolonomy(options.repairHolonomy);
@@ -224,8 +224,21 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "domain, or with --quads their proportions; default: conformal")
     ->expected(1, 2)
     ->type_name("WORD");
-  command->add_flag("--coarse", options->coarse,
-    "make the fewest blocks whose worst quad is at least half as good as with all blocks");
+  const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },
+    { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };
+  CLI::Option* merge =
+    command
+      ->add_option("--merge", options->merge,
+        "separatrices that nearly meet: none keeps them apart; clean moves singularities until they "
+        "meet, as far as the quads stay as good; coarse merges them in place, for the fewest blocks "
+        "whose worst quad is at least half as good; default: none")
+      ->transform(CLI::CheckedTransformer(merges).description("{none,clean,coarse}"))
+      ->type_name("WORD");
+  command
+    ->add_flag_callback(
+      "--coarse", [options] { options->merge = vtkQuadMesher::MergeCoarse; },
+      "short for --merge coarse")
+    ->excludes(merge);
   command
     ->add_option("--mesh-size", options->meshSize,
       "target edge length of the triangles on which the map is computed, positive; default: 1/40 of "

@@ -87,6 +87,56 @@ replaces each by two of index 1 or −1, about 1.5 quads apart.
 Where quads would be inverted with fixed singularities, the nodes move. Every move by more than a tenth of a quad is printed; the
 report and `--save-singularities` have the positions of the nodes.
 
+## Fewer blocks
+
+Separatrices that start at different singularities often run side by side, with narrow blocks between them. For a structured solver,
+request fewer blocks:
+
+```sh
+crossfield quads part.vtp --merge clean -o quads.vtu --blocks blocks.vtm
+```
+
+`--merge clean` moves singularities by a fraction of a quad to a few quads, until these separatrices meet
+([method](method.md) §14.10). Where round holes are equal or on a grid, it also tries four singularities at 45° around every hole. A
+mesh is accepted only if it has fewer blocks and its quads are as good as before:
+
+- the minimum scaled Jacobian is at most 0.02 lower, the mean at most 0.002
+- the variation of sizes is at most 1.35 times as large, or at most 0.05 larger
+- no quad is inverted
+
+If no mesh fulfils this, you get the mesh without merging. An event in the report gives the largest move, and `blocks_by_merge` the numbers
+of blocks. Singularities given with `-s` are moved as well.
+
+`--merge coarse`, or `--coarse` for short, merges separatrices without moving singularities. It accepts a worst quad that is half as
+good.
+
+Table: number of blocks, and minimum scaled Jacobian of about 1,000 quads, with each kind of merging.
+
+| domain | singularities | blocks: none, clean, coarse | minimum scaled Jacobian: none, clean, coarse |
+| --- | --- | --- | --- |
+| bracket | 9 | 39, 28, 28 | 0.920, 0.916, 0.558 |
+| ellipse with four circles | 16 | 120, 40, 37 | 0.861, 0.861, 0.566 |
+| twenty holes | 80 | 369, 159, 165 | 0.871, 0.903, 0.500 |
+| blob with three lobes | 8 | 53, 14, 14 | 0.853, 0.859, 0.491 |
+| plate with 10 holes | 40 | 251, 162, 100 | 0.875, 0.864, 0.580 |
+| plate with 2 holes | 8 | 29, 24, 24 | 0.929, 0.923, 0.555 |
+| plate with 3 holes | 12 | 53, 33, 33 | 0.909, 0.897, 0.586 |
+| plate with 4 holes | 16 | 69, 48, 46 | 0.911, 0.906, 0.524 |
+| plate with 4 other holes | 16 | 78, 53, 53 | 0.903, 0.889, 0.676 |
+| plate with 6 holes | 24 | 123, 76, 71 | 0.878, 0.914, 0.777 |
+| plate with 8 holes | 32 | 178, 102, 84 | 0.878, 0.871, 0.666 |
+| plate with 9 holes | 36 | 212, 126, 108 | 0.876, 0.866, 0.532 |
+| plate with 11 holes | 44 | 252, 215, 202 | 0.876, 0.857, 0.754 |
+| random blob 1 | 4 | 15, 5, 5 | 0.768, 0.856, 0.544 |
+| random blob 2 | 4 | 18, 5, 5 | 0.851, 0.863, 0.694 |
+| random blob 3 | 4 | 10, 5, 5 | 0.790, 0.859, 0.657 |
+| random blob 4 | 4 | 18, 5, 5 | 0.854, 0.860, 0.593 |
+
+The first five domains were used while the method was developed, the others were not. *bracket* is in this gallery. *twenty holes* are
+of radius 0.22, one in every unit square of a rectangle 5 × 4. Plates have holes of random radii at random positions. `clean` takes 0.1 to 0.4 s
+with up to 12 singularities and 1 to 3 s with 16 to 24; with 32 to 48 it takes 6 to 13 s, more than everything else, and so it is not
+the default.
+
 %s
 """
 

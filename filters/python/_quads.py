@@ -21,6 +21,8 @@ from .vtkCrossFieldFilters import vtkQuadMesher
 
 _SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform,
             "field": vtkQuadMesher.SizingField}
+_MERGES = {"none": vtkQuadMesher.MergeNone, "clean": vtkQuadMesher.MergeClean,
+           "coarse": vtkQuadMesher.MergeCoarse}
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,7 +135,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
-          sizing: str = "conformal", size_array: Optional[str] = None, coarse: bool = False,
+          sizing: str = "conformal", size_array: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, split: bool = False, clearance: Optional[float] = None,
           pairs: int = 0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
@@ -150,7 +152,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
                    sizes are nearest to these
     size_array     name of this array
-    coarse         merges separatrices for the fewest blocks whose worst quad is at least half as good
+    merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
+                   meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest
+                   blocks whose worst quad is at least half as good
     repair_holonomy
                    moves singularities by the smallest distances after which no inner loop has a holonomy defect
     split          splits singularities inside of quarter index k, |k| >= 2, into |k| of index 1 or -1, about 1.5
@@ -178,6 +182,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         raise Error("The number %s of quads is not positive; give a number, or None." % count)
     if sizing not in _SIZINGS:
         raise Error("There is no sizing '%s'; choose %s." % (sizing, ", ".join(_SIZINGS)))
+    if merge not in _MERGES:
+        raise Error("There is no merge '%s'; choose %s." % (merge, ", ".join(_MERGES)))
     if (sizing == "field") != (size_array is not None):
         raise Error("The sizing 'field' and the name size_array go together; give both or none.")
     if sizing == "field" and size is not None:
@@ -195,7 +201,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     if size_array is not None:
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
-    mesher.SetCoarse(coarse)
+    mesher.SetMerge(_MERGES[merge])
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetSplitSingularities(split)
     mesher.SetClearance(checked(clearance))

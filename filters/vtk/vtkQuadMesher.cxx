@@ -109,7 +109,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.capCorners = this->CapCorners;
   request.repairHolonomy = this->RepairHolonomy;
   request.split = this->SplitSingularities;
-  request.coarse = this->Coarse;
+  request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
 }
 
@@ -136,7 +136,7 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
 
   const crossfield::QuadSeconds& seconds = result.seconds;
   const double stages[] = { seconds.mesh, seconds.map, seconds.trace, seconds.integers,
-    seconds.layout, seconds.smooth, seconds.choose };
+    seconds.layout, seconds.smooth, seconds.choose, seconds.clean };
   std::copy(std::begin(stages), std::end(stages), this->StageSeconds);
 }
 
@@ -150,6 +150,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   {
     HolonomyConversion::WriteRepair(*result.repair, plane, report);
   }
+  QuadReport::WriteBlockCounts(result.blocks, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
@@ -178,7 +179,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
-  os << indent << "Coarse: " << this->Coarse << "\n";
+  os << indent << "Merge: " << this->Merge << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";

@@ -32,7 +32,7 @@
  *
  * Output 3 (vtkPolyData): the singularities used, as points with `QuarterIndex` (int) and, where
  * port 1 gives one, `Radius` (double): those of port 1 or those chosen, at the positions of their
- * nodes. If they were chosen or moved, with the field data `Events`.
+ * nodes. If they were chosen or moved (also by MergeClean), with the field data `Events`.
  *
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
@@ -50,9 +50,11 @@
  * Output 8 (vtkTable): the column `Summary` with one row, a text for a view in lines of at most 60
  * characters: numbers of quads, blocks and irregular nodes, quality and inverted quads, or after a
  * failure the message. Its field data `Alarm` (int) is 1 after a failure and if quads are inverted.
- * Its other field data are the report of the mesh: `Quads`, `Blocks`, `IrregularValence`, `IrregularObtained`,
- * `IrregularRequested` (numbers of interior nodes per valence), `ScaledJacobianRange` (minimum,
- * mean), `ScaledJacobianBound` (attainable minimum), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
+ * Its other field data are the report of the mesh: `Quads`, `Blocks`,
+ * `BlocksUnmerged`, `BlocksClean` and `BlocksCoarse` (number of blocks with each kind of Merge, as
+ * far as it was computed), `IrregularValence`, `IrregularObtained`, `IrregularRequested` (numbers of
+ * interior nodes per valence), `ScaledJacobianRange` (minimum, mean), `ScaledJacobianBound`
+ * (attainable minimum), `MinimumAngle` (degrees), `EtaRange` (minimum, mean; 1 − (2/π) max |π/2
  * − angle|), `SizeRange` (minimum, mean, maximum of the square root of the area), `SizeVariation`
  * (standard deviation over mean of the same), `Size` (side length in the map), `ZeroArcs`,
  * `IntegerVariables`, `IntegerGap`, `IntegerOptimal`, `Inverted` (number of quads that are not
@@ -60,7 +62,7 @@
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
- * choosing singularities, and their moves by more than a tenth of a quad, one sentence each),
+ * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each).
  *
  * An empty domain gives empty outputs. Failure, with outputs that are empty except for the text: as
@@ -160,14 +162,27 @@ public:
   /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
 
+  /** Treatment of separatrices that nearly meet. */
+  enum MergeType
+  {
+    MergeNone = 0,
+    MergeClean = 1,
+    MergeCoarse = 2
+  };
+
   ///@{
   /**
-   * Merges separatrices that are close to each other: makes the smallest number of blocks for which
-   * the minimum scaled Jacobian is at least half of that with all blocks. Default: off.
+   * Selects how separatrices that nearly meet are treated: each one bounds blocks of its own
+   * (MergeNone); singularities are moved so that separatrices meet, as far as the quads stay as good
+   * (MergeClean; docs/quads.md gives the limits); or separatrices are merged without moving
+   * singularities, for the smallest number of blocks for which the minimum scaled Jacobian is at
+   * least half of that with all blocks (MergeCoarse). Default: MergeNone.
    */
-  vtkSetMacro(Coarse, bool);
-  vtkGetMacro(Coarse, bool);
-  vtkBooleanMacro(Coarse, bool);
+  vtkSetClampMacro(Merge, int, MergeNone, MergeCoarse);
+  vtkGetMacro(Merge, int);
+  void SetMergeToNone() { this->SetMerge(MergeNone); }
+  void SetMergeToClean() { this->SetMerge(MergeClean); }
+  void SetMergeToCoarse() { this->SetMerge(MergeCoarse); }
   ///@}
 
   ///@{
@@ -236,7 +251,7 @@ public:
    * layout, smoothing and, last, for choosing and repairing singularities. They are not part of the
    * output.
    */
-  vtkGetVectorMacro(StageSeconds, double, 7);
+  vtkGetVectorMacro(StageSeconds, double, 8);
 
   /**
    * Copies the result of the last update into one grid, the form of files: quads, then a VTK_LINE
@@ -270,13 +285,13 @@ private:
   int Sizing = SizingConformal;
   std::string SizeArray;
   int Pairs = 0;
-  bool Coarse = false;
+  int Merge = MergeNone;
   double MeshSize = 0.0;
   double Clearance = 0.0;
   bool CapCorners = true;
   bool RepairHolonomy = false;
   bool SplitSingularities = false;
-  double StageSeconds[7] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+  double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 
 #endif

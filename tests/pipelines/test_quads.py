@@ -19,7 +19,7 @@ class Quads(ProgramTest):
     def test_the_report_has_its_numbers(self):
         report = self.report("builtin:disk", "-s", "four.csv", "--size", "0.1", "--blocks",
                              "blocks.vtm", "--layout", "layout.vtp")
-        # docs/method.md §14.10
+        # docs/method.md §14.11
         self.assertEqual(report["quads"], 297)
         self.assertEqual(report["irregular"], {"3": 4})
         self.assertEqual(report["asked"], {"3": 4})
@@ -29,8 +29,11 @@ class Quads(ProgramTest):
         self.assertTrue(report["integers"]["optimal"])
         self.assertEqual(report["inverted"], 0)
         self.assertEqual(set(report["seconds"]),
-                         {"mesh", "map", "trace", "integers", "layout", "smooth", "choose"})
+                         {"mesh", "map", "trace", "integers", "layout", "smooth", "choose",
+                          "clean"})
         self.assertEqual(report["seconds"]["choose"], 0)
+        self.assertEqual(report["seconds"]["clean"], 0)
+        self.assertEqual(report["blocks_by_merge"], {"none": 5})
         self.assertNotIn("events", report)
         for name in ("quads.vtu", "layout.vtp", "blocks.vtm", "blocks/block0.vts",
                      "blocks/block4.vts"):
@@ -81,6 +84,26 @@ class Quads(ProgramTest):
     def test_nothing_is_said_about_holonomy_without_holes(self):
         printed = self.succeed("quads", "builtin:disk", "-s", "four.csv", "-o", "quads.vtu", "--repair-holonomy")
         self.assertNotIn("holonomy", printed)
+
+    def test_clean_layouts_have_fewer_blocks(self):
+        bracket = str(PARTS / "bracket.vtp")
+        separate = self.report(bracket)
+        report = self.report(bracket, "--merge", "clean", "--save-singularities", "used.csv")
+        self.assertEqual(report["blocks_by_merge"], {"none": separate["blocks"], "clean": report["blocks"]})
+        self.assertLessEqual(report["blocks"], 28)  # of 39
+        self.assertGreater(report["scaled_jacobian"]["min"], separate["scaled_jacobian"]["min"] - 0.02)
+        self.assertGreater(report["seconds"]["clean"], 0)
+        self.assertIn("so that separatrices meet", report["events"][-1])
+        # The singularities that were used give the same mesh without merging.
+        again = self.report(bracket, "-s", "used.csv")
+        for name in ("quads", "irregular", "blocks", "scaled_jacobian"):
+            self.assertEqual(again[name], report[name])
+        # --coarse is short for --merge coarse.
+        coarse = self.report(bracket, "--merge", "coarse")
+        self.assertEqual(coarse["blocks_by_merge"], {"none": separate["blocks"], "coarse": coarse["blocks"]})
+        self.assertEqual(self.report(bracket, "--coarse")["blocks"], coarse["blocks"])
+        self.refuse("quads", bracket, "-o", "quads.vtu", "--coarse", "--merge", "clean", says=("--merge",))
+        self.refuse("quads", bracket, "-o", "quads.vtu", "--merge", "some", says=("--merge",))
 
     def test_positions_are_those_after_repair(self):
         rows = [(r * math.cos(t + n * math.pi / 2), r * math.sin(t + n * math.pi / 2), k, 0.02)

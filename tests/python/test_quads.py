@@ -41,7 +41,7 @@ class Quads(unittest.TestCase):
         for options, arguments in (({}, ()), ({"size": 0.1}, ("--size", "0.1")),
                                    ({"count": 300, "mesh_size": 0.05}, ("--quads", "300", "--mesh-size", "0.05")),
                                    ({"pairs": 1, "clearance": 0.1}, ("--pairs", "1", "--clearance", "0.1")),
-                                   ({"size": 0.1, "sizing": "uniform", "coarse": True},
+                                   ({"size": 0.1, "sizing": "uniform", "merge": "coarse"},
                                     ("--size", "0.1", "--sizing", "uniform", "--coarse"))):
             with tempfile.TemporaryDirectory() as folder:
                 printed = subprocess.run(
@@ -251,6 +251,7 @@ class Quads(unittest.TestCase):
         self.refused("number 0 of quads is not positive", "builtin:disk", count=0)
         self.refused("not positive", "builtin:disk", size=-0.1)
         self.refused("no sizing 'even'; choose conformal, uniform", "builtin:disk", sizing="even")
+        self.refused("no merge 'all'; choose none, clean, coarse", "builtin:disk", merge="all")
         self.refused("give both or none", "builtin:disk", sizing="field")
         self.refused("give both or none", "builtin:disk", size_array="Length")
         self.refused("leave size out", "builtin:disk", sizing="field", size_array="Length", size=0.1)

@@ -114,7 +114,7 @@ TEST_F(LayoutDesigner, AgreesWithTheOtherFilters)
   EXPECT_EQ(this->Value("Stale"), 0);
   // docs/method.md §9: W of four +1 at radius 0.6 is 2.05; on this polygon it is smaller.
   EXPECT_NEAR(this->Value("RenormalizedEnergy"), 2.05, 0.8);
-  // docs/method.md §14.10: number of quads at h = 0.1 of five patches around one at 0.6.
+  // docs/method.md §14.11: number of quads at h = 0.1 of five patches around one at 0.6.
   EXPECT_NEAR(static_cast<double>(this->CountOf(3)), 297 + 60, 60);
   EXPECT_GT(this->Value("MinimumAngle"), 50);
   EXPECT_NE(this->Text("Summary").find("quads in"), std::string::npos) << this->Text("Summary");

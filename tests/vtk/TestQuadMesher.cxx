@@ -76,7 +76,7 @@ TEST_F(QuadMesher, FollowsFilterConventions)
   FilterChecks::CheckInputUntouched(this->Filter);
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Coarse", "MeshSize", "Clearance", "Pairs",
+    { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Merge", "MeshSize", "Clearance", "Pairs",
       "CapCorners", "RepairHolonomy", "SplitSingularities", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
@@ -108,6 +108,27 @@ TEST_F(QuadMesher, BlocksAreTheQuadsAndShareTheirPoints)
     }
   }
   EXPECT_EQ(cells, quads->GetNumberOfCells());
+}
+
+TEST_F(QuadMesher, ReportsTheBlocksOfEachMerge)
+{
+  const auto count = [this](const char* name)
+  {
+    return FilterChecks::RequireArray(this->Filter->GetOutputDataObject(8)->GetFieldData(), name)
+      ->GetComponent(0, 0);
+  };
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(count("BlocksUnmerged"), 5.0);
+  EXPECT_EQ(count("BlocksClean"), 5.0);
+  EXPECT_EQ(
+    this->Filter->GetOutputDataObject(8)->GetFieldData()->GetArray("BlocksCoarse"), nullptr);
+  this->Filter->SetMergeToCoarse();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(count("BlocksCoarse"), count("Blocks"));
+  this->Filter->SetMergeToNone();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Filter->GetOutputDataObject(8)->GetFieldData()->GetArray("BlocksClean"), nullptr);
 }
 
 /// Each side of a block has the same points as the adjacent side, in the order that

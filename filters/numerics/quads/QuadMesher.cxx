@@ -126,6 +126,7 @@ public:
         progress.Part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
       if (candidate.quality.inverted == 0 && candidate.quality.jacobian.min >= minimum)
       {
+        candidate.separateBlocks = this->Result.separateBlocks;
         this->Result = std::move(candidate);
         return;
       }
@@ -254,6 +255,7 @@ QuadResult MakeQuads(
   progress.Report(0.4);
   const double smoothed = options.coarse ? 0.7 : 1.0;
   mesher.Smooth(result, progress.Part(0.4, smoothed));
+  result.separateBlocks = static_cast<int>(result.blocks.blocks.size());
   if (options.coarse)
   {
     mesher.Coarsen(progress.Part(smoothed, 1.0));

@@ -32,6 +32,7 @@ struct QuadResult
   SmoothingReport smoothing;
   QuadQuality quality;
   QuadBlocks blocks;
+  int separateBlocks = 0;     ///< Number of blocks without QuadOptions::coarse.
   double layoutSeconds = 0.0; ///< Time to place the quads in the map.
   double smoothSeconds = 0.0;
 };

@@ -12,6 +12,14 @@
 
 namespace crossfield
 {
+/// How separatrices that nearly meet are treated.
+enum class BlockMerge
+{
+  None,  ///< Each one bounds blocks of its own.
+  Clean, ///< Singularities are moved so that they meet, where this costs no quality.
+  Coarse ///< They are merged without moving singularities (QuadOptions::coarse).
+};
+
 /// Input of MakeQuadMesh besides the domain.
 struct QuadRequest
 {
@@ -35,7 +43,15 @@ struct QuadRequest
   /// Splits interior singularities of quarter index ±2 and beyond into ones of index ±1
   /// (IndexSplit.h).
   bool split = false;
-  bool coarse = false; ///< As in QuadOptions.
+  BlockMerge merge = BlockMerge::None;
+};
+
+/// Numbers of blocks with each kind of merging, as far as they were computed.
+struct BlockCounts
+{
+  std::optional<int> none;
+  std::optional<int> clean;
+  std::optional<int> coarse;
 };
 
 /// Wall-clock time of each step of MakeQuadMesh, in seconds.
@@ -44,6 +60,7 @@ struct QuadSeconds
   double choose = 0.0; ///< Choosing and repairing singularities.
   double mesh = 0.0;
   double map = 0.0;
+  double clean = 0.0; ///< 0 unless blocks are merged with BlockMerge::Clean.
   double trace = 0.0;
   double integers = 0.0;
   double layout = 0.0;
@@ -56,7 +73,8 @@ struct QuadWorkflowResult
   Configuration singularities; ///< Given or chosen, at the positions of their nodes.
   double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
   std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
-  /// Decisions made in choosing, moves of singularities, and whether the mesh was refined; one
+  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh
+  /// was refined; one
   /// sentence each.
   std::vector<std::string> events;
   std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
@@ -68,14 +86,15 @@ struct QuadWorkflowResult
   /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
   std::vector<std::string> warnings;
   QuadResult quads;
+  BlockCounts blocks;
   QuadSeconds seconds;
 };
 
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
-/// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices and
-/// makes quads. If the map or the separatrices fail with CoarseMeshError, they are tried once more
-/// on a mesh with edges half as long. Remedies that an error or a warning offers have been tried
-/// (QuadAdvice.h).
+/// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices, makes
+/// quads and merges blocks. If the map or the separatrices fail with CoarseMeshError, they are tried
+/// once more on a mesh with edges half as long. Remedies that an error or a warning offers have been
+/// tried (QuadAdvice.h).
 ///
 /// Throws Error if there would be more quads than can be numbered, and as ChooseSingularities,
 /// RepairForMap, MeshThroughPoints, SolveSeamlessMap, TraceSeparatrices, MakeTMesh and MakeQuads do.

@@ -2,8 +2,9 @@
 #define QuadConversion_h
 
 #include "DomainPlane.h"
-#include "QuadMesher.h"
+#include "QuadWorkflow.h"
 
+class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;

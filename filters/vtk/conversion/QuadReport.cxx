@@ -6,6 +6,7 @@
 #include <array>
 #include <iomanip>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace names = vtkCrossFieldArrayNames;
@@ -114,6 +115,21 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
   const Eigen::Vector3d where = plane.ToSpace(quality.where);
   ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
   addFlag(names::Released, result.smoothing.released);
+}
+
+//------------------------------------------------------------------------------
+void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data)
+{
+  const auto add = [data](const char* name, const std::optional<int>& count)
+  {
+    if (count)
+    {
+      ColumnWriting::AddIntegers(data, name, { *count });
+    }
+  };
+  add(names::BlocksUnmerged, counts.none);
+  add(names::BlocksClean, counts.clean);
+  add(names::BlocksCoarse, counts.coarse);
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 #define QuadReport_h
 
 #include "DomainPlane.h"
-#include "QuadMesher.h"
+#include "QuadWorkflow.h"
 
 #include <string>
 
@@ -14,6 +14,9 @@ namespace QuadReport
 /** Adds the field data of vtkQuadMesher. */
 void Write(
   const crossfield::QuadResult& result, const crossfield::DomainPlane& plane, vtkFieldData* data);
+
+/** Writes the numbers of blocks that were computed. */
+void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data);
 
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "PlanarDomain.h"
+#include "SeamlessMap.h"
+#include "Singularity.h"
+
+namespace crossfield
+{
+/// A boundary loop that is a circle.
+struct RoundHole
+{
+  std::size_t loop = 0; ///< Loop of the domain.
+  Point centre = Point::Zero();
+  double radius = 0.0;
+  double gap = 0.0; ///< Distance to the other loops.
+};
+
+/// Finds the inner loops whose vertices are at one distance from their centre, to 1 %. Loops with
+/// fewer than 12 vertices are polygons.
+std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain);
+
+/// Returns the domain with holes filled.
+PlanarDomain FillHoles(const PlanarDomain& domain, const std::vector<RoundHole>& holes);
+
+/// Returns four singularities of quarter index −1 around every hole (docs/method.md §14.10), in the
+/// directions between those of the cross at its centre, at 1.41 radii from it but no farther from
+/// the hole than 0.4 of the gap. `filled`: the map of the filled domain.
+Configuration PatternAroundHoles(const std::vector<RoundHole>& holes, const SeamlessMap& filled);
+}

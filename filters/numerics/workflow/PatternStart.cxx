@@ -1,0 +1,71 @@
+#include "PatternStart.h"
+
+#include "Error.h"
+#include "HolePattern.h"
+
+#include <sstream>
+#include <utility>
+
+namespace crossfield
+{
+bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, MeshedLayout& start,
+  CleanOptions& options, const Progress& progress)
+{
+  const std::vector<RoundHole> holes = FindRoundHoles(domain);
+  constexpr std::size_t Fewest = 2; // a single hole has no neighbours to line up with
+  if (holes.size() < Fewest)
+  {
+    return false;
+  }
+  try
+  {
+    const PlanarDomain filled = FillHoles(domain, holes);
+    AutomaticConfiguration choice = ChooseSingularities(filled, request, progress.Part(0.0, 0.5));
+    SeamlessMapOptions map = options.map;
+    map.corners = choice.corners;
+    const ClosingLayout field = LayOut(filled, choice.singularities, map, options.meshSize);
+    Configuration singularities = PatternAroundHoles(holes, field.map);
+    singularities.insert(
+      singularities.end(), choice.singularities.begin(), choice.singularities.end());
+    ClosingLayout layout = LayOut(domain, singularities, map, options.meshSize);
+    QuadResult quads = MakeQuads(layout.map, layout.tMesh, options.quads);
+    progress.Report(1.0);
+    if (IsCleaner(quads, start.quads) &&
+      HasRequestedCount(request, quads) >= HasRequestedCount(request, start.quads))
+    {
+      start = { std::move(layout), std::move(quads) };
+      options.map = std::move(map);
+      return true;
+    }
+  }
+  catch (const Error&)
+  {
+    return false; // the pattern has no layout
+  }
+  return false;
+}
+
+std::string DescribeClean(const CleanBlocksResult& clean, bool isPattern, const BlockCounts& blocks)
+{
+  std::ostringstream text;
+  text.precision(3);
+  if (isPattern)
+  {
+    text << "Four singularities around every round hole give a mesh as good with fewer blocks. ";
+  }
+  if (clean.accepted)
+  {
+    text << "Singularities were moved by at most " << clean.largestMove
+         << " so that separatrices meet. ";
+  }
+  if (isPattern || clean.accepted)
+  {
+    text << "There are " << *blocks.clean << " blocks instead of " << *blocks.none << ".";
+  }
+  else
+  {
+    text << "No mesh with fewer blocks is as good.";
+  }
+  return text.str();
+}
+}

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "CleanBlocks.h"
+#include "QuadWorkflow.h"
+
+#include <string>
+
+namespace crossfield
+{
+/// Tries four singularities around every round hole and the singularities of the domain with the
+/// holes filled (docs/method.md §14.10). Replaces the start, and the corners of the options, if the
+/// mesh may replace it (IsCleaner) and has the requested number of quads if the start has. Returns
+/// whether it did.
+bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, MeshedLayout& start,
+  CleanOptions& options, const Progress& progress);
+
+/// Returns a sentence about blocks that were merged, or that none were.
+std::string DescribeClean(
+  const CleanBlocksResult& clean, bool isPattern, const BlockCounts& blocks);
+}

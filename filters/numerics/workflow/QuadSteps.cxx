@@ -1,0 +1,374 @@
+#include "QuadSteps.h"
+
+#include "CleanBlocks.h"
+#include "IndexSplit.h"
+#include "MeshForPoints.h"
+#include "MeshRetry.h"
+#include "NodePositions.h"
+#include "PatternStart.h"
+#include "PoincareHopf.h"
+#include "QuadAdvice.h"
+#include "Stopwatch.h"
+#include "TMeshPatches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Throws Error if a singularity on the boundary makes the quarter index there 2 or more, which
+/// leaves no angle for a quad. Capping changes corners of the domain only.
+void RequireAngles(const PlanarDomain& domain, const Configuration& singularities,
+  const std::vector<CountedCorner>& corners)
+{
+  const double reach = BoundaryReach * domain.Diagonal();
+  for (const CountedCorner& corner : corners)
+  {
+    const bool isSingular = std::any_of(singularities.begin(), singularities.end(),
+      [&](const Singularity& singularity)
+      {
+        return singularity.quarterIndex > 0 &&
+          (singularity.position - corner.position).norm() <= reach;
+      });
+    if (isSingular && corner.quarterIndex > 1)
+    {
+      throw Error("With the singularities at " + Describe(corner.position) +
+        ", the boundary there has quarter index " + std::to_string(corner.quarterIndex) +
+        ", which leaves no angle for a quad; give singularities of index 1 inside the domain "
+        "instead.");
+    }
+  }
+}
+
+/// The steps of MakeQuadMesh, in their order, and what they share.
+class Workflow
+{
+public:
+  Workflow(const PlanarDomain& domain, const QuadRequest& request)
+    : Domain(domain)
+    , Request(request)
+  {
+    this->MapOptions.corners = request.corners;
+    this->MapOptions.capCorners = request.capCorners;
+  }
+
+  void Choose(const Progress& progress)
+  {
+    if (this->Request.singularities)
+    {
+      this->Result.singularities = *this->Request.singularities;
+      return;
+    }
+    AutomaticConfiguration choice = ChooseSingularities(this->Domain, this->Request, progress);
+    this->Result.singularities = std::move(choice.singularities);
+    this->Result.events = std::move(choice.events);
+    this->Result.optimum = std::move(choice.optimum);
+    this->MapOptions.corners = std::move(choice.corners);
+    this->Result.seconds.choose = this->Clock.Lap();
+  }
+
+  /// Splits large quarter indices on request; otherwise throws Error for those without a node.
+  void Split()
+  {
+    if (this->Request.split)
+    {
+      SplitConfiguration split =
+        SplitIndices(this->Domain, this->Result.singularities, 1.5 * this->SideLength());
+      this->Result.singularities = std::move(split.singularities);
+      this->AddEvents(split.events);
+    }
+    RequireNodes(this->Domain, this->Result.singularities);
+    this->Started = this->Result.singularities;
+  }
+
+  void Repair(const Progress& progress)
+  {
+    if (!this->Request.repairHolonomy)
+    {
+      return;
+    }
+    try
+    {
+      this->UseRepair(RepairForMap(
+        this->Domain, this->Started, this->MapOptions, this->Request.meshSize, progress));
+    }
+    catch (const Error& error)
+    {
+      if (this->Request.singularities)
+      {
+        throw;
+      }
+      this->AddEvents({ "The holonomy was not repaired. " + std::string(error.what()) });
+    }
+    this->Result.seconds.choose += this->Clock.Lap();
+  }
+
+  /// Lays out as LayOut does. If that fails, it is tried with the holonomy repaired: chosen
+  /// singularities are used there; for given ones the error offers it.
+  ClosingLayout LayOutOrAdvise(const Progress& progress)
+  {
+    try
+    {
+      return this->LayOut(progress.Part(0.0, 0.9));
+    }
+    catch (const CoarseMeshError& error)
+    {
+      std::optional<ClosingLayout> layout = this->TryRepaired(progress.Part(0.9, 1.0));
+      if (!layout)
+      {
+        throw;
+      }
+      if (this->Request.singularities)
+      {
+        throw Error(WithAdvice(error.what(), RepairAdvice(*this->Result.repair)));
+      }
+      this->AddEvents({ "The singularities were moved so that grid lines close up around the inner "
+                        "loops. Without this: " +
+        std::string(error.what()) });
+      return std::move(*layout);
+    }
+  }
+
+  /// Meshes, solves for the map and traces the separatrices.
+  ClosingLayout LayOut(const Progress& progress)
+  {
+    return RetryOnFinerMesh(
+      [&](double refinement)
+      {
+        // A second attempt shares the part of the progress that the first one leaves.
+        const Progress part = refinement == 1.0 ? progress.Part(0.0, 0.9) : progress.Part(0.9, 1.0);
+        const SharedTopology topology = this->Mesh(refinement, part.Part(0.0, 0.2));
+        SeamlessMap map = this->Map(topology, part.Part(0.2, 0.8));
+        TMesh separatrices = this->Trace(map, part.Part(0.8, 1.0));
+        return ClosingLayout{ this->Result.singularities, std::move(map), std::move(separatrices) };
+      },
+      this->Result.events);
+  }
+
+  /// Makes the quads of a layout, and merges blocks.
+  void MakeQuads(ClosingLayout layout, const Progress& progress)
+  {
+    const bool clean = this->Request.merge == BlockMerge::Clean;
+    const QuadOptions options = this->OptionsFor(*layout.map.topology);
+    MeshedLayout meshed{ std::move(layout), {} };
+    meshed.quads = crossfield::MakeQuads(
+      meshed.layout.map, meshed.layout.tMesh, options, progress.Part(0.0, clean ? 0.2 : 1.0));
+    this->Result.blocks.none = meshed.quads.separateBlocks;
+    if (options.coarse)
+    {
+      this->Result.blocks.coarse = static_cast<int>(meshed.quads.blocks.blocks.size());
+    }
+    double moved = 0.0;
+    if (clean)
+    {
+      this->Clock.Lap();
+      moved = this->Clean(meshed, options, progress.Part(0.2, 1.0));
+      this->Result.seconds.clean = this->Clock.Lap();
+    }
+    QuadSeconds& seconds = this->Result.seconds;
+    seconds.integers = meshed.quads.counts.seconds;
+    seconds.layout = meshed.quads.layoutSeconds;
+    seconds.smooth = meshed.quads.smoothSeconds;
+    NodePositions nodes = FindNodePositions(
+      meshed.layout.map, meshed.quads.mesh, this->Result.singularities, this->Started);
+    this->Result.singularities = std::move(nodes.singularities);
+    this->Result.moved = std::max(moved, nodes.moved);
+    this->Result.quads = std::move(meshed.quads);
+    this->AddEvents(nodes.events);
+    this->AddWarnings();
+  }
+
+  QuadWorkflowResult TakeResult() { return std::move(this->Result); }
+
+private:
+  QuadOptions OptionsFor(const MeshTopology& topology) const
+  {
+    QuadOptions options;
+    options.quadSize = this->Request.quadSize;
+    options.quadCount = this->Request.quadCount;
+    options.coarse = this->Request.merge == BlockMerge::Coarse;
+    options.sizes.sizing = this->Request.sizing;
+    if (this->Request.sizing == Sizing::Field)
+    {
+      RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);
+      options.sizes.field = std::move(sizes.field);
+      options.quadSize *= sizes.mean;
+      RequireCountable(this->Domain, options.quadSize);
+    }
+    return options;
+  }
+
+  /// Moves singularities so that separatrices meet, if that gives a mesh as good with fewer blocks.
+  /// Returns the largest move.
+  double Clean(MeshedLayout& meshed, const QuadOptions& quads, const Progress& progress)
+  {
+    CleanOptions options;
+    options.map = this->MapOptions;
+    options.meshSize = this->Request.meshSize;
+    options.quads = quads;
+    const bool isPattern = !this->Request.singularities &&
+      StartFromPattern(this->Domain, this->Request, meshed, options, progress.Part(0.0, 0.2));
+    CleanBlocksResult clean =
+      CleanBlocks(this->Domain, std::move(meshed), options, progress.Part(0.2, 1.0));
+    meshed = std::move(clean.mesh);
+    this->MapOptions = options.map;
+    this->Result.blocks.clean = static_cast<int>(meshed.quads.blocks.blocks.size());
+    this->AddEvents({ DescribeClean(clean, isPattern, this->Result.blocks) });
+    this->Result.singularities = meshed.layout.singularities;
+    this->Started = meshed.layout.singularities;
+    this->Describe(meshed.layout.map);
+    return clean.largestMove;
+  }
+
+  /// Sets what the result says about a map.
+  void Describe(const SeamlessMap& map)
+  {
+    this->Result.holonomyDefect = map.holonomyDefect;
+    this->Result.flattening = map.flattening;
+    this->Result.corners.clear();
+    const PlacedConfiguration placed =
+      PlaceForMap(*map.topology, this->Result.singularities, this->MapOptions);
+    for (const CountedCorner& corner : CountMeshQuarters(*map.topology, placed.corners).corners)
+    {
+      this->Result.corners.push_back({ corner.position, corner.quarterIndex });
+    }
+  }
+
+  void AddEvents(const std::vector<std::string>& events)
+  {
+    this->Result.events.insert(this->Result.events.end(), events.begin(), events.end());
+  }
+
+  void UseRepair(HolonomyRepair repair)
+  {
+    this->Result.singularities = repair.singularities;
+    this->Result.repair = std::move(repair);
+  }
+
+  /// Returns a repair of the holonomy that was not requested; none if there is nothing to repair or
+  /// it is impossible.
+  std::optional<HolonomyRepair> FindRepair() const
+  {
+    if (this->Result.repair || this->Domain.loops.size() < 2)
+    {
+      return std::nullopt;
+    }
+    try
+    {
+      HolonomyRepair repair =
+        RepairForMap(this->Domain, this->Started, this->MapOptions, this->Request.meshSize);
+      if (std::any_of(repair.before.begin(), repair.before.end(),
+            [](double defect) { return std::abs(defect) > NoticeableDefect; }))
+      {
+        return repair;
+      }
+    }
+    catch (const Error&)
+    {
+      // No repair exists.
+    }
+    return std::nullopt;
+  }
+
+  /// Repairs the holonomy and lays out again; returns nothing if one of them fails.
+  std::optional<ClosingLayout> TryRepaired(const Progress& progress)
+  {
+    try
+    {
+      if (std::optional<HolonomyRepair> repair = this->FindRepair())
+      {
+        this->UseRepair(std::move(*repair));
+        return this->LayOut(progress);
+      }
+    }
+    catch (const Error&)
+    {
+      // The repair does not help.
+    }
+    return std::nullopt;
+  }
+
+  void AddWarnings()
+  {
+    QuadWorkflowResult& result = this->Result;
+    result.warnings = DescribeFlatNodes(this->Domain, result.singularities);
+    if (!this->Request.split)
+    {
+      this->AddEvents(DescribeCrowdedNodes(this->Domain, result.singularities));
+    }
+    if (result.flattening && result.flattening->PredictedStretch() > NoticeableStretch)
+    {
+      const std::optional<HolonomyRepair> repair = this->FindRepair();
+      result.warnings.push_back(WithAdvice(
+        DescribeStretch(*result.flattening), repair ? RepairAdvice(*repair) : std::string()));
+    }
+  }
+
+  /// Returns the side length of quads that the request asks for.
+  double SideLength() const
+  {
+    return this->Request.quadSize > 0.0 && this->Request.sizing != Sizing::Field
+      ? this->Request.quadSize
+      : std::sqrt(this->Domain.Area() / this->Request.quadCount);
+  }
+
+  SharedTopology Mesh(double refinement, const Progress& progress)
+  {
+    SharedTopology topology = ShareTopology(MeshThroughPoints(
+      this->Domain, this->Result.singularities, this->Request.meshSize, progress, refinement));
+    this->Result.seconds.mesh += this->Clock.Lap();
+    return topology;
+  }
+
+  SeamlessMap Map(const SharedTopology& topology, const Progress& progress)
+  {
+    const PlacedConfiguration placed =
+      PlaceForMap(*topology, this->Result.singularities, this->MapOptions);
+    const PoincareHopfCount count = CountMeshQuarters(*topology, placed.corners);
+    RequireAngles(this->Domain, this->Result.singularities, count.corners);
+    SeamlessMap map =
+      SolveSeamlessMap(topology, this->Result.singularities, this->MapOptions, progress);
+    this->Describe(map);
+    this->Result.seconds.map += this->Clock.Lap();
+    return map;
+  }
+
+  TMesh Trace(const SeamlessMap& map, const Progress& progress)
+  {
+    TMesh separatrices = MakeTMesh(map, TraceSeparatrices(map, progress));
+    this->Result.seconds.trace += this->Clock.Lap();
+    return separatrices;
+  }
+
+  const PlanarDomain& Domain;
+  const QuadRequest& Request;
+  SeamlessMapOptions MapOptions;
+  Configuration Started; ///< The singularities before they were repaired.
+  QuadWorkflowResult Result;
+  Stopwatch Clock;
+};
+}
+
+QuadWorkflowResult RunQuadSteps(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+{
+  if (request.sizing != Sizing::Field) // whose sizes are factors
+  {
+    RequireCountable(domain, request.quadSize);
+  }
+  const double chosen = request.singularities ? 0.0 : 0.5;
+  const Progress remaining = progress.Part(chosen, 1.0);
+  Workflow workflow(domain, request);
+  workflow.Choose(progress.Part(0.0, chosen));
+  workflow.Split();
+  workflow.Repair(remaining.Part(0.0, 0.1));
+  const double laidOut = request.merge == BlockMerge::Clean ? 0.2 : 0.6;
+  ClosingLayout layout = workflow.LayOutOrAdvise(remaining.Part(0.1, laidOut));
+  workflow.MakeQuads(std::move(layout), remaining.Part(laidOut, 0.95));
+  return workflow.TakeResult();
+}
+}

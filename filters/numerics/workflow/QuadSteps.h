@@ -1,0 +1,10 @@
+#pragma once
+
+#include "QuadWorkflow.h"
+
+namespace crossfield
+{
+/// Runs the steps of MakeQuadMesh once, without trying remedies; throws Error as it does.
+QuadWorkflowResult RunQuadSteps(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress);
+}
