@@ -54,6 +54,7 @@ struct QuadsOptions
   int pairs = 0;
   bool capCorners = true;
   bool repairHolonomy = false;
+  double repairPart = 1.0;
   bool split = false;
 };
 
@@ -126,7 +127,8 @@ int Mesh(const QuadsOptions& options)
   mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
-  mesher->SetRepairHolonomy(options.repairHolonomy);
+  mesher->SetRepairHolonomy(options.repairHolonomy || options.repairPart < 1.0);
+  mesher->SetRepairPart(options.repairPart);
   mesher->SetSplitSingularities(options.split);
   mesher->SetPairs(options.pairs);
   mesher->SetClearance(options.clearance);
@@ -251,6 +253,11 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddPairsTo(*command, options->pairs);
   AddCapCornersTo(*command, options->capCorners, "--cap-corners,!--no-cap-corners");
   AddRepairHolonomyTo(*command, options->repairHolonomy);
+  command
+    ->add_option("--repair-part", options->repairPart,
+      "repair the holonomy, but move the singularities only this part of the way, 0 to 1: quads are "
+      "then stretched by a part of what they would be; default: 1")
+    ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--split", options->split,
     "split singularities of quarter index 2 or more, or -2 or less, into ones of index 1 or -1, "
     "about 1.5 quads apart");

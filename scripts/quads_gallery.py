@@ -66,7 +66,8 @@ change and no stretch is predicted.
 
 Two options lower the stretch. Neither is necessary:
 
-- `--repair-holonomy` moves the singularities by the smallest distances after which the grid lines close up without stretch.
+- `--repair-holonomy` moves the singularities by the smallest distances after which the grid lines close up without stretch;
+  `--repair-part 0.5` moves them half of the way.
 - `crossfield optimize` moves them to a minimum of the energy, where the grid lines close up as well and the crosses turn as little
   as possible. The distances may be large.
 

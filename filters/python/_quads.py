@@ -136,8 +136,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "conformal", size_array: Optional[str] = None, merge: str = "none",
-          repair_holonomy: bool = False, split: bool = False, clearance: Optional[float] = None,
-          pairs: int = 0) -> QuadMesh:
+          repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
+          clearance: Optional[float] = None, pairs: int = 0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -157,6 +157,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    blocks whose worst quad is at least half as good
     repair_holonomy
                    moves singularities by the smallest distances after which no inner loop has a holonomy defect
+    repair_part    part of the way that repair_holonomy moves the singularities, 0 to 1
     split          splits singularities inside of quarter index k, |k| >= 2, into |k| of index 1 or -1, about 1.5
                    quads apart
     clearance      minimum distance of chosen singularities to the boundary and to each other; default: 0.7 of
@@ -203,6 +204,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetMerge(_MERGES[merge])
     mesher.SetRepairHolonomy(repair_holonomy)
+    mesher.SetRepairPart(repair_part)
     mesher.SetSplitSingularities(split)
     mesher.SetClearance(checked(clearance))
     mesher.SetPairs(pairs)

@@ -12,7 +12,7 @@
 #include "MapConversion.h"
 #include "MeshForPoints.h"
 #include "PoincareHopf.h"
-#include "QuadWorkflow.h"
+#include "RequestedSingularities.h"
 #include "SeamlessMapSolve.h"
 #include "Stopwatch.h"
 

@@ -108,6 +108,7 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.pairs = this->Pairs;
   request.capCorners = this->CapCorners;
   request.repairHolonomy = this->RepairHolonomy;
+  request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
   request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
@@ -184,6 +185,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Clearance: " << this->Clearance << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
+  os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";
   os << indent << "StageSeconds:";
   for (const double seconds : this->StageSeconds)

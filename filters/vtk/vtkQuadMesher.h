@@ -237,6 +237,16 @@ public:
 
   ///@{
   /**
+   * Part of the way to the positions without defects that RepairHolonomy moves the singularities, 0
+   * to 1: with less, they stay closer to their places and quads are stretched by a part of what they
+   * would be. Default: 1.
+   */
+  vtkSetClampMacro(RepairPart, double, 0.0, 1.0);
+  vtkGetMacro(RepairPart, double);
+  ///@}
+
+  ///@{
+  /**
    * Splits each interior singularity of quarter index k, |k| ≥ 2, into |k| of index ±1 around its
    * position, about 1.5 quads apart: nodes of valence 3 or 5 instead of one of valence 4 − k.
    * Default: off.
@@ -290,6 +300,7 @@ private:
   double Clearance = 0.0;
   bool CapCorners = true;
   bool RepairHolonomy = false;
+  double RepairPart = 1.0;
   bool SplitSingularities = false;
   double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };

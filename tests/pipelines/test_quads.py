@@ -151,7 +151,7 @@ class Quads(ProgramTest):
                                   "--json", "-")
         worst = [text for text in json.loads(result.stdout)["warnings"] if "valence 2" in text]
         self.assertEqual(len(worst), 1)
-        self.assertIn("near (", worst[0])
+        self.assertIn("at (-0.4", worst[0])
         self.assertIn(worst[0], result.stderr)
         self.assertNotIn("warnings", self.report("builtin:disk", "-s", "four.csv"))
 

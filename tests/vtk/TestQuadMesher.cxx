@@ -77,7 +77,7 @@ TEST_F(QuadMesher, FollowsFilterConventions)
   FilterChecks::CheckProgressAndAbort(this->Filter);
   FilterChecks::CheckPrintSelf(this->Filter,
     { "QuadSize", "QuadCount", "Sizing", "SizeArray", "Merge", "MeshSize", "Clearance", "Pairs",
-      "CapCorners", "RepairHolonomy", "SplitSingularities", "StageSeconds" });
+      "CapCorners", "RepairHolonomy", "RepairPart", "SplitSingularities", "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
 

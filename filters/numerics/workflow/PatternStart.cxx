@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "HolePattern.h"
+#include "RequestedSingularities.h"
 
 #include <sstream>
 #include <utility>

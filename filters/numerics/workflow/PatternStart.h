@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CleanBlocks.h"
-#include "QuadWorkflow.h"
+#include "QuadRequest.h"
 
 #include <string>
 

@@ -8,6 +8,7 @@
 #include "PatternStart.h"
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
+#include "RequestedSingularities.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -93,8 +94,16 @@ public:
     }
     try
     {
-      this->UseRepair(RepairForMap(
-        this->Domain, this->Started, this->MapOptions, this->Request.meshSize, progress));
+      HolonomyRepair repair = RepairForMap(
+        this->Domain, this->Started, this->MapOptions, this->Request.meshSize, progress);
+      const double part = this->Request.repairPart;
+      for (std::size_t i = 0; part < 1.0 && i < this->Started.size(); ++i)
+      {
+        Point& position = repair.singularities[i].position;
+        position = (1.0 - part) * this->Started[i].position + part * position;
+      }
+      repair.largestMove *= part;
+      this->UseRepair(std::move(repair));
     }
     catch (const Error& error)
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "QuadWorkflow.h"
+#include "QuadRequest.h"
 
 namespace crossfield
 {

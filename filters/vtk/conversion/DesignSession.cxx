@@ -3,8 +3,8 @@
 #include "Error.h"
 #include "LayoutSnap.h"
 #include "PairPlacement.h"
-#include "QuadWorkflow.h"
 #include "QuarterIndexRange.h"
+#include "RequestedSingularities.h"
 
 #include <cmath>
 #include <limits>

@@ -42,13 +42,13 @@ TEST(QuadAdvice, SplittingHelpsWithLargeIndices)
   EXPECT_TRUE(Says(flat.warnings, "--split"));
   QuadRequest minusTwo = WithIndex(-2);
   const QuadWorkflowResult crowded = MakeQuadMesh(disk, minusTwo);
-  EXPECT_TRUE(crowded.warnings.empty()); // a node of valence 6 is no fault
+  EXPECT_FALSE(Says(crowded.warnings, "valence")); // a node of valence 6 is no fault
   EXPECT_TRUE(Says(crowded.events, "valence 6"));
   for (QuadRequest* request : { &three, &two, &minusTwo })
   {
     request->split = true;
     const QuadWorkflowResult split = MakeQuadMesh(disk, *request);
-    EXPECT_TRUE(split.warnings.empty());
+    EXPECT_FALSE(Says(split.warnings, "valence"));
     EXPECT_TRUE(Says(split.events, "was split into"));
     EXPECT_FALSE(Says(split.events, "--split"));
     EXPECT_GT(split.quads.quality.jacobian.min, 0.6);

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "AutomaticConfiguration.h"
+#include "HolonomyRepair.h"
+#include "PrescribedSizes.h"
+#include "QuadMesher.h"
+#include "SeamlessMapSolve.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+/// How separatrices that nearly meet are treated.
+enum class BlockMerge
+{
+  None,  ///< Each one bounds blocks of its own.
+  Clean, ///< Singularities are moved so that they meet, where this costs no quality.
+  Coarse ///< They are merged without moving singularities (QuadOptions::coarse).
+};
+
+/// Input of MakeQuadMesh besides the domain.
+struct QuadRequest
+{
+  std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
+  std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
+
+  Sizing sizing = Sizing::Conformal;
+  PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
+  /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from
+  /// quadCount.
+  double quadSize = 0.0;
+  int quadCount = 1000; ///< Target number of quads if quadSize is 0.
+
+  double meshSize = 0.0; ///< Edge length of triangles, as in DrillOptions.
+  /// Minimum distance of chosen singularities from the boundary and from each other; 0: derived
+  /// from the size of quads.
+  double clearance = 0.0;
+  int pairs = 0;          ///< Maximum number of pairs added to chosen singularities.
+  bool capCorners = true; ///< As in SeamlessMapOptions.
+  bool repairHolonomy = false;
+  /// Part of the way to the positions without holonomy defects, 0 to 1, that repairHolonomy moves
+  /// the singularities. About 1 − repairPart of the defects remains.
+  double repairPart = 1.0;
+  /// Splits interior singularities of quarter index ±2 and beyond into ones of index ±1
+  /// (IndexSplit.h).
+  bool split = false;
+  BlockMerge merge = BlockMerge::None;
+};
+
+/// Numbers of blocks with each kind of merging, as far as they were computed.
+struct BlockCounts
+{
+  std::optional<int> none;
+  std::optional<int> clean;
+  std::optional<int> coarse;
+};
+
+/// Wall-clock time of each step of MakeQuadMesh, in seconds.
+struct QuadSeconds
+{
+  double choose = 0.0; ///< Choosing and repairing singularities.
+  double mesh = 0.0;
+  double map = 0.0;
+  double clean = 0.0; ///< 0 unless blocks are merged with BlockMerge::Clean.
+  double trace = 0.0;
+  double integers = 0.0;
+  double layout = 0.0;
+  double smooth = 0.0;
+};
+
+/// A quad mesh, and the singularities and corners that it was made of.
+struct QuadWorkflowResult
+{
+  Configuration singularities; ///< Given or chosen, at the positions of their nodes.
+  double moved = 0.0;          ///< Maximum distance of a node from the position given or chosen.
+  std::vector<CornerChoice> corners; ///< All corners of the boundary with the quarter indices used.
+  /// Decisions made in choosing and in merging blocks, moves of singularities, and whether the mesh
+  /// was refined; one
+  /// sentence each.
+  std::vector<std::string> events;
+  std::optional<OptimizerResult> optimum;     ///< Run that chose them, unless they were given.
+  std::optional<HolonomyRepair> repair;       ///< If it was requested.
+  std::vector<double> holonomyDefect;         ///< Defects of the map per inner loop, radians.
+  std::optional<FlatteningReport> flattening; ///< As in SeamlessMap.
+  /// What is wrong with the mesh, and what helps where something was found that does: positions of
+  /// chosen singularities that are no minimum, another number of quads than requested, nodes of
+  /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
+  std::vector<std::string> warnings;
+  QuadResult quads;
+  BlockCounts blocks;
+  QuadSeconds seconds;
+};
+
+/// Returns whether a mesh has the requested number of quads within CountTolerance, or none was
+/// requested.
+bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);
+}

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "QuadRequest.h"
+
+namespace crossfield
+{
+/// Chooses the singularities, and the corners that go with them, for the quads of a request; the
+/// request's own singularities are ignored. Throws Error as ChooseConfiguration does.
+AutomaticConfiguration ChooseSingularities(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress = {});
+
+/// Repairs the holonomy with the corners that the map will have (HolonomyRepair.h).
+HolonomyRepair RepairForMap(const PlanarDomain& domain, const Configuration& singularities,
+  const SeamlessMapOptions& options, double meshSize, const Progress& progress = {});
+}
