@@ -208,11 +208,7 @@ private:
     }
     this->Entries.push_back({ number, segment, this->Latest[Index(mine.triangle)] });
     this->Latest[Index(mine.triangle)] = static_cast<int>(this->Entries.size()) - 1;
-    Event event;
-    event.kind = Event::Advance;
-    event.time = this->Time(number, mine.exitLength);
-    event.line = number;
-    this->Push(event);
+    this->Push({ this->Time(number, mine.exitLength), 0, Event::Advance, number });
   }
 
   /// Returns a position on the outline of a triangle, and a rank of the line that orders lines at

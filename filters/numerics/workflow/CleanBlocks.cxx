@@ -179,7 +179,8 @@ CleanBlocksResult CleanBlocks(const PlanarDomain& domain, MeshedLayout start,
   // Each one merges more arcs than the last. The first one merges only arcs that have no blocks
   // between them already, which makes the quads there better.
   constexpr std::array<double, 8> Coarseness = { 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0 };
-  // A first failure is often mended by more arcs that vanish together; later ones rarely are.
+  // After a failure with few arcs, more arcs that vanish together often succeed; after later ones
+  // rarely.
   constexpr double Early = 2.0;
   constexpr int MaximumFailures = 2;
   CleanSearch search(domain, start, options);

@@ -116,8 +116,8 @@ public:
     this->Result.seconds.choose += this->Clock.Lap();
   }
 
-  /// Lays out as LayOut does. If that fails, it is tried with the holonomy repaired: chosen
-  /// singularities are used there; for given ones the error offers it.
+  /// Runs LayOut. If that fails, it is tried with the holonomy repaired: chosen singularities are
+  /// used there; for given ones the error offers it.
   ClosingLayout LayOutOrAdvise(const Progress& progress)
   {
     try
@@ -283,7 +283,7 @@ private:
     return std::nullopt;
   }
 
-  /// Repairs the holonomy and lays out again; returns nothing if one of them fails.
+  /// Repairs the holonomy and runs LayOut again; returns nothing if one of them fails.
   std::optional<ClosingLayout> TryRepaired(const Progress& progress)
   {
     try

@@ -46,6 +46,15 @@ bool PlaceAll(Random& random, const std::vector<int>& quarters, RandomCase& resu
   return true;
 }
 
+void AddPairs(int pairs, std::vector<int>& quarters)
+{
+  for (; pairs > 0; --pairs)
+  {
+    quarters.push_back(1);
+    quarters.push_back(-1);
+  }
+}
+
 Loop Clockwise(Loop loop)
 {
   std::reverse(loop.begin(), loop.end());
@@ -64,11 +73,7 @@ RandomCase RandomRing(std::uint32_t seed)
     result.domain.loops = { RegularPolygon(96),
       Clockwise(RegularPolygon(96, inner, Point(away, 0.0))) };
     std::vector<int> quarters;
-    for (int pairs = random.Integer(2, 4); pairs > 0; --pairs)
-    {
-      quarters.push_back(1);
-      quarters.push_back(-1);
-    }
+    AddPairs(random.Integer(2, 4), quarters);
     if (PlaceAll(random, quarters, result))
     {
       return result;
@@ -97,11 +102,7 @@ RandomCase RandomPlate(std::uint32_t seed)
       }
     }
     std::vector<int> quarters(static_cast<std::size_t>(4 * holes), -1);
-    for (int pairs = random.Integer(0, 4); pairs > 0; --pairs)
-    {
-      quarters.push_back(1);
-      quarters.push_back(-1);
-    }
+    AddPairs(random.Integer(0, 4), quarters);
     if (static_cast<int>(result.domain.loops.size()) == holes + 1 &&
       PlaceAll(random, quarters, result))
     {
