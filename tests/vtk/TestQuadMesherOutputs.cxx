@@ -15,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -258,4 +260,26 @@ TEST_F(QuadMesherOutputs, SummaryIsATextForTheView)
   EXPECT_NE(this->Summary().find("add up to 1"), std::string::npos) << this->Summary();
   EXPECT_EQ(this->Report("Alarm"), 1.0);
   EXPECT_EQ(quads->GetNumberOfCells(), 0);
+}
+
+/// Where grid lines do not close up, the text says how much quads are stretched.
+TEST_F(QuadMesherOutputs, SummaryNamesTheStretch)
+{
+  this->Domain->SetDomainName("ring");
+  std::vector<TestInputs::Row> rows;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double turn = 0.5 * vtkMath::Pi() * i;
+    rows.push_back({ 0.8 * std::cos(turn), 0.8 * std::sin(turn), 1.0, 0.02 });
+    rows.push_back({ 0.55 * std::cos(turn + 0.6), 0.55 * std::sin(turn + 0.6), -1.0, 0.02 });
+  }
+  this->Filter->SetSingularitiesData(TestInputs::Singularities(rows));
+  FilterChecks::UpdateWithoutError(this->Filter);
+  ASSERT_GT(this->Report("PredictedStretch"), 1.5);
+  std::string text = this->Summary();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  const std::string reason =
+    vtkStringArray::SafeDownCast(this->Table()->GetFieldData()->GetAbstractArray("StretchReason"))
+      ->GetValue(0);
+  EXPECT_NE(text.find(reason), std::string::npos) << text;
 }

@@ -143,13 +143,19 @@ std::string DescribeQuads(const QuadResult& result)
 }
 
 //------------------------------------------------------------------------------
-std::string Summary(const QuadResult& result)
+std::string Summary(const crossfield::QuadWorkflowResult& result)
 {
+  const QuadResult& quads = result.quads;
   std::ostringstream text;
-  text << DescribeQuads(result) << ", minimum scaled Jacobian " << std::fixed
-       << std::setprecision(2) << result.quality.jacobian.min << "; "
-       << DescribeIrregular(result.mesh) << ".";
-  const std::string inverted = DescribeInverted(result.quality);
-  return text.str() + (inverted.empty() ? "" : " ") + inverted;
+  text << DescribeQuads(quads) << ", minimum scaled Jacobian " << std::fixed << std::setprecision(2)
+       << quads.quality.jacobian.min << "; " << DescribeIrregular(quads.mesh) << ".";
+  const std::string inverted = DescribeInverted(quads.quality);
+  const std::string stretch =
+    result.flattening ? crossfield::DescribeStretch(*result.flattening) : std::string();
+  for (const std::string& sentence : { inverted, stretch })
+  {
+    text << (sentence.empty() ? "" : " ") << sentence;
+  }
+  return text.str();
 }
 }

@@ -22,7 +22,7 @@ void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data)
 std::string DescribeQuads(const crossfield::QuadResult& result);
 
 /** Returns the text that vtkQuadMesher writes for the view. */
-std::string Summary(const crossfield::QuadResult& result);
+std::string Summary(const crossfield::QuadWorkflowResult& result);
 }
 
 #endif
