@@ -1,5 +1,6 @@
 #include "QuadWorkflow.h"
 
+#include "CoarseMeshError.h"
 #include "QuadAdvice.h"
 #include "QuadSteps.h"
 
