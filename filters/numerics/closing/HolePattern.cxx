@@ -3,6 +3,8 @@
 #include "DomainQueries.h"
 #include "Index.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
