@@ -158,8 +158,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   EnergyConversion::WriteEvents(result.events, summary);
   EnergyConversion::WriteWarnings(result.warnings, summary);
   ViewText::Write(vtkCrossFieldArrayNames::Summary,
-    ViewText::WrapLines(QuadReport::Summary(result)), result.quads.quality.inverted > 0,
-    summary);
+    ViewText::WrapLines(QuadReport::Summary(result)), result.quads.quality.inverted > 0, summary);
 }
 
 //------------------------------------------------------------------------------
