@@ -93,7 +93,7 @@ Run FollowFrom(
 }
 
 /// Returns whether every edge of a run is at least a part of its ideal length and, with part > 0,
-/// not too long.
+/// well below LongestPartOfLoop, at which the energy of QuadEnergy is infinite.
 bool IsSpread(const Run& run, double part)
 {
   for (std::size_t i = 1; i < run.at.size(); ++i)

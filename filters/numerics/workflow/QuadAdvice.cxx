@@ -140,11 +140,17 @@ double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>
   return 0.0;
 }
 
+std::string CountInverted(const QuadQuality& quality)
+{
+  const bool one = quality.inverted == 1;
+  return std::to_string(quality.inverted) + (one ? " quad is inverted near " :
+    " quads are inverted, the worst near ") + Describe(quality.where);
+}
+
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller)
 {
   std::ostringstream text;
-  text << quality.inverted << (quality.inverted == 1 ? " quad is" : " quads are")
-       << " inverted, the worst near " << Describe(quality.where);
+  text << CountInverted(quality);
   if (smaller)
   {
     text << "; use a smaller size: with " << smaller->size << ", " << smaller->quads

@@ -47,6 +47,9 @@ std::optional<SmallerSize> FindSmallerSize(
 double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
   const std::function<void(const PlanarDomain& domain)>& mesh);
 
+/// Returns, without a full stop, the number of inverted quads and the place of the worst one.
+std::string CountInverted(const QuadQuality& quality);
+
 /// Returns a sentence about inverted quads. The remedy is a size with which there are none, if one
 /// was found.
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller);

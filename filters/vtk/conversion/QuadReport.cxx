@@ -1,6 +1,7 @@
 #include "QuadReport.h"
 
 #include "ColumnWriting.h"
+#include "QuadAdvice.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include <array>
@@ -15,20 +16,7 @@ namespace
 {
 using crossfield::QuadMesh;
 using crossfield::QuadPoint;
-using crossfield::QuadQuality;
 using crossfield::QuadResult;
-
-/** Returns a sentence with the number of inverted quads and a place; empty if there are none. */
-std::string DescribeInverted(const QuadQuality& quality)
-{
-  if (quality.inverted == 0)
-  {
-    return "";
-  }
-  const bool one = quality.inverted == 1;
-  return std::to_string(quality.inverted) + (one ? " quad is" : " quads are") + " inverted, " +
-    (one ? "near " : "the worst near ") + crossfield::Describe(quality.where) + ".";
-}
 
 double Degrees(double radians)
 {
@@ -149,7 +137,8 @@ std::string Summary(const crossfield::QuadWorkflowResult& result)
   std::ostringstream text;
   text << DescribeQuads(quads) << ", minimum scaled Jacobian " << std::fixed << std::setprecision(2)
        << quads.quality.jacobian.min << "; " << DescribeIrregular(quads.mesh) << ".";
-  const std::string inverted = DescribeInverted(quads.quality);
+  const std::string inverted =
+    quads.quality.inverted > 0 ? crossfield::CountInverted(quads.quality) + "." : std::string();
   const std::string stretch =
     result.flattening ? crossfield::DescribeStretch(*result.flattening) : std::string();
   for (const std::string& sentence : { inverted, stretch })
