@@ -48,7 +48,7 @@ struct QuadsOptions
   double meshSize = 0.0;
   int quads = 1000;
   bool countIsGiven = false;
-  std::vector<std::string> sizing = { "conformal" };
+  std::vector<std::string> sizing = { "auto" };
   int merge = vtkQuadMesher::MergeNone;
   double clearance = 0.0;
   int pairs = 0;
@@ -79,6 +79,9 @@ ReportJson::Sources SourcesOf(
     std::vector<double>(seconds, seconds + 8) };
 }
 
+const std::map<std::string, int> SizingsWithoutArray = { { "auto", vtkQuadMesher::SizingAutomatic },
+  { "conformal", vtkQuadMesher::SizingConformal }, { "uniform", vtkQuadMesher::SizingUniform } };
+
 void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
 {
   const std::string& sizing = options.sizing[0];
@@ -90,7 +93,7 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
   }
   else
   {
-    sizing == "uniform" ? mesher->SetSizingToUniform() : mesher->SetSizingToConformal();
+    mesher->SetSizing(SizingsWithoutArray.at(sizing));
   }
 }
 
@@ -98,13 +101,14 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
 std::string CheckSizing(const QuadsOptions& options)
 {
   const std::string& sizing = options.sizing[0];
-  if (sizing != "conformal" && sizing != "uniform" && sizing != "field")
+  if (SizingsWithoutArray.count(sizing) == 0 && sizing != "field")
   {
-    return "--sizing: there is no '" + sizing + "'; give conformal, uniform or field NAME";
+    return "--sizing: there is no '" + sizing + "'; give auto, conformal, uniform or field NAME";
   }
   if (options.sizing.size() != (sizing == "field" ? 2U : 1U))
   {
-    return "--sizing: give conformal, uniform, or field and the name of a point array of the domain";
+    return "--sizing: give auto, conformal, uniform, or field and the name of a point array of the "
+           "domain";
   }
   return sizing == "field" && options.size > 0.0
     ? "--sizing field has the sizes in the array; leave --size out, or give --quads"
@@ -223,7 +227,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--sizing", options->sizing,
       "conformal: the sizes of the cross field, with the best shapes; uniform: the same size "
       "everywhere, for which singularities may move; field NAME: the lengths in a point array of the "
-      "domain, or with --quads their proportions; default: conformal")
+      "domain, or with --quads their proportions; auto: conformal if singularities are given or sizes "
+      "are nearly uniform, otherwise uniform as far as the worst quad stays good; default: auto")
     ->expected(1, 2)
     ->type_name("WORD");
   const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },

@@ -19,8 +19,8 @@ from ._results import Configuration, Corners, chains, configuration_of, copied, 
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
 
-_SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform,
-            "field": vtkQuadMesher.SizingField}
+_SIZINGS = {"auto": vtkQuadMesher.SizingAutomatic, "conformal": vtkQuadMesher.SizingConformal,
+            "uniform": vtkQuadMesher.SizingUniform, "field": vtkQuadMesher.SizingField}
 _MERGES = {"none": vtkQuadMesher.MergeNone, "clean": vtkQuadMesher.MergeClean,
            "coarse": vtkQuadMesher.MergeCoarse}
 
@@ -135,7 +135,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
-          sizing: str = "conformal", size_array: Optional[str] = None, merge: str = "none",
+          sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
@@ -150,7 +150,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     sizing         "conformal": sizes of the field, the best shapes; "uniform": the same everywhere,
                    singularities may move; "field": the lengths in a point array of the domain, or their
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
-                   sizes are nearest to these
+                   sizes are nearest to these; "auto": conformal if singularities are given or sizes are nearly
+                   uniform, otherwise uniform as far as the worst quad stays good
     size_array     name of this array
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest

@@ -96,7 +96,10 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
     request.singularities = ConfigurationConversion::ReadConfiguration(singularities, plane);
   }
   request.corners = CornerConversion::ReadCorners(corners, plane);
-  request.sizing = SizeConversion::ReadSizing(this->Sizing);
+  if (this->Sizing != SizingAutomatic)
+  {
+    request.sizing = SizeConversion::ReadSizing(this->Sizing);
+  }
   if (request.sizing == crossfield::Sizing::Field)
   {
     request.prescribedSizes = SizeConversion::ReadSizes(domain, this->SizeArray, plane);

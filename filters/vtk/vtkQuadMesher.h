@@ -130,7 +130,8 @@ public:
   {
     SizingConformal = 0,
     SizingUniform = 1,
-    SizingField = 2
+    SizingField = 2,
+    SizingAutomatic = 3
   };
 
   ///@{
@@ -140,13 +141,18 @@ public:
    * which singularities may move (SizingUniform; see `Moved`); or the lengths in the point array
    * SizeArray of the domain, in the same manner (SizingField). With the last two, chosen
    * singularities are moved to where the sizes of the map are nearest to the target sizes, as with
-   * UniformSizes of vtkSingularityOptimizer. Default: SizingConformal.
+   * UniformSizes of vtkSingularityOptimizer.
+   *
+   * SizingAutomatic retains the sizes of the map if singularities are given, and if the standard
+   * deviation of the sizes is at most 0.12 of their mean; otherwise it moves nodes towards uniform
+   * sizes as far as the worst quad stays good. Default: SizingAutomatic.
    */
-  vtkSetClampMacro(Sizing, int, SizingConformal, SizingField);
+  vtkSetClampMacro(Sizing, int, SizingConformal, SizingAutomatic);
   vtkGetMacro(Sizing, int);
   void SetSizingToConformal() { this->SetSizing(SizingConformal); }
   void SetSizingToUniform() { this->SetSizing(SizingUniform); }
   void SetSizingToField() { this->SetSizing(SizingField); }
+  void SetSizingToAutomatic() { this->SetSizing(SizingAutomatic); }
   ///@}
 
   ///@{
@@ -292,7 +298,7 @@ private:
 
   double QuadSize = 0.0;
   int QuadCount = 1000;
-  int Sizing = SizingConformal;
+  int Sizing = SizingAutomatic;
   std::string SizeArray;
   int Pairs = 0;
   int Merge = MergeNone;

@@ -1,5 +1,6 @@
 #include "FieldConfiguration.h"
 
+#include "CanonicalFrame.h"
 #include "CoarseBoundary.h"
 #include "ConfigurationPairs.h"
 #include "ConfigurationSpread.h"
@@ -48,13 +49,14 @@ void AddWithClearance(
   constexpr int Rings = 16;
   constexpr int Directions = 32;
   const Point centre = singularity.position;
+  const double first = CanonicalFrame(domain.loops).GetAngle();
   double largest = 0.0;
   for (int ring = 0; ring <= Rings && largest < 0.95 * target; ++ring)
   {
     const double radius = 0.25 * target * ring;
     for (int i = 0; i < (ring == 0 ? 1 : Directions); ++i)
     {
-      const double angle = 2.0 * Pi * i / Directions;
+      const double angle = first + 2.0 * Pi * i / Directions;
       const Point position = centre + radius * Point(std::cos(angle), std::sin(angle));
       const double clearance = std::min(target, ClearanceAt(domain, position, result));
       // The difference must exceed rounding, so that it does not decide on mirrored domains.

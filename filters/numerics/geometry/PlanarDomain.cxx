@@ -1,5 +1,7 @@
 #include "PlanarDomain.h"
 
+#include "CanonicalFrame.h"
+
 namespace crossfield
 {
 double PlanarDomain::Area() const
@@ -10,5 +12,10 @@ double PlanarDomain::Area() const
     area += SignedArea(loop);
   }
   return area;
+}
+
+double PlanarDomain::Diagonal() const
+{
+  return BoundingDiagonal(CanonicalFrame(this->loops).ToFrame(this->loops));
 }
 }

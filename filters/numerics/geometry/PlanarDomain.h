@@ -16,6 +16,8 @@ struct PlanarDomain
   /// Returns χ(G) = 1 − number of inner loops.
   int EulerCharacteristic() const { return 2 - static_cast<int>(this->loops.size()); }
   double Area() const;
-  double Diagonal() const { return BoundingDiagonal(this->loops); }
+  /// Returns the diagonal of the bounding box in the domain's frame (CanonicalFrame.h), to which
+  /// lengths and tolerances are relative.
+  double Diagonal() const;
 };
 }

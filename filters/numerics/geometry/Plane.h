@@ -35,6 +35,6 @@ std::string Describe(const Point& point);
 /// Returns the area enclosed by a loop, positive if it is counter-clockwise.
 double SignedArea(const Loop& loop);
 
-/// Returns the length of the diagonal of the loops' bounding box, to which tolerances are relative.
+/// Returns the length of the diagonal of the loops' bounding box.
 double BoundingDiagonal(const std::vector<Loop>& loops);
 }

@@ -1,6 +1,7 @@
 #include "DrillHoles.h"
 
 #include "BoundarySingularities.h"
+#include "CanonicalFrame.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "HoleRadii.h"
@@ -110,13 +111,14 @@ int HoleEdges(std::size_t row, const Singularity& hole, double meshSize, int min
   return static_cast<int>(edges);
 }
 
-/// Returns the polygon of a hole, clockwise, so that the domain is on its left.
-Loop HolePolygon(const Singularity& singularity, int edges)
+/// Returns the polygon of a hole, clockwise, so that the domain is on its left. The first vertex is
+/// in the direction `start`.
+Loop HolePolygon(const Singularity& singularity, int edges, double start)
 {
   Loop polygon;
   for (int i = 0; i < edges; ++i)
   {
-    const double angle = -2.0 * Pi * i / edges;
+    const double angle = start - 2.0 * Pi * i / edges;
     polygon.push_back(
       singularity.position + singularity.radius * Point(std::cos(angle), std::sin(angle)));
   }
@@ -175,18 +177,30 @@ std::vector<SizeSource> BoundarySources(const PlanarDomain& domain)
   return sources;
 }
 
-/// Builds the size field of a domain from the sources of the options and of the boundary and, on
-/// request, of narrow parts.
-SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const DrillOptions& options)
+Eigen::AlignedBox2d BoxOf(const Loop& loop)
 {
+  Eigen::AlignedBox2d box;
+  for (const Point& point : loop)
+  {
+    box.extend(point);
+  }
+  return box;
+}
+
+/// Builds the size field of a domain, in the coordinates of a frame, from the sources of the options
+/// and of the boundary and, on request, of narrow parts.
+SizeField MakeSizeField(const PlanarDomain& given, double meshSize, const DrillOptions& options,
+  const CanonicalFrame& frame)
+{
+  const PlanarDomain domain{ frame.ToFrame(given.loops) };
   std::vector<SizeSource> sources = options.refinements;
+  for (SizeSource& source : sources)
+  {
+    source.position = frame.ToFrame(source.position);
+  }
   const std::vector<SizeSource> boundary = BoundarySources(domain);
   sources.insert(sources.end(), boundary.begin(), boundary.end());
-  Eigen::AlignedBox2d box;
-  for (const SizeSource& source : boundary)
-  {
-    box.extend(source.position);
-  }
+  const Eigen::AlignedBox2d box = BoxOf(domain.loops[0]);
   for (SizeSource& source : sources)
   {
     source.size /= options.refinement;
@@ -194,7 +208,7 @@ SizeField MakeSizeField(const PlanarDomain& domain, double meshSize, const Drill
   meshSize /= options.refinement;
   const auto makeField = [&]
   {
-    RequireResolution(sources, meshSize, box);
+    RequireResolution(sources, meshSize, BoxOf(given.loops[0]));
     if (options.gradation > 0.0) // otherwise SizeField throws
     {
       RequireMemoryForMesh(domain, sources, meshSize, options.gradation);
@@ -229,6 +243,7 @@ double ResolveMeshSize(const DrillOptions& options, const PlanarDomain& domain)
 TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configuration,
   const DrillOptions& options, const Progress& progress)
 {
+  const CanonicalFrame frame(domain.loops);
   const double meshSize = ResolveMeshSize(options, domain);
   // before anything of that size is allocated
   RequireMemoryForMesh(domain, {}, meshSize, options.gradation);
@@ -238,8 +253,8 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
   }
   if (options.mode == DrillMode::Triangle)
   {
-    TriangleMesh mesh = TriangulateDomain(
-      domain, LoopMarks(domain), MakeSizeField(domain, meshSize, options), progress);
+    TriangleMesh mesh = TriangulateDomain(domain, LoopMarks(domain),
+      MakeSizeField(domain, meshSize, options, frame), progress, {}, frame);
     MarkTriangles(domain, configuration, mesh);
     return mesh;
   }
@@ -257,11 +272,11 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
       continue;
     }
     const int edges = HoleEdges(i, holes[i], meshSize, options.minimumHoleEdges);
-    drilled.loops.push_back(HolePolygon(holes[i], edges));
+    drilled.loops.push_back(HolePolygon(holes[i], edges, frame.GetAngle()));
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  return TriangulateDomain(
-    drilled, marks, MakeSizeField(drilled, meshSize, options), progress, options.vertices);
+  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options, frame), progress,
+    options.vertices, frame);
 }
 }

@@ -1,5 +1,6 @@
 #include "MakePlanarDomain.h"
 
+#include "CanonicalFrame.h"
 #include "DomainExtent.h"
 #include "Error.h"
 #include "PlanarMesher.h"
@@ -7,15 +8,41 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace crossfield
 {
 namespace
 {
-bool Before(const Point& a, const Point& b)
+/// Order of points by the coordinates of a domain's frame, first x, then y. It does not depend on
+/// the placement of the domain.
+class PointOrder
 {
-  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
+public:
+  explicit PointOrder(const std::vector<Loop>& loops)
+    : Frame(loops)
+    , Unit(Rounding * BoundingDiagonal(this->Frame.ToFrame(loops)))
+  {
+  }
+
+  bool operator()(const Point& a, const Point& b) const { return this->KeyOf(a) < this->KeyOf(b); }
+
+private:
+  /// Coordinates relative to the diagonal are equal if they differ by rounding errors.
+  static constexpr double Rounding = 1e-9;
+
+  std::array<double, 2> KeyOf(const Point& point) const
+  {
+    const Point coordinates = this->Frame.ToFrame(point);
+    // The shift keeps coordinates with few digits away from the bounds of the intervals.
+    const auto round = [this](double x) { return std::floor(x / this->Unit + 0.3); };
+    return { round(coordinates.x()), round(coordinates.y()) };
+  }
+
+  CanonicalFrame Frame;
+  double Unit;
+};
 }
 
 PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
@@ -62,12 +89,16 @@ PlanarDomain MakePlanarDomain(std::vector<Loop> loops)
     {
       std::reverse(loop.begin(), loop.end());
     }
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), Before), loop.end());
   }
   const auto outer = std::find(depths.begin(), depths.end(), 0) - depths.begin();
   std::rotate(loops.begin(), loops.begin() + outer, loops.begin() + outer + 1);
+  const PointOrder isBefore(loops);
+  for (Loop& loop : loops)
+  {
+    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end(), isBefore), loop.end());
+  }
   std::sort(loops.begin() + 1, loops.end(),
-    [](const Loop& a, const Loop& b) { return Before(a.front(), b.front()); });
+    [&](const Loop& a, const Loop& b) { return isBefore(a.front(), b.front()); });
   return PlanarDomain{ std::move(loops) };
 }
 }

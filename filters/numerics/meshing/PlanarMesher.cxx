@@ -19,8 +19,10 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace crossfield
 {
@@ -108,6 +110,29 @@ std::vector<Loop> Subdivide(const std::vector<Loop>& loops, const SizeField& siz
   return result;
 }
 
+/// Returns the points of a mesh from the coordinates of a frame to the plane. Given points are
+/// restored as they were given.
+void MoveFromFrame(const CanonicalFrame& frame, const PlanarDomain& domain,
+  const std::vector<Point>& vertices, std::vector<Point>& points)
+{
+  std::map<std::pair<double, double>, Point> given;
+  const auto add = [&](const Point& point)
+  {
+    const Point coordinates = frame.ToFrame(point);
+    given.emplace(std::pair(coordinates.x(), coordinates.y()), point);
+  };
+  for (const Loop& loop : domain.loops)
+  {
+    std::for_each(loop.begin(), loop.end(), add);
+  }
+  std::for_each(vertices.begin(), vertices.end(), add);
+  for (Point& point : points)
+  {
+    const auto found = given.find({ point.x(), point.y() });
+    point = found == given.end() ? frame.FromFrame(point) : found->second;
+  }
+}
+
 [[noreturn]] void ThrowBroken()
 {
   throw Error(
@@ -135,11 +160,12 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops)
   return depths;
 }
 
-TriangleMesh TriangulateDomain(const PlanarDomain& domain,
+TriangleMesh TriangulateDomain(const PlanarDomain& given,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress,
-  const std::vector<Point>& vertices)
+  const std::vector<Point>& vertices, const CanonicalFrame& frame)
 try
 {
+  const PlanarDomain domain{ frame.ToFrame(given.loops) };
   Triangulation triangulation = TriangulateLoops(Subdivide(domain.loops, size));
   const std::vector<bool> imprinted = FindImprinted(loopMarks);
   ComputeDepths(triangulation, imprinted);
@@ -150,7 +176,7 @@ try
   triangulation.insert(rings.begin(), rings.end());
   for (const Point& vertex : vertices)
   {
-    triangulation.insert(ToCgal(vertex));
+    triangulation.insert(ToCgal(frame.ToFrame(vertex)));
   }
   ComputeDepths(triangulation, imprinted);
   const GradedLattice lattice = MakeGradedLattice(size);
@@ -195,7 +221,7 @@ try
       progress.Report(0.5 + 0.4 * (1.0 - 1.0 / (1.0 + step * 1e-5)));
       if (triangulation.number_of_vertices() > maximumVertices)
       {
-        ThrowNarrow(TriangulateLoops(domain.loops));
+        ThrowNarrow(TriangulateLoops(given.loops));
       }
     }
   }
@@ -208,6 +234,10 @@ try
   }
   SpreadLoopNumbers(triangulation);
   TriangleMesh mesh = MeshExtractor(triangulation, domain, loopMarks, core).Release();
+  if (!frame.IsIdentity())
+  {
+    MoveFromFrame(frame, given, vertices, mesh.points);
+  }
   progress.Report(1.0);
   return mesh;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CanonicalFrame.h"
 #include "PlanarDomain.h"
 #include "Progress.h"
 #include "SizeField.h"
@@ -24,12 +25,13 @@ std::vector<int> NestingDepths(const std::vector<Loop>& loops);
 /// in the direction of their loop. Each of `vertices`, points inside the domain, becomes a vertex.
 ///
 /// Triangles are ordered along a Hilbert curve, and points are numbered in the order in which the
-/// triangles use them. The same input always gives the same mesh. Throws Error if loops touch, or
-/// if they are so close that the gap between them takes many more triangles than the size field
-/// requires.
+/// triangles use them. The same input always gives the same mesh, and with the frame of the domain
+/// as `frame`, a domain that is turned and shifted gives the same mesh, turned and shifted. `size`
+/// is a function of the coordinates of that frame. Throws Error if loops touch, or if they are so
+/// close that the gap between them takes many more triangles than the size field requires.
 TriangleMesh TriangulateDomain(const PlanarDomain& domain,
   const std::vector<BoundaryEdge>& loopMarks, const SizeField& size, const Progress& progress = {},
-  const std::vector<Point>& vertices = {});
+  const std::vector<Point>& vertices = {}, const CanonicalFrame& frame = {});
 
 /// Constrained Delaunay triangulation of the loops of a domain and of points inside it, without any
 /// additional points. It is the base of meshes that differ from it in a few points.

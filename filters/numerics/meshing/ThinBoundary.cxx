@@ -1,6 +1,7 @@
 #include "ThinBoundary.h"
 
 #include "BoundaryCorners.h"
+#include "CanonicalFrame.h"
 #include "DrillHoles.h"
 #include "Error.h"
 #include "LoopArc.h"
@@ -22,8 +23,9 @@ constexpr double PartOfMeshSize = 0.02;
 
 /// Returns the start points of a loop without corners, chosen to preserve symmetries of the domain:
 /// the vertices farthest from the domain's centre or, for a circle around it, those at the extremes
-/// of x and y.
-std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double rounding)
+/// of the coordinates of the domain's frame.
+std::vector<double> FindSeeds(
+  const LoopArc& arc, const CanonicalFrame& frame, const Point& centre, double rounding)
 {
   const Loop& loop = arc.Vertices();
   double farthest = 0.0;
@@ -47,7 +49,8 @@ std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double ro
   for (const Point& direction : { Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1) })
   {
     const auto extreme = std::max_element(loop.begin(), loop.end(),
-      [&](const Point& a, const Point& b) { return a.dot(direction) < b.dot(direction); });
+      [&](const Point& a, const Point& b)
+      { return frame.ToFrame(a).dot(direction) < frame.ToFrame(b).dot(direction); });
     seeds.push_back(arc.Start(static_cast<std::size_t>(extreme - loop.begin())));
   }
   return seeds;
@@ -55,7 +58,7 @@ std::vector<double> FindSeeds(const LoopArc& arc, const Point& centre, double ro
 
 /// Returns the vertices of the thinned loop; none if the loop is unchanged.
 std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& given,
-  const Point& centre, double cornerAngle, const Thinning& thinning)
+  const CanonicalFrame& frame, const Point& centre, double cornerAngle, const Thinning& thinning)
 {
   const Loop& loop = arc.Vertices();
   double shortest = arc.Length();
@@ -71,7 +74,7 @@ std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& g
   KeptPlaces kept = FindKeptPlaces(arc, turns, cornerAngle, given, thinning);
   if (kept.places.empty())
   {
-    kept.places = FindSeeds(arc, centre, thinning.rounding);
+    kept.places = FindSeeds(arc, frame, centre, thinning.rounding);
   }
   return DivideLoop(arc, turns, kept, thinning);
 }
@@ -95,17 +98,19 @@ SimplifiedBoundary ThinBoundary(
   SimplifiedBoundary result;
   std::vector<Loop> loops;
   bool isThinned = false;
+  const CanonicalFrame frame(domain.loops);
   Eigen::AlignedBox2d box;
   for (const Point& point : domain.loops[0])
   {
-    box.extend(point);
+    box.extend(frame.ToFrame(point));
   }
+  const Point centre = frame.FromFrame(box.center());
   for (const Loop& loop : domain.loops)
   {
     const LoopArc arc(loop);
     const std::vector<double> given = arc.FindAll(keep, BoundaryReach * diagonal);
     const std::vector<ArcVertex> vertices =
-      ThinLoop(arc, given, box.center(), cornerAngle, thinning);
+      ThinLoop(arc, given, frame, centre, cornerAngle, thinning);
     if (vertices.size() < 3)
     {
       loops.push_back(loop); // nothing to thin, or the entire loop is short detail

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace crossfield
@@ -90,14 +91,16 @@ public:
   void Smooth(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
-    const bool uniform = this->Options.sizes.sizing != Sizing::Conformal;
+    const std::optional<double> sizePart = this->Options.sizes.sizing == Sizing::Conformal
+      ? std::nullopt
+      : std::optional<double>(this->Options.sizePart);
     result.blocks = FindBlocks(result.mesh); // depends on the connectivity alone
     if (!this->Options.smooth)
     {
       result.quality = MeasureQuads(result.mesh, result.size);
       return;
     }
-    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, uniform, progress);
+    result.smoothing = SmoothQuads(result.mesh, result.blocks, this->Curves, sizePart, progress);
     result.smoothing.symmetries =
       MakeSymmetric(result.mesh, this->Curves, this->Domain, result.smoothing.released);
     result.smoothSeconds += stopwatch.Lap();

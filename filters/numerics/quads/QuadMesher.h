@@ -16,6 +16,8 @@ struct QuadOptions
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   TargetSizes sizes;    ///< Variation of the size over the domain.
+  /// Weight of sizes against shapes in smoothing, between 0 and 1; not used with Sizing::Conformal.
+  double sizePart = 0.5;
   bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;

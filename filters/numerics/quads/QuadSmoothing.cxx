@@ -18,10 +18,9 @@ namespace
 /// Maximum number of quads that are smoothed without coarser meshes.
 constexpr std::size_t MaximumAlone = 5000;
 
-/// Weight of size against shape: shape matters most, but sizes must not drift. For uniform sizes
-/// both count equally.
-constexpr double SizePart = 0.2;
-constexpr double UniformSizePart = 0.5;
+/// Weight of size against shape for the sizes of the map: shape matters most, but sizes must not
+/// drift.
+constexpr double ConformalSizePart = 0.2;
 
 /// Limits without a coarser mesh: until a step gains 1e-7 of the energy, far below what is visible.
 constexpr DescentLimits Alone = { 120, 0.0, 1e-7 };
@@ -299,10 +298,11 @@ private:
 
 /// Smooths for uniform sizes. Displacements are large, so a coarser mesh is smoothed first, with
 /// singularities fixed and then free. Returns the number of steps on the mesh itself.
-int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progress& progress)
+int SmoothUniform(
+  const Level& level, const BoundaryCurves& curves, double sizePart, const Progress& progress)
 {
-  const Smoother fixed(curves, false, UniformSizePart);
-  const Smoother released(curves, true, UniformSizePart);
+  const Smoother fixed(curves, false, sizePart);
+  const Smoother released(curves, true, sizePart);
   if (level.mesh.quads.size() > MaximumAlone)
   {
     CoarseQuads coarse(level.mesh, level.lattices);
@@ -310,7 +310,7 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progre
     {
       const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       SmoothUniform(
-        { coarse.mesh, coarse.weights, coarse.lattices }, curves, progress.Part(0.0, 0.4));
+        { coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart, progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
       released.Displace(level, coarse.Interpolate(curves, after - before));
@@ -329,7 +329,7 @@ int SmoothUniform(const Level& level, const BoundaryCurves& curves, const Progre
 }
 
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  bool uniform, const Progress& progress)
+  std::optional<double> sizePart, const Progress& progress)
 {
   SmoothingReport report;
   const bool large = mesh.quads.size() > MaximumAlone;
@@ -346,12 +346,11 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
     OrderOnBoundary(mesh, curves, Shortest);
   }
   const std::vector<QuadPoint> ordered = mesh.points;
-  const double sizePart = uniform ? UniformSizePart : SizePart;
-  const Smoother fixed(curves, false, sizePart);
-  const Smoother released(curves, true, sizePart);
-  if (uniform)
+  const Smoother fixed(curves, false, sizePart.value_or(ConformalSizePart));
+  const Smoother released(curves, true, sizePart.value_or(ConformalSizePart));
+  if (sizePart)
   {
-    report.iterations = SmoothUniform(level, curves, progress.Part(0.0, 0.6));
+    report.iterations = SmoothUniform(level, curves, *sizePart, progress.Part(0.0, 0.6));
     report.released = true;
   }
   else
@@ -374,7 +373,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const Rank rank = RankOf(mesh);
   if (rankAtStart.inverted < rank.inverted ||
     (rankAtStart.inverted == rank.inverted && rankAtStart.minimum > rank.minimum &&
-      (!uniform || rank.minimum <= 0.0)))
+      (!sizePart || rank.minimum <= 0.0)))
   {
     mesh.points = start;
     report.keptStart = true;

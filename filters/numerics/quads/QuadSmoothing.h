@@ -3,6 +3,8 @@
 #include "CoarseQuads.h"
 #include "Progress.h"
 
+#include <optional>
+
 namespace crossfield
 {
 /// Report of SmoothQuads and MakeSymmetric.
@@ -21,9 +23,9 @@ struct SmoothingReport
 /// is linear in quads. Inner singularities are fixed, unless a quad is not positive with them
 /// fixed. Keeps the start if its minimum scaled Jacobian is larger.
 ///
-/// `uniform` is set for target sizes other than those of the map. Then singularities are free,
-/// sizes count as much as shapes, and the start is kept only if its quads are positive and those of
-/// the smoothed mesh are not.
+/// With target sizes other than those of the map, `sizePart` is the weight of sizes against shapes,
+/// between 0 and 1. Then singularities are free, and the start is kept only if its quads are positive
+/// and those of the smoothed mesh are not. With the sizes of the map it is absent.
 SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const BoundaryCurves& curves,
-  bool uniform, const Progress& progress = {});
+  std::optional<double> sizePart, const Progress& progress = {});
 }

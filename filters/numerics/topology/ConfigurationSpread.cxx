@@ -1,5 +1,6 @@
 #include "ConfigurationSpread.h"
 
+#include "CanonicalFrame.h"
 #include "DomainQueries.h"
 #include "Error.h"
 #include "HoleRadii.h"
@@ -40,10 +41,11 @@ struct Candidates
 
   explicit Candidates(const PlanarDomain& domain)
   {
+    const CanonicalFrame frame(domain.loops);
     Eigen::AlignedBox2d box;
     for (const Point& point : domain.loops[0])
     {
-      box.extend(point);
+      box.extend(frame.ToFrame(point));
     }
     constexpr int Count = 64;
     const double step = box.sizes().maxCoeff() / Count;
@@ -54,7 +56,7 @@ struct Candidates
     {
       for (int column = -columns; column <= columns; ++column)
       {
-        const Point place = box.center() + step * Point(column, row);
+        const Point place = frame.FromFrame(box.center() + step * Point(column, row));
         const double clearance = SignedDistance(place, domain);
         if (clearance > 0.0)
         {

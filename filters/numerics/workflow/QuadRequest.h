@@ -26,7 +26,9 @@ struct QuadRequest
   std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
 
-  Sizing sizing = Sizing::Conformal;
+  /// Absent: conformal, and uniform where chosen singularities leave sizes too different
+  /// (SizingChoice.h).
+  std::optional<Sizing> sizing;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.
   /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from
   /// quadCount.

@@ -9,6 +9,7 @@
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "RequestedSingularities.h"
+#include "SizingChoice.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -162,10 +163,15 @@ public:
   void MakeQuads(ClosingLayout layout, const Progress& progress)
   {
     const bool clean = this->Request.merge == BlockMerge::Clean;
-    const QuadOptions options = this->OptionsFor(*layout.map.topology);
+    QuadOptions options = this->OptionsFor(*layout.map.topology);
     MeshedLayout meshed{ std::move(layout), {} };
+    const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
     meshed.quads = crossfield::MakeQuads(
-      meshed.layout.map, meshed.layout.tMesh, options, progress.Part(0.0, clean ? 0.2 : 1.0));
+      meshed.layout.map, meshed.layout.tMesh, options, making.Part(0.0, 0.5));
+    if (!this->Request.sizing && !this->Request.singularities)
+    {
+      this->AddEvents(ChooseSizing(meshed, options, making.Part(0.5, 1.0)));
+    }
     this->Result.blocks.none = meshed.quads.separateBlocks;
     if (options.coarse)
     {
@@ -200,7 +206,7 @@ private:
     options.quadSize = this->Request.quadSize;
     options.quadCount = this->Request.quadCount;
     options.coarse = this->Request.merge == BlockMerge::Coarse;
-    options.sizes.sizing = this->Request.sizing;
+    options.sizes.sizing = this->Request.sizing.value_or(Sizing::Conformal);
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);

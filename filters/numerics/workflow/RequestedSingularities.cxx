@@ -18,7 +18,7 @@ AutomaticConfiguration ChooseSingularities(
   options.optimizer.meshSize = request.meshSize;
   options.optimizer.clearance = request.clearance;
   options.optimizer.pairs = request.pairs;
-  options.optimizer.sizes.sizing = request.sizing;
+  options.optimizer.sizes.sizing = request.sizing.value_or(Sizing::Conformal);
   options.quadSize = request.quadSize;
   options.quadCount = request.quadCount;
   if (request.sizing == Sizing::Field)

@@ -1,0 +1,78 @@
+#include "SizingChoice.h"
+
+#include "OptimizerReport.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Part of the attainable minimum scaled Jacobian, and standard deviation of sizes relative to their
+/// mean, beyond which a mesh needs no improvement.
+constexpr double GoodShape = 0.8;
+constexpr double GoodVariation = 0.12;
+
+/// What a mesh lacks: quads that are not inverted, shape, uniform sizes, in this order.
+struct Shortfall
+{
+  int inverted;
+  double shape; ///< Missing part of the minimum scaled Jacobian.
+  double sizes; ///< Excess of the variation of sizes.
+
+  explicit Shortfall(const QuadQuality& quality)
+    : inverted(quality.inverted)
+    , shape(std::max(0.0, GoodShape - quality.jacobian.min / quality.bound))
+    , sizes(std::max(0.0, quality.variation - GoodVariation))
+  {
+  }
+
+  bool Any() const { return this->inverted > 0 || this->shape > 0.0 || this->sizes > 0.0; }
+  bool IsBelow(const Shortfall& other) const
+  {
+    return std::tie(this->inverted, this->shape, this->sizes) <
+      std::tie(other.inverted, other.shape, other.sizes);
+  }
+};
+}
+
+std::vector<std::string> ChooseSizing(
+  MeshedLayout& meshed, QuadOptions& options, const Progress& progress)
+{
+  // The smaller the weight, the better the shapes and the farther from uniform the sizes. A smaller
+  // one is tried where larger ones cost shape.
+  constexpr std::array<double, 3> SizeParts = { 0.5, 0.2, 0.05 };
+  const double variation = meshed.quads.quality.variation;
+  Shortfall best(meshed.quads.quality);
+  bool isChanged = false;
+  const QuadOptions given = options;
+  const TMesh tMesh = meshed.quads.tMesh;
+  for (std::size_t i = 0; i < SizeParts.size() && (i == 0 ? best.Any() : best.shape > 0.0); ++i)
+  {
+    QuadOptions other = given;
+    other.sizes.sizing = Sizing::Uniform;
+    other.sizePart = SizeParts[i];
+    const double done = static_cast<double>(i) / SizeParts.size();
+    QuadResult uniform = MakeQuads(meshed.layout.map, tMesh, other, progress.Part(done, 1.0));
+    const Shortfall shortfall(uniform.quality);
+    if (shortfall.IsBelow(best))
+    {
+      best = shortfall;
+      meshed.quads = std::move(uniform);
+      options = std::move(other);
+      isChanged = true;
+    }
+  }
+  if (!isChanged)
+  {
+    return {};
+  }
+  return { "Nodes were moved for uniform sizes: the standard deviation of the sizes of quads changed "
+           "from " +
+    FormatShort(variation) + " to " + FormatShort(meshed.quads.quality.variation) +
+    " of their mean." };
+}
+}
