@@ -1,5 +1,6 @@
 #include "AutomaticConfiguration.h"
 
+#include "ConfigurationSymmetry.h"
 #include "DrillHoles.h"
 #include "MeshBudget.h"
 #include "OptimizerReport.h"
@@ -148,11 +149,7 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   fit.clearance = clearance;
   fit.keepAll = true;
   fit.maximumSolves = options.maximumSolves / 2;
-  // At a standard deviation of 1/4 the largest and smallest 5 % of the sizes differ by a factor of
-  // more than e. Below it, more uniform sizes may cost more in shape than they gain (docs/method.md
-  // §5.7).
-  constexpr double FarFromUniform = 0.25;
-  if (fit.sizes.sizing == Sizing::Conformal && result.optimum.sizeSpread > FarFromUniform)
+  if (fit.sizes.sizing == Sizing::Conformal && result.optimum.sizeSpread > options.acceptedSpread)
   {
     fit.sizes.sizing = Sizing::Uniform;
   }
@@ -160,13 +157,21 @@ void FitToQuads(const PlanarDomain& domain, const AutomaticOptions& options, dou
   result.singularities = result.optimum.configuration;
   AddEvents(result);
   if (fit.sizes.sizing != Sizing::Field && fit.pairs == 0 &&
-    result.optimum.sizeSpread > FarFromUniform)
+    result.optimum.sizeSpread > options.acceptedSpread)
   {
     result.events.push_back(
       "Sizes are far from uniform: the standard deviation of their logarithm is " +
       FormatShort(result.optimum.sizeSpread) +
       "; pairs of singularities (Pairs, --pairs) may make them more uniform.");
   }
+}
+
+/// Moves singularities to symmetric positions where these are less than a quarter of a quad away: the
+/// energy is flat there, and the error of the mesh decides on which side of the symmetric position
+/// its minimum is.
+void MakeSymmetric(const PlanarDomain& domain, double quadSize, Configuration& singularities)
+{
+  MatchSymmetry(singularities, FindSymmetries(domain), 0.25 * quadSize).Project(singularities);
 }
 }
 
@@ -242,6 +247,10 @@ AutomaticConfiguration ChooseConfiguration(
   if (fits && !best.optimum.aborted)
   {
     FitToQuads(domain, options, clearance, progress.Part(0.8, 1.0), best);
+  }
+  if (options.proposal.given.empty())
+  {
+    MakeSymmetric(domain, ResolveQuadSize(domain, options), best.singularities);
   }
   return best;
 }

@@ -16,6 +16,11 @@ struct AutomaticOptions
   /// is 0 (ClearanceForQuads).
   double quadSize = 0.0;
   int quadCount = 0;
+  /// Standard deviation of H, the logarithm of size, beyond which singularities also move towards
+  /// uniform sizes. At 1/4 the largest and smallest 5 % of the sizes differ by a factor of more than
+  /// e. Below it, more uniform sizes of the map may cost more in shape than they gain
+  /// (docs/method.md §5.7).
+  double acceptedSpread = 0.25;
   /// Maximum number of solves (SolveBudget.h) of the runs from all starts together, 0 for any
   /// number. The run that follows for quads may take half as many.
   std::size_t maximumSolves = 3000;

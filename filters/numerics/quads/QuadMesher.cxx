@@ -1,5 +1,6 @@
 #include "QuadMesher.h"
 
+#include "BoundarySymmetry.h"
 #include "Chords.h"
 #include "Error.h"
 #include "MemoryBudget.h"
@@ -73,6 +74,10 @@ public:
         best.size = found.size;
         found = std::move(best);
       }
+    }
+    if (!given)
+    {
+      found = this->FindSymmetric(std::move(found));
     }
     SetCounts(std::move(found), this->Result);
   }
@@ -173,6 +178,51 @@ private:
     }
     return SearchSize(this->Result.tMesh, this->Options.quadCount,
       std::sqrt(this->Area / this->Options.quadCount), countsOf, progress);
+  }
+
+  /// Returns counts whose mesh has the symmetries of the domain, if some nearby size has such
+  /// counts and the number of quads stays within CountTolerance; otherwise the given ones. Halves of
+  /// odd numbers and lengths of equal fractional parts are rounded differently on both sides of a
+  /// mirror line, and other sizes avoid this.
+  EdgeCounts FindSymmetric(EdgeCounts found) const
+  {
+    // Up to 2.4 % more or less, which is half of CountTolerance in the number of quads.
+    constexpr int Steps = 6;
+    constexpr double Step = 0.004;
+    if (FindSymmetries(this->Domain).IsTrivial())
+    {
+      return found;
+    }
+    const bool released = this->Options.sizes.sizing != Sizing::Conformal;
+    const auto meshOf = [&](const EdgeCounts& counts)
+    { return BuildQuads(this->Map, this->Result.tMesh, counts.counts, counts.size); };
+    const auto symmetriesOf = [&](const EdgeCounts& counts)
+    {
+      QuadMesh mesh = meshOf(counts);
+      return MakeSymmetric(mesh, this->Curves, this->Domain, released);
+    };
+    int most = symmetriesOf(found);
+    const int possible = CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
+    const double size = found.size;
+    std::vector<int> tried = found.counts;
+    for (int step = 1; step <= 2 * Steps && most < possible; ++step)
+    {
+      const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
+      EdgeCounts counts = this->QuantiseFor(factor * size, SearchEffort::Quick);
+      if (counts.counts == tried || this->CountError(counts) > CountTolerance)
+      {
+        continue;
+      }
+      tried = counts.counts;
+      counts.size = factor * size;
+      const int symmetries = symmetriesOf(counts);
+      if (symmetries > most)
+      {
+        most = symmetries;
+        found = std::move(counts);
+      }
+    }
+    return found;
   }
 
   /// Returns the relative error of the number of quads.

@@ -12,6 +12,9 @@ namespace crossfield
 {
 namespace
 {
+/// Tolerance of symmetries, relative to the diagonal.
+constexpr double Tolerance = 1e-9;
+
 /// The image of every point.
 using Permutation = std::vector<int>;
 
@@ -21,7 +24,7 @@ public:
   Symmetriser(QuadMesh& mesh, const BoundaryCurves& curves, double tolerance, bool released)
     : Mesh(mesh)
     , Curves(curves)
-    , Tolerance(tolerance)
+    , Reach(tolerance)
     , Released(released)
   {
     for (std::size_t p = 0; p < mesh.points.size(); ++p)
@@ -107,12 +110,6 @@ public:
     }
   }
 
-private:
-  bool IsFixed(const QuadPoint& point) const
-  {
-    return point.fixed && !(this->Released && point.curve.loop < 0);
-  }
-
   /// Returns whether fixed points map to fixed points: a fast test that excludes most symmetries.
   bool MatchesFixed(const Isometry& symmetry) const
   {
@@ -126,12 +123,18 @@ private:
       });
   }
 
+private:
+  bool IsFixed(const QuadPoint& point) const
+  {
+    return point.fixed && !(this->Released && point.curve.loop < 0);
+  }
+
   bool Fits(const QuadPoint& point, const QuadPoint& image, const Point& place) const
   {
     return point.quarterIndex == image.quarterIndex &&
       (point.curve.loop < 0) == (image.curve.loop < 0) &&
       this->IsFixed(point) == this->IsFixed(image) &&
-      (!this->IsFixed(point) || (image.place - place).norm() <= this->Tolerance);
+      (!this->IsFixed(point) || (image.place - place).norm() <= this->Reach);
   }
 
   std::vector<std::array<int, 4>> SortedQuads(const Permutation* images) const
@@ -151,7 +154,7 @@ private:
 
   QuadMesh& Mesh;
   const BoundaryCurves& Curves;
-  const double Tolerance;
+  const double Reach;
   const bool Released;
   std::vector<std::size_t> Fixed;
   std::optional<PointGrid> Grid;         ///< Made on demand: few symmetries need it.
@@ -193,10 +196,24 @@ Permutation Power(const Permutation& images, int exponent)
 }
 }
 
+int CountPossibleSymmetries(
+  const QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released)
+{
+  const SymmetryGroup group = FindSymmetries(domain, Tolerance);
+  if (group.IsTrivial())
+  {
+    return 1;
+  }
+  QuadMesh copy = mesh;
+  const Symmetriser symmetriser(copy, curves, Tolerance * domain.Diagonal(), released);
+  const std::vector<Isometry> elements = group.Elements();
+  return static_cast<int>(std::count_if(elements.begin(), elements.end(),
+    [&](const Isometry& element) { return symmetriser.MatchesFixed(element); }));
+}
+
 int MakeSymmetric(
   QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released)
 {
-  constexpr double Tolerance = 1e-9;
   const SymmetryGroup group = FindSymmetries(domain, Tolerance);
   if (group.IsTrivial())
   {

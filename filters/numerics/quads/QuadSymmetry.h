@@ -16,4 +16,9 @@ namespace crossfield
 /// there is none but the identity.
 int MakeSymmetric(
   QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released);
+
+/// Returns the number of symmetries of the domain that map cones and corners of a mesh to cones and
+/// corners: those that a mesh with suitable edge counts has. `released`: as in MakeSymmetric.
+int CountPossibleSymmetries(
+  const QuadMesh& mesh, const BoundaryCurves& curves, const PlanarDomain& domain, bool released);
 }

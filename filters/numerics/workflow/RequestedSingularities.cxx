@@ -1,6 +1,7 @@
 #include "RequestedSingularities.h"
 
 #include "PoincareHopf.h"
+#include "SizingChoice.h"
 
 #include <utility>
 
@@ -19,6 +20,10 @@ AutomaticConfiguration ChooseSingularities(
   options.optimizer.clearance = request.clearance;
   options.optimizer.pairs = request.pairs;
   options.optimizer.sizes.sizing = request.sizing.value_or(Sizing::Conformal);
+  if (!request.sizing)
+  {
+    options.acceptedSpread = GoodVariation; // H is the logarithm of sizes
+  }
   options.quadSize = request.quadSize;
   options.quadCount = request.quadCount;
   if (request.sizing == Sizing::Field)

@@ -11,10 +11,8 @@ namespace crossfield
 {
 namespace
 {
-/// Part of the attainable minimum scaled Jacobian, and standard deviation of sizes relative to their
-/// mean, beyond which a mesh needs no improvement.
+/// Part of the attainable minimum scaled Jacobian from which a mesh needs no improvement.
 constexpr double GoodShape = 0.8;
-constexpr double GoodVariation = 0.12;
 
 /// What a mesh lacks: quads that are not inverted, shape, uniform sizes, in this order.
 struct Shortfall

@@ -1,8 +1,11 @@
-// A domain that is turned, scaled and shifted gives the same quads.
+// A domain that is turned, scaled and shifted gives the same quads, and a symmetric one symmetric
+// quads.
 
 #include "MakePlanarDomain.h"
 #include "QuadWorkflow.h"
 #include "Support.h"
+
+#include <algorithm>
 
 namespace crossfield::test
 {
@@ -42,6 +45,45 @@ TEST(QuadInvariance, MotionsAndScalesGiveTheSameQuads)
       SCOPED_TRACE("domain " + std::to_string(i) + " turned by " + std::to_string(angle));
       const Similarity motion{ angle, 2.7, Point(3.0, -8.0) };
       ExpectSameQuads(MakeQuadMesh(MakePlanarDomain(motion(domain.loops)), request), expected);
+    }
+  }
+}
+
+/// Returns the largest distance from the image of a point under a reflection to a point.
+double Asymmetry(const QuadMesh& mesh, const Point& signs)
+{
+  double largest = 0.0;
+  for (const QuadPoint& point : mesh.points)
+  {
+    const Point image = point.place.cwiseProduct(signs);
+    double nearest = (mesh.points[0].place - image).norm();
+    for (const QuadPoint& other : mesh.points)
+    {
+      nearest = std::min(nearest, (other.place - image).norm());
+    }
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+
+TEST(QuadInvariance, SymmetricDomainsGiveSymmetricQuads)
+{
+  const Loop square = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
+  std::vector<Loop> fourHoles = { square };
+  for (const Point& corner : square)
+  {
+    fourHoles.push_back(RegularPolygon(32, 0.2, 0.5 * corner));
+  }
+  for (const std::vector<Loop>& loops : { { square, RegularPolygon(32, 0.4) }, fourHoles })
+  {
+    for (const std::optional<Sizing> sizing : { std::optional<Sizing>(), { Sizing::Conformal } })
+    {
+      QuadRequest request;
+      request.quadCount = 600;
+      request.sizing = sizing;
+      const QuadWorkflowResult result = MakeQuadMesh(MakePlanarDomain(loops), request);
+      EXPECT_LT(Asymmetry(result.quads.mesh, Point(1.0, -1.0)), 1e-9);
+      EXPECT_LT(Asymmetry(result.quads.mesh, Point(-1.0, 1.0)), 1e-9);
     }
   }
 }
