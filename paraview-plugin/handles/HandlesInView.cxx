@@ -2,10 +2,12 @@
 
 #include "pqSingularityHandlesWidget.h"
 
+#include "RunAbort.h"
 #include "ViewSources.h"
 
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
+#include "pqRepresentation.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -104,7 +106,18 @@ void pqSingularityHandlesWidget::deselect()
 void pqSingularityHandlesWidget::setView(pqView* view)
 {
   this->Detach();
+  if (this->view())
+  {
+    QObject::disconnect(this->view(), nullptr, this, nullptr);
+  }
   pqPropertyWidget::setView(view);
+  if (view)
+  {
+    const auto update = [this] { this->UpdateHandles(); };
+    QObject::connect(view, &pqView::representationVisibilityChanged, this, update);
+    QObject::connect(view, &pqView::representationRemoved, this, update);
+    QObject::connect(view, &pqView::endRender, this, [this] { this->CheckPicture(); });
+  }
   this->UpdateHandles();
 }
 
@@ -136,7 +149,7 @@ void pqSingularityHandlesWidget::changeEvent(QEvent* event)
 void pqSingularityHandlesWidget::UpdateHandles()
 {
   const bool isShown = this->isSelected() && this->isVisible() && this->isEnabled();
-  if (!isShown || !this->view())
+  if (!isShown || !this->view() || !ViewSources::IsConnected(this->proxy(), this->view()))
   {
     this->Detach();
     return;
@@ -165,7 +178,6 @@ void pqSingularityHandlesWidget::UpdateHandles()
   {
     interactor->AddObserver(event, this->Mouse, MousePriority);
   }
-  QObject::connect(this->view(), &pqView::endRender, this, [this] { this->CheckPicture(); });
   this->view()->render();
 }
 
@@ -213,10 +225,6 @@ void pqSingularityHandlesWidget::Detach()
   this->FollowTimer.stop();
   this->EndDrag();
   this->Picture.Hide();
-  if (this->view())
-  {
-    QObject::disconnect(this->view(), &pqView::endRender, this, nullptr);
-  }
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -284,6 +292,7 @@ void pqSingularityHandlesWidget::Press(int x, int y)
   const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
   this->Grip = { x - middle[0], y - middle[1] };
   this->RowsBeforeDrag = this->Rows;
+  this->PropertyBeforeDrag = this->PropertyRows();
   this->HasPendingMove = false;
   this->Choose(row);
   this->IsDragging = true;
@@ -300,6 +309,7 @@ void pqSingularityHandlesWidget::FollowMouse()
   {
     const QScopedValueRollback<bool> handling(this->IsHandlingMove, true);
     const MessageBlocker messages;
+    const RunAbort::Suspension abort;
     this->HasPendingMove = false;
     const auto point =
       this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
@@ -336,7 +346,7 @@ void pqSingularityHandlesWidget::Release()
   this->EndDrag();
   if (this->Rows != this->RowsBeforeDrag)
   {
-    this->Commit(this->RowsBeforeDrag, this->Rows, "Move Singularity");
+    this->Commit(this->PropertyBeforeDrag, this->Rows, "Move Singularity");
   }
   else
   {

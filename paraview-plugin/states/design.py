@@ -3,9 +3,10 @@
 Drag the handles in the view, edit the rows in the panel, or use its buttons. To design a domain of
 your own, change the input of the designer.
 
-Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1,
-blue at -1, and grey if the layout is that of earlier positions. Thin lines are quads, drafts while
-a handle is dragged. The text summarises the quality of the layout, or reports why there is none.
+Patches have pale colours, which they keep while they change. Separatrices are red if they start at
+a singularity of quarter index 1, blue at -1. Everything is grey if the layout is that of earlier
+positions. Thin lines are quads, drafts while a handle is dragged. The text summarises the quality
+of the layout, or reports why there is none.
 """
 from paraview.simple import *
 
@@ -19,12 +20,11 @@ view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
 faces = Show(OutputPort(designer, 1), view)
-ColorBy(faces, ("CELLS", "FaceId"))
+ColorBy(faces, ("CELLS", "Colour"))
 SetProperties(
-    GetColorTransferFunction("FaceId"), AutomaticRescaleRangeMode="Never", Discretize=0,
-    RGBPoints=[value for face in range(60) for value in (
-        face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
-                (0.91, 0.85, 0.96)][face * 7 % 5])])
+    GetColorTransferFunction("Colour"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB", Discretize=0,
+    RGBPoints=[-1, 0.95, 0.95, 0.95, 0, 0.98, 0.85, 0.8, 1, 0.82, 0.9, 0.98, 2, 0.85, 0.96, 0.84,
+               3, 0.97, 0.94, 0.76, 4, 0.91, 0.85, 0.96])
 faces.SetScalarBarVisibility(view, False)
 SetProperties(faces, Ambient=1, Diffuse=0)
 edges = ExtractEdges(registrationName="Sides of quads", Input=OutputPort(designer, 3))

@@ -22,8 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -79,6 +81,37 @@ public:
     return values;
   }
 
+  /** Returns the colour of each patch, by the number of the patch. */
+  std::map<int, int> Colours()
+  {
+    vtkCellData* data =
+      vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1))->GetCellData();
+    vtkDataArray* colours = FilterChecks::RequireArray(data, "Colour");
+    vtkDataArray* patches = FilterChecks::RequireArray(data, "FaceId");
+    std::map<int, int> found;
+    for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+    {
+      const auto colour = static_cast<int>(colours->GetTuple1(i));
+      const auto [patch, isNew] = found.insert({ static_cast<int>(patches->GetTuple1(i)), colour });
+      EXPECT_EQ(patch->second, colour) << "one colour on a patch";
+    }
+    return found;
+  }
+
+  /** Returns the distances of the points of output 2 from the rows. */
+  std::vector<double> Moves()
+  {
+    auto* points = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2));
+    std::vector<double> moves;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      const double* row = this->Filter->GetRows()->GetTuple(i);
+      const double* place = points->GetPoint(i);
+      moves.push_back(std::hypot(place[0] - row[0], place[1] - row[1]));
+    }
+    return moves;
+  }
+
   vtkIdType CountOf(int port)
   {
     return vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(port))->GetNumberOfCells();
@@ -98,7 +131,7 @@ TEST_F(LayoutDesigner, FollowsFilterConventions)
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->SetFour(0.6); }, [this] { this->SetFour(0.5); });
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "Singularities", "MeshSize", "CapCorners", "Quads", "QuadSize", "QuadCount",
+    { "Singularities", "MeshSize", "CapCorners", "Quads", "Merge", "QuadSize", "QuadCount",
       "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
@@ -183,6 +216,99 @@ TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
   EXPECT_EQ(this->Value("RenormalizedEnergy"), energy);
   EXPECT_EQ(this->Value("MinimumAngle"), angle);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
+}
+
+TEST_F(LayoutDesigner, PatchesKeepTheirColours)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(0, 0.5, 0.38, 1, 0.1);
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const std::map<int, int> first = this->Colours();
+  EXPECT_EQ(first.size(), 9u);
+  for (const auto& [patch, colour] : first)
+  {
+    EXPECT_GE(colour, 0);
+    EXPECT_LT(colour, 5);
+  }
+  for (int step = 1; step <= 5; ++step)
+  {
+    this->Filter->SetSingularity(0, 0.5, 0.38 - 0.01 * step, 1, 0.1);
+    FilterChecks::UpdateWithoutError(this->Filter);
+  }
+  this->Filter->DraggingOff();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  // Patches may be numbered in another order.
+  std::multiset<int> before;
+  std::multiset<int> after;
+  for (const auto& [patch, colour] : first)
+  {
+    before.insert(colour);
+  }
+  for (const auto& [patch, colour] : this->Colours())
+  {
+    after.insert(colour);
+  }
+  EXPECT_EQ(before, after);
+  this->Filter->SetSingularity(0, 3.0, 0.0, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  for (const auto& [patch, colour] : this->Colours())
+  {
+    EXPECT_EQ(colour, -1) << "a stale layout is grey";
+  }
+}
+
+TEST_F(LayoutDesigner, ReportsAndShowsNodesThatMoved)
+{
+  // At their rows.
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("MovedNodes"), 0);
+  EXPECT_EQ(this->Text("Summary").find("moved"), std::string::npos) << this->Text("Summary");
+  for (const double move : this->Moves())
+  {
+    EXPECT_NEAR(move, 0.0, 1e-12);
+  }
+  // Separatrices that pass singularities closely meet them if these move.
+  this->Filter->SetSingularity(0, 0.44, 0.41, 1, 0.1);
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Faces"), 5);
+  const std::vector<double> moves = this->Moves();
+  EXPECT_GT(*std::max_element(moves.begin(), moves.end()), 1e-3);
+  EXPECT_NEAR(this->Value("Moved"), *std::max_element(moves.begin(), moves.end()), 1e-12);
+  EXPECT_EQ(this->Filter->GetRows()->GetComponent(0, 0), 0.44) << "the handles stay";
+  const double moved = this->Value("MovedNodes");
+  EXPECT_EQ(this->Text("Summary").find("from the") != std::string::npos ||
+      this->Text("Summary").find("from its handle") != std::string::npos,
+    moved > 0)
+    << this->Text("Summary");
+}
+
+TEST_F(LayoutDesigner, MergesBlocksWhenAHandleIsReleased)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(0, 0.44, 0.41, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const auto blocks = [this]
+  {
+    return FilterChecks::RequireArray(
+      this->Filter->GetOutputDataObject(4)->GetFieldData(), "Blocks")
+      ->GetTuple1(0);
+  };
+  const double separate = blocks();
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(blocks(), separate);
+  EXPECT_EQ(this->Value("Stale"), 0);
+  this->Filter->SetMergeToCoarse();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(blocks(), separate);
+  this->Filter->SetMergeToClean();
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("Faces"), 9) << "blocks are not merged while a handle is dragged";
+  EXPECT_EQ(this->Value("MovedNodes"), 0);
 }
 
 TEST_F(LayoutDesigner, IsStaleIfTheFirstConfigurationIsInvalid)
