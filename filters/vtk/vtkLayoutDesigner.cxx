@@ -46,11 +46,14 @@ public:
   {
   }
 
-  /** Writes the last design of a session and the singularities and refusal of its last update. */
+  /**
+   * Writes the last design of a session and the singularities of its last update, whose refusal is
+   * added to the report.
+   */
   void Write(const DesignSession& session, const DesignUpdate& update,
-    const crossfield::DomainPlane& plane, double quadSize) const
+    const crossfield::DomainPlane& plane, LayoutConversion::Report report) const
   {
-    const LayoutConversion::Report report{ update.refusal, quadSize };
+    report.refusal = update.refusal;
     const crossfield::LayoutDesign* design = session.GetDesign();
     const bool current = design != nullptr && update.refusal.empty();
     ConfigurationConversion::WriteConfiguration(
@@ -68,7 +71,7 @@ public:
   }
 
   /** Writes the message of a failure. */
-  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0 }); }
+  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0, false }); }
 
 private:
   void WriteDesign(
@@ -297,7 +300,8 @@ int vtkLayoutDesigner::RequestData(
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
-      outputs.Write(*this->Session, update, input.plane, request.quadSize);
+      outputs.Write(*this->Session, update, input.plane,
+        { {}, request.quadSize, this->Merge == vtkQuadMesher::MergeNone });
     },
     [&](const char* message)
     {

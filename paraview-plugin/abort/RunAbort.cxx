@@ -7,6 +7,7 @@
 #include "pqServerManagerModel.h"
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkNew.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMSourceProxy.h"
@@ -16,6 +17,7 @@
 #include <QScopedValueRollback>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -33,6 +35,13 @@ bool IsOwn(vtkSMProxy* proxy)
   return icon && std::strncmp(icon, ":/CrossField/", 13) == 0;
 }
 
+/** Returns the time of the last change of an algorithm or of its inputs. */
+vtkMTimeType PipelineTime(vtkAlgorithm* algorithm)
+{
+  auto* executive = vtkDemandDrivenPipeline::SafeDownCast(algorithm->GetExecutive());
+  return std::max(algorithm->GetMTime(), executive ? executive->GetPipelineMTime() : 0);
+}
+
 /** Calls a function at each event of an algorithm, as long as the algorithm exists. */
 void AddObserver(vtkAlgorithm* algorithm, unsigned long event, std::function<void()> function)
 {
@@ -43,6 +52,40 @@ void AddObserver(vtkAlgorithm* algorithm, unsigned long event, std::function<voi
   command->SetCallback([](vtkObject*, unsigned long, void* data, void*)
     { (*static_cast<std::function<void()>*>(data))(); });
   algorithm->AddObserver(event, command);
+}
+
+/**
+ * Enables Apply, which then changes the algorithm so that it runs again, once the command that has
+ * started the run has ended: it may be Apply itself.
+ */
+void EnableApply(QPointer<pqPipelineSource> source, vtkWeakPointer<vtkAlgorithm> algorithm)
+{
+  constexpr int Interval = 100; // in milliseconds
+  QTimer::singleShot(Interval, source,
+    [source, algorithm]
+    {
+      if (!algorithm || !algorithm->GetAbortExecute())
+      {
+        return; // it has run again
+      }
+      if (source->modifiedState() != pqProxy::UNMODIFIED)
+      {
+        EnableApply(source, algorithm);
+        return;
+      }
+      source->setModifiedState(pqProxy::MODIFIED);
+      const auto applied = std::make_shared<QMetaObject::Connection>();
+      *applied = QObject::connect(source, &pqProxy::modifiedStateChanged, source,
+        [source, algorithm, applied]
+        {
+          if (source->modifiedState() == pqProxy::UNMODIFIED && algorithm)
+          {
+            QObject::disconnect(*applied);
+            algorithm->Modified();
+            source->getSourceProxy()->MarkDirty(nullptr);
+          }
+        });
+    });
 }
 
 /** Returns whether an event is input of the user, who expects an effect on the window. */
@@ -121,17 +164,28 @@ void RunAbort::Observe(pqPipelineSource* source)
   }
   const QPointer<RunAbort> self(this);
   const QPointer<pqPipelineSource> observed(source);
+  const auto aborted = std::make_shared<vtkMTimeType>(0);
   AddObserver(algorithm, vtkCommand::StartEvent,
-    [self, observed, algorithm]
+    [self, observed, algorithm, aborted]
     {
+      // The pipeline repeats an aborted run at each request. The flag ends it at once, until there
+      // is a change.
+      if (algorithm->GetAbortExecute() && PipelineTime(algorithm) > *aborted)
+      {
+        algorithm->SetAbortExecute(0);
+      }
       if (self && observed)
       {
         self->Begin(observed, algorithm);
       }
     });
   AddObserver(algorithm, vtkCommand::EndEvent,
-    [self, algorithm]
+    [self, algorithm, aborted]
     {
+      if (algorithm->GetAbortExecute())
+      {
+        *aborted = PipelineTime(algorithm);
+      }
       if (self)
       {
         self->End(algorithm);
@@ -204,22 +258,5 @@ void RunAbort::Abort()
     return;
   }
   this->Running->SetAbortExecute(1);
-  // After the command that has started the run: the pipeline takes an aborted run for a complete
-  // one, so Apply has to mark it as modified.
-  QTimer::singleShot(0, this->Source,
-    [source = this->Source, algorithm = this->Running]
-    {
-      source->setModifiedState(pqProxy::MODIFIED);
-      const auto applied = std::make_shared<QMetaObject::Connection>();
-      *applied = QObject::connect(source, &pqProxy::modifiedStateChanged, source,
-        [source, algorithm, applied]
-        {
-          if (source->modifiedState() == pqProxy::UNMODIFIED && algorithm)
-          {
-            QObject::disconnect(*applied);
-            algorithm->Modified();
-            source->getSourceProxy()->MarkDirty(nullptr);
-          }
-        });
-    });
+  EnableApply(this->Source, this->Running);
 }

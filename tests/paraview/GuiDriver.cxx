@@ -383,7 +383,7 @@ extern "C"
 
   /**
    * Posts input after a time, from another thread, since timers do not fire during a run: "button"
-   * is a click on the abort button, "escape" the key, and "click" a click on the button Apply.
+   * is a click on the abort button, "escape" the key, and "delete" a click on the button Delete.
    */
   void gui_during_run(const char* action, int milliseconds)
   {
@@ -393,9 +393,9 @@ extern "C"
     {
       target = FindVisible<pqProgressWidget>("")->abortButton();
     }
-    else if (chosen == "click")
+    else if (chosen == "delete")
     {
-      target = FindVisible<QPushButton>("Accept");
+      target = FindVisible<QPushButton>("Delete");
     }
     std::thread(
       [chosen, target, milliseconds]

@@ -79,7 +79,7 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   }
   text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
        << " (lower is better).";
-  if (design->shortestArc < 0.5 * report.quadSize)
+  if (report.canSnap && design->shortestArc < 0.5 * report.quadSize)
   {
     text << " Two separatrices nearly coincide: try Snap.";
   }

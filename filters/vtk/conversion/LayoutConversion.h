@@ -18,6 +18,7 @@ struct Report
 {
   std::string refusal;   ///< Why the design is outdated; empty if it is current.
   double quadSize = 0.0; ///< Side length of quads, the unit in which the shortest arc is reported.
+  bool canSnap = true;   ///< Whether Snap is offered; merged blocks do not need it.
 };
 
 /**
