@@ -192,11 +192,18 @@ void pqSingularityHandlesWidget::UpdatePipeline()
   }
   // ParaView processes events while filters report their progress.
   const QScopedValueRollback<bool> updating(this->IsUpdating, true);
-  // The view still has the data of its last update.
-  for (pqPipelineSource* source : ViewSources::Visible(this->view()))
+  if (this->IsHandlingMove)
   {
-    source->getSourceProxy()->UpdatePipeline();
+    LiveFrames::UpdateSources(this->view());
   }
+  else
+  {
+    for (pqPipelineSource* source : ViewSources::Visible(this->view()))
+    {
+      source->getSourceProxy()->UpdatePipeline();
+    }
+  }
+  // The view still has the data of its last update.
   if (!ViewSources::HasStale(this->view()))
   {
     this->Picture.Hide();
@@ -331,7 +338,7 @@ void pqSingularityHandlesWidget::FollowMouse()
     this->SmoothEdges(false);
     const PipelineSignalBlocker blocker;
     this->UpdatePipeline();
-    this->view()->forceRender();
+    this->Frames.Draw(this->view(), this->proxy());
   }
   if (this->HasPendingMove)
   {

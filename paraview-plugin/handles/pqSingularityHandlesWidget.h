@@ -38,6 +38,7 @@
 #ifndef pqSingularityHandlesWidget_h
 #define pqSingularityHandlesWidget_h
 
+#include "LiveFrames.h"
 #include "SingularityHandles.h"
 #include "SingularityRows.h"
 #include "StalePicture.h"
@@ -133,6 +134,7 @@ private:
 
   SingularityHandles Handles;
   StalePicture Picture;
+  LiveFrames Frames;
   bool IsUpdating = false;
   vtkNew<vtkCallbackCommand> Mouse;
   vtkNew<vtkEventQtSlotConnect> Connections;

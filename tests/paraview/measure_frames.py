@@ -1,7 +1,8 @@
 """Measures frames while a handle is dragged in ParaView's client; started by run_client.py.
 
 Prints a table for docs/speed.md: the median time from a mouse move to the picture, and the median
-processor time of all threads of the client. Not a test: the times depend on the machine.
+processor time of all threads of the client. SCENE=design in the environment measures one scene. Not a
+test: the times depend on the machine.
 """
 import os
 import statistics
@@ -12,7 +13,7 @@ from paraview.simple import *
 
 from gui_driver import gui, messages, picture, pixel, run, wait
 
-MOVES = 60
+MOVES = int(os.environ.get("MOVES", 60))
 STATES = os.environ["STATES"]
 PLATE = os.path.join(STATES, "..", "..", "tests", "data", "parts", "plate3.vtp")
 
@@ -123,5 +124,5 @@ def frames_plate():
     picture("plate.png")
 
 
-print("| scene | wall, median | wall, 90 %% | processor, median | 90 %% |" % ())
-run("frames_", globals(), lambda measure: measure(), (1200, 900, 300))
+print("| scene | elapsed, median | 90 % | processor, median | 90 % |")
+run("frames_" + os.environ.get("SCENE", ""), globals(), lambda measure: measure(), (1200, 900, 300))
