@@ -290,12 +290,19 @@ TEST_F(LayoutDesigner, ReportsAndShowsNodesThatMoved)
 
 TEST_F(LayoutDesigner, ReleasedNodesAreReported)
 {
-  // Quads between singularities this close to the boundary and to each other would be inverted.
-  const double rows[8][3] = { { 0.93, 0.0, 1 }, { 0.93, 0.08, 1 }, { -0.93, 0.0, 1 },
-    { -0.93, 0.08, 1 }, { 0.0, 0.1, 1 }, { 0.0, -0.1, -1 }, { 0.1, 0.0, 1 }, { -0.1, 0.0, -1 } };
-  for (int i = 0; i < 8; ++i)
+  // Singularities placed at random in a plate with three holes. Quads at them would be inverted.
+  this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 3.0 }),
+    TestInputs::Circle(24, 0.25, { 0.9, 0.9 }), TestInputs::Circle(24, 0.3, { 2.9, 0.8 }),
+    TestInputs::Circle(24, 0.2, { 2.0, 2.1 }) }));
+  this->Filter->SetMeshSize(0.0);
+  this->Filter->SetQuadSize(0.0);
+  this->Filter->SetQuadCount(500);
+  const double places[12][2] = { { 1.1, 0.18 }, { 1.26, 1.98 }, { 3.5, 1.93 }, { 1.79, 2.56 },
+    { 0.88, 1.31 }, { 3.13, 2.62 }, { 3.41, 1.19 }, { 2.31, 1.0 }, { 0.65, 1.49 }, { 3.25, 2.44 },
+    { 2.78, 2.72 }, { 1.17, 0.61 } };
+  for (int i = 0; i < 12; ++i)
   {
-    this->Filter->SetSingularity(i, rows[i][0], rows[i][1], rows[i][2], 0.1);
+    this->Filter->SetSingularity(i, places[i][0], places[i][1], -1, 0.1);
   }
   FilterChecks::UpdateWithoutError(this->Filter);
   ASSERT_EQ(this->Value("Stale"), 0) << this->Text("Reason");
