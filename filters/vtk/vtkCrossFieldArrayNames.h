@@ -139,7 +139,9 @@ constexpr const char* Mismatch = "Mismatch";
 constexpr const char* Alarm = "Alarm";
 // Field data of singularities that are not in z = const: origin and axes of their plane.
 constexpr const char* Plane = "Plane";
-// Field data, and Shade of lines: vtkLayoutDesigner.
+// Field data, Shade of lines, and Colour of patches: vtkLayoutDesigner.
+constexpr const char* Colour = "Colour";
+constexpr const char* MovedNodes = "MovedNodes";
 constexpr const char* Summary = "Summary";
 constexpr const char* Stale = "Stale";
 constexpr const char* Shade = "Shade";

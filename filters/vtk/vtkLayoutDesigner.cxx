@@ -46,16 +46,21 @@ public:
   {
   }
 
-  /** Writes the last design of a session and the singularities and refusal of its last update. */
+  /**
+   * Writes the last design of a session and the singularities of its last update, whose refusal is
+   * added to the report.
+   */
   void Write(const DesignSession& session, const DesignUpdate& update,
-    const crossfield::DomainPlane& plane, double quadSize) const
+    const crossfield::DomainPlane& plane, LayoutConversion::Report report) const
   {
-    const LayoutConversion::Report report{ update.refusal, quadSize };
+    report.refusal = update.refusal;
     const crossfield::LayoutDesign* design = session.GetDesign();
-    ConfigurationConversion::WriteConfiguration(update.singularities, plane, this->Singularities);
+    const bool current = design != nullptr && update.refusal.empty();
+    ConfigurationConversion::WriteConfiguration(
+      current ? design->nodes.singularities : update.singularities, plane, this->Singularities);
     if (design != nullptr)
     {
-      this->WriteDesign(*design, plane, !update.refusal.empty());
+      this->WriteDesign(*design, plane, !current);
     }
     this->WriteReport(design, report);
     for (vtkPolyData* output : { this->Separatrices, this->Singularities })
@@ -66,7 +71,7 @@ public:
   }
 
   /** Writes the message of a failure. */
-  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0 }); }
+  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0, false }); }
 
 private:
   void WriteDesign(
@@ -76,6 +81,7 @@ private:
     TMeshConversion::WriteTraces(map, design.separatrices, {}, 0.0, this->Separatrices);
     LayoutConversion::AddShade(stale, this->Separatrices);
     PatchConversion::WritePatches(map, design.mesh, this->Patches);
+    LayoutConversion::AddColours(design.colours, stale, this->Patches);
     TMeshConversion::AddCounts(design.mesh, this->Patches->GetFieldData());
     if (design.quads)
     {
@@ -259,7 +265,10 @@ DesignRequest vtkLayoutDesigner::MakeRequest(
     request.options.quads.emplace();
     request.options.quads->quadSize = this->QuadSize;
     request.options.quads->quadCount = this->QuadCount;
-    request.options.quads->smooth = this->Quads == QuadsSmooth && !this->Dragging;
+    const bool smooth = this->Quads == QuadsSmooth && !this->Dragging;
+    request.options.quads->smooth = smooth;
+    request.options.quads->coarse = this->Merge == vtkQuadMesher::MergeCoarse && smooth;
+    request.options.clean = this->Merge == vtkQuadMesher::MergeClean && smooth;
   }
   request.snapTolerance = this->SnapTolerance > 0.0 ? this->SnapTolerance : 0.5 * request.quadSize;
   request.command = std::exchange(this->Command, DesignCommand::None);
@@ -291,7 +300,8 @@ int vtkLayoutDesigner::RequestData(
       {
         this->OutputRows->InsertNextTuple(row.data());
       }
-      outputs.Write(*this->Session, update, input.plane, request.quadSize);
+      outputs.Write(*this->Session, update, input.plane,
+        { {}, request.quadSize, this->Merge == vtkQuadMesher::MergeNone });
     },
     [&](const char* message)
     {
@@ -308,6 +318,7 @@ void vtkLayoutDesigner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshSize: " << this->MeshSize << "\n";
   os << indent << "CapCorners: " << this->CapCorners << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
+  os << indent << "Merge: " << this->Merge << "\n";
   os << indent << "Dragging: " << this->Dragging << "\n";
   os << indent << "QuadSize: " << this->QuadSize << "\n";
   os << indent << "QuadCount: " << this->QuadCount << "\n";

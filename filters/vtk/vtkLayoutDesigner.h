@@ -20,9 +20,13 @@
  * Output port 0 (vtkPolyData): the separatrices, as output 0 of vtkSeparatrices, and the cell array
  * `Shade` (int) for colours: the sign of the quarter index where a line starts, 0 if the layout is
  * stale.
- * Output port 1 (vtkPolyData): the patches, as output 1 of vtkSeparatrices.
- * Output port 2 (vtkPolyData): the singularities at their current positions, as points with
- * `QuarterIndex`.
+ * Output port 1 (vtkPolyData): the patches, as output 1 of vtkSeparatrices, and the cell array
+ * `Colour` (int): the number of a colour from 0 to 4, which differs between neighbours where
+ * possible and which a patch keeps while singularities move; −1 if the layout is stale.
+ * Output port 2 (vtkPolyData): the singularities, as points with `QuarterIndex`, where their nodes
+ * are; at the positions of the rows without quads or if the layout is stale. Nodes differ from the
+ * rows if quads would be inverted with the rows as nodes (`Released` of output 4) or with
+ * MergeClean.
  * Output port 3 (vtkUnstructuredGrid): quads, as output 0 of vtkQuadMesher; empty with QuadsNone.
  * Output port 4 (vtkTable): the column `Summary` with one row, the field data `Summary` in lines of
  * at most 60 characters, for a view. Its field data `Alarm` (int) is 1 if it reports an error; the
@@ -42,6 +46,8 @@
  * - `RenormalizedEnergy`: W;
  * - `Faces` (int): the number of patches;
  * - `ShortestArc`: the length of the shortest arc of the T-mesh, in sides of quads;
+ * - `MovedNodes` (int), `Moved`: the number of nodes that are more than a tenth of an edge away from
+ *   their rows, and the maximum distance;
  * - `PredictedStretch`, `StretchReason`: as for vtkCrossFieldMap;
  * - `MinimumAngle`: with quads, the minimum angle of a quad, in degrees.
  *
@@ -59,6 +65,7 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkNew.h"                     // for the rows of the output
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkQuadMesher.h" // for the kinds of Merge
 
 #include <array>  // for the rows
 #include <memory> // for the session
@@ -169,6 +176,21 @@ public:
 
   ///@{
   /**
+   * Selects how blocks are merged, as in vtkQuadMesher: separatrices that nearly meet are kept apart
+   * (MergeNone); singularities are moved so that they meet, as far as the quads stay as good
+   * (MergeClean); or they are merged without moving singularities (MergeCoarse). Applies to smooth
+   * quads, not while Dragging. Separatrices and patches are those of the moved singularities, the
+   * rows stay. Default: MergeNone.
+   */
+  vtkSetClampMacro(Merge, int, vtkQuadMesher::MergeNone, vtkQuadMesher::MergeCoarse);
+  vtkGetMacro(Merge, int);
+  void SetMergeToNone() { this->SetMerge(vtkQuadMesher::MergeNone); }
+  void SetMergeToClean() { this->SetMerge(vtkQuadMesher::MergeClean); }
+  void SetMergeToCoarse() { this->SetMerge(vtkQuadMesher::MergeCoarse); }
+  ///@}
+
+  ///@{
+  /**
    * Uses a coarser mesh that is fast enough to follow a handle (crossfield::LiveMeshSize), and
    * draft quads. Handles switch it on while they are dragged. Default: off.
    */
@@ -230,6 +252,7 @@ private:
   double MeshSize = 0.0;
   bool CapCorners = true;
   int Quads = QuadsSmooth;
+  int Merge = vtkQuadMesher::MergeNone;
   bool Dragging = false;
   double QuadSize = 0.0;
   int QuadCount = 1000;

@@ -1,6 +1,7 @@
 #include "vtkSingularitySource.h"
 
 #include "ConfigurationConversion.h"
+#include "ConfigurationSpread.h"
 #include "DomainConversion.h"
 #include "Error.h"
 #include "FilterPorts.h"
@@ -104,6 +105,31 @@ RowTable ReadStart(vtkDataSet* start)
     table.rows.push_back({ place[0], place[1], quarters->GetComponent(i, 0),
       radii == nullptr ? 0.0 : radii->GetComponent(i, 0) });
     table.places.emplace_back(place);
+  }
+  return table;
+}
+
+/** Returns the rows of the first figure of the paper, for the unit disk. */
+std::vector<Row> DefaultRows()
+{
+  const double diagonal = 0.6 * std::sqrt(0.5);
+  std::vector<Row> rows;
+  for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
+  {
+    rows.push_back({ x * diagonal, y * diagonal, 1.0, 0.1 });
+  }
+  return rows;
+}
+
+/** Computes rows that fit a domain, in the coordinates of its plane. */
+RowTable FitRows(vtkDataSet* domain, const crossfield::Progress& progress)
+{
+  RowTable table;
+  for (const crossfield::Singularity& singularity :
+    crossfield::SpreadConfiguration(DomainConversion::ReadDomain(domain).domain, {}, progress))
+  {
+    table.rows.push_back({ singularity.position.x(), singularity.position.y(),
+      static_cast<double>(singularity.quarterIndex), singularity.radius });
   }
   return table;
 }
@@ -241,11 +267,10 @@ vtkSingularitySource::vtkSingularitySource()
   this->SetNumberOfInputPorts(2);
   this->OutputRows->SetNumberOfComponents(4);
   PlaneFrame().Write(this->Plane);
-  const double diagonal = 0.6 * std::sqrt(0.5);
-  for (const auto& [x, y] : { std::array{ 1, 1 }, { -1, 1 }, { -1, -1 }, { 1, -1 } })
+  this->Rows = DefaultRows();
+  for (const Row& row : this->Rows)
   {
-    this->Rows.push_back({ x * diagonal, y * diagonal, 1.0, 0.1 });
-    this->Handles.push_back({ x * diagonal, y * diagonal, 0.0 });
+    this->Handles.push_back({ row[0], row[1], 0.0 });
   }
 }
 
@@ -264,7 +289,6 @@ void vtkSingularitySource::SetSingularity(
     this->Rows.resize(index + 1, { 0.0, 0.0, 1.0, 0.1 });
   }
   this->Rows[index] = { x, y, quarterIndex, radius };
-  this->RowsAreDefault = false;
   this->Modified();
 }
 
@@ -278,7 +302,6 @@ void vtkSingularitySource::AddSingularity(double x, double y, double quarterInde
 void vtkSingularitySource::SetNumberOfSingularities(int count)
 {
   this->Rows.resize(static_cast<std::size_t>(std::max(count, 0)), { 0.0, 0.0, 1.0, 0.1 });
-  this->RowsAreDefault = false;
   this->Modified();
 }
 
@@ -349,23 +372,29 @@ int vtkSingularitySource::RequestData(
 {
   this->OutputRows->SetNumberOfTuples(0);
   return FilterRun::Run(this, this->ErrorCode,
-    [&](const crossfield::Progress&)
+    [&](const crossfield::Progress& progress)
     {
       vtkDataSet* start = vtkDataSet::GetData(inputVector[0]);
+      vtkDataSet* domain = vtkDataSet::GetData(inputVector[1]);
+      const bool rowsAreDefault = this->Rows == DefaultRows();
       RowTable table{ this->Rows, true, {} };
       if (!this->FileName.empty())
       {
         table = ReadRows(this->FileName);
       }
-      else if (start != nullptr && (this->RowsAreDefault || this->Rows.empty()))
+      else if (start != nullptr && (rowsAreDefault || this->Rows.empty()))
       {
         table = ReadStart(start);
+      }
+      else if (domain != nullptr && domain->GetNumberOfCells() > 0 && rowsAreDefault)
+      {
+        table = FitRows(domain, progress);
       }
       if (this->UseHandles)
       {
         MoveToHandles(this->Handles, table);
       }
-      const PlaneFrame frame = FindFrame(vtkDataSet::GetData(inputVector[1]), start);
+      const PlaneFrame frame = FindFrame(domain, start);
       frame.Write(this->Plane);
       CompletePositions(frame, table);
       vtkPolyData* output = vtkPolyData::GetData(outputVector);

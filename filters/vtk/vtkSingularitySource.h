@@ -9,7 +9,7 @@
  * Input port 0, Start, optional: points with the point array `QuarterIndex` and optionally
  * `Radius`.
  * Input port 1, Domain, optional (vtkPolyData or vtkUnstructuredGrid): a domain that defines the
- * plane of the rows.
+ * plane of the rows, and to which the default rows are fitted.
  *
  * Rows are in the coordinates of a plane in space, as in the other filters
  * (crossfield::DomainPlane): x and y where z is constant. The plane is that of Domain; without it,
@@ -23,18 +23,23 @@
  * - `Radius` (double, 1 component): radius of the hole that will be drilled; absent if the file or
  *   Start has no such column, or if it is 0 in every row, which means not given.
  *
- * The rows are those of the file if FileName is set; otherwise those set here; as long as none were
- * set, the points of Start. A file is comma-separated with the header `x,y,quarter_index` and
- * optionally `radius` and `z`, in any order. Domains in a plane z = const ignore z; for other
- * domains the points of a file must be in the plane of the domain.
+ * The rows are those of the file if FileName is set; otherwise those set here. As long as these are
+ * the default rows, they are replaced by the points of Start; without Start by rows that fit
+ * Domain: spread inside it, with the sum of quarter indices that the Poincaré-Hopf theorem requires
+ * and the radii that vtkDrillHoles would choose (crossfield::SpreadConfiguration). The default rows
+ * themselves, used without either, are for the unit disk.
+ *
+ * A file is comma-separated with the header `x,y,quarter_index` and optionally `radius` and `z`, in
+ * any order. Domains in a plane z = const ignore z; for other domains the points of a file must be
+ * in the plane of the domain.
  *
  * With UseHandles on, handle i replaces the position of row i. Handles are the points that ParaView
  * lets the user drag in the 3D view. A row without a handle is omitted. A handle without a row is a
  * singularity of quarter index 1 with the radius of the last row (0.1 without rows).
  *
  * The source fails, with an empty output, if a file does not exist, lacks a column or has an entry
- * that is not a finite number, if a quarter index is not an integer, or if Start has no
- * `QuarterIndex`.
+ * that is not a finite number, if a quarter index is not an integer, if Start has no
+ * `QuarterIndex`, or if default rows are fitted to a domain that vtkDrillHoles would refuse.
  *
  * @sa vtkDrillHoles
  */
@@ -67,7 +72,8 @@ public:
 
   ///@{
   /**
-   * Connects the optional port 1, the domain that defines the plane, or sets it to a data object.
+   * Connects the optional port 1, the domain of the plane and of the default rows, or sets it to a
+   * data object.
    */
   vtkCrossFieldPortMacro(Domain, 1);
   ///@}
@@ -77,7 +83,7 @@ public:
    * Sets the rows x, y, quarter index, radius. SetSingularity appends rows as needed. The quarter
    * index is a double here so that ParaView can edit a row as one property. Default: four rows k =
    * +1 of radius 0.1 at distance 0.6 from the origin on the diagonals, the first figure of the
-   * paper.
+   * paper; Start or Domain replace them as long as they are not changed.
    */
   void SetSingularity(int row, double x, double y, double quarterIndex, double radius);
   void SetNumberOfSingularities(int count);
@@ -140,7 +146,6 @@ private:
   void operator=(const vtkSingularitySource&) = delete;
 
   std::vector<std::array<double, 4>> Rows;
-  bool RowsAreDefault = true;
   std::string FileName;
   bool UseHandles = false;
   std::vector<std::array<double, 3>> Handles;

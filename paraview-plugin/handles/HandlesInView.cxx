@@ -2,10 +2,12 @@
 
 #include "pqSingularityHandlesWidget.h"
 
+#include "RunAbort.h"
 #include "ViewSources.h"
 
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
+#include "pqRepresentation.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -104,7 +106,18 @@ void pqSingularityHandlesWidget::deselect()
 void pqSingularityHandlesWidget::setView(pqView* view)
 {
   this->Detach();
+  if (this->view())
+  {
+    QObject::disconnect(this->view(), nullptr, this, nullptr);
+  }
   pqPropertyWidget::setView(view);
+  if (view)
+  {
+    const auto update = [this] { this->UpdateHandles(); };
+    QObject::connect(view, &pqView::representationVisibilityChanged, this, update);
+    QObject::connect(view, &pqView::representationRemoved, this, update);
+    QObject::connect(view, &pqView::endRender, this, [this] { this->CheckPicture(); });
+  }
   this->UpdateHandles();
 }
 
@@ -136,7 +149,7 @@ void pqSingularityHandlesWidget::changeEvent(QEvent* event)
 void pqSingularityHandlesWidget::UpdateHandles()
 {
   const bool isShown = this->isSelected() && this->isVisible() && this->isEnabled();
-  if (!isShown || !this->view())
+  if (!isShown || !this->view() || !ViewSources::IsConnected(this->proxy(), this->view()))
   {
     this->Detach();
     return;
@@ -165,7 +178,6 @@ void pqSingularityHandlesWidget::UpdateHandles()
   {
     interactor->AddObserver(event, this->Mouse, MousePriority);
   }
-  QObject::connect(this->view(), &pqView::endRender, this, [this] { this->CheckPicture(); });
   this->view()->render();
 }
 
@@ -180,11 +192,18 @@ void pqSingularityHandlesWidget::UpdatePipeline()
   }
   // ParaView processes events while filters report their progress.
   const QScopedValueRollback<bool> updating(this->IsUpdating, true);
-  // The view still has the data of its last update.
-  for (pqPipelineSource* source : ViewSources::Visible(this->view()))
+  if (this->IsHandlingMove)
   {
-    source->getSourceProxy()->UpdatePipeline();
+    LiveFrames::UpdateSources(this->view());
   }
+  else
+  {
+    for (pqPipelineSource* source : ViewSources::Visible(this->view()))
+    {
+      source->getSourceProxy()->UpdatePipeline();
+    }
+  }
+  // The view still has the data of its last update.
   if (!ViewSources::HasStale(this->view()))
   {
     this->Picture.Hide();
@@ -213,10 +232,6 @@ void pqSingularityHandlesWidget::Detach()
   this->FollowTimer.stop();
   this->EndDrag();
   this->Picture.Hide();
-  if (this->view())
-  {
-    QObject::disconnect(this->view(), &pqView::endRender, this, nullptr);
-  }
   if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Mouse);
@@ -284,6 +299,7 @@ void pqSingularityHandlesWidget::Press(int x, int y)
   const std::array<double, 2> middle = this->Handles.PixelOf({ pressed[0], pressed[1] });
   this->Grip = { x - middle[0], y - middle[1] };
   this->RowsBeforeDrag = this->Rows;
+  this->PropertyBeforeDrag = this->PropertyRows();
   this->HasPendingMove = false;
   this->Choose(row);
   this->IsDragging = true;
@@ -300,6 +316,7 @@ void pqSingularityHandlesWidget::FollowMouse()
   {
     const QScopedValueRollback<bool> handling(this->IsHandlingMove, true);
     const MessageBlocker messages;
+    const RunAbort::Suspension abort;
     this->HasPendingMove = false;
     const auto point =
       this->Handles.PlanePointAt(this->Pixel[0] - this->Grip[0], this->Pixel[1] - this->Grip[1]);
@@ -321,7 +338,7 @@ void pqSingularityHandlesWidget::FollowMouse()
     this->SmoothEdges(false);
     const PipelineSignalBlocker blocker;
     this->UpdatePipeline();
-    this->view()->forceRender();
+    this->Frames.Draw(this->view(), this->proxy());
   }
   if (this->HasPendingMove)
   {
@@ -336,7 +353,7 @@ void pqSingularityHandlesWidget::Release()
   this->EndDrag();
   if (this->Rows != this->RowsBeforeDrag)
   {
-    this->Commit(this->RowsBeforeDrag, this->Rows, "Move Singularity");
+    this->Commit(this->PropertyBeforeDrag, this->Rows, "Move Singularity");
   }
   else
   {

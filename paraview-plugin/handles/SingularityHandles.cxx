@@ -28,8 +28,8 @@ constexpr double LabelSize = 16;
 /**
  * Offsets to the right and up of the copies that outline a label; the label itself is last, on top.
  */
-constexpr std::array<std::array<double, 2>, 9> LabelCopies = { { { -1, -1 }, { 0, -1.5 }, { 1, -1 },
-  { -1.5, 0 }, { 1.5, 0 }, { -1, 1 }, { 0, 1.5 }, { 1, 1 }, { 0, 0 } } };
+constexpr std::array<std::array<double, 2>, 5> LabelCopies = { { { -1, -1 }, { 1, -1 }, { -1, 1 },
+  { 1, 1 }, { 0, 0 } } };
 
 using Colour = std::array<double, 4>;
 
@@ -234,14 +234,19 @@ void SingularityHandles::SetRows(const std::vector<SingularityRow>& rows, int ch
   }
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    const Handle& handle = this->Handles[i];
+    Handle& handle = this->Handles[i];
     const int quarterIndex = QuarterIndexOf(rows[i]);
-    const auto [red, green, blue] = ColourOf(quarterIndex);
+    const bool isChosen = static_cast<int>(i) == chosen;
     HandlePlane::Vector place = this->Plane.ToSpace({ rows[i][0], rows[i][1] });
     handle.Disc->GetPositionCoordinate()->SetValue(place.data());
+    if (handle.Drawn == std::pair(quarterIndex, isChosen))
+    {
+      continue; // only moved
+    }
+    handle.Drawn = { quarterIndex, isChosen };
+    const auto [red, green, blue] = ColourOf(quarterIndex);
     static_cast<vtkPolyDataMapper2D*>(handle.Disc->GetMapper())
-      ->SetInputData(
-        DiscOf(RingsOf(quarterIndex, static_cast<int>(i) == chosen), this->PixelRatio));
+      ->SetInputData(DiscOf(RingsOf(quarterIndex, isChosen), this->PixelRatio));
     for (const auto& label : handle.Labels)
     {
       label->SetInput(TextOf(quarterIndex).c_str());

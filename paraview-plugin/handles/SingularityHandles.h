@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 class vtkActor2D;
@@ -67,6 +68,8 @@ private:
     vtkSmartPointer<vtkActor2D> Disc;
     /** The last label is coloured; the others are white copies offset by a pixel, its outline. */
     std::vector<vtkSmartPointer<vtkTextActor>> Labels;
+    /** Quarter index that is drawn, and whether as the selected row. */
+    std::optional<std::pair<int, bool>> Drawn;
   };
   Handle MakeHandle() const;
   void Add(const Handle& handle);

@@ -1,7 +1,9 @@
 #include "ViewSources.h"
 
+#include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqView.h"
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -42,6 +44,39 @@ std::vector<pqPipelineSource*> Visible(pqView* view)
     }
   }
   return sources;
+}
+
+//------------------------------------------------------------------------------
+std::vector<const pqPipelineSource*> WithDownstream(const pqPipelineSource* source)
+{
+  std::vector<const pqPipelineSource*> found = { source };
+  for (std::size_t i = 0; i < found.size(); ++i) // grows
+  {
+    for (const pqPipelineSource* consumer : found[i]->getAllConsumers())
+    {
+      if (std::find(found.begin(), found.end(), consumer) == found.end())
+      {
+        found.push_back(consumer);
+      }
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool IsConnected(vtkSMProxy* proxy, pqView* view)
+{
+  const auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(proxy);
+  if (!source)
+  {
+    return false; // its session ends
+  }
+  const std::vector<pqPipelineSource*> visible = Visible(view);
+  const std::vector<const pqPipelineSource*> downstream = WithDownstream(source);
+  return std::any_of(downstream.begin(), downstream.end(),
+    [&](const pqPipelineSource* one)
+    { return std::find(visible.begin(), visible.end(), one) != visible.end(); });
 }
 
 //------------------------------------------------------------------------------

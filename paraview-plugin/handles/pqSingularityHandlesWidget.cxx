@@ -2,6 +2,9 @@
 
 #include "SingularityTable.h"
 
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
 #include "vtkCallbackCommand.h"
@@ -37,6 +40,8 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
   this->setShowLabel(false);
   vtkPVXMLElement* hints = group->GetHints();
   this->MakePanel(!(hints && hints->FindNestedElementByName("WithoutRadius")));
+  vtkPVXMLElement* fit = hints ? hints->FindNestedElementByName("RowsFitDomain") : nullptr;
+  this->Domain = fit ? proxy->GetProperty(fit->GetAttribute("property")) : nullptr;
 
   this->Mouse->SetCallback(&pqSingularityHandlesWidget::OnMouse);
   this->Mouse->SetClientData(this);
@@ -60,6 +65,11 @@ pqSingularityHandlesWidget::pqSingularityHandlesWidget(
     this->Connections->Connect(
       proxy, vtkCommand::UpdateDataEvent, this, SLOT(ScheduleReadOutput()));
   }
+  if (this->Domain)
+  {
+    this->Connections->Connect(this->Domain, vtkCommand::ModifiedEvent, this, SLOT(ReadProperty()));
+  }
+  this->FollowPipeline();
   this->ReadPlane();
   this->ReadProperty();
 }
@@ -119,11 +129,30 @@ void pqSingularityHandlesWidget::MakePanel(bool hasRadius)
   bottom->addSpacing(20);
   bottom->addWidget(this->LiveBox);
   bottom->addStretch();
+  this->NoteLabel = new QLabel(this);
+  this->NoteLabel->setObjectName("Note");
+  this->NoteLabel->setWordWrap(true);
+  panel->addWidget(this->NoteLabel);
 
   QObject::connect(this->Table, &SingularityTable::NumberTyped, this,
     [this](int row, int column, double number) { this->SetNumber(row, column, number); });
   QObject::connect(
     this->Table, &SingularityTable::RowChosen, this, [this](int row) { this->Choose(row); });
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::FollowPipeline()
+{
+  // A new connection may link the proxy to something that the view shows.
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  const auto update = [this] { this->UpdateHandles(); };
+  QObject::connect(model,
+    QOverload<pqPipelineSource*, pqPipelineSource*, int>::of(&pqServerManagerModel::connectionAdded),
+    this, update);
+  QObject::connect(model,
+    QOverload<pqPipelineSource*, pqPipelineSource*, int>::of(
+      &pqServerManagerModel::connectionRemoved),
+    this, update);
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +164,7 @@ void pqSingularityHandlesWidget::ReadProperty()
     return;
   }
   std::vector<SingularityRow> rows = this->PropertyRows();
-  if (rows.empty() && this->OutputRows)
+  if (this->AreRowsComputed() && !this->Rows.empty())
   {
     rows = this->Rows; // until the filter has computed new ones
   }
@@ -195,11 +224,11 @@ void pqSingularityHandlesWidget::ReadOutput()
   const std::vector<SingularityRow> rows =
     RowsOf(vtkSMPropertyHelper(this->OutputRows).GetDoubleArray());
   const std::vector<SingularityRow> before = this->PropertyRows();
-  if (before.empty())
+  if (this->AreRowsComputed())
   {
     this->AdoptRows(rows);
   }
-  else if (!rows.empty() && !HaveSamePositions(rows, before))
+  else if (!this->Domain && !rows.empty() && !HaveSamePositions(rows, before))
   {
     this->Commit(before, rows, "Move Singularities");
   }
@@ -209,6 +238,17 @@ void pqSingularityHandlesWidget::ReadOutput()
 std::vector<SingularityRow> pqSingularityHandlesWidget::PropertyRows() const
 {
   return RowsOf(vtkSMPropertyHelper(this->Singularities).GetDoubleArray());
+}
+
+//------------------------------------------------------------------------------
+/** Returns whether the value of the property stands for rows that the filter computes. */
+bool pqSingularityHandlesWidget::AreRowsComputed() const
+{
+  if (this->Domain)
+  {
+    return vtkSMPropertyHelper(this->Domain).GetAsProxy() && this->Singularities->IsValueDefault();
+  }
+  return this->OutputRows && this->PropertyRows().empty();
 }
 
 //------------------------------------------------------------------------------
@@ -273,6 +313,28 @@ void pqSingularityHandlesWidget::ShowRows()
     sum += QuarterIndexOf(row);
   }
   this->SumLabel->setText(QString("Sum of quarter indices k: %1").arg(sum));
+  this->ShowNote();
+}
+
+//------------------------------------------------------------------------------
+void pqSingularityHandlesWidget::ShowNote()
+{
+  QString text;
+  if (this->Domain && !vtkSMPropertyHelper(this->Domain).GetAsProxy())
+  {
+    text = "No domain is connected, so nothing checks whether these rows fit yours.";
+    if (this->Singularities->IsValueDefault())
+    {
+      text = "No domain is connected: these rows are for the unit disk. Choose your domain as "
+             "Domain for rows that fit it.";
+    }
+  }
+  else if (this->Domain && this->Singularities->IsValueDefault())
+  {
+    text = "These rows fit the domain, and follow it until you change them.";
+  }
+  this->NoteLabel->setText(text);
+  this->NoteLabel->setVisible(!text.isEmpty());
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +357,7 @@ void pqSingularityHandlesWidget::SetNumber(int row, int column, double number)
 {
   std::vector<SingularityRow> rows = this->Rows;
   rows.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(column)) = number;
-  this->Commit(this->Rows, rows, "Edit Singularity");
+  this->Commit(this->PropertyRows(), rows, "Edit Singularity");
 }
 
 //------------------------------------------------------------------------------
@@ -335,8 +397,8 @@ void pqSingularityHandlesWidget::Add(const std::vector<int>& quarterIndices)
     rows.push_back({ position[0], position[1], static_cast<double>(quarterIndex), radius });
   }
   this->Chosen = static_cast<int>(rows.size()) - 1;
-  this->Commit(
-    this->Rows, rows, quarterIndices.size() > 1 ? "Add Pair of Singularities" : "Add Singularity");
+  this->Commit(this->PropertyRows(), rows,
+    quarterIndices.size() > 1 ? "Add Pair of Singularities" : "Add Singularity");
 }
 
 //------------------------------------------------------------------------------
@@ -348,5 +410,5 @@ void pqSingularityHandlesWidget::RemoveChosen()
   }
   std::vector<SingularityRow> rows = this->Rows;
   rows.erase(rows.begin() + this->Chosen);
-  this->Commit(this->Rows, rows, "Remove Singularity");
+  this->Commit(this->PropertyRows(), rows, "Remove Singularity");
 }

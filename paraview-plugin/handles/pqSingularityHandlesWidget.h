@@ -14,6 +14,10 @@
  * value after a command of the filter has changed them, so that undo, trace and states include
  * them.
  *
+ * A proxy that fits its default rows to a domain has the hint <RowsFitDomain property="Domain"/> of
+ * the group, with the name of the input. The rows of its last update are shown while the domain is
+ * connected and the property has its default, and the panel says whether there is a domain.
+ *
  * A proxy whose rows are not in the plane z = 0 reports their plane in an information property with
  * the function `Plane`: nine numbers, the origin and the two axes of its coordinates.
  *
@@ -26,13 +30,15 @@
  * earlier positions. The view then shows its last picture in grey (StalePicture.h), as long as it
  * is not moved, and texts report the reason. Messages of a failure appear at the end of a drag.
  *
- * The handles are visible while the panel shows the proxy. Handles and table follow changes of the
+ * The handles are visible while the panel shows the proxy, in a view that shows it or a filter
+ * downstream of it. Handles and table follow changes of the
  * property by Python, undo or a state.
  */
 
 #ifndef pqSingularityHandlesWidget_h
 #define pqSingularityHandlesWidget_h
 
+#include "LiveFrames.h"
 #include "SingularityHandles.h"
 #include "SingularityRows.h"
 #include "StalePicture.h"
@@ -84,9 +90,11 @@ private:
   Q_DISABLE_COPY(pqSingularityHandlesWidget)
 
   void MakePanel(bool hasRadius);
+  void FollowPipeline();
 
   // Rows.
   std::vector<SingularityRow> PropertyRows() const;
+  bool AreRowsComputed() const;
   void ReadPlane();
   void ReadOutput();
   void AdoptRows(const std::vector<SingularityRow>& rows);
@@ -94,6 +102,7 @@ private:
   void Commit(const std::vector<SingularityRow>& before, const std::vector<SingularityRow>& after,
     const QString& what);
   void ShowRows();
+  void ShowNote();
   void Choose(int row);
   void Add(const std::vector<int>& quarterIndices);
   void RemoveChosen();
@@ -117,6 +126,7 @@ private:
   vtkSMProperty* OutputRows = nullptr; ///< Optional.
   vtkSMProperty* Plane = nullptr;      ///< Optional.
   vtkSMProperty* Dragging = nullptr;   ///< Optional.
+  vtkSMProperty* Domain = nullptr;     ///< To which default rows are fitted; optional.
   std::vector<SingularityRow> Rows;
   int Chosen = -1;
   bool IsWriting = false;
@@ -124,16 +134,18 @@ private:
 
   SingularityHandles Handles;
   StalePicture Picture;
+  LiveFrames Frames;
   bool IsUpdating = false;
   vtkNew<vtkCallbackCommand> Mouse;
   vtkNew<vtkEventQtSlotConnect> Connections;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;
   bool IsHovering = false;
 
-  // State of a drag: rows before it, offset of the mouse from the handle's centre, and mouse
-  // position, in pixels.
+  // State of a drag: rows and value of the property before it, offset of the mouse from the
+  // handle's centre, and mouse position, in pixels.
   bool IsDragging = false;
   std::vector<SingularityRow> RowsBeforeDrag;
+  std::vector<SingularityRow> PropertyBeforeDrag;
   std::array<double, 2> Grip = { 0, 0 };
   std::array<double, 2> Pixel = { 0, 0 };
   bool HasPendingMove = false;
@@ -144,6 +156,7 @@ private:
   QPushButton* RemoveButton = nullptr;
   QCheckBox* LiveBox = nullptr;
   QLabel* SumLabel = nullptr;
+  QLabel* NoteLabel = nullptr;
 };
 
 #endif

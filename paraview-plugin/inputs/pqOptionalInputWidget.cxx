@@ -1,5 +1,7 @@
 #include "pqOptionalInputWidget.h"
 
+#include "ViewSources.h"
+
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqPipelineSource.h"
@@ -10,24 +12,10 @@
 
 #include <QComboBox>
 #include <QPointer>
-#include <QSet>
 #include <QStandardItemModel>
 #include <QTimer>
 
-namespace
-{
-void AddDownstream(const pqPipelineSource* source, QSet<vtkSMProxy*>& found)
-{
-  for (const pqPipelineSource* consumer : source->getAllConsumers())
-  {
-    if (!found.contains(consumer->getProxy()))
-    {
-      found.insert(consumer->getProxy());
-      AddDownstream(consumer, found);
-    }
-  }
-}
-}
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 pqOptionalInputWidget::pqOptionalInputWidget(
@@ -50,13 +38,14 @@ void pqOptionalInputWidget::DisableDownstream(int firstRow, int lastRow)
   {
     return;
   }
-  QSet<vtkSMProxy*> downstream;
-  AddDownstream(filter, downstream);
+  const std::vector<const pqPipelineSource*> downstream = ViewSources::WithDownstream(filter);
   for (int row = firstRow; row <= lastRow; ++row)
   {
     auto* port = vtkSMOutputPort::SafeDownCast(
       static_cast<vtkSMProxy*>(this->Choices->itemData(row).value<void*>()));
-    if (port && downstream.contains(port->GetSourceProxy()))
+    if (port &&
+      std::any_of(downstream.begin(), downstream.end(),
+        [&](const pqPipelineSource* one) { return one->getProxy() == port->GetSourceProxy(); }))
     {
       qobject_cast<QStandardItemModel*>(this->Choices->model())->item(row)->setEnabled(false);
     }

@@ -68,7 +68,7 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::SetColourMap(shown, "Shade", Look::SignColours(Look::PaleGrey));
     break;
   case 1:
-    Look::SetPatchColours(shown);
+    Look::SetColourMap(shown, "Colour", Look::PatchColours());
     break;
   case 2:
     Look::SetSingularityColours(shown);
@@ -86,7 +86,7 @@ void DesignerLook::Show(pqPipelineSource* source, pqDataRepresentation* represen
     Look::ColourBy(shown, vtkDataObject::CELL, "Shade");
     break;
   case 1:
-    Look::ShowPatches(shown);
+    Look::ColourBy(shown, vtkDataObject::CELL, "Colour");
     break;
   case 2:
     Look::ShowSingularities(shown);

@@ -78,6 +78,18 @@ std::vector<double> PaleColours()
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> PatchColours()
+{
+  std::vector<double> points;
+  AddColour(points, -1, { 0.95, 0.95, 0.95 });
+  for (std::size_t number = 0; number < Pale.size(); ++number)
+  {
+    AddColour(points, static_cast<double>(number), Pale[number]);
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
 void SetColourMap(vtkSMProxy* shown, const char* array, const std::vector<double>& points)
 {
   const vtkNew<vtkSMTransferFunctionManager> manager;

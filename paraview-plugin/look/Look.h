@@ -37,6 +37,8 @@ void AddColour(std::vector<double>& points, double value, const Colour& colour);
 std::vector<double> SignColours(const Colour& ofZero);
 /** Returns a colour map for identifiers, as those of blocks: five pale colours in turn. */
 std::vector<double> PaleColours();
+/** Returns the same pale colours for the numbers 0 to 4, and grey for −1. */
+std::vector<double> PatchColours();
 
 /** Gives an array a fixed colour map, a step of its own in a trace. */
 void SetColourMap(vtkSMProxy* shown, const char* array, const std::vector<double>& points);

@@ -6,8 +6,11 @@
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -28,8 +31,19 @@ namespace
 {
 using Look::Colour;
 
+vtkAlgorithm* AlgorithmOf(vtkSMProxy* proxy)
+{
+  return vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
+}
+
 bool IsAlarm(pqPipelineSource* source, int port)
 {
+  if (vtkAlgorithm* algorithm = AlgorithmOf(source->getProxy()))
+  {
+    vtkDataArray* alarm =
+      algorithm->GetOutputDataObject(port)->GetFieldData()->GetArray("Alarm");
+    return alarm && alarm->GetTuple1(0) > 0;
+  }
   const vtkPVDataInformation* data =
     source->getSourceProxy()->GetDataInformation(static_cast<unsigned int>(port));
   vtkPVArrayInformation* alarm = data->GetArrayInformation("Alarm", vtkDataObject::FIELD);
@@ -55,8 +69,8 @@ Colour PlainColour(pqDataRepresentation* representation)
 }
 
 /**
- * Paints now and after each update of a proxy, during the lifetime of the representation. Observes
- * the proxy because the client's signals are blocked during a drag.
+ * Paints now and after each update of a proxy, during the lifetime of the representation. With the
+ * built-in server it observes the algorithm, since the client is not told of updates during a drag.
  */
 class Painter final : public QObject
 {
@@ -64,26 +78,31 @@ public:
   Painter(vtkSMProxy* proxy, pqDataRepresentation* representation, std::function<void()> paint)
     : QObject(representation)
     , Paint(std::move(paint))
-    , Proxy(proxy)
+    , Observed(AlgorithmOf(proxy))
   {
     this->Update->SetClientData(this);
     this->Update->SetCallback(
       [](vtkObject*, unsigned long, void* self, void*) { static_cast<Painter*>(self)->Paint(); });
-    proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Update);
+    const unsigned long event = this->Observed ? vtkCommand::EndEvent : vtkCommand::UpdateDataEvent;
+    if (!this->Observed)
+    {
+      this->Observed = proxy;
+    }
+    this->Observed->AddObserver(event, this->Update);
     this->Paint();
   }
   ~Painter() override
   {
-    if (this->Proxy)
+    if (this->Observed)
     {
-      this->Proxy->RemoveObserver(this->Update);
+      this->Observed->RemoveObserver(this->Update);
     }
   }
 
 private:
   std::function<void()> Paint;
   vtkNew<vtkCallbackCommand> Update;
-  vtkWeakPointer<vtkSMProxy> Proxy;
+  vtkWeakPointer<vtkObject> Observed;
 };
 
 bool IsTaken(const char* location, pqDataRepresentation* representation)

@@ -3,9 +3,10 @@
 Drag the handles in the view, edit the rows in the panel, or use its buttons. To design a domain of
 your own, change the input of the designer.
 
-Patches have pale colours. Separatrices are red if they start at a singularity of quarter index 1,
-blue at -1, and grey if the layout is that of earlier positions. Thin lines are quads, drafts while
-a handle is dragged. The text summarises the quality of the layout, or reports why there is none.
+Patches have pale colours, which they keep while they change. Separatrices are red if they start at
+a singularity of quarter index 1, blue at -1. Everything is grey if the layout is that of earlier
+positions. Thin lines are quads, drafts while a handle is dragged. The text summarises the quality
+of the layout, or reports why there is none.
 """
 from paraview.simple import *
 
@@ -19,32 +20,29 @@ view = CreateRenderView(UseColorPaletteForBackground=0, Background=[1, 1, 1],
                         OrientationAxesVisibility=0, InteractionMode="2D")
 AssignViewToLayout(view)
 faces = Show(OutputPort(designer, 1), view)
-ColorBy(faces, ("CELLS", "FaceId"))
+ColorBy(faces, ("CELLS", "Colour"))
 SetProperties(
-    GetColorTransferFunction("FaceId"), AutomaticRescaleRangeMode="Never", Discretize=0,
-    RGBPoints=[value for face in range(60) for value in (
-        face, *[(0.98, 0.85, 0.8), (0.82, 0.9, 0.98), (0.85, 0.96, 0.84), (0.97, 0.94, 0.76),
-                (0.91, 0.85, 0.96)][face * 7 % 5])])
+    GetColorTransferFunction("Colour"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB", Discretize=0,
+    RGBPoints=[-1, 0.95, 0.95, 0.95, 0, 0.98, 0.85, 0.8, 1, 0.82, 0.9, 0.98, 2, 0.85, 0.96, 0.84,
+               3, 0.97, 0.94, 0.76, 4, 0.91, 0.85, 0.96])
 faces.SetScalarBarVisibility(view, False)
 SetProperties(faces, Ambient=1, Diffuse=0)
-edges = ExtractEdges(registrationName="Sides of quads", Input=OutputPort(designer, 3))
-SetProperties(Show(edges, view), ColorArrayName=["POINTS", ""], AmbientColor=[0.6, 0.6, 0.6],
-              DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001], Ambient=1, Diffuse=0)
+SetProperties(Show(OutputPort(designer, 3), view), Representation="Wireframe", ColorArrayName=["POINTS", ""],
+              AmbientColor=[0.6, 0.6, 0.6], DiffuseColor=[0.6, 0.6, 0.6], Position=[0, 0, 0.001],
+              Ambient=1, Diffuse=0)
 lines = Show(designer, view)
 ColorBy(lines, ("CELLS", "Shade"))
 lines.SetScalarBarVisibility(view, False)
 SetProperties(lines, LineWidth=3, Position=[0, 0, 0.002], Ambient=1, Diffuse=0)
-discs = Glyph(registrationName="Singularities", Input=OutputPort(designer, 2), GlyphType="Sphere",
-              ScaleArray=["POINTS", "No scale array"], ScaleFactor=0.06, GlyphMode="All Points")
-discs.GlyphType.ThetaResolution = 32
-shown = Show(discs, view)
+shown = Show(OutputPort(designer, 2), view)
 ColorBy(shown, ("POINTS", "QuarterIndex"))
 SetProperties(GetColorTransferFunction("Shade"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
               RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.75, 0.75, 0.75, 1, 0.85, 0.1, 0.1])
 SetProperties(GetColorTransferFunction("QuarterIndex"), AutomaticRescaleRangeMode="Never", ColorSpace="RGB",
               RGBPoints=[-1, 0.1, 0.2, 0.85, 0, 0.3, 0.3, 0.3, 1, 0.85, 0.1, 0.1])
 shown.SetScalarBarVisibility(view, False)
-SetProperties(shown, Ambient=1, Diffuse=0)
+SetProperties(shown, Representation="Points", PointSize=12, RenderPointsAsSpheres=1, Position=[0, 0, 0.003],
+              Ambient=1, Diffuse=0)
 SetProperties(Show(OutputPort(designer, 4), view), Color=[0, 0, 0], FontSize=16, WindowLocation="Lower Center")
 ResetCamera(view)
 view.CameraParallelScale *= 0.82

@@ -11,18 +11,6 @@
 #include <QMouseEvent>
 #include <QTimer>
 
-namespace
-{
-/** Posts the press and release of a key. */
-void Key(QWidget* widget, int key, const QString& text = {})
-{
-  for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
-  {
-    QCoreApplication::postEvent(widget, new QKeyEvent(type, key, Qt::NoModifier, text));
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 void GuiDialogs::Click(QWidget* widget, const QPoint& place)
 {
@@ -32,6 +20,15 @@ void GuiDialogs::Click(QWidget* widget, const QPoint& place)
     QCoreApplication::postEvent(widget,
       new QMouseEvent(type, place, widget->mapToGlobal(place), Qt::LeftButton,
         isPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier));
+  }
+}
+
+//------------------------------------------------------------------------------
+void GuiDialogs::Key(QWidget* widget, int key, const QString& text)
+{
+  for (const QEvent::Type type : { QEvent::KeyPress, QEvent::KeyRelease })
+  {
+    QCoreApplication::postEvent(widget, new QKeyEvent(type, key, Qt::NoModifier, text));
   }
 }
 

@@ -36,6 +36,9 @@ Response ClickOk(const char* dialogClass);
  */
 bool Run(const char* action, const std::vector<Response>& responses);
 
+/** Posts the press and release of a key. */
+void Key(QWidget* widget, int key, const QString& text = {});
+
 /** Posts a click at a point of a widget. */
 void Click(QWidget* widget, const QPoint& place);
 }

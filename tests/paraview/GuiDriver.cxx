@@ -13,6 +13,7 @@
 #include "pqOutputWidget.h"
 #include "pqPipelineBrowserWidget.h"
 #include "pqPipelineSource.h"
+#include "pqProgressWidget.h"
 #include "pqServerManagerModel.h"
 #include "pqUndoStack.h"
 #include "pqView.h"
@@ -25,12 +26,18 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QImage>
+#include <QLabel>
 #include <QListWidget>
 #include <QMainWindow>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
+#include <QToolButton>
 #include <QTreeView>
+
+#include <chrono>
+#include <thread>
 
 namespace
 {
@@ -61,7 +68,10 @@ void Mouse(QEvent::Type type, int x, int y, Qt::MouseButton button, Qt::MouseBut
 template <class Widget>
 Widget* FindVisible(const char* name)
 {
-  for (Widget* widget : pqCoreUtilities::mainWidget()->findChildren<Widget*>(name))
+  // Without a name: any widget of the class.
+  const QString chosen(name);
+  for (Widget* widget :
+    pqCoreUtilities::mainWidget()->findChildren<Widget*>(chosen.isEmpty() ? QString() : chosen))
   {
     if (widget->isVisible())
     {
@@ -354,6 +364,53 @@ extern "C"
     }
     // Quality 0 gives the smallest file.
     return window->grab(part).toImage().convertToFormat(QImage::Format_RGB888).save(file, "PNG", 0);
+  }
+
+  /** Returns the text of a visible label, empty if there is none. */
+  const char* gui_label(const char* name)
+  {
+    static QByteArray text;
+    auto* label = FindVisible<QLabel>(name);
+    text = label ? label->text().toUtf8() : QByteArray();
+    return text.constData();
+  }
+
+  /** Reports whether the client's abort button is enabled. */
+  bool gui_abort_enabled()
+  {
+    return FindVisible<pqProgressWidget>("")->abortButton()->isEnabled();
+  }
+
+  /**
+   * Posts input after a time, from another thread, since timers do not fire during a run: "button"
+   * is a click on the abort button, "escape" the key, and "delete" a click on the button Delete.
+   */
+  void gui_during_run(const char* action, int milliseconds)
+  {
+    const QString chosen(action);
+    QWidget* target = pqCoreUtilities::mainWidget();
+    if (chosen == "button")
+    {
+      target = FindVisible<pqProgressWidget>("")->abortButton();
+    }
+    else if (chosen == "delete")
+    {
+      target = FindVisible<QPushButton>("Delete");
+    }
+    std::thread(
+      [chosen, target, milliseconds]
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+        if (chosen == "escape")
+        {
+          GuiDialogs::Key(target, Qt::Key_Escape);
+        }
+        else
+        {
+          GuiDialogs::Click(target, target->rect().center());
+        }
+      })
+      .detach();
   }
 
   void gui_undo()

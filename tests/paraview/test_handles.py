@@ -268,6 +268,7 @@ def test_other_view(scene):
 
 def test_deleted(scene):
     other = SingularitySource(registrationName="Other")
+    Show(other, scene.view)
     scene.choose(other)
     check_equal(scene.handles(), 4, "handles of another source")
     times = list(scene.drag(ROWS[:2], (-0.05, 0.15), MOVES))

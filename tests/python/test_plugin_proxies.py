@@ -25,14 +25,14 @@ PROXIES = {
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
-    "SingularitySource": ("sources", "Domain Singularities FileName UseHandles Handles Plane"),
+    "SingularitySource": ("sources", "Domain Singularities OutputRows FileName UseHandles Handles Plane"),
     "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
     "PerforatedCrossField": (
         "filters", "Input Corners Method UnitHoles UnitHoleRows GlobalConstraint Epsilon "
         "MaximumIterations Tolerance"),
     "HField": ("filters", "Input Singularities Corners MeshSize KeepMesh"),
-    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Propose Optimise Snap AddPair Undo Quads Dragging "
+    "LayoutDesigner": ("filters", "Input StartFrom Corners Singularities Rows Plane Propose Optimise Snap AddPair Undo Quads Merge Dragging "
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "

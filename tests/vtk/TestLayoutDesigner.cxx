@@ -22,8 +22,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -79,6 +81,37 @@ public:
     return values;
   }
 
+  /** Returns the colour of each patch, by the number of the patch. */
+  std::map<int, int> Colours()
+  {
+    vtkCellData* data =
+      vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1))->GetCellData();
+    vtkDataArray* colours = FilterChecks::RequireArray(data, "Colour");
+    vtkDataArray* patches = FilterChecks::RequireArray(data, "FaceId");
+    std::map<int, int> found;
+    for (vtkIdType i = 0; i < colours->GetNumberOfTuples(); ++i)
+    {
+      const auto colour = static_cast<int>(colours->GetTuple1(i));
+      const auto [patch, isNew] = found.insert({ static_cast<int>(patches->GetTuple1(i)), colour });
+      EXPECT_EQ(patch->second, colour) << "one colour on a patch";
+    }
+    return found;
+  }
+
+  /** Returns the distances of the points of output 2 from the rows. */
+  std::vector<double> Moves()
+  {
+    auto* points = vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(2));
+    std::vector<double> moves;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      const double* row = this->Filter->GetRows()->GetTuple(i);
+      const double* place = points->GetPoint(i);
+      moves.push_back(std::hypot(place[0] - row[0], place[1] - row[1]));
+    }
+    return moves;
+  }
+
   vtkIdType CountOf(int port)
   {
     return vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(port))->GetNumberOfCells();
@@ -98,7 +131,7 @@ TEST_F(LayoutDesigner, FollowsFilterConventions)
   FilterChecks::CheckRunTwice(
     this->Filter, [this] { this->SetFour(0.6); }, [this] { this->SetFour(0.5); });
   FilterChecks::CheckPrintSelf(this->Filter,
-    { "Singularities", "MeshSize", "CapCorners", "Quads", "QuadSize", "QuadCount",
+    { "Singularities", "MeshSize", "CapCorners", "Quads", "Merge", "QuadSize", "QuadCount",
       "StageSeconds" });
   FilterChecks::CheckEmptyInput(this->Filter);
 }
@@ -183,6 +216,134 @@ TEST_F(LayoutDesigner, UsesACoarserMeshAndDraftsWhileDragging)
   EXPECT_EQ(this->Value("RenormalizedEnergy"), energy);
   EXPECT_EQ(this->Value("MinimumAngle"), angle);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), points);
+}
+
+TEST_F(LayoutDesigner, PatchesKeepTheirColours)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(0, 0.5, 0.38, 1, 0.1);
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const std::map<int, int> first = this->Colours();
+  EXPECT_EQ(first.size(), 9u);
+  for (const auto& [patch, colour] : first)
+  {
+    EXPECT_GE(colour, 0);
+    EXPECT_LT(colour, 5);
+  }
+  for (int step = 1; step <= 5; ++step)
+  {
+    this->Filter->SetSingularity(0, 0.5, 0.38 - 0.002 * step, 1, 0.1);
+    FilterChecks::UpdateWithoutError(this->Filter);
+  }
+  this->Filter->DraggingOff();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  // Patches may be numbered in another order.
+  std::multiset<int> before;
+  std::multiset<int> after;
+  for (const auto& [patch, colour] : first)
+  {
+    before.insert(colour);
+  }
+  for (const auto& [patch, colour] : this->Colours())
+  {
+    after.insert(colour);
+  }
+  EXPECT_EQ(before, after);
+  this->Filter->SetSingularity(0, 3.0, 0.0, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  for (const auto& [patch, colour] : this->Colours())
+  {
+    EXPECT_EQ(colour, -1) << "a stale layout is grey";
+  }
+}
+
+TEST_F(LayoutDesigner, ReportsAndShowsNodesThatMoved)
+{
+  // At their rows.
+  this->SetFour();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("MovedNodes"), 0);
+  EXPECT_EQ(this->Text("Summary").find("moved"), std::string::npos) << this->Text("Summary");
+  for (const double move : this->Moves())
+  {
+    EXPECT_NEAR(move, 0.0, 1e-12);
+  }
+  // Separatrices that pass singularities closely meet them if these move.
+  this->Filter->SetSingularity(0, 0.5, 0.35, 1, 0.1);
+  this->Filter->SetQuadSize(0.03);
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const std::vector<double> moves = this->Moves();
+  EXPECT_GT(*std::max_element(moves.begin(), moves.end()), 0.01);
+  EXPECT_NEAR(this->Value("Moved"), *std::max_element(moves.begin(), moves.end()), 1e-12);
+  EXPECT_EQ(this->Filter->GetRows()->GetComponent(0, 0), 0.5) << "the handles stay";
+  EXPECT_EQ(this->Value("MovedNodes"), 4);
+  EXPECT_NE(this->Text("Summary").find("4 nodes moved by up to 0.02"), std::string::npos)
+    << this->Text("Summary");
+  EXPECT_EQ(this->Text("Summary").find("Snap"), std::string::npos) << "there is nothing to snap";
+  // A stale layout has no nodes of the present rows.
+  this->Filter->SetSingularity(0, 3.0, 0.0, 1, 0.1);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Moves(), std::vector<double>(4, 0.0));
+}
+
+TEST_F(LayoutDesigner, ReleasedNodesAreReported)
+{
+  // Singularities placed at random in a plate with three holes. Quads at them would be inverted.
+  this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 3.0 }),
+    TestInputs::Circle(24, 0.25, { 0.9, 0.9 }), TestInputs::Circle(24, 0.3, { 2.9, 0.8 }),
+    TestInputs::Circle(24, 0.2, { 2.0, 2.1 }) }));
+  this->Filter->SetMeshSize(0.0);
+  this->Filter->SetQuadSize(0.0);
+  this->Filter->SetQuadCount(500);
+  const double places[12][2] = { { 1.1, 0.18 }, { 1.26, 1.98 }, { 3.5, 1.93 }, { 1.79, 2.56 },
+    { 0.88, 1.31 }, { 3.13, 2.62 }, { 3.41, 1.19 }, { 2.31, 1.0 }, { 0.65, 1.49 }, { 3.25, 2.44 },
+    { 2.78, 2.72 }, { 1.17, 0.61 } };
+  for (int i = 0; i < 12; ++i)
+  {
+    this->Filter->SetSingularity(i, places[i][0], places[i][1], -1, 0.1);
+  }
+  FilterChecks::UpdateWithoutError(this->Filter);
+  ASSERT_EQ(this->Value("Stale"), 0) << this->Text("Reason");
+  vtkFieldData* report = this->Filter->GetOutputDataObject(4)->GetFieldData();
+  ASSERT_EQ(FilterChecks::RequireArray(report, "Released")->GetTuple1(0), 1.0)
+    << "the test needs another configuration";
+  const std::vector<double> moves = this->Moves();
+  EXPECT_GT(this->Value("MovedNodes"), 0);
+  EXPECT_NEAR(this->Value("Moved"), *std::max_element(moves.begin(), moves.end()), 1e-12);
+  EXPECT_NE(this->Text("Summary").find("moved by"), std::string::npos) << this->Text("Summary");
+  // Drafts are at the handles.
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("MovedNodes"), 0);
+}
+
+TEST_F(LayoutDesigner, MergesBlocksWhenAHandleIsReleased)
+{
+  this->SetFour();
+  this->Filter->SetSingularity(0, 0.5, 0.35, 1, 0.1);
+  this->Filter->SetQuadSize(0.03);
+  FilterChecks::UpdateWithoutError(this->Filter);
+  const auto blocks = [this]
+  {
+    return FilterChecks::RequireArray(
+      this->Filter->GetOutputDataObject(4)->GetFieldData(), "Blocks")
+      ->GetTuple1(0);
+  };
+  const double separate = blocks();
+  this->Filter->SetMergeToClean();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(blocks(), separate);
+  EXPECT_EQ(this->Value("Stale"), 0);
+  this->Filter->SetMergeToCoarse();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_LT(blocks(), separate);
+  this->Filter->SetMergeToClean();
+  this->Filter->DraggingOn();
+  FilterChecks::UpdateWithoutError(this->Filter);
+  EXPECT_EQ(this->Value("MovedNodes"), 0) << "blocks are not merged while a handle is dragged";
+  EXPECT_EQ(blocks(), separate);
 }
 
 TEST_F(LayoutDesigner, IsStaleIfTheFirstConfigurationIsInvalid)

@@ -1,5 +1,8 @@
 #include "support/FilterChecks.h"
 #include "support/TestInputs.h"
+#include "vtkDrillHoles.h"
+#include "vtkPlanarDomainSource.h"
+#include "vtkPoincareHopfCheck.h"
 #include "vtkSingularitySource.h"
 
 #include "vtkCellType.h"
@@ -11,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -134,6 +138,88 @@ TEST_F(SingularitySource, RowsAreInThePlaneOfStartOrDomain)
   this->SetText("x,y,z,quarter_index\n0.5,0.25,1.5,1\n");
   FilterChecks::UpdateWithoutError(this->Source);
   EXPECT_EQ(this->Source->GetOutput()->GetPoint(0)[2], 1.5);
+}
+
+TEST_F(SingularitySource, DefaultRowsFitTheDomain)
+{
+  vtkNew<vtkPlanarDomainSource> domain;
+  this->Source->SetDomainConnection(domain->GetOutputPort());
+  for (const char* name : { "disk", "ring", "ellipse", "quarter-disk", "l-shape", "hexagonal",
+         "star", "angular-balanced", "angular-negative", "angular-positive", "angular-hole" })
+  {
+    for (const double scale : { 0.01, 1.0, 300.0 })
+    {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(scale));
+      domain->SetDomainName(name);
+      domain->SetRadius(scale);
+      domain->SetInnerRadius(0.4 * scale);
+      domain->SetWidth(2.0 * scale);
+      domain->SetHeight(scale);
+      const std::size_t count = this->Rows().size();
+      vtkNew<vtkPoincareHopfCheck> check;
+      check->SetInputConnection(domain->GetOutputPort());
+      check->SetSingularitiesConnection(this->Source->GetOutputPort());
+      FilterChecks::UpdateWithoutError(check);
+      vtkFieldData* report = check->GetOutputDataObject(0)->GetFieldData();
+      EXPECT_EQ(FilterChecks::RequireArray(report, "Consistent")->GetTuple1(0), 1.0);
+      const double required =
+        FilterChecks::RequireArray(report, "RequiredInteriorQuarters")->GetTuple1(0);
+      EXPECT_EQ(static_cast<double>(count), std::abs(required)) << "all of one sign";
+      // Holes that overlap or leave the domain would be refused.
+      vtkNew<vtkDrillHoles> drill;
+      drill->SetInputConnection(domain->GetOutputPort());
+      drill->SetSingularitiesConnection(this->Source->GetOutputPort());
+      FilterChecks::UpdateWithoutError(drill);
+      EXPECT_GT(drill->GetOutput()->GetNumberOfCells(), 100);
+      EXPECT_EQ(
+        this->Source->GetOutputRows()->GetNumberOfTuples(), static_cast<vtkIdType>(count));
+    }
+  }
+}
+
+TEST_F(SingularitySource, FittedRowsAreThoseOfTheUserOnceChanged)
+{
+  vtkNew<vtkPlanarDomainSource> domain;
+  domain->SetDomainName("ellipse");
+  this->Source->SetDomainConnection(domain->GetOutputPort());
+  const std::vector<Row> defaults = this->Rows();
+  EXPECT_EQ(defaults.size(), 4u);
+  EXPECT_LT(std::abs(defaults[0][1]), 0.5) << "inside";
+  const Row own = { 0.5, 0.25, 1.0, 0.05 };
+  this->Source->SetSingularity(0, own[0], own[1], own[2], own[3]);
+  EXPECT_EQ(this->Rows()[0], own);
+  EXPECT_EQ(this->Rows()[1][3], 0.1) << "the other rows as they are";
+  this->Source->RemoveAllSingularities();
+  EXPECT_TRUE(this->Rows().empty());
+  // ParaView sets the default rows one by one.
+  const double d = 0.6 * std::sqrt(0.5);
+  this->Source->AddSingularity(d, d, 1.0, 0.1);
+  this->Source->AddSingularity(-d, d, 1.0, 0.1);
+  this->Source->AddSingularity(-d, -d, 1.0, 0.1);
+  this->Source->AddSingularity(d, -d, 1.0, 0.1);
+  EXPECT_EQ(this->Rows(), defaults);
+  // Start and a file come first.
+  this->SetText("x,y,quarter_index,radius\n0.5,-0.25,2,0.3\n");
+  EXPECT_EQ(this->Rows().size(), 1u);
+  this->Source->SetFileName(nullptr);
+  this->Source->SetStartData(TestInputs::Singularities({ { 0.1, 0.2, -1.0, 0.05 } }));
+  EXPECT_EQ(this->Rows().size(), 1u);
+}
+
+TEST_F(SingularitySource, FittedRowsAreInThePlaneOfTheDomain)
+{
+  this->Source->SetDomainData(TestInputs::Loops({ TestInputs::Circle(40, 2.0, { 5.0, 1.0 }) }, 3.0));
+  FilterChecks::UpdateWithoutError(this->Source);
+  vtkPolyData* output = this->Source->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), 4);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const double* place = output->GetPoint(i);
+    EXPECT_EQ(place[2], 3.0);
+    EXPECT_LT(std::hypot(place[0] - 5.0, place[1] - 1.0), 2.0);
+  }
+  this->Source->SetDomainData(TestInputs::OpenCurve({ { 0, 0 }, { 1, 0 }, { 1, 1 } }));
+  FilterChecks::CaptureError(this->Source, { "open" });
 }
 
 TEST_F(SingularitySource, WritesDocumentedArrays)

@@ -1,5 +1,6 @@
 #include "LayoutDesign.h"
 
+#include "CleanBlocks.h"
 #include "DomainQueries.h"
 #include "DrillHoles.h"
 #include "Stopwatch.h"
@@ -8,21 +9,45 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace crossfield
 {
 namespace
 {
 /// Computes the Poincaré-Hopf count and W.
-void EvaluateEnergy(
-  const FactoredDomain& domain, const SeamlessMapOptions& options, LayoutDesign& design)
+void EvaluateEnergy(const FactoredDomain& domain, const Configuration& singularities,
+  const SeamlessMapOptions& options, LayoutDesign& design)
 {
   const MeshTopology& topology = domain.GetPotential()->GetTopology();
-  const PlacedConfiguration placed = PlaceForMap(topology, design.singularities, options);
+  const PlacedConfiguration placed = PlaceForMap(topology, singularities, options);
   const PointPotential potential(domain.GetPotential(),
     AlignWithBoundary(topology, placed.corners, TotalQuarters(placed.interior)));
   design.count = potential.GetProblem().alignment.count;
   design.energy = EvaluateRenormalizedEnergy(potential, potential.Solve(placed.interior));
+}
+
+/// Replaces map, separatrices and quads by those of fewer blocks, if there are any.
+void Clean(const FactoredDomain& domain, const LayoutOptions& options, LayoutDesign& design,
+  const Progress& progress)
+{
+  CleanOptions clean;
+  clean.map = options.map;
+  clean.meshSize = domain.GetMeshSize();
+  clean.quads = *options.quads;
+  MeshedLayout start{ { design.singularities, std::move(design.map), std::move(design.mesh) },
+    std::move(*design.quads) };
+  CleanBlocksResult result =
+    CleanBlocks(domain.GetDomain(), std::move(start), clean, progress.Part(0.0, 0.9));
+  ClosingLayout& layout = result.mesh.layout;
+  design.map = std::move(layout.map);
+  design.mesh = std::move(layout.tMesh);
+  design.quads = std::move(result.mesh.quads);
+  if (result.accepted)
+  {
+    design.separatrices = TraceSeparatrices(design.map, progress.Part(0.9, 1.0));
+    EvaluateEnergy(domain, layout.singularities, options.map, design);
+  }
 }
 }
 
@@ -33,21 +58,30 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
   RequireInside(domain.GetDomain(), singularities);
   LayoutDesign design;
   design.singularities = singularities;
-  EvaluateEnergy(domain, options.map, design);
+  EvaluateEnergy(domain, singularities, options.map, design);
   progress.Report(0.1);
   design.map = SolveSeamlessMap(ShareTopology(domain.MeshOn(singularities)), singularities,
     options.map, progress.Part(0.1, 0.6));
   design.separatrices = TraceSeparatrices(design.map, progress.Part(0.6, 0.7));
   design.mesh = MakeTMesh(design.map, design.separatrices);
+  design.nodes.singularities = singularities;
+  if (options.quads)
+  {
+    design.quads = MakeQuads(
+      design.map, design.mesh, *options.quads, progress.Part(0.7, options.clean ? 0.75 : 1.0));
+    if (options.clean)
+    {
+      Clean(domain, options, design, progress.Part(0.75, 1.0));
+    }
+    design.nodes =
+      FindNodePositions(design.map, design.quads->mesh, singularities, singularities);
+  }
   design.shortestArc = std::numeric_limits<double>::infinity();
   for (const TArc& arc : design.mesh.arcs)
   {
     design.shortestArc = std::min(design.shortestArc, arc.length);
   }
-  if (options.quads)
-  {
-    design.quads = MakeQuads(design.map, design.mesh, *options.quads, progress.Part(0.7, 1.0));
-  }
+  design.colours = ColourPatches(design.mesh, options.earlier);
   design.seconds = stopwatch.Lap();
   progress.Report(1.0);
   return design;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "FactoredDomain.h"
+#include "NodePositions.h"
+#include "PatchColours.h"
 #include "QuadMesher.h"
 
 #include "PoincareHopf.h"
@@ -16,6 +18,10 @@ struct LayoutOptions
   SeamlessMapOptions map;
   /// Options of the quads; none are made if empty.
   std::optional<QuadOptions> quads;
+  /// Moves singularities so that separatrices that nearly meet do meet, if the quads stay as good
+  /// (CleanBlocks); needs smooth quads.
+  bool clean = false;
+  std::vector<PatchColour> earlier; ///< Colours of an earlier layout, which patches keep.
 };
 
 /// Layout of a domain for a configuration, as shown while singularities are moved: separatrices,
@@ -27,6 +33,10 @@ struct LayoutDesign
   TraceGraph separatrices;
   TMesh mesh;
   std::optional<QuadResult> quads;
+  /// Where the nodes of the singularities are, and how far from the given positions. Without quads
+  /// these are the given positions.
+  NodePositions nodes;
+  std::vector<PatchColour> colours; ///< Colours of the patches.
   PoincareHopfCount count;
   RenormalizedEnergyValue energy;
   /// Minimum length of an arc, in the map, whose area is that of the domain.

@@ -57,7 +57,10 @@ public:
     constexpr int MaximumIterations = 60;
     for (; this->Report.iterations < MaximumIterations; ++this->Report.iterations)
     {
-      progress.Report(static_cast<double>(this->Report.iterations) / MaximumIterations);
+      const auto done = static_cast<double>(this->Report.iterations);
+      const Progress part =
+        progress.Part(done / MaximumIterations, (done + 1.0) / MaximumIterations);
+      part.Report(0.0);
       const MetricDerivatives derivatives(this->Metric);
       const Eigen::VectorXd angles = derivatives.AngleDefects();
       const LoopAlignment alignment = MeasureAlignment(derivatives);
@@ -69,7 +72,7 @@ public:
         this->Report.converged = true;
         return this->Report;
       }
-      const bool hasMoved = this->Step(derivatives, angles, alignment);
+      const bool hasMoved = this->Step(derivatives, angles, alignment, part);
       const bool hasChanged = this->Remesh();
       if (!hasMoved && !hasChanged)
       {
@@ -82,7 +85,7 @@ public:
 private:
   /// Takes one step. Returns whether it reduced the errors.
   bool Step(const MetricDerivatives& derivatives, const Eigen::VectorXd& angles,
-    const LoopAlignment& alignment)
+    const LoopAlignment& alignment, const Progress& progress)
   {
     const auto loops = alignment.defects.size();
     Eigen::MatrixXd rightHandSides(angles.size(), 1 + loops);
@@ -106,7 +109,7 @@ private:
       const Eigen::MatrixXd potentials = solutions.rightCols(loops);
       const Eigen::VectorXd strain =
         this->Strain(HolomorphicStrains(derivatives, alignment, potentials),
-          alignment.defects + potentials.transpose() * angles);
+          alignment.defects + potentials.transpose() * angles, progress);
       change +=
         strain - ConformalChanges(this->Metric, solve(derivatives.AngleSumChanges(strain)).col(0));
     }
@@ -115,7 +118,8 @@ private:
 
   /// Returns the strain that corrects the directions of loops, limited to what a linear model is
   /// good for. `defects` are those that conformal changes leave.
-  Eigen::VectorXd Strain(const HolomorphicStrains& basis, Eigen::VectorXd defects)
+  Eigen::VectorXd Strain(
+    const HolomorphicStrains& basis, Eigen::VectorXd defects, const Progress& progress)
   {
     if (defects.lpNorm<Eigen::Infinity>() <= Negligible)
     {
@@ -142,7 +146,7 @@ private:
     if (!this->HasTurned)
     {
       this->HasTurned = true;
-      const Eigen::VectorXi turns = ChooseQuarterTurns(sample, defects);
+      const Eigen::VectorXi turns = ChooseQuarterTurns(sample, defects, progress);
       if (!turns.isZero())
       {
         for (Eigen::Index j = 0; j < turns.size(); ++j)

@@ -67,7 +67,8 @@ double LeastStrain(
   return strain;
 }
 
-Eigen::VectorXi ChooseQuarterTurns(const DifferentialSample& sample, const Eigen::VectorXd& defects)
+Eigen::VectorXi ChooseQuarterTurns(
+  const DifferentialSample& sample, const Eigen::VectorXd& defects, const Progress& progress)
 {
   const std::vector<Eigen::VectorXi> changes = Neighbours(defects.size());
   // A gain below this part does not pay for another layout.
@@ -82,6 +83,7 @@ Eigen::VectorXi ChooseQuarterTurns(const DifferentialSample& sample, const Eigen
     const Eigen::VectorXd start = coefficients;
     for (const Eigen::VectorXi& change : changes)
     {
+      progress.Report(0.0);
       Eigen::VectorXd candidate = start;
       const double strain =
         LeastStrain(sample, defects - 0.5 * Pi * (centre + change).cast<double>(), candidate);

@@ -67,6 +67,10 @@ DesignUpdate DesignSession::Update(
   {
     singularities = this->Prepare(request, rows, progress.Part(0.0, 0.2));
     this->Apply(request, singularities, rows, progress.Part(0.2, 0.4));
+    if (this->Design)
+    {
+      request.options.earlier = this->Design->colours;
+    }
     this->Design = crossfield::DesignLayout(
       this->Domain.Factor(singularities, request.meshSize, progress.Part(0.4, 0.6)), singularities,
       request.options, progress.Part(0.6, 0.95));

@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "HolonomyConversion.h"
+#include "Index.h"
 #include "PoincareHopf.h"
 #include "QuadReport.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -13,6 +14,24 @@
 #include <sstream>
 
 namespace names = vtkCrossFieldArrayNames;
+
+namespace
+{
+/** Returns for example "2 nodes moved by up to 0.21 from their handles."; empty if none moved. */
+std::string DescribeMoves(const crossfield::NodePositions& nodes)
+{
+  const std::size_t count = nodes.events.size();
+  if (count == 0)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << std::setprecision(2) << (count == 1 ? "One node" : std::to_string(count) + " nodes")
+       << " moved by " << (count == 1 ? "" : "up to ") << nodes.moved << " from "
+       << (count == 1 ? "its handle." : "their handles.");
+  return text.str();
+}
+}
 
 namespace LayoutConversion
 {
@@ -27,6 +46,19 @@ void AddShade(bool stale, vtkPolyData* lines)
     shades.push_back((quarterIndex > 0.0 ? 1 : 0) - (quarterIndex < 0.0 ? 1 : 0));
   }
   ColumnWriting::AddIntegers(lines->GetCellData(), names::Shade, shades);
+}
+
+//------------------------------------------------------------------------------
+void AddColours(
+  const std::vector<crossfield::PatchColour>& colours, bool stale, vtkPolyData* patches)
+{
+  const auto* ids = vtkIntArray::SafeDownCast(patches->GetCellData()->GetArray(names::FaceId));
+  std::vector<int> cells;
+  for (vtkIdType i = 0; ids != nullptr && i < ids->GetNumberOfTuples(); ++i)
+  {
+    cells.push_back(stale ? -1 : colours[crossfield::Index(ids->GetValue(i))].colour);
+  }
+  ColumnWriting::AddIntegers(patches->GetCellData(), names::Colour, cells);
 }
 
 //------------------------------------------------------------------------------
@@ -47,10 +79,12 @@ std::string Summary(const crossfield::LayoutDesign* design, const Report& report
   }
   text << std::fixed << std::setprecision(2) << "; energy W " << design->energy.energy
        << " (lower is better).";
-  if (design->shortestArc < 0.5 * report.quadSize)
+  if (report.canSnap && design->shortestArc < 0.5 * report.quadSize)
   {
     text << " Two separatrices nearly coincide: try Snap.";
   }
+  const std::string moves = DescribeMoves(design->nodes);
+  text << (moves.empty() ? "" : " ") << moves;
   if (design->map.flattening)
   {
     const std::string stretch = crossfield::DescribeStretch(*design->map.flattening);
@@ -76,6 +110,9 @@ void AddReport(const crossfield::LayoutDesign* design, const Report& report, vtk
   ColumnWriting::AddIntegers(data, names::Faces, { static_cast<int>(design->mesh.patches.size()) });
   ColumnWriting::AddNumbers(data, names::ShortestArc, { design->shortestArc / report.quadSize });
   HolonomyConversion::WriteStretch(design->map.flattening, data);
+  ColumnWriting::AddIntegers(
+    data, names::MovedNodes, { static_cast<int>(design->nodes.events.size()) });
+  ColumnWriting::AddNumbers(data, names::Moved, { design->nodes.moved });
   if (design->quads)
   {
     ColumnWriting::AddNumbers(

@@ -5,6 +5,7 @@
 #include "LayoutDesign.h"
 
 #include <string>
+#include <vector>
 
 class vtkFieldData;
 class vtkPolyData;
@@ -17,6 +18,7 @@ struct Report
 {
   std::string refusal;   ///< Why the design is outdated; empty if it is current.
   double quadSize = 0.0; ///< Side length of quads, the unit in which the shortest arc is reported.
+  bool canSnap = true;   ///< Whether Snap is offered; merged blocks do not need it.
 };
 
 /**
@@ -24,6 +26,13 @@ struct Report
  * layout is stale.
  */
 void AddShade(bool stale, vtkPolyData* lines);
+
+/**
+ * Adds the cell array `Colour` to patches: the number of a colour, which a patch keeps while
+ * singularities move; −1, grey, if the layout is stale.
+ */
+void AddColours(
+  const std::vector<crossfield::PatchColour>& colours, bool stale, vtkPolyData* patches);
 
 /** Returns a short text about the quality of the design, or why there is no design. */
 std::string Summary(const crossfield::LayoutDesign* design, const Report& report);
