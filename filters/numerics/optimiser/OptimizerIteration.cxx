@@ -205,7 +205,8 @@ OptimizerEnd OptimizerIteration::Run(
   const OptimizerObjective& objective, const Progress& progress, OptimizerState& current)
 {
   double penalty = 0.0;
-  bool isNew = false; // whether the Hessian was just computed
+  bool isNew = false;    // whether the Hessian was just computed
+  bool isScaled = false; // whether it was replaced by a multiple of the identity after that
   for (;;)
   {
     if (current.positions.size() > 0 &&
@@ -267,9 +268,17 @@ OptimizerEnd OptimizerIteration::Run(
     // The updates may overflow where singularities are pressed together.
     if (!model.step.allFinite() || !SearchLine(objective, current, model, penalty, next))
     {
-      if (isNew)
+      if (isScaled)
       {
         return OptimizerEnd::NoDescent;
+      }
+      if (isNew)
+      {
+        // A first step of about a twentieth of the diagonal along the gradient.
+        this->Hessian = std::max(20.0 * LargestEntry(current.gradient), 1.0) *
+          Eigen::MatrixXd::Identity(current.positions.size(), current.positions.size());
+        isScaled = true;
+        continue;
       }
       this->Restart();
       continue;
@@ -277,7 +286,7 @@ OptimizerEnd OptimizerIteration::Run(
     const Eigen::VectorXd step = next.positions - current.positions;
     const Eigen::VectorXd change = next.gradient - current.gradient +
       (next.defectGradient - current.defectGradient).transpose() * model.multipliers;
-    isNew = false;
+    isNew = isScaled = false;
     UpdateHessian(this->Hessian, step, change);
     current = next;
     this->LastDisplacement = LargestDisplacement(step);
