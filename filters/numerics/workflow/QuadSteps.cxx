@@ -51,8 +51,7 @@ MeshedLayout WithMergedBlocks(
 {
   options.coarse = true;
   MeshedLayout merged{ meshed.layout, {} };
-  merged.quads =
-    crossfield::MakeQuads(merged.layout.map, merged.layout.tMesh, options, progress);
+  merged.quads = crossfield::MakeQuads(merged.layout.map, merged.layout.tMesh, options, progress);
   return merged;
 }
 
@@ -401,7 +400,7 @@ private:
   const QuadRequest& Request;
   SeamlessMapOptions MapOptions;
   std::vector<CornerChoice> FirstCorners; ///< Corners of MapOptions before blocks were merged.
-  Configuration Started; ///< The singularities before they were repaired.
+  Configuration Started;                  ///< The singularities before they were repaired.
   QuadWorkflowResult Result;
   Stopwatch Clock;
 };
