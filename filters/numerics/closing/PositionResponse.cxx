@@ -37,20 +37,6 @@ Eigen::MatrixXd Sources(
   return sources;
 }
 
-/// Returns the solutions with vanishing periods around inner loops.
-Eigen::MatrixXd SolveSingleValued(const PotentialSolver& potential, const Eigen::MatrixXd& sources)
-{
-  Eigen::MatrixXd solution = potential.Solve(sources, PotentialSolver::Periods::Islands);
-  const PeriodResponse& response = potential.GetPeriodResponse();
-  const Eigen::Index periods = response.basis.cols();
-  if (periods > 0)
-  {
-    solution -= response.basis * (response.schur * solution.bottomRows(periods)).eval();
-    solution.bottomRows(periods).setZero();
-  }
-  return solution;
-}
-
 /// Returns the distances from moving cones beyond which the map is accurate.
 Eigen::VectorXd FindAccurateDistances(const SeamlessMap& map, const std::vector<int>& moving)
 {
@@ -101,7 +87,7 @@ PositionResponse::PositionResponse(const SeamlessMap& map, const Progress& progr
   const MeshTopology& topology = *map.topology;
   const PotentialSolver potential(map.topology, progress.Part(0.0, 0.5));
   const Eigen::MatrixXd solution =
-    0.25 * SolveSingleValued(potential, Sources(potential, map, this->Moving));
+    0.25 * potential.SolveSingleValued(Sources(potential, map, this->Moving));
   const Eigen::Index vertices = potential.GetOperator().VertexCount();
   this->Real = solution.topRows(vertices).transpose();
   progress.Report(0.8);

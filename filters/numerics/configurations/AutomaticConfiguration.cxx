@@ -97,6 +97,14 @@ bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& min
     start.energy < minimum.rankingEnergy - MeshError * (1.0 + std::abs(minimum.rankingEnergy));
 }
 
+/// Returns whether a start is so far above the energy of a result that its own run would use up the
+/// solves before it reaches it: by more than one core energy, 2π, for each singularity.
+bool IsHopeless(const ProposedConfiguration& start, const OptimizerResult& result)
+{
+  return start.energy >
+    result.rankingEnergy + 2.0 * Pi * static_cast<double>(start.singularities.size());
+}
+
 /// Returns the size of the quads for which singularities are chosen, 0 if no quads will be made.
 double ResolveQuadSize(const PlanarDomain& domain, const AutomaticOptions& options)
 {
@@ -215,7 +223,9 @@ AutomaticConfiguration ChooseConfiguration(
   std::size_t solves = 0;
   for (std::size_t i = 0; i < starts.size(); ++i)
   {
-    if (HasConvergedWithoutDefect(best.optimum) && !PromisesMore(starts[i], best.optimum))
+    if (i > 0 &&
+      (HasConvergedWithoutDefect(best.optimum) ? !PromisesMore(starts[i], best.optimum)
+                                               : IsHopeless(starts[i], best.optimum)))
     {
       continue;
     }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -19,9 +20,10 @@ namespace
 {
 /// Returns the result of the optimiser. Throws Aborted if it was aborted.
 OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration& proposal,
-  int steps, const Progress& progress)
+  int steps, double maximumStart, const Progress& progress)
 {
   OptimizerOptions options;
+  options.maximumStart = maximumStart;
   options.corners = proposal.corners;
   options.maximumIterations = steps;
   options.keepAll = true; // the configuration is ranked as proposed
@@ -34,14 +36,20 @@ OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration
 }
 
 /// Improves a proposal by a few steps of the optimiser and by the symmetry of the domain, unless
-/// given singularities must keep their positions, and computes its energies.
+/// given singularities must keep their positions, and computes its energies. `lowest`: the lowest
+/// energy of the others. A start that would have to lower its energy by more than one core energy,
+/// 2π, for each singularity to reach it is not improved.
 void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
-  const ProposalOptions& options, double coreRadius, const Progress& progress,
+  const ProposalOptions& options, double coreRadius, double lowest, const Progress& progress,
   ProposedConfiguration& proposal)
 {
+  const double maximumStart =
+    lowest + 2.0 * Pi * static_cast<double>(proposal.singularities.size());
+
   const bool isFree = options.given.empty() && !options.cancelFlatCorners;
   constexpr int Steps = 8; // usually most of the decrease
-  OptimizerResult trial = Optimize(domain, proposal, isFree ? Steps : 0, progress.Part(0.0, 0.8));
+  OptimizerResult trial =
+    Optimize(domain, proposal, isFree ? Steps : 0, maximumStart, progress.Part(0.0, 0.8));
   proposal.singularities = trial.configuration;
   if (isFree)
   {
@@ -52,7 +60,7 @@ void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
     if (!symmetry.IsTrivial())
     {
       symmetry.Project(proposal.singularities);
-      trial = Optimize(domain, proposal, 0, progress.Part(0.8, 1.0));
+      trial = Optimize(domain, proposal, 0, maximumStart, progress.Part(0.8, 1.0));
     }
   }
   proposal.renormalized = trial.energyAfter;
@@ -140,12 +148,14 @@ std::vector<ProposedConfiguration> ProposeConfigurations(
   const double diagonal = domain.Diagonal();
   const double coreRadius = ResolveCoreRadius(options.coreRadius, domain);
   const SymmetryGroup symmetries = FindSymmetries(domain);
+  double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < proposals.size(); ++i)
   {
     const auto part = [&](std::size_t number)
     { return 0.5 + 0.5 * static_cast<double>(number) / static_cast<double>(proposals.size()); };
-    Evaluate(
-      domain, symmetries, options, coreRadius, progress.Part(part(i), part(i + 1)), proposals[i]);
+    Evaluate(domain, symmetries, options, coreRadius, lowest, progress.Part(part(i), part(i + 1)),
+      proposals[i]);
+    lowest = proposals[i].variation ? lowest : std::min(lowest, proposals[i].energy);
   }
 
   // Radians; a defect that can vanish is below this after a few steps.

@@ -3,7 +3,9 @@
 #include "ConfigurationPairs.h"
 #include "CornerClassification.h"
 #include "CornerSets.h"
+#include "DomainQueries.h"
 #include "FieldConfiguration.h"
+#include "HolePattern.h"
 
 #include <cstdlib>
 #include <limits>
@@ -97,6 +99,25 @@ public:
     }
   }
 
+  /// Adds four singularities around each round hole, and those of the field in the domain with the
+  /// round holes filled.
+  void AddPattern(const std::vector<RoundHole>& holes)
+  {
+    const FieldConfigurationOptions reading{ this->Options.cornerAngle, this->Options.corners };
+    const PlanarDomain filled = FillHoles(this->Domain, holes);
+    const CoarseField coarse = SolveCoarseField(filled, reading);
+    Configuration pattern = PatternAroundHoles(holes, CrossAnglesAt(coarse, Centres(holes)));
+    for (const Singularity& other : ReadConfiguration(filled, coarse, reading).singularities)
+    {
+      if (SignedDistance(other.position, this->Domain) > 0.0)
+      {
+        pattern.push_back(other);
+      }
+    }
+    RemoveGiven(this->Options.given, pattern);
+    this->Add(pattern, this->Options.corners, "pattern around round holes");
+  }
+
   /// Adds the first start with two singularities merged, and with an additional pair.
   void AddVariations()
   {
@@ -151,6 +172,11 @@ std::vector<ProposedConfiguration> FindStarts(
   StartCollection collection(domain, options);
   if (!options.cancelFlatCorners)
   {
+    constexpr std::size_t FewestHoles = 2;
+    if (const std::vector<RoundHole> holes = FindRoundHoles(domain); holes.size() >= FewestHoles)
+    {
+      collection.AddPattern(holes);
+    }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
     const CoarseField coarse = SolveCoarseField(domain, reading, progress);
     collection.AddField(coarse, options.corners, "");

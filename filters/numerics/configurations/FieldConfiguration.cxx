@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <utility>
 
 namespace crossfield
@@ -109,6 +110,25 @@ CoarseField SolveCoarseField(
   solve.maximumIterations = 30;
   GinzburgLandauField field = SolveGinzburgLandau(topology, solve, progress.Part(0.2, 1.0));
   return { std::move(static_cast<CrossField&>(field)), drill.meshSize };
+}
+
+std::vector<double> CrossAnglesAt(const CoarseField& coarse, const std::vector<Point>& places)
+{
+  const MeshTopology& topology = *coarse.field.topology;
+  std::vector<double> angles;
+  for (const Point& place : places)
+  {
+    int nearest = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (int edge = 0; edge < static_cast<int>(coarse.field.u.size()); ++edge)
+    {
+      const double squared = (topology.Midpoint(edge) - place).squaredNorm();
+      nearest = squared < distance ? edge : nearest;
+      distance = std::min(distance, squared);
+    }
+    angles.push_back(0.25 * std::arg(coarse.field.u[nearest]));
+  }
+  return angles;
 }
 
 FieldConfiguration ReadConfiguration(

@@ -35,6 +35,15 @@ struct LogSource
     return Point(y.y(), -y.x()) / y.squaredNorm();
   }
 
+  /// Returns the second derivatives of arg(x − position) with respect to the position.
+  static Eigen::Matrix2d TurnCurvature(const Point& x, const Point& position)
+  {
+    const Point y = (x - position) / (x - position).squaredNorm();
+    const double mixed = y.y() * y.y() - y.x() * y.x();
+    const double twice = 2.0 * y.x() * y.y();
+    return (Eigen::Matrix2d() << twice, mixed, mixed, -twice).finished();
+  }
+
   /// Returns the derivative of log|x − position| with respect to the position.
   static Point LogDerivative(const Point& x, const Point& position)
   {

@@ -117,7 +117,7 @@ std::optional<ConfigurationChange> FindAnnihilation(
 }
 
 std::optional<ConfigurationChange> FindRelease(
-  const OptimizerStage& stage, const OptimizerState& current, const std::set<std::string>& rejected)
+  const OptimizerStage& stage, const OptimizerState& current, std::set<std::string>& rejected)
 {
   if (stage.placed.rows.size() == stage.tracked.singularities.size())
   {
@@ -182,6 +182,7 @@ std::optional<ConfigurationChange> FindRelease(
       if (change.tracked.absorbed.count(change.tracked.origins[row]) != 0 && !isLowerAt(10.0) &&
         !isLowerAt(20.0))
       {
+        rejected.insert(key); // changes elsewhere hardly change it
         continue;
       }
       change.tracked = released(distance);
@@ -192,7 +193,7 @@ std::optional<ConfigurationChange> FindRelease(
 }
 
 std::optional<ConfigurationChange> FindBoundaryMoves(
-  const OptimizerStage& stage, const OptimizerState& current, const std::set<std::string>& rejected)
+  const OptimizerStage& stage, const OptimizerState& current, std::set<std::string>& rejected)
 {
   ConfigurationChange change;
   change.tracked = stage.At(current.positions);
@@ -229,7 +230,11 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
       return stage.CoreEnergyOf(moved);
     };
     const VertexEnergy found = DescendAlongLoop(boundary, start, energyAt);
-    if (found.vertex != start)
+    if (found.vertex == start)
+    {
+      rejected.insert(key); // others move by little, and it would follow them by less
+    }
+    else
     {
       lowest = found.energy;
       tracked.singularities[row].position = boundary.vertices[found.vertex].position;

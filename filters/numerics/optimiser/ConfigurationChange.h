@@ -30,14 +30,14 @@ std::optional<ConfigurationChange> FindAnnihilation(
 
 /// Finds a singularity on the boundary whose corner has a lower energy without one quarter
 /// (docs/method.md §6.1), and moves this quarter inside.
-std::optional<ConfigurationChange> FindRelease(const OptimizerStage& stage,
-  const OptimizerState& current, const std::set<std::string>& rejected);
+std::optional<ConfigurationChange> FindRelease(
+  const OptimizerStage& stage, const OptimizerState& current, std::set<std::string>& rejected);
 
 /// Finds singularities that have become part of the boundary at vertices where the boundary does not
 /// turn by a quarter, and moves each to the vertex with the lowest energy on the way down along the
 /// boundary.
-std::optional<ConfigurationChange> FindBoundaryMoves(const OptimizerStage& stage,
-  const OptimizerState& current, const std::set<std::string>& rejected);
+std::optional<ConfigurationChange> FindBoundaryMoves(
+  const OptimizerStage& stage, const OptimizerState& current, std::set<std::string>& rejected);
 
 /// Returns how many interior singularities the barrier holds against W, away from the boundary or
 /// from each other.

@@ -32,31 +32,13 @@ Eigen::MatrixXd SymmetryBreakingDirections(
 }
 }
 
-Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective,
-  const OptimizerState& current, const Eigen::VectorXd& multipliers)
+Eigen::VectorXd EstimateMultipliers(const OptimizerState& current)
 {
-  // Relative to the diagonal: far above rounding, far below any distance between singularities.
-  constexpr double Step = 1e-6;
-  Eigen::MatrixXd hessian(current.positions.size(), current.positions.size());
-  for (Eigen::Index i = 0; i < current.positions.size(); ++i)
-  {
-    Eigen::VectorXd positions = current.positions;
-    positions[i] += Step;
-    const OptimizerState next = objective.Evaluate(positions);
-    hessian.col(i) = (next.gradient - current.gradient +
-                       (next.defectGradient - current.defectGradient).transpose() * multipliers) /
-      Step;
-  }
-  hessian = (0.5 * (hessian + hessian.transpose())).eval();
-  // The projected gradients do not change in directions that break the symmetry; no step has such a
-  // component, so any positive stiffness is suitable.
-  const double stiffness = hessian.diagonal().lpNorm<Eigen::Infinity>();
-  for (Eigen::Index i = 0; i < current.positions.size(); ++i)
-  {
-    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(current.positions.size(), i);
-    hessian.col(i) += stiffness * (unit - objective.ProjectDirections(unit));
-  }
-  return hessian + current.barrier.negativeHessian;
+  return current.defects.size() == 0
+    ? Eigen::VectorXd()
+    : Eigen::VectorXd(Eigen::MatrixXd(current.defectGradient.transpose())
+                        .completeOrthogonalDecomposition()
+                        .solve(-current.ObjectiveGradient()));
 }
 
 std::optional<Eigen::VectorXd> FindDescent(const OptimizerObjective& objective,
@@ -69,15 +51,8 @@ std::optional<Eigen::VectorXd> FindDescent(const OptimizerObjective& objective,
   {
     return std::nullopt;
   }
-  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(current.defects.size());
-  if (multipliers.size() > 0)
-  {
-    multipliers = Eigen::MatrixXd(current.defectGradient.transpose())
-                    .completeOrthogonalDecomposition()
-                    .solve(-current.ObjectiveGradient());
-  }
-  const Eigen::MatrixXd hessian =
-    DifferenceHessian(free, current, multipliers) + current.barrier.hessian;
+  const Eigen::MatrixXd hessian = free.Hessian(current, EstimateMultipliers(current)) +
+    current.barrier.hessian + current.barrier.negativeHessian;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(
     breaking.transpose() * hessian * breaking);
   if (modes.eigenvalues()[0] > -MinimumCurvature)

@@ -6,11 +6,8 @@
 
 namespace crossfield
 {
-/// Computes the second derivatives of the Lagrangian without the positive part of the barrier by
-/// differences of gradients, one evaluation for each coordinate. `multipliers`: one for each
-/// defect.
-Eigen::MatrixXd DifferenceHessian(const OptimizerObjective& objective,
-  const OptimizerState& current, const Eigen::VectorXd& multipliers);
+/// Returns the multipliers with which the gradient of the Lagrangian is smallest.
+Eigen::VectorXd EstimateMultipliers(const OptimizerState& current);
 
 /// Returns a direction that breaks the symmetries kept by an objective, changes no defect, and
 /// along which the Lagrangian decreases from a stationary point: the point is then a saddle, which

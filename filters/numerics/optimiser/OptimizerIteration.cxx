@@ -1,9 +1,10 @@
 #include "OptimizerIteration.h"
 
 #include "OptimizerCurvature.h"
+#include "Plane.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 
 #include <algorithm>
@@ -64,41 +65,28 @@ struct QuadraticStep
 {
   Eigen::VectorXd step;
   Eigen::VectorXd defects;     ///< Reachable defects c.
+  double portion = 1.0;        ///< Portion of the defects that the step removes.
   Eigen::MatrixXd reachable;   ///< See ReachableDefects.
   Eigen::VectorXd lagrangian;  ///< Gradient of the Lagrangian at the start of the step.
   Eigen::VectorXd multipliers; ///< Multipliers of all defects, U λ.
 };
 
-/// Factors a matrix, after adding multiples of the identity until it is positive definite.
-Eigen::LLT<Eigen::MatrixXd> FactorShifted(Eigen::MatrixXd matrix)
-{
-  Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-  double shift = 1e-3 * LargestEntry(matrix.diagonal());
-  while (factor.info() != Eigen::Success && std::isfinite(shift))
-  {
-    matrix.diagonal().array() += shift;
-    shift *= 4.0;
-    factor.compute(matrix);
-  }
-  return factor;
-}
-
-/// Solves the model with a given matrix B.
-QuadraticStep SolveModelWith(
-  const Eigen::MatrixXd& matrix, const OptimizerState& current, const Eigen::MatrixXd& reachable)
+/// Solves the model with a given factor of B.
+QuadraticStep SolveModelWith(const Eigen::LLT<Eigen::MatrixXd>& factor,
+  const OptimizerState& current, const Eigen::MatrixXd& reachable, double portion)
 {
   QuadraticStep result;
   result.reachable = reachable;
+  result.portion = portion;
   result.defects = result.reachable.transpose() * current.defects;
   const Eigen::MatrixXd rows = result.reachable.transpose() * current.defectGradient;
   const Eigen::VectorXd gradient = current.ObjectiveGradient();
-  const Eigen::LLT<Eigen::MatrixXd> factor = FactorShifted(matrix);
   const Eigen::VectorXd unconstrained = factor.solve(gradient);
   Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(rows.rows());
   if (rows.rows() > 0)
   {
     const Eigen::MatrixXd schur = rows * factor.solve(rows.transpose());
-    multipliers = schur.ldlt().solve(result.defects - rows * unconstrained);
+    multipliers = schur.ldlt().solve(portion * result.defects - rows * unconstrained);
   }
   result.lagrangian = gradient + rows.transpose() * multipliers;
   result.step = -factor.solve(result.lagrangian);
@@ -106,56 +94,81 @@ QuadraticStep SolveModelWith(
   return result;
 }
 
-/// Solves the model with bounded steps. Along a valley, as by rotation of a disk, the curvature by
-/// differences is zero up to rounding, and the step is unbounded. Multiples of the identity are
-/// added to B until no step is longer than a hundred diagonals of the domain, or until this no
-/// longer shortens the step, because the defects require its length. Shorter steps are still useful
-/// as directions, which the boundary cuts off.
-QuadraticStep SolveModel(const Eigen::MatrixXd& hessian, const OptimizerState& current)
+/// Solves the model with bounded steps: multiples of diag(π / s_j²), s_j the clearances of the
+/// singularities, are added to B until it is positive definite and at least half of the step is
+/// allowed (OptimizerObjective::LargestFraction), or until this no longer shortens the step, because
+/// the defects require its length. In these units, the curvature of W near a boundary is 1. Without
+/// this, the one singularity that has the least space would shorten the moves of all others.
+QuadraticStep SolveModel(const OptimizerObjective& objective, const Eigen::MatrixXd& hessian,
+  const OptimizerState& current)
 {
-  constexpr double MaximumStep = 100.0;
-  Eigen::MatrixXd matrix = hessian + current.barrier.hessian;
-  double shift = 1e-6 * LargestEntry(matrix.diagonal());
+  constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
+  constexpr double SufficientFraction = 0.5;
+  constexpr double FirstShift = 0.05;
+  constexpr double LargestShift = 1e3;
+  constexpr double ShiftGrowth = 4.0;
+  Eigen::MatrixXd matrix = hessian + current.barrier.hessian + current.barrier.negativeHessian;
   const Eigen::MatrixXd reachable = ReachableDefects(current.defectGradient);
-  QuadraticStep model = SolveModelWith(matrix, current, reachable);
-  for (double before = std::numeric_limits<double>::infinity();
-       LargestEntry(model.step) > MaximumStep && LargestEntry(model.step) < 0.9 * before;
-       shift *= 4.0)
+  const Eigen::VectorXd clearances = objective.Clearances(current.positions);
+  const Eigen::ArrayXd scale = Pi / clearances.array().square();
+  // Convexity is needed only along the defects' level sets: in the directions that change them, the
+  // constraints determine the step.
+  constexpr double NormalCurvature = 10.0;
+  double portion = 1.0;
+  const Eigen::MatrixXd rows = reachable.transpose() * current.defectGradient;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(rows.rows(), rows.rows());
+  if (rows.rows() > 0)
   {
-    before = LargestEntry(model.step);
-    matrix.diagonal().array() += shift;
-    model = SolveModelWith(matrix, current, reachable);
+    const Eigen::MatrixXd moves = scale.inverse().matrix().asDiagonal() * rows.transpose();
+    const Eigen::MatrixXd inverse = (rows * moves).inverse();
+    normal = NormalCurvature * inverse;
+    matrix += rows.transpose() * (normal * rows);
+    // Shifts do not shorten the part of the step that removes the defects.
+    constexpr double MinimumPortion = 1.0 / 16.0;
+    const Eigen::VectorXd removal = -moves * (inverse * (reachable.transpose() * current.defects));
+    portion = std::max(MinimumPortion, objective.LargestFraction(current.positions, removal));
   }
+  QuadraticStep model;
+  model.portion = portion;
+  model.reachable = reachable;
+  model.step = Eigen::VectorXd::Constant(current.positions.size(), Undefined);
+  double before = std::numeric_limits<double>::infinity();
+  for (double shift = FirstShift; std::isfinite(shift); shift *= ShiftGrowth)
+  {
+    if (const Eigen::LLT<Eigen::MatrixXd> factor(matrix); factor.info() == Eigen::Success)
+    {
+      model = SolveModelWith(factor, current, reachable, portion);
+      const double length = LargestEntry((model.step.array() / clearances.array()).matrix());
+      if (objective.LargestFraction(current.positions, model.step) >= SufficientFraction ||
+        length > 0.9 * before || shift > LargestShift)
+      {
+        break;
+      }
+      before = length;
+    }
+    matrix.diagonal().array() += shift * scale;
+  }
+  if (!model.step.allFinite())
+  {
+    return model;
+  }
+  model.multipliers -= reachable * (normal * (portion * model.defects));
   return model;
 }
 
-/// Returns the matrix with the absolute values of its eigenvalues. A step then leaves a saddle
-/// along descent directions as fast as it converges along the others, and the matrix is positive
-/// definite, as the updates require.
-Eigen::MatrixXd WithAbsoluteEigenvalues(const Eigen::MatrixXd& hessian)
+/// Updates the Hessian by the symmetric formula of rank one, which also approximates indefinite
+/// matrices (Nocedal and Wright 2006, §6.2). `change` is that of the gradient of the Lagrangian
+/// without the barrier.
+void UpdateHessian(
+  Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, const Eigen::VectorXd& change)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(hessian);
-  return modes.eigenvectors() * modes.eigenvalues().cwiseAbs().asDiagonal() *
-    modes.eigenvectors().transpose();
-}
-
-/// Updates the Hessian by the damped BFGS formula (Powell 1978), which keeps it positive definite
-/// where the Lagrangian is not convex.
-void UpdateHessian(Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, Eigen::VectorXd change)
-{
-  const Eigen::VectorXd product = hessian * step;
-  const double curvature = step.dot(product);
-  if (!(curvature > 0.0))
+  constexpr double MinimumCosine = 1e-8; // below it, the formula is dominated by rounding
+  const Eigen::VectorXd difference = change - hessian * step;
+  const double product = difference.dot(step);
+  if (std::abs(product) > MinimumCosine * step.norm() * difference.norm())
   {
-    return;
+    hessian += difference * difference.transpose() / product;
   }
-  if (step.dot(change) < 0.2 * curvature)
-  {
-    const double theta = 0.8 * curvature / (curvature - step.dot(change));
-    change = theta * change + (1.0 - theta) * product;
-  }
-  hessian +=
-    change * change.transpose() / step.dot(change) - product * product.transpose() / curvature;
 }
 
 /// Halves a step until the merit function, the objective + penalty × |reachable defects|, decreases
@@ -164,7 +177,8 @@ bool SearchLine(const OptimizerObjective& objective, const OptimizerState& curre
   const QuadraticStep& model, double penalty, OptimizerState& next)
 {
   const double infeasibility = model.defects.norm();
-  const double slope = current.ObjectiveGradient().dot(model.step) - penalty * infeasibility;
+  const double slope =
+    current.ObjectiveGradient().dot(model.step) - penalty * model.portion * infeasibility;
   const double rounding = 1e-13 * (1.0 + std::abs(current.energy));
   constexpr int MaximumHalvings = 40; // smaller steps are below the rounding of the coordinates
   double fraction = objective.LargestFraction(current.positions, model.step);
@@ -191,19 +205,19 @@ OptimizerEnd OptimizerIteration::Run(
   const OptimizerObjective& objective, const Progress& progress, OptimizerState& current)
 {
   double penalty = 0.0;
-  bool isReset = false; // whether the Hessian was just reset
-  int shortSteps = 0;   // in succession
+  bool isNew = false;    // whether the Hessian was just computed
+  bool isScaled = false; // whether it was replaced by a multiple of the identity after that
   for (;;)
   {
-    if (this->Hessian.rows() != current.positions.size())
+    if (current.positions.size() > 0 &&
+      (this->Hessian.rows() != current.positions.size() ||
+        objective.Budget().GetSpent() >= this->Renewal))
     {
-      // The first step has a length of about a twentieth of the diagonal; the updates determine the
-      // curvature.
-      this->Hessian = std::max(20.0 * LargestEntry(current.gradient), 1.0) *
-        Eigen::MatrixXd::Identity(current.positions.size(), current.positions.size());
-      isReset = true;
+      this->Hessian = objective.Hessian(current, EstimateMultipliers(current));
+      this->Renewal = objective.Budget().GetSpent() + objective.HessianCost();
+      isNew = true;
     }
-    const QuadraticStep model = SolveModel(this->Hessian, current);
+    const QuadraticStep model = SolveModel(objective, this->Hessian, current);
     this->unreachableDefect = LargestEntry(current.defects - model.reachable * model.defects);
     const double residual = LargestEntry(model.lagrangian);
     const double defect = LargestEntry(model.defects);
@@ -248,45 +262,35 @@ OptimizerEnd OptimizerIteration::Run(
     }
 
     // With this penalty every step of the model is a descent direction of the merit function.
-    penalty = std::max(penalty, 1.5 * model.multipliers.norm());
+    // The multipliers of shortened steps may be large; without them, the penalty decreases again.
+    penalty = std::max(0.5 * penalty, 1.5 * model.multipliers.norm());
     OptimizerState next;
     // The updates may overflow where singularities are pressed together.
     if (!model.step.allFinite() || !SearchLine(objective, current, model, penalty, next))
     {
-      if (isReset)
+      if (isScaled)
       {
         return OptimizerEnd::NoDescent;
+      }
+      if (isNew)
+      {
+        // A first step of about a twentieth of the diagonal along the gradient.
+        this->Hessian = std::max(20.0 * LargestEntry(current.gradient), 1.0) *
+          Eigen::MatrixXd::Identity(current.positions.size(), current.positions.size());
+        isScaled = true;
+        continue;
       }
       this->Restart();
       continue;
     }
     const Eigen::VectorXd step = next.positions - current.positions;
     const Eigen::VectorXd change = next.gradient - current.gradient +
-      (next.defectGradient - current.defectGradient).transpose() * model.multipliers +
-      next.barrier.negativeHessian * step;
-    if (isReset && step.dot(change) > 0.0)
-    {
-      this->Hessian = (change.squaredNorm() / step.dot(change)) *
-        Eigen::MatrixXd::Identity(step.size(), step.size());
-    }
-    isReset = false;
+      (next.defectGradient - current.defectGradient).transpose() * model.multipliers;
+    isNew = isScaled = false;
     UpdateHessian(this->Hessian, step, change);
     current = next;
     this->LastDisplacement = LargestDisplacement(step);
     ++this->iterations;
-    // Where the barrier is strongly curved, the updates may accumulate wrong curvature, and steps
-    // become short.
-    constexpr int MaximumShortSteps = 5;
-    constexpr double ShortStep = 0.01; // relative to the clearance
-    // With more coordinates, differences cost more than further iterations.
-    constexpr Eigen::Index MaximumCoordinates = 60;
-    shortSteps = this->LastDisplacement < ShortStep * objective.Clearance() ? shortSteps + 1 : 0;
-    if (shortSteps == MaximumShortSteps && current.positions.size() <= MaximumCoordinates)
-    {
-      this->Hessian =
-        WithAbsoluteEigenvalues(DifferenceHessian(objective, current, model.multipliers));
-      shortSteps = 0;
-    }
   }
 }
 }

@@ -56,10 +56,10 @@ struct OptimizerIteration
   void Restart() { this->Hessian.resize(0, 0); }
 
 private:
-  /// Approximate Hessian of the Lagrangian without the positive part of the barrier. The negative
-  /// part is included: where the barrier balances the gradient of W between two singularities, the
-  /// curvatures of W and of the barrier along the circles around each other cancel.
+  /// Hessian of the Lagrangian without the barrier, updated after every step.
   Eigen::MatrixXd Hessian;
+  /// Number of solves of the budget at which the Hessian is computed again.
+  std::size_t Renewal = 0;
   double LastDisplacement = 0.0;
 };
 }

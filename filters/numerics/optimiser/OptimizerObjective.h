@@ -67,6 +67,10 @@ public:
   /// Evaluates at the projection of the positions to symmetric ones, so that no step breaks the
   /// symmetries.
   OptimizerState Evaluate(const Eigen::VectorXd& unprojected) const;
+  /// Returns the second derivatives of the energy plus those of the defects times multipliers, at
+  /// the positions of a state. In directions that break the symmetry, in which no step goes, it is
+  /// positive.
+  Eigen::MatrixXd Hessian(const OptimizerState& current, const Eigen::VectorXd& multipliers) const;
   ClearanceBarrier::Value EvaluateBarrier(const Eigen::VectorXd& positions) const;
   /// Projects directions onto those that keep the symmetries.
   Eigen::VectorXd ProjectDirections(const Eigen::VectorXd& directions) const
@@ -79,6 +83,9 @@ public:
   /// Returns the distance of singularity i from the boundary, negative outside the domain, in units
   /// of the diagonal.
   double BoundaryDistance(const Eigen::VectorXd& positions, std::size_t i) const;
+  /// Returns the clearance of each singularity, for both of its coordinates: its distance from the
+  /// boundary or half of that to the next singularity, in units of the diagonal.
+  Eigen::VectorXd Clearances(const Eigen::VectorXd& positions) const;
   /// Returns the largest fraction 1, 1/2, 1/4, … of a step for which every singularity
   /// - keeps at least half of its distance from the boundary, where W may tend to infinity,
   /// - does not leave the domain on its path,
@@ -101,6 +108,8 @@ public:
   SolveBudget& Budget() const { return *this->Solves; }
   /// Returns what an evaluation costs.
   std::size_t EvaluationCost() const;
+  /// Returns what Hessian costs.
+  std::size_t HessianCost() const;
   /// Returns J if it is minimised, null otherwise.
   const std::shared_ptr<const SizeUniformity>& Uniformity() const { return this->Sizes; }
   /// Returns the test whether a symmetry of the domain preserves the objective.

@@ -5,6 +5,7 @@
 #include "TargetSize.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -18,6 +19,8 @@ struct OptimizerOptions
   /// Maximum number of solves (SolveBudget.h), 0 for any number. When they are used up, the run
   /// ends with the best configuration so far.
   std::size_t maximumSolves = 0;
+  /// No step is made if the energy of the start at the RankingRadius is higher.
+  double maximumStart = std::numeric_limits<double>::infinity();
   /// Bound on the derivatives of the Lagrangian, multiplied by the diagonal of the domain, and on
   /// the holonomy defects. The iteration has converged when all are below it.
   double tolerance = 1e-6;

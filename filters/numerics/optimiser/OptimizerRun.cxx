@@ -75,6 +75,11 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   progress.Report(0.2);
 }
 
+bool OptimizerRun::IsAbove(double energy) const
+{
+  return this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain)) > energy;
+}
+
 OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
 {
   constexpr int MaximumMeshes = 30; // then the resolution is no longer checked

@@ -10,6 +10,11 @@ OptimizerResult OptimizeSingularities(const PlanarDomain& domain, const Configur
   OptimizerResult result;
   OptimizerRun run(domain, options, result);
   run.Start(start, progress);
+  if (run.IsAbove(options.maximumStart))
+  {
+    run.WriteResult(OptimizerEnd::NoDescent);
+    return result;
+  }
   const bool uniform = options.sizes.sizing != Sizing::Conformal || options.pairs > 0;
   const double share = options.pairs > 0 ? 0.4 : uniform ? 0.6 : 1.0;
   OptimizerEnd end = run.Minimise(progress.Part(0.2, share));

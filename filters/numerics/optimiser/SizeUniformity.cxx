@@ -1,5 +1,6 @@
 #include "SizeUniformity.h"
 
+#include "DenseProduct.h"
 #include "TriangleArea.h"
 
 #include <cmath>
@@ -86,6 +87,17 @@ double SizeUniformity::SpreadOf(
   return std::sqrt(this->Masses.dot(this->LogSizeDeviations(potential, solution).cwiseAbs2()));
 }
 
+Eigen::VectorXd SizeUniformity::Adjoint(
+  const PointPotential& potential, const Eigen::VectorXd& weighted) const
+{
+  const PotentialSolver& solver = *potential.GetProblem().potential;
+  Eigen::VectorXd sources = Eigen::VectorXd::Zero(solver.Rows());
+  sources.head(weighted.size()) = weighted;
+  // removes rounding errors, since the sources of a Neumann problem must sum to zero
+  sources[0] -= weighted.sum();
+  return solver.SolveSingleValued(sources);
+}
+
 SizeUniformity::Value SizeUniformity::Evaluate(
   const PointPotential& potential, const PointPotential::Solution& solution) const
 {
@@ -102,11 +114,7 @@ SizeUniformity::Value SizeUniformity::Evaluate(
 
   // 2. The logarithms and the sources of R depend on the positions. The operator of R is symmetric,
   // so that one adjoint solution suffices.
-  Eigen::VectorXd sources = Eigen::VectorXd::Zero(solution.sources.size());
-  sources.head(vertices) = weighted;
-  // removes rounding errors, since the sources of a Neumann problem must sum to zero
-  sources[0] -= weighted.sum();
-  const Eigen::VectorXd adjoint = potential.SolveSingleValued(sources);
+  const Eigen::VectorXd adjoint = this->Adjoint(potential, weighted);
   result.gradient = Eigen::VectorXd::Zero(2 * inside);
   for (Eigen::Index j = 0; j < inside; ++j)
   {
@@ -126,5 +134,44 @@ SizeUniformity::Value SizeUniformity::Evaluate(
     result.gradient.segment<2>(2 * j) = 0.25 * log.strength * sum;
   }
   return result;
+}
+Eigen::MatrixXd SizeUniformity::Differentiate(const PointPotential& potential,
+  const PointPotential::Solution& solution, const Eigen::MatrixXd& regular) const
+{
+  const TriangleMesh& mesh = potential.GetProblem().Topology().mesh;
+  const Eigen::Index vertices = this->Masses.size();
+  const Eigen::VectorXd weighted =
+    this->Masses.cwiseProduct(this->LogSizeDeviations(potential, solution));
+  const Eigen::VectorXd adjoint = this->Adjoint(potential, weighted);
+
+  // 1. Derivatives of D at the vertices, and second derivatives by the position of one singularity.
+  Eigen::MatrixXd derivatives = 0.25 * regular.topRows(vertices);
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(regular.cols(), regular.cols());
+  for (Eigen::Index j = 0; j < regular.cols() / 2; ++j)
+  {
+    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    const double factor = 0.25 * log.strength;
+    Eigen::Matrix2d block = Eigen::Matrix2d::Zero();
+    for (Eigen::Index v = 0; v < vertices; ++v)
+    {
+      const Point y = mesh.points[static_cast<std::size_t>(v)] - log.position;
+      const double inverse = 1.0 / (y.squaredNorm() + this->SquaredCore);
+      derivatives(v, 2 * j) -= factor * inverse * y.x();
+      derivatives(v, 2 * j + 1) -= factor * inverse * y.y();
+      block +=
+        weighted[v] * inverse * (Eigen::Matrix2d::Identity() - 2.0 * inverse * y * y.transpose());
+    }
+    for (const BoundaryHalf& half : potential.GetHalves())
+    {
+      block -= adjoint[half.vertex] *
+        (LogSource::TurnCurvature(half.to, log.position) -
+          LogSource::TurnCurvature(half.from, log.position));
+    }
+    hessian.block<2, 2>(2 * j, 2 * j) = factor * block;
+  }
+
+  // 2. Products of first derivatives, without their means, which D does not contain.
+  derivatives.rowwise() -= (this->Masses.transpose() * derivatives).eval();
+  return hessian + AdjointProduct(derivatives, this->Masses.asDiagonal() * derivatives);
 }
 }

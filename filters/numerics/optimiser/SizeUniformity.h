@@ -41,7 +41,15 @@ public:
   /// Evaluates J and the exact derivatives of the discrete J, by one additional back-substitution.
   Value Evaluate(const PointPotential& potential, const PointPotential::Solution& solution) const;
 
+  /// Returns the second derivatives of J by the coordinates of the singularities. `regular`: the
+  /// derivatives of R (PositionEnergy::Curvature).
+  Eigen::MatrixXd Differentiate(const PointPotential& potential,
+    const PointPotential::Solution& solution, const Eigen::MatrixXd& regular) const;
+
 private:
+  /// Returns the solution for D times masses as sources, whose operator is symmetric.
+  Eigen::VectorXd Adjoint(const PointPotential& potential, const Eigen::VectorXd& weighted) const;
+
   Eigen::VectorXd Masses;    ///< Fraction of the area that each vertex represents.
   double SquaredCore;        ///< ε², squared smoothing radius of logarithms.
   TargetSizes Target;        ///< s.

@@ -256,13 +256,6 @@ double PointPotential::StripTurn(const LogSource& log, Eigen::Index k, bool onCu
   return -turn;
 }
 
-Eigen::VectorXd PointPotential::SolveSingleValued(const Eigen::VectorXd& sources) const
-{
-  Eigen::VectorXd regular = this->Problem.potential->Solve(sources, Islands);
-  this->RemovePeriods(regular);
-  return regular;
-}
-
 void PointPotential::RequireSolvable(const Configuration& configuration) const
 {
   if (TotalQuarters(configuration) != this->Problem.alignment.count.givenInteriorQuarters)

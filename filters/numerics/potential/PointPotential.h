@@ -62,11 +62,6 @@ public:
   /// equals that of the constructor up to rounding. Throws Error as the constructor does.
   PointPotential WithAlignment(Alignment alignment) const;
 
-  /// Returns the single-valued R for given sources, rows of PotentialOperator. Sources at periods
-  /// must be zero, and those at vertices must add up to zero. The map from sources to R is
-  /// symmetric.
-  Eigen::VectorXd SolveSingleValued(const Eigen::VectorXd& sources) const;
-
   const PlanarDomain& GetDomain() const { return this->Domain; }
   const PotentialProblem& GetProblem() const { return this->Problem; }
   const std::vector<BoundaryHalf>& GetHalves() const { return this->Halves; }

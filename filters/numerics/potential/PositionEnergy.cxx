@@ -7,6 +7,17 @@
 
 namespace crossfield
 {
+namespace
+{
+/// Returns the real and imaginary part of 1/y², y as a complex number.
+Eigen::Vector2d InverseSquare(const Point& y)
+{
+  const Eigen::Vector2d inverse = y / y.squaredNorm();
+  return { inverse.x() * inverse.x() - inverse.y() * inverse.y(),
+    -2.0 * inverse.x() * inverse.y() };
+}
+}
+
 PositionEnergy::PositionEnergy(std::shared_ptr<const PointPotential> potential)
   : Potential(std::move(potential))
   , OnEdges(*this->Potential->GetProblem().potential)
@@ -150,22 +161,9 @@ void PositionEnergy::AddInteraction(
 void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, std::size_t inside,
   const Flows& flows, const Eigen::VectorXd& regular, RenormalizedEnergyValue& value) const
 {
-  // 1. Coefficients of the derivatives of arg|x − b| and log|x − b| at the points of the boundary.
-  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
-  Eigen::ArrayXd ofTurns = Eigen::ArrayXd::Zero(this->Points.rows());
-  Eigen::ArrayXd ofLogs = Eigen::ArrayXd::Zero(this->Points.rows());
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    const auto row = static_cast<Eigen::Index>(h);
-    const double turn = regular[row] + 0.5 * flows.mean[row];
-    const double log = 0.5 * (halves[h].growth - 0.5 * flows.flux[row]);
-    ofTurns[this->Starts[h]] += turn;
-    ofTurns[this->Ends[h]] -= turn;
-    ofLogs[this->Starts[h]] += log;
-    ofLogs[this->Ends[h]] += log;
-  }
+  const auto [ofTurns, ofLogs] = this->FindFactors(flows, regular);
 
-  // 2. Sums over the points. With y = x − b the derivatives are (y₂, −y₁) / |y|² and −y / |y|².
+  // 1. Sums over the points. With y = x − b the derivatives are (y₂, −y₁) / |y|² and −y / |y|².
   const Eigen::Index middles = this->Points.rows() / 2;
   const Eigen::MatrixXd& influence = this->GetMidpointInfluence();
   const Eigen::Index periods = influence.cols();
@@ -191,7 +189,7 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
     }
   }
 
-  // 3. Holonomy defects, which are linear in the sources.
+  // 2. Holonomy defects, which are linear in the sources.
   const Eigen::MatrixXd carried = AdjointProduct(influence, atMiddles);
   for (Eigen::Index k = 0; k < periods; ++k)
   {
@@ -209,6 +207,147 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
   }
 }
 
+Eigen::VectorXd PositionEnergy::RegularOnHalves(
+  const PointPotential::Solution& solution, const Flows& flows) const
+{
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(halves.size() / 2));
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    fluxes[static_cast<Eigen::Index>(h / 2)] +=
+      halves[h].growth - flows.flux[static_cast<Eigen::Index>(h)];
+  }
+  const Eigen::VectorXd atEdges = this->OnEdges.Solve(fluxes);
+  Eigen::VectorXd regular(static_cast<Eigen::Index>(halves.size()));
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    regular[static_cast<Eigen::Index>(h)] =
+      0.5 * (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
+  }
+  return regular;
+}
+
+PositionEnergy::PointFactors PositionEnergy::FindFactors(
+  const Flows& flows, const Eigen::VectorXd& regular) const
+{
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  PointFactors factors{ Eigen::ArrayXd::Zero(this->Points.rows()),
+    Eigen::ArrayXd::Zero(this->Points.rows()) };
+  for (std::size_t h = 0; h < halves.size(); ++h)
+  {
+    const auto row = static_cast<Eigen::Index>(h);
+    const double turn = regular[row] + 0.5 * flows.mean[row];
+    const double log = 0.5 * (halves[h].growth - 0.5 * flows.flux[row]);
+    factors.ofTurns[this->Starts[h]] += turn;
+    factors.ofTurns[this->Ends[h]] -= turn;
+    factors.ofLogs[this->Starts[h]] += log;
+    factors.ofLogs[this->Ends[h]] += log;
+  }
+  return factors;
+}
+
+Eigen::MatrixXd PositionEnergy::Respond(
+  const Eigen::MatrixXd& fluxes, Eigen::MatrixXd& atVertices) const
+{
+  const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
+  const PotentialSolver& potential = *this->Potential->GetProblem().potential;
+  Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(potential.Rows(), fluxes.cols());
+  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
+  {
+    for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+    {
+      sources(halves[static_cast<std::size_t>(h)].vertex, column) += fluxes(h, column);
+    }
+  }
+  atVertices = potential.SolveSingleValued(sources);
+  Eigen::MatrixXd response(fluxes.rows(), fluxes.cols());
+  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
+  {
+    for (Eigen::Index h = 0; h < fluxes.rows(); ++h)
+    {
+      response(h, column) = atVertices(halves[static_cast<std::size_t>(h)].vertex, column);
+    }
+  }
+  return response;
+}
+
+PositionEnergy::Curvature PositionEnergy::Differentiate(
+  const Configuration& configuration, const Eigen::VectorXd& multipliers) const
+{
+  PointPotential::Solution solution;
+  const Flows flows = this->Solve(configuration, solution);
+  auto [ofTurns, ofLogs] = this->FindFactors(flows, this->RegularOnHalves(solution, flows));
+  if (multipliers.size() > 0)
+  {
+    ofTurns.tail(this->Points.rows() / 2) += (this->GetMidpointInfluence() * multipliers).array();
+  }
+
+  // 1. First derivatives of fluxes and means, and the second derivatives of all terms by the
+  //    position of one singularity. Those of log(x − b) are −1/y² and its multiples by i and −1,
+  //    y = x − b: with 1/y² = a + ic they are −a, c, a for the logarithm and −c, −a, c for the angle.
+  const auto count = static_cast<Eigen::Index>(configuration.size());
+  const auto halves = static_cast<Eigen::Index>(this->Starts.size());
+  Eigen::MatrixXd fluxes(halves, 2 * count);
+  Eigen::MatrixXd means(halves, 2 * count);
+  Curvature result{ Eigen::MatrixXd::Zero(2 * count, 2 * count), {} };
+  const auto add = [&](Eigen::Index j, Eigen::Index l, double s, double t)
+  { result.hessian.block<2, 2>(2 * j, 2 * l) += (Eigen::Matrix2d() << -s, t, t, s).finished(); };
+  Eigen::ArrayXd x(this->Points.rows());
+  Eigen::ArrayXd y(this->Points.rows());
+  Eigen::ArrayXd inverse(this->Points.rows());
+  for (Eigen::Index j = 0; j < count; ++j)
+  {
+    const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
+    x = this->Points.col(0) - log.position.x();
+    y = this->Points.col(1) - log.position.y();
+    inverse = 1.0 / (x * x + y * y);
+    x *= inverse;
+    y *= inverse;
+    for (Eigen::Index h = 0; h < halves; ++h)
+    {
+      const Eigen::Index start = this->Starts[static_cast<std::size_t>(h)];
+      const Eigen::Index end = this->Ends[static_cast<std::size_t>(h)];
+      fluxes(h, 2 * j) = log.strength * (y[end] - y[start]);
+      fluxes(h, 2 * j + 1) = log.strength * (x[start] - x[end]);
+      means(h, 2 * j) = -0.5 * log.strength * (x[start] + x[end]);
+      means(h, 2 * j + 1) = -0.5 * log.strength * (y[start] + y[end]);
+    }
+    inverse = x * x - y * y; // a
+    x *= -2.0 * y;           // c
+    add(j, j, log.strength * (ofTurns * x + ofLogs * inverse).sum(),
+      log.strength * (ofLogs * x - ofTurns * inverse).sum());
+    for (Eigen::Index k = 0; k < multipliers.size(); ++k)
+    {
+      const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];
+      const Eigen::Vector2d change =
+        InverseSquare(path.back() - log.position) - InverseSquare(path.front() - log.position);
+      add(j, j, log.strength * multipliers[k] * change.y(),
+        -log.strength * multipliers[k] * change.x());
+    }
+    for (std::size_t n = static_cast<std::size_t>(j) + 1; n < solution.logs.size(); ++n)
+    {
+      const LogSource& other = solution.logs[n];
+      const Eigen::Vector2d second = -0.5 * (log.angle + other.angle) * log.strength *
+        other.strength * InverseSquare(other.position - log.position);
+      add(j, j, second.x(), second.y());
+      if (const auto l = static_cast<Eigen::Index>(n); l < count)
+      {
+        add(l, l, second.x(), second.y());
+        add(j, l, -second.x(), -second.y());
+        add(l, j, -second.x(), -second.y());
+      }
+    }
+  }
+
+  // 2. Products of first derivatives. W has the quadratic part ½ f·Rf − m·f/2 in the fluxes f and
+  //    means m.
+  const Eigen::MatrixXd product =
+    AdjointProduct(fluxes, this->Respond(fluxes, result.regular) - means);
+  result.hessian += 0.5 * (product + product.transpose());
+  result.regular *= -1.0;
+  return result;
+}
+
 PositionEnergy::Value PositionEnergy::Evaluate(
   const Configuration& configuration, bool derivatives) const
 {
@@ -218,23 +357,14 @@ PositionEnergy::Value PositionEnergy::Evaluate(
   const std::size_t inside = configuration.size();
   const Flows flows = this->Solve(configuration, solution);
   const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
-  Eigen::VectorXd fluxes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(halves.size() / 2));
-  for (std::size_t h = 0; h < halves.size(); ++h)
-  {
-    fluxes[static_cast<Eigen::Index>(h / 2)] +=
-      halves[h].growth - flows.flux[static_cast<Eigen::Index>(h)];
-  }
-  const Eigen::VectorXd atEdges = this->OnEdges.Solve(fluxes);
+  const Eigen::VectorXd regular = this->RegularOnHalves(solution, flows);
 
   value.singleValuedGradient =
     Eigen::Matrix2Xd::Zero(2, derivatives ? static_cast<Eigen::Index>(inside) : 0);
   this->AddInteraction(solution.logs, inside, value);
-  Eigen::VectorXd regular(static_cast<Eigen::Index>(halves.size()));
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
     const auto row = static_cast<Eigen::Index>(h);
-    regular[row] =
-      0.5 * (solution.regular[halves[h].vertex] + atEdges[static_cast<Eigen::Index>(h / 2)]);
     value.singleValuedEnergy += 0.5 * (halves[h].growth - flows.flux[row]) * regular[row] +
       flows.mean[row] * (halves[h].growth - 0.5 * flows.flux[row]);
   }

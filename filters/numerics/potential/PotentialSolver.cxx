@@ -1,5 +1,7 @@
 #include "PotentialSolver.h"
 
+#include "DenseProduct.h"
+
 #include <utility>
 
 namespace crossfield
@@ -31,5 +33,19 @@ const DirichletSolver& PotentialSolver::GetDirichlet() const
 {
   return this->Dirichlet.Get(
     [this] { return std::make_unique<const DirichletSolver>(this->Operator); });
+}
+
+Eigen::MatrixXd PotentialSolver::SolveSingleValued(const Eigen::MatrixXd& sources) const
+{
+  Eigen::MatrixXd solution = this->Solve(sources, Periods::Islands);
+  const PeriodResponse& response = this->GetPeriodResponse();
+  const Eigen::Index periods = response.basis.cols();
+  if (periods > 0)
+  {
+    solution -=
+      DenseProduct(response.basis, DenseProduct(response.schur, solution.bottomRows(periods)));
+    solution.bottomRows(periods).setZero();
+  }
+  return solution;
 }
 }

@@ -57,6 +57,9 @@ public:
   {
     return this->Factor.Solve(sources, periods);
   }
+  /// Solves with sources at the periods that make them zero, for each column: the potentials are
+  /// single-valued around inner loops. The map from sources at vertices to the result is symmetric.
+  Eigen::MatrixXd SolveSingleValued(const Eigen::MatrixXd& sources) const;
 
 private:
   PotentialOperator Operator;

@@ -1,5 +1,6 @@
 #include "PatternStart.h"
 
+#include "CrossDirection.h"
 #include "Error.h"
 #include "HolePattern.h"
 #include "RequestedSingularities.h"
@@ -25,7 +26,8 @@ bool StartFromPattern(const PlanarDomain& domain, const QuadRequest& request, Me
     SeamlessMapOptions map = options.map;
     map.corners = choice.corners;
     const ClosingLayout field = LayOut(filled, choice.singularities, map, options.meshSize);
-    Configuration singularities = PatternAroundHoles(holes, field.map);
+    Configuration singularities =
+      PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
     singularities.insert(
       singularities.end(), choice.singularities.begin(), choice.singularities.end());
     ClosingLayout layout = LayOut(domain, singularities, map, options.meshSize);

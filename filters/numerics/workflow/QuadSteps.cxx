@@ -46,6 +46,16 @@ void RequireAngles(const PlanarDomain& domain, const Configuration& singularitie
   }
 }
 
+/// Returns a layout with quads whose separatrices are merged without moving singularities.
+MeshedLayout WithMergedBlocks(
+  const MeshedLayout& meshed, QuadOptions options, const Progress& progress = {})
+{
+  options.coarse = true;
+  MeshedLayout merged{ meshed.layout, {} };
+  merged.quads = crossfield::MakeQuads(merged.layout.map, merged.layout.tMesh, options, progress);
+  return merged;
+}
+
 /// The steps of MakeQuadMesh, in their order, and what they share.
 class Workflow
 {
@@ -162,7 +172,8 @@ public:
   /// Makes the quads of a layout, and merges blocks.
   void MakeQuads(ClosingLayout layout, const Progress& progress)
   {
-    const bool clean = this->Request.merge == BlockMerge::Clean;
+    const bool coarse = this->Request.merge == BlockMerge::Coarse;
+    const bool clean = coarse || this->Request.merge == BlockMerge::Clean;
     QuadOptions options = this->OptionsFor(*layout.map.topology);
     MeshedLayout meshed{ std::move(layout), {} };
     const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
@@ -173,15 +184,18 @@ public:
       this->AddEvents(ChooseSizing(meshed, options, making.Part(0.5, 1.0)));
     }
     this->Result.blocks.none = meshed.quads.separateBlocks;
-    if (options.coarse)
-    {
-      this->Result.blocks.coarse = static_cast<int>(meshed.quads.blocks.blocks.size());
-    }
     double moved = 0.0;
     if (clean)
     {
       this->Clock.Lap();
-      moved = this->Clean(meshed, options, progress.Part(0.2, 1.0));
+      const std::optional<MeshedLayout> merged = coarse
+        ? std::make_optional(WithMergedBlocks(meshed, options, progress.Part(0.2, 0.3)))
+        : std::nullopt;
+      moved = this->Clean(meshed, options, progress.Part(0.3, 0.9));
+      if (merged)
+      {
+        moved = this->Merge(*merged, options, moved, meshed);
+      }
       this->Result.seconds.clean = this->Clock.Lap();
     }
     QuadSeconds& seconds = this->Result.seconds;
@@ -205,7 +219,6 @@ private:
     QuadOptions options;
     options.quadSize = this->Request.quadSize;
     options.quadCount = this->Request.quadCount;
-    options.coarse = this->Request.merge == BlockMerge::Coarse;
     options.sizes.sizing = this->Request.sizing.value_or(Sizing::Conformal);
     if (this->Request.sizing == Sizing::Field)
     {
@@ -225,6 +238,7 @@ private:
     options.map = this->MapOptions;
     options.meshSize = this->Request.meshSize;
     options.quads = quads;
+    this->FirstCorners = this->MapOptions.corners;
     const bool isPattern = !this->Request.singularities &&
       StartFromPattern(this->Domain, this->Request, meshed, options, progress.Part(0.0, 0.2));
     CleanBlocksResult clean =
@@ -237,6 +251,35 @@ private:
     this->Started = meshed.layout.singularities;
     this->Describe(meshed.layout.map);
     return clean.largestMove;
+  }
+
+  /// Merges separatrices without moving singularities, in the layout with the fewest blocks: in that
+  /// of `clean` or, if that has more blocks, as in `merged`. Returns the largest move.
+  double Merge(
+    const MeshedLayout& merged, const QuadOptions& options, double moved, MeshedLayout& clean)
+  {
+    const auto isBetter = [](const QuadResult& a, const QuadResult& b)
+    {
+      return a.blocks.blocks.size() != b.blocks.blocks.size()
+        ? a.blocks.blocks.size() < b.blocks.blocks.size()
+        : a.quality.jacobian.min > b.quality.jacobian.min;
+    };
+    MeshedLayout further = WithMergedBlocks(clean, options);
+    if (isBetter(further.quads, clean.quads))
+    {
+      clean.quads = std::move(further.quads);
+    }
+    if (isBetter(merged.quads, clean.quads))
+    {
+      clean = merged;
+      moved = 0.0;
+      this->MapOptions.corners = this->FirstCorners;
+      this->Result.singularities = this->Started = clean.layout.singularities;
+      this->Describe(clean.layout.map);
+      this->Result.events.back() = "Blocks were merged without moving singularities.";
+    }
+    this->Result.blocks.coarse = static_cast<int>(clean.quads.blocks.blocks.size());
+    return moved;
   }
 
   /// Sets what the result says about a map.
@@ -362,7 +405,8 @@ private:
   const PlanarDomain& Domain;
   const QuadRequest& Request;
   SeamlessMapOptions MapOptions;
-  Configuration Started; ///< The singularities before they were repaired.
+  std::vector<CornerChoice> FirstCorners; ///< Corners of MapOptions before blocks were merged.
+  Configuration Started;                  ///< The singularities before they were repaired.
   QuadWorkflowResult Result;
   Stopwatch Clock;
 };
@@ -381,7 +425,7 @@ QuadWorkflowResult RunQuadSteps(
   workflow.Choose(progress.Part(0.0, chosen));
   workflow.Split();
   workflow.Repair(remaining.Part(0.0, 0.1));
-  const double laidOut = request.merge == BlockMerge::Clean ? 0.2 : 0.6;
+  const double laidOut = request.merge == BlockMerge::None ? 0.6 : 0.2;
   ClosingLayout layout = workflow.LayOutOrAdvise(remaining.Part(0.1, laidOut));
   workflow.MakeQuads(std::move(layout), remaining.Part(laidOut, 0.95));
   return workflow.TakeResult();

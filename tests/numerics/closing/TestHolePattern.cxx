@@ -1,3 +1,4 @@
+#include "CrossDirection.h"
 #include "HolePattern.h"
 #include "LayoutClosing.h"
 #include "QuadMesher.h"
@@ -53,7 +54,7 @@ TEST(HolePattern, PatternFollowsTheCrossOfTheFilledDomain)
   const std::vector<RoundHole> holes = FindRoundHoles(plate);
   ASSERT_EQ(holes.size(), 4u);
   const ClosingLayout field = LayOut(FillHoles(plate, holes), {}, {}, 0.0);
-  const Configuration pattern = PatternAroundHoles(holes, field.map);
+  const Configuration pattern = PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes)));
   ASSERT_EQ(pattern.size(), 16u);
   for (std::size_t i = 0; i < pattern.size(); ++i)
   {
@@ -71,7 +72,8 @@ TEST(HolePattern, TwentyHolesHaveFewBlocks)
   const PlanarDomain plate = Grid(5, 4, 0.22);
   const std::vector<RoundHole> holes = FindRoundHoles(plate);
   const ClosingLayout field = LayOut(FillHoles(plate, holes), {}, {}, 0.0);
-  const ClosingLayout layout = LayOut(plate, PatternAroundHoles(holes, field.map), {}, 0.0);
+  const ClosingLayout layout =
+    LayOut(plate, PatternAroundHoles(holes, CrossAnglesAt(field.map, Centres(holes))), {}, 0.0);
   const QuadResult quads = MakeQuads(layout.map, layout.tMesh, {});
   EXPECT_EQ(quads.blocks.blocks.size(), 159u);
   EXPECT_GE(quads.quality.jacobian.min, 0.88);

@@ -5,6 +5,7 @@
 #include "BuiltinDomains.h"
 #include "DrillHoles.h"
 #include "MakePlanarDomain.h"
+#include "PositionEnergy.h"
 #include "RenormalizedEnergy.h"
 #include "SingularityOptimizer.h"
 #include "Support.h"
@@ -65,6 +66,30 @@ void ExpectGradientOfJ(const PointPotential& potential, const SizeUniformity& un
   }
   EXPECT_GT(gradient.norm(), 1e-3);
   EXPECT_LT((differences - gradient).norm(), 1e-6 * gradient.norm());
+}
+
+/// Expects that the second derivatives of J agree with differences of its gradient.
+void ExpectHessianOfJ(const std::shared_ptr<const PointPotential>& potential,
+  const SizeUniformity& uniformity, const Configuration& configuration)
+{
+  const Eigen::MatrixXd regular =
+    PositionEnergy(potential).Differentiate(configuration, Eigen::VectorXd()).regular;
+  const Eigen::MatrixXd hessian =
+    uniformity.Differentiate(*potential, potential->Solve(configuration), regular);
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(hessian.rows(), hessian.cols());
+  const double step = 1e-5;
+  for (Eigen::Index i = 0; i < hessian.cols(); ++i)
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      Configuration moved = configuration;
+      moved[static_cast<std::size_t>(i / 2)].position[i % 2] += sign * step;
+      differences.col(i) +=
+        sign / (2.0 * step) * uniformity.Evaluate(*potential, potential->Solve(moved)).gradient;
+    }
+  }
+  EXPECT_GT(hessian.norm(), 1e-3);
+  EXPECT_LT((differences - hessian).norm(), 1e-6 * hessian.norm());
 }
 
 /// Returns the mean of a function over the unit disk, by the midpoint rule on a polar grid.
@@ -128,6 +153,8 @@ TEST(SizeUniformity, GradientMatchesDifferences)
     }
   }
   ExpectGradientOfJ(potential, SizeUniformity(potential), configuration);
+  ExpectHessianOfJ(
+    std::make_shared<const PointPotential>(potential), SizeUniformity(potential), configuration);
 }
 
 /// Four singularities of index 1 in the disk.
@@ -203,6 +230,8 @@ TEST(SizeUniformity, GradientMatchesDifferencesWithTargetSizes)
   const SizeUniformity uniformity(potential,
     { Sizing::Field, [](const Point& x) { return 0.3 + std::exp(x.x() - 2.0 * x.y()); } });
   ExpectGradientOfJ(potential, uniformity, AroundTheIslands());
+  ExpectHessianOfJ(
+    std::make_shared<const PointPotential>(potential), uniformity, AroundTheIslands());
 }
 
 TEST(SizeUniformity, ConvergesToZeroForSizesOfField)

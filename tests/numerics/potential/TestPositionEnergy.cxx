@@ -93,6 +93,49 @@ TEST(PositionEnergy, IsTheRenormalizedEnergyOfEveryConfiguration)
   }
 }
 
+/// Returns the gradient of single-valued W plus the holonomy defects times multipliers.
+Eigen::VectorXd LagrangianGradient(const PositionEnergy& energy, const Configuration& configuration,
+  const Eigen::VectorXd& multipliers)
+{
+  const RenormalizedEnergyValue value = energy.Evaluate(configuration).renormalized;
+  Eigen::Matrix2Xd gradient = value.singleValuedGradient;
+  for (Eigen::Index k = 0; k < multipliers.size(); ++k)
+  {
+    gradient += multipliers[k] * value.defectGradient[static_cast<std::size_t>(k)];
+  }
+  return Eigen::Map<const Eigen::VectorXd>(gradient.data(), gradient.size());
+}
+
+TEST(PositionEnergy, CurvatureIsTheDerivativeOfTheGradient)
+{
+  const auto potential = std::make_shared<const PointPotential>(PotentialWith(Solver(), -1, 0));
+  const PositionEnergy energy(potential);
+  const Eigen::VectorXd multipliers = Eigen::Vector2d(0.3, -0.7);
+  const PositionEnergy::Curvature curvature = energy.Differentiate(Singularities, multipliers);
+  ASSERT_EQ(curvature.hessian.rows(), 10);
+  EXPECT_LT(
+    (curvature.hessian - curvature.hessian.transpose()).norm(), 1e-10 * curvature.hessian.norm());
+  constexpr double Step = 1e-5;
+  // The response of R is that of P1, which is too small by a few per cent on this mesh.
+  constexpr double Tolerance = 0.03;
+  Eigen::MatrixXd differences(10, 10);
+  for (Eigen::Index i = 0; i < 10; ++i)
+  {
+    Configuration forward = Singularities;
+    Configuration backward = Singularities;
+    forward[static_cast<std::size_t>(i / 2)].position[i % 2] += Step;
+    backward[static_cast<std::size_t>(i / 2)].position[i % 2] -= Step;
+    differences.col(i) = (LagrangianGradient(energy, forward, multipliers) -
+                           LagrangianGradient(energy, backward, multipliers)) /
+      (2.0 * Step);
+    const Eigen::VectorXd regular =
+      (energy.Evaluate(forward).solution.regular - energy.Evaluate(backward).solution.regular) /
+      (2.0 * Step);
+    EXPECT_LT((curvature.regular.col(i) - regular).norm(), 1e-6 * regular.norm()) << i;
+  }
+  EXPECT_LT((curvature.hessian - differences).norm(), Tolerance * differences.norm());
+}
+
 TEST(PositionEnergy, IsTheSameAfterAnotherAlignment)
 {
   const auto solver = Solver();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "PlanarDomain.h"
-#include "SeamlessMap.h"
 #include "Singularity.h"
 
 namespace crossfield
@@ -19,11 +18,15 @@ struct RoundHole
 /// fewer than 12 vertices are polygons.
 std::vector<RoundHole> FindRoundHoles(const PlanarDomain& domain);
 
+std::vector<Point> Centres(const std::vector<RoundHole>& holes);
+
 /// Returns the domain with holes filled.
 PlanarDomain FillHoles(const PlanarDomain& domain, const std::vector<RoundHole>& holes);
 
 /// Returns four singularities of quarter index −1 around every hole (docs/method.md §14.10), in the
 /// directions between those of the cross at its centre, at 1.41 radii from it but no farther from
-/// the hole than 0.4 of the gap. `filled`: the map of the filled domain.
-Configuration PatternAroundHoles(const std::vector<RoundHole>& holes, const SeamlessMap& filled);
+/// the hole than 0.4 of the gap. `crossAngles`: for each hole the angle of a direction of the cross
+/// at its centre in the filled domain.
+Configuration PatternAroundHoles(
+  const std::vector<RoundHole>& holes, const std::vector<double>& crossAngles);
 }
