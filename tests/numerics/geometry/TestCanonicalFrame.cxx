@@ -101,7 +101,8 @@ TEST(CanonicalFrame, GivesTurnedSymmetricDomainsTheCoordinatesOfUnturnedOnes)
   const std::vector<Loop> square = { RegularPolygon(4, std::sqrt(2.0)) };
   for (const double angle : { 0.1, 0.2, 0.9 })
   {
-    for (const Point& point : InFrame(Similarity{ angle }(square))[0])
+    const std::vector<Loop> loops = InFrame(Similarity{ angle }(square));
+    for (const Point& point : loops[0])
     {
       EXPECT_EQ(std::abs(point.x()), 1.0);
       EXPECT_EQ(std::abs(point.y()), 1.0);

@@ -153,7 +153,7 @@ TEST(QuadAdvice, OffersASmallerSizeThatWasTried)
   quality.inverted = 1;
   quality.where = { 0.25, 0.5 };
   EXPECT_EQ(DescribeInverted(quality, SmallerSize{ 0.0125, 4000 }),
-    "1 quad is inverted, the worst near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
+    "1 quad is inverted near (0.25, 0.5); use a smaller size: with 0.0125, 4000 quads, "
     "none is inverted.");
   quality.inverted = 2;
   const std::string helpless = DescribeInverted(quality, {});

@@ -12,10 +12,11 @@ namespace crossfield::test
 {
 namespace
 {
-PlanarDomain PlateWithHole()
+/// Returns a plate with two holes of different size.
+PlanarDomain Plate()
 {
-  return MakePlanarDomain({ { { 0.0, 0.0 }, { 3.0, 0.0 }, { 3.0, 2.0 }, { 0.0, 2.0 } },
-    RegularPolygon(32, 0.3, Point(0.9, 1.1)) });
+  return MakePlanarDomain({ { { 0.0, 0.0 }, { 4.0, 0.0 }, { 4.0, 2.0 }, { 0.0, 2.0 } },
+    RegularPolygon(32, 0.6, Point(1.0, 1.0)), RegularPolygon(32, 0.2, Point(3.0, 1.2)) });
 }
 
 bool HasEvent(const QuadWorkflowResult& result)
@@ -35,9 +36,9 @@ QuadWorkflowResult Mesh(
 
 TEST(SizingChoice, MakesSizesUniformWhereShapesStayGood)
 {
-  const QuadWorkflowResult conformal = Mesh(PlateWithHole(), Sizing::Conformal);
+  const QuadWorkflowResult conformal = Mesh(Plate(), Sizing::Conformal);
   ASSERT_GT(conformal.quads.quality.variation, GoodVariation);
-  const QuadWorkflowResult automatic = Mesh(PlateWithHole(), std::nullopt);
+  const QuadWorkflowResult automatic = Mesh(Plate(), std::nullopt);
   EXPECT_LE(automatic.quads.quality.variation, GoodVariation);
   EXPECT_GE(automatic.quads.quality.jacobian.min, 0.8 * automatic.quads.quality.bound);
   EXPECT_TRUE(HasEvent(automatic));
@@ -60,9 +61,9 @@ TEST(SizingChoice, RetainsAGoodConformalMesh)
 TEST(SizingChoice, DoesNotMoveGivenSingularities)
 {
   QuadRequest request;
-  request.singularities = Mesh(PlateWithHole(), Sizing::Conformal).singularities;
+  request.singularities = Mesh(Plate(), Sizing::Conformal).singularities;
   request.quadCount = 600;
-  const QuadWorkflowResult result = MakeQuadMesh(PlateWithHole(), request);
+  const QuadWorkflowResult result = MakeQuadMesh(Plate(), request);
   EXPECT_GT(result.quads.quality.variation, GoodVariation);
   EXPECT_LT(result.moved, 1e-9);
   EXPECT_FALSE(HasEvent(result));
