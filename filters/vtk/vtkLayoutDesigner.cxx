@@ -71,7 +71,10 @@ public:
   }
 
   /** Writes the message of a failure. */
-  void WriteFailure(const char* message) const { this->WriteReport(nullptr, { message, 0.0, false }); }
+  void WriteFailure(const char* message) const
+  {
+    this->WriteReport(nullptr, { message, 0.0, false });
+  }
 
 private:
   void WriteDesign(

@@ -357,6 +357,7 @@ void pqSingularityHandlesWidget::Release()
   }
   else
   {
+    LiveFrames::MarkOutdated(this->view(), this->proxy());
     this->view()->render();
   }
 }

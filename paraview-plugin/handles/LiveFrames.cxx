@@ -67,17 +67,14 @@ void LiveFrames::UpdateSources(pqView* view)
 }
 
 //------------------------------------------------------------------------------
-void LiveFrames::Draw(pqView* view, vtkSMProxy* changed)
+void LiveFrames::MarkOutdated(pqView* view, vtkSMProxy* changed)
 {
-  vtkSMViewProxy* viewProxy = view->getViewProxy();
-  auto* renderView = vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject());
-  if (!renderView || !AreLocal(ViewSources::Visible(view)))
-  {
-    view->forceRender();
-    return;
-  }
   const auto* source =
     pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(changed);
+  if (!source)
+  {
+    return; // its session ends
+  }
   const std::vector<const pqPipelineSource*> outdated = ViewSources::WithDownstream(source);
   for (pqRepresentation* shown : view->getRepresentations())
   {
@@ -91,6 +88,19 @@ void LiveFrames::Draw(pqView* view, vtkSMProxy* changed)
       representation->MarkModified();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void LiveFrames::Draw(pqView* view, vtkSMProxy* changed)
+{
+  vtkSMViewProxy* viewProxy = view->getViewProxy();
+  auto* renderView = vtkPVRenderView::SafeDownCast(viewProxy->GetClientSideObject());
+  if (!renderView || !AreLocal(ViewSources::Visible(view)))
+  {
+    view->forceRender();
+    return;
+  }
+  LiveFrames::MarkOutdated(view, changed);
   WithoutThreads(
     [&]
     {

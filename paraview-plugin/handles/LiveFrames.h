@@ -22,6 +22,12 @@ public:
   /** Updates the sources that are visible in a view; the view still has its last data. */
   static void UpdateSources(pqView* view);
 
+  /**
+   * Marks what a view shows of a proxy, which has changed, and of filters downstream as outdated.
+   * Proxies do so only once until their next update, so this is also needed after the last frame.
+   */
+  static void MarkOutdated(pqView* view, vtkSMProxy* changed);
+
   /** Draws a view with the data of filters downstream of a proxy, which has changed. */
   void Draw(pqView* view, vtkSMProxy* changed);
 

@@ -297,6 +297,7 @@ void pqSingularityHandlesWidget::Commit(const std::vector<SingularityRow>& befor
   if (this->view())
   {
     this->UpdatePipeline();
+    LiveFrames::MarkOutdated(this->view(), this->proxy());
     this->view()->render();
   }
 }

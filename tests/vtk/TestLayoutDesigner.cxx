@@ -291,9 +291,9 @@ TEST_F(LayoutDesigner, ReportsAndShowsNodesThatMoved)
 TEST_F(LayoutDesigner, ReleasedNodesAreReported)
 {
   // Singularities placed at random in a plate with three holes. Quads at them would be inverted.
-  this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 3.0 }),
-    TestInputs::Circle(24, 0.25, { 0.9, 0.9 }), TestInputs::Circle(24, 0.3, { 2.9, 0.8 }),
-    TestInputs::Circle(24, 0.2, { 2.0, 2.1 }) }));
+  this->Filter->SetInputData(TestInputs::Loops(
+    { TestInputs::Rectangle({ 0.0, 0.0 }, { 4.0, 3.0 }), TestInputs::Circle(24, 0.25, { 0.9, 0.9 }),
+      TestInputs::Circle(24, 0.3, { 2.9, 0.8 }), TestInputs::Circle(24, 0.2, { 2.0, 2.1 }) }));
   this->Filter->SetMeshSize(0.0);
   this->Filter->SetQuadSize(0.0);
   this->Filter->SetQuadCount(500);

@@ -171,8 +171,7 @@ TEST_F(SingularitySource, DefaultRowsFitTheDomain)
       drill->SetSingularitiesConnection(this->Source->GetOutputPort());
       FilterChecks::UpdateWithoutError(drill);
       EXPECT_GT(drill->GetOutput()->GetNumberOfCells(), 100);
-      EXPECT_EQ(
-        this->Source->GetOutputRows()->GetNumberOfTuples(), static_cast<vtkIdType>(count));
+      EXPECT_EQ(this->Source->GetOutputRows()->GetNumberOfTuples(), static_cast<vtkIdType>(count));
     }
   }
 }
@@ -208,7 +207,8 @@ TEST_F(SingularitySource, FittedRowsAreThoseOfTheUserOnceChanged)
 
 TEST_F(SingularitySource, FittedRowsAreInThePlaneOfTheDomain)
 {
-  this->Source->SetDomainData(TestInputs::Loops({ TestInputs::Circle(40, 2.0, { 5.0, 1.0 }) }, 3.0));
+  this->Source->SetDomainData(
+    TestInputs::Loops({ TestInputs::Circle(40, 2.0, { 5.0, 1.0 }) }, 3.0));
   FilterChecks::UpdateWithoutError(this->Source);
   vtkPolyData* output = this->Source->GetOutput();
   ASSERT_EQ(output->GetNumberOfPoints(), 4);

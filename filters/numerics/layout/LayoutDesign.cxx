@@ -73,8 +73,7 @@ LayoutDesign DesignLayout(const FactoredDomain& domain, const Configuration& sin
     {
       Clean(domain, options, design, progress.Part(0.75, 1.0));
     }
-    design.nodes =
-      FindNodePositions(design.map, design.quads->mesh, singularities, singularities);
+    design.nodes = FindNodePositions(design.map, design.quads->mesh, singularities, singularities);
   }
   design.shortestArc = std::numeric_limits<double>::infinity();
   for (const TArc& arc : design.mesh.arcs)

@@ -16,6 +16,6 @@ double LeastStrain(
 /// that turns the loops by r − n π/2 is small, a closest vector problem. Starts with n = 0 and
 /// changes one or two of them by ±1 while the strain falls. Many loops take seconds: `progress` may
 /// request an abort at each change, and always receives 0.
-Eigen::VectorXi ChooseQuarterTurns(const DifferentialSample& sample,
-  const Eigen::VectorXd& defects, const Progress& progress = {});
+Eigen::VectorXi ChooseQuarterTurns(
+  const DifferentialSample& sample, const Eigen::VectorXd& defects, const Progress& progress = {});
 }
