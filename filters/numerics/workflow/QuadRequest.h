@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AutomaticConfiguration.h"
+#include "BoundarySides.h"
 #include "HolonomyRepair.h"
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
@@ -25,6 +26,7 @@ struct QuadRequest
 {
   std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
+  BoundarySides sides; ///< Sides of the boundary; if it has no names, those of NameSides.
 
   Sizing sizing = Sizing::Conformal;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.

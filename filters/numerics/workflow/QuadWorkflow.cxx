@@ -44,8 +44,13 @@ QuadWorkflowResult MakeQuadMesh(
   catch (const CoarseMeshError& error)
   {
     // Its remedy, a finer mesh, was tried.
-    const double length = FindSmoothing(domain, request.corners,
-      [&](const PlanarDomain& smooth) { RunQuadSteps(smooth, request, trial); });
+    std::vector<Point> kept = request.sides.FixedPlaces();
+    for (const CornerChoice& corner : request.corners)
+    {
+      kept.push_back(corner.position);
+    }
+    const double length = FindSmoothing(
+      domain, kept, [&](const PlanarDomain& smooth) { RunQuadSteps(smooth, request, trial); });
     throw Error(WithAdvice(
       WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
   }
