@@ -12,6 +12,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
+#include "SideOptions.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkQuadMesher.h"
@@ -36,6 +37,7 @@ namespace names = vtkCrossFieldArrayNames;
 struct QuadsOptions
 {
   BoundaryOptions boundary;
+  SideOptions sides;
   std::string domain;
   std::string singularities;
   std::string corners;
@@ -125,6 +127,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetQuadCount(options.quads);
   SetSizing(options, mesher);
   mesher->SetSideNameArray(options.boundary.names);
+  options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
@@ -233,6 +236,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "boundary; default: Side if the domain has it, otherwise outer0, outer1, ..., hole0, ... between "
       "corners")
     ->type_name("ARRAY");
+  options->sides.AddTo(*command);
   const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };
   CLI::Option* merge =

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -18,6 +18,9 @@ from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
+
+#: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
+Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, float, float]]
 
 _SIZINGS = {"conformal": vtkQuadMesher.SizingConformal, "uniform": vtkQuadMesher.SizingUniform,
             "field": vtkQuadMesher.SizingField}
@@ -126,6 +129,14 @@ class QuadMesh:
                         % (path, error)) from None
 
 
+def _progression_text(progression: Progression) -> str:
+    """Returns the text of vtkQuadMesher::AddSide."""
+    if isinstance(progression, tuple) and progression and progression[0] == "both":
+        return "both:" + ",".join("%.17g" % value for value in progression[1:])
+    values = progression if isinstance(progression, tuple) else (progression,)
+    return ",".join("%.17g" % value for value in values)
+
+
 def _points_of_block(grid: Any) -> np.ndarray:
     size = [0, 0, 0]
     grid.GetDimensions(size)
@@ -166,9 +177,12 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
-          sizing: str = "conformal", size_array: Optional[str] = None, names: Optional[str] = None, merge: str = "none",
+          sizing: str = "conformal", size_array: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
-          clearance: Optional[float] = None, pairs: int = 0) -> QuadMesh:
+          clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
+          counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
+          sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
+          max_size: Optional[float] = None) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -183,8 +197,6 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
                    sizes are nearest to these
     size_array     name of this array
-    names          name of the cell array of the domain's lines with the names of the boundary's sides; default:
-                   "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest
                    blocks whose worst quad is at least half as good
@@ -197,6 +209,14 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    the size of quads
     pairs          maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities
                    where they make sizes more uniform
+    names          name of the cell array of the domain's lines with the names of the boundary's sides; default:
+                   "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
+    counts         number of edges by the name of a side
+    progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
+                   (first, last); or ("both", ratio), ("both", first, middle) towards both ends
+    sizes          length of edges by the name of a side, met within 20 %, from which sizes grow
+    min_size, max_size
+                   bounds of target sizes
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -236,6 +256,14 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
     mesher.SetSideNameArray(names or "")
+    for side, number in (counts or {}).items():
+        mesher.AddSide(side, str(number), "", "")
+    for side, progression in (progressions or {}).items():
+        mesher.AddSide(side, "", _progression_text(progression), "")
+    for side, length in (sizes or {}).items():
+        mesher.AddSide(side, "", "", "%.17g" % length)
+    mesher.SetMinimumSize(checked(min_size))
+    mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)

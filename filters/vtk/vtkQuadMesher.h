@@ -85,7 +85,9 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <string> // for the name of an array
+#include <array>  // for rows of texts
+#include <string> // for names
+#include <vector> // for rows of texts
 
 class vtkDataSet;
 class vtkTable;
@@ -177,6 +179,37 @@ public:
   ///@}
   /** Sets the name of the array of sides; overload for ParaView. */
   void SetSideNameArray(const char* name) { this->SetSideNameArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Prescribes something for the side of a name; empty texts prescribe nothing.
+   * - `count`: the number of edges along the side, a positive whole number.
+   * - `progression`: the last edge over the first, in the direction with the domain on the left, of a
+   *   geometric sequence on every part of the side between two corners: RATIO, or after `both:` the
+   *   same towards both ends, with the middle edge over the first; or FIRST,LAST, the lengths of
+   *   these edges, which prescribe their number as well. The lengths continue in the strips of quads
+   *   that start at the side.
+   * - `size`: the length of all edges of the side, met within 20 %; sizes next to it grow by a
+   *   quarter of the distance, and are continued inside.
+   * Numbers of edges that contradict each other are an error.
+   */
+  void AddSide(const std::string& name, const std::string& count, const std::string& progression,
+    const std::string& size);
+  /** Removes all prescriptions. */
+  void ClearSides();
+  ///@}
+  /** Prescribes something for a side; overload for ParaView. */
+  void AddSide(const char* name, const char* count, const char* progression, const char* size);
+
+  ///@{
+  /**
+   * Sets the bounds of the target size of quads. Default: 0, no bound. Range: 0 or more.
+   */
+  vtkSetClampMacro(MinimumSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumSize, double);
+  vtkSetClampMacro(MaximumSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumSize, double);
+  ///@}
 
   /** Treatment of separatrices that nearly meet. */
   enum MergeType
@@ -311,6 +344,9 @@ private:
   int Sizing = SizingConformal;
   std::string SizeArray;
   std::string SideNameArray;
+  std::vector<std::array<std::string, 4>> Sides;
+  double MinimumSize = 0.0;
+  double MaximumSize = 0.0;
   int Pairs = 0;
   int Merge = MergeNone;
   double MeshSize = 0.0;

@@ -6,6 +6,7 @@
 #include "QuadQuality.h"
 #include "QuadSizes.h"
 #include "QuadSmoothing.h"
+#include "SidePrescription.h"
 
 #include "SeamlessMap.h"
 
@@ -15,10 +16,11 @@ struct QuadOptions
 {
   /// Target side length of quads in the map, whose area is the domain's; 0: set by quadCount.
   double quadSize = 0.0;
-  int quadCount = 1000; ///< Target number of quads if quadSize is 0.
-  TargetSizes sizes;    ///< Variation of the size over the domain.
-  BoundarySides sides;  ///< Sides of the boundary; none: it has no names.
-  bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
+  int quadCount = 1000;         ///< Target number of quads if quadSize is 0.
+  TargetSizes sizes;            ///< Variation of the size over the domain.
+  BoundarySides sides;          ///< Sides of the boundary; none: it has no names.
+  SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
+  bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;
 };

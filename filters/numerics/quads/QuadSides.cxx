@@ -35,18 +35,26 @@ void Chain(std::vector<QuadBoundaryEdge>& edges)
 }
 }
 
-void SplitAtSides(
-  const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides, TMesh& mesh)
+void SplitAtSides(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+  const SidePrescriptions& prescribed, TMesh& mesh)
 {
+  const auto isPrescribed = [&prescribed](const LoopSide& start)
+  {
+    return std::any_of(prescribed.begin(), prescribed.end(),
+      [&start](const SidePrescription& one) { return one.side == start.side; });
+  };
   const SidesAlong along(sides, curves.GetArcs());
   std::vector<int> positions;
   for (std::size_t loop = 0; loop < curves.GetArcs().size(); ++loop)
   {
-    for (const LoopSide& start : along.On(loop))
+    const std::vector<LoopSide>& starts = along.On(loop);
+    for (std::size_t i = 0; i < starts.size(); ++i)
     {
-      if (start.isFixed)
+      const LoopSide& before = starts[(i + starts.size() - 1) % starts.size()];
+      if (starts[i].isFixed ||
+        (starts.size() > 1 && (isPrescribed(starts[i]) || isPrescribed(before))))
       {
-        positions.push_back(curves.PositionAt({ static_cast<int>(loop), start.at }));
+        positions.push_back(curves.PositionAt({ static_cast<int>(loop), starts[i].at }));
       }
     }
   }

@@ -26,17 +26,22 @@ public:
 
   void Split(int position)
   {
-    const int vertex = this->Topology.BoundaryAt(position).vertices[0];
+    const auto [vertex, next] = this->Topology.BoundaryAt(position).vertices;
+    const Point& place = this->Topology.PointAt(vertex);
+    // far above the rounding of places on separatrices, far below any detail
+    const double rounding = 1e-9 * (this->Topology.PointAt(next) - place).norm();
     const int arc = this->ArcAt[Index(position)];
-    const std::size_t first = this->PieceAt(arc, position);
-    if (first > 0)
+    for (const int half : { 2 * arc, 2 * arc + 1 })
     {
-      this->Divide(arc, first, vertex);
-      return;
+      TNode& node = this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(half)].node)];
+      if ((node.place - place).norm() <= rounding)
+      {
+        node.isFixed = true;
+        node.place = place;
+        return;
+      }
     }
-    TNode& node = this->Mesh.nodes[Index(this->Mesh.halfEdges[Index(2 * arc)].node)];
-    node.isFixed = true;
-    node.place = this->Topology.PointAt(vertex);
+    this->Divide(arc, this->PieceAt(arc, position), vertex);
   }
 
 private:

@@ -201,8 +201,8 @@ private:
     options.quadCount = this->Request.quadCount;
     options.coarse = this->Request.merge == BlockMerge::Coarse;
     options.sizes.sizing = this->Request.sizing;
-    options.sides =
-      this->Request.sides.names.empty() ? NameSides(this->Domain) : this->Request.sides;
+    options.sides = this->Request.sides;
+    options.prescribed = this->Request.prescribed;
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);

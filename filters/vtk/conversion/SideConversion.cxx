@@ -16,8 +16,10 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <locale>
 #include <map>
+#include <sstream>
 #include <utility>
 
 namespace names = vtkCrossFieldArrayNames;
@@ -102,6 +104,105 @@ private:
   vtkNew<vtkPolyData> Vertices;
   vtkNew<vtkStaticPointLocator> Locator;
 };
+
+/** Reads the texts of a row. */
+class RowReader
+{
+public:
+  RowReader(const std::array<std::string, 4>& row, crossfield::SidePrescription& prescribed)
+    : Row(row)
+    , Prescribed(prescribed)
+  {
+  }
+
+  void Read() const
+  {
+    if (!this->Row[1].empty())
+    {
+      this->RequireOnce(this->Prescribed.count == 0, "number of edges");
+      const double count = this->Number(this->Row[1], "number of edges", "a whole number");
+      if (count < 1.0 || count > VTK_INT_MAX || count != std::floor(count))
+      {
+        this->Refuse(this->Row[1], "number of edges", "a positive whole number");
+      }
+      this->Prescribed.count = static_cast<int>(count);
+    }
+    if (!this->Row[2].empty())
+    {
+      this->RequireOnce(!this->Prescribed.isGraded, "progression");
+      this->ReadProgression();
+    }
+    if (!this->Row[3].empty())
+    {
+      this->RequireOnce(this->Prescribed.size == 0.0, "size");
+      this->Prescribed.size = this->Positive(this->Row[3], "size", "a positive number");
+    }
+  }
+
+private:
+  [[noreturn]] void Refuse(const std::string& text, const char* what, const char* form) const
+  {
+    throw Error("The " + std::string(what) + " '" + text + "' of side '" + this->Row[0] +
+      "' is not valid; give " + form + ".");
+  }
+
+  void RequireOnce(bool isFirst, const char* what) const
+  {
+    if (!isFirst)
+    {
+      throw Error("The " + std::string(what) + " of side '" + this->Row[0] +
+        "' is prescribed twice; leave one out.");
+    }
+  }
+
+  double Number(const std::string& text, const char* what, const char* form) const
+  {
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    double value = 0.0;
+    if (!(stream >> value) || !(stream >> std::ws).eof() || !std::isfinite(value))
+    {
+      this->Refuse(text, what, form);
+    }
+    return value;
+  }
+
+  double Positive(const std::string& text, const char* what, const char* form) const
+  {
+    const double value = this->Number(text, what, form);
+    if (!(value > 0.0))
+    {
+      this->Refuse(text, what, form);
+    }
+    return value;
+  }
+
+  void ReadProgression() const
+  {
+    constexpr const char* What = "progression";
+    constexpr const char* Form =
+      "RATIO, or FIRST,LAST for lengths, positive, after both: for both ends";
+    crossfield::Progression& progression = this->Prescribed.progression;
+    std::string text = this->Row[2];
+    const std::string both = "both:";
+    progression.both = text.compare(0, both.size(), both) == 0;
+    text = progression.both ? text.substr(both.size()) : text;
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos)
+    {
+      progression.ratio = this->Positive(text, What, Form);
+    }
+    else
+    {
+      progression.first = this->Positive(text.substr(0, comma), What, Form);
+      progression.last = this->Positive(text.substr(comma + 1), What, Form);
+    }
+    this->Prescribed.isGraded = true;
+  }
+
+  const std::array<std::string, 4>& Row;
+  crossfield::SidePrescription& Prescribed;
+};
 }
 
 namespace SideConversion
@@ -176,6 +277,39 @@ crossfield::BoundarySides ReadSides(
       "' names no part of the boundary; give lines along the boundary with their names.");
   }
   return crossfield::NameSides(domain.domain, segments);
+}
+
+//------------------------------------------------------------------------------
+crossfield::SidePrescriptions ReadPrescriptions(
+  const std::vector<std::array<std::string, 4>>& rows, const crossfield::BoundarySides& sides)
+{
+  crossfield::SidePrescriptions prescribed;
+  for (const std::array<std::string, 4>& row : rows)
+  {
+    const int side = sides.Find(row[0]);
+    if (side < 0)
+    {
+      constexpr std::size_t Listed = 12;
+      std::string known;
+      for (std::size_t i = 0; i < sides.names.size() && i < Listed; ++i)
+      {
+        known += (known.empty() ? "" : ", ") + sides.names[i];
+      }
+      throw Error("The boundary has no side '" + row[0] + "'; give one of " + known +
+        (sides.names.size() > Listed ? ", ..." : "") + ".");
+    }
+    const auto found = std::find_if(prescribed.begin(), prescribed.end(),
+      [side](const crossfield::SidePrescription& one) { return one.side == side; });
+    if (found != prescribed.end())
+    {
+      RowReader(row, *found).Read();
+      continue;
+    }
+    prescribed.emplace_back();
+    prescribed.back().side = side;
+    RowReader(row, prescribed.back()).Read();
+  }
+  return prescribed;
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,11 @@
 #include "BoundarySides.h"
 #include "DomainConversion.h"
 #include "QuadMesh.h"
+#include "SidePrescription.h"
 
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkCellData;
 class vtkDataSet;
@@ -37,6 +40,13 @@ std::string FindArray(vtkDataSet* input, const std::string& requested);
  */
 crossfield::BoundarySides ReadSides(
   vtkDataSet* input, const std::string& requested, const DomainConversion::Domain& domain);
+
+/**
+ * Reads rows of vtkQuadMesher::AddSide. Throws crossfield::Error if there is no such side, a text is
+ * not of its form, or something is prescribed twice.
+ */
+crossfield::SidePrescriptions ReadPrescriptions(
+  const std::vector<std::array<std::string, 4>>& rows, const crossfield::BoundarySides& sides);
 
 /** Adds the array `Side` of boundary lines. */
 void WriteSides(const crossfield::QuadMesh& mesh, vtkCellData* data);
