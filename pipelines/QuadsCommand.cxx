@@ -120,7 +120,9 @@ int Mesh(const QuadsOptions& options)
     { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
-  const auto domain = BoundaryInput::Open(options.domain, options.meshSize, options.boundary);
+  BoundaryOptions boundary = options.boundary;
+  boundary.sizes = options.sides.ReadSizes();
+  const auto domain = BoundaryInput::Open(options.domain, options.meshSize, boundary);
   vtkNew<vtkQuadMesher> mesher;
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);

@@ -128,6 +128,27 @@ struct NamedSides
   crossfield::BoundarySides sides;
 };
 
+/** Bounds the lengths of thinning of loops by the sizes at their sides. */
+void ShortenFor(const std::vector<std::pair<std::string, double>>& sizes,
+  const crossfield::BoundarySides& sides, const crossfield::PlanarDomain& domain,
+  std::vector<double>& lengths)
+{
+  const crossfield::SidesAlong along(sides, { domain.loops.begin(), domain.loops.end() });
+  for (const auto& [name, size] : sizes)
+  {
+    const int side = sides.Find(name);
+    for (std::size_t loop = 0; loop < lengths.size(); ++loop)
+    {
+      const std::vector<crossfield::LoopSide>& starts = along.On(loop);
+      if (std::any_of(starts.begin(), starts.end(),
+            [side](const crossfield::LoopSide& start) { return start.side == side; }))
+      {
+        lengths[loop] = std::min(lengths[loop], crossfield::ThinningFor(size));
+      }
+    }
+  }
+}
+
 /**
  * Writes one polyline per loop, or per piece of a side, with the arrays of the nearest points of the
  * input.
@@ -254,8 +275,15 @@ int vtkBoundarySimplifier::RequestData(
       double moved = 0.0;
       if (thinning > 0.0)
       {
+        std::vector<double> lengths(given.domain.loops.size(), thinning);
+        if (this->ThinningLength < 0.0 && !this->SideSizes.empty())
+        {
+          ShortenFor(this->SideSizes,
+            named.array.empty() ? crossfield::NameSides(given.domain) : named.sides, given.domain,
+            lengths);
+        }
         crossfield::SimplifiedBoundary thin =
-          crossfield::ThinBoundary(simple.domain, thinning, kept, cornerAngle);
+          crossfield::ThinLoops(simple.domain, lengths, kept, cornerAngle);
         simple.domain = thin.domain;
         moved += thin.moved;
       }
@@ -281,6 +309,20 @@ int vtkBoundarySimplifier::RequestData(
 }
 
 //------------------------------------------------------------------------------
+void vtkBoundarySimplifier::AddSideSize(const std::string& name, double size)
+{
+  this->SideSizes.emplace_back(name, size);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkBoundarySimplifier::ClearSideSizes()
+{
+  this->SideSizes.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -289,4 +331,5 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
+  os << indent << "SideSizes: " << this->SideSizes.size() << "\n";
 }

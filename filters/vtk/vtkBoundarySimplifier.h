@@ -36,7 +36,9 @@
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
 
-#include <string> // for the name of an array
+#include <string>  // for names
+#include <utility> // for names with sizes
+#include <vector>  // for names with sizes
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkBoundarySimplifier : public vtkPassInputTypeAlgorithm
 {
@@ -86,6 +88,17 @@ public:
   vtkSetMacro(SideNameArray, std::string);
   vtkGetMacro(SideNameArray, std::string);
   ///@}
+  /** Sets the name of the array of sides; overload for ParaView. */
+  void SetSideNameArray(const char* name) { this->SetSideNameArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Sets the target length of edges at a side, as for vtkQuadMesher::AddSide. By default loops with
+   * this side are thinned by at most 0.02 of it.
+   */
+  void AddSideSize(const std::string& name, double size);
+  void ClearSideSizes();
+  ///@}
 
   /** Adds a connection to port 1, points at which the boundary is kept. */
   void AddKeptConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
@@ -106,6 +119,7 @@ private:
   double SmoothingLength = 0.0;
   double CornerAngle = 30.0;
   std::string SideNameArray;
+  std::vector<std::pair<std::string, double>> SideSizes;
 };
 
 #endif

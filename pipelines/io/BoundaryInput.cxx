@@ -84,6 +84,10 @@ vtkSmartPointer<vtkAlgorithm> Open(
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
   simplifier->SetSideNameArray(options.names);
+  for (const auto& [side, length] : options.sizes)
+  {
+    simplifier->AddSideSize(side, length);
+  }
   return simplifier;
 }
 

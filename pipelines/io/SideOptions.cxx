@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <locale>
+#include <sstream>
 #include <utility>
 
 namespace
@@ -41,6 +43,23 @@ void SideOptions::AddTo(CLI::App& command)
     ->check(NumberCheck::Positive());
   command.add_option("--max-size", this->maximumSize, "upper bound of target sizes, positive")
     ->check(NumberCheck::Positive());
+}
+
+std::vector<std::pair<std::string, double>> SideOptions::ReadSizes() const
+{
+  std::vector<std::pair<std::string, double>> read;
+  for (const std::string& text : this->sizes)
+  {
+    const auto [name, value] = Divide("--size-at", text);
+    std::istringstream stream(value);
+    stream.imbue(std::locale::classic());
+    double size = 0.0;
+    if (stream >> size && size > 0.0)
+    {
+      read.emplace_back(name, size);
+    }
+  }
+  return read;
 }
 
 void SideOptions::SetOn(vtkQuadMesher* mesher) const

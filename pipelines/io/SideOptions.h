@@ -2,6 +2,7 @@
 #define SideOptions_h
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI
@@ -21,6 +22,8 @@ struct SideOptions
 
   /** Adds the options --count, --progression, --size-at, --min-size and --max-size. */
   void AddTo(CLI::App& command);
+  /** Returns the sizes of --size-at that are positive numbers; others are refused by the filter. */
+  std::vector<std::pair<std::string, double>> ReadSizes() const;
   /** Sets the prescriptions of a filter. Throws PipelineRun::Error if one has no name. */
   void SetOn(vtkQuadMesher* mesher) const;
 };
