@@ -12,6 +12,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "ReportJson.h"
+#include "SideOptions.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkQuadMesher.h"
@@ -36,6 +37,7 @@ namespace names = vtkCrossFieldArrayNames;
 struct QuadsOptions
 {
   BoundaryOptions boundary;
+  SideOptions sides;
   std::string domain;
   std::string singularities;
   std::string corners;
@@ -122,12 +124,16 @@ int Mesh(const QuadsOptions& options)
     { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
 
   // 2. Read the domain and the configuration.
-  const auto domain = BoundaryInput::Open(options.domain, options.meshSize, options.boundary);
+  BoundaryOptions boundary = options.boundary;
+  boundary.sizes = options.sides.ReadSizes();
+  const auto domain = BoundaryInput::Open(options.domain, options.meshSize, boundary);
   vtkNew<vtkQuadMesher> mesher;
   mesher->SetInputConnection(domain->GetOutputPort());
   mesher->SetQuadSize(options.size);
   mesher->SetQuadCount(options.quads);
   SetSizing(options, mesher);
+  mesher->SetSideNameArray(options.boundary.names);
+  options.sides.SetOn(mesher);
   mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
@@ -231,6 +237,13 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "are nearly uniform, otherwise uniform as far as the worst quad stays good; default: auto")
     ->expected(1, 2)
     ->type_name("WORD");
+  command
+    ->add_option("--names", options->boundary.names,
+      "cell array of the domain's lines, strings or integers, with the names of the sides of the "
+      "boundary; default: Side if the domain has it, otherwise outer0, outer1, ..., hole0, ... between "
+      "corners")
+    ->type_name("ARRAY");
+  options->sides.AddTo(*command);
   const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };
   CLI::Option* merge =

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from typing import Any, Optional, Union
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -18,6 +18,9 @@ from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkQuadMesher
+
+#: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
+Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, float, float]]
 
 _SIZINGS = {"auto": vtkQuadMesher.SizingAutomatic, "conformal": vtkQuadMesher.SizingConformal,
             "uniform": vtkQuadMesher.SizingUniform, "field": vtkQuadMesher.SizingField}
@@ -34,6 +37,7 @@ class QuadMesh:
     edges            (b, 2) int, of the boundary, with the domain on the left
     boundary_kind    (b,) int: 1 outer loop, 2 inner loop
     boundary_id      (b,) int: number of the loop
+    edge_side        (b,) str: name of the side of the boundary that each edge belongs to
     valence          (n,) int, quads at each point
     irregular        (n,) int, quarter index of a singularity or corner, else 0
     block            (q,) int, the block of each quad
@@ -52,6 +56,7 @@ class QuadMesh:
     edges: np.ndarray
     boundary_kind: np.ndarray
     boundary_id: np.ndarray
+    edge_side: np.ndarray
     valence: np.ndarray
     irregular: np.ndarray
     block: np.ndarray
@@ -67,6 +72,33 @@ class QuadMesh:
     def __repr__(self) -> str:
         return "<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian %.2f>" % (
             len(self.quads), len(self.blocks), self.report["scaled_jacobian"]["min"])
+
+    @property
+    def sides(self) -> list[str]:
+        """The names of the sides of the boundary."""
+        return [side["name"] for side in self.report["sides"]]
+
+    def side(self, name: str) -> np.ndarray:
+        """Returns the rows of `points` on a side, in order with the domain on the left.
+
+        Pieces of the side that are apart follow one another; the first point of a closed loop is not repeated.
+
+        >>> mesh = quads([(0, 0), (2, 0), (2, 1), (0, 1)], size=0.5)
+        >>> mesh.sides
+        ['outer0', 'outer1', 'outer2', 'outer3']
+        >>> mesh.points[mesh.side("outer0")][:, 0]
+        array([0. , 0.5, 1. , 1.5, 2. ])
+        """
+        if name not in self.sides:
+            raise Error("The mesh has no side '%s'; its sides are %s." % (name, ", ".join(self.sides)))
+        edges = self.edges[self.edge_side == name]
+        starts = np.flatnonzero(np.r_[True, edges[1:, 0] != edges[:-1, 1]]) if len(edges) else []
+        pieces = np.split(edges, starts[1:]) if len(edges) else []
+        if len(pieces) > 1 and pieces[-1][-1, 1] == pieces[0][0, 0]:  # through the first edge of a loop
+            pieces = [np.vstack([pieces[-1], pieces[0]]), *pieces[1:-1]]
+        chains = [piece[:, 0] if piece[-1, 1] == piece[0, 0] else np.r_[piece[:, 0], piece[-1, 1]]
+                  for piece in pieces]
+        return np.concatenate(chains) if chains else np.empty(0, int)
 
     def plot(self, file: Optional[Union[str, "os.PathLike[str]"]] = None, width: int = 900) -> Any:
         """Shows the mesh in a window until it is closed, with pale blocks and irregular nodes in
@@ -97,6 +129,14 @@ class QuadMesh:
                         % (path, error)) from None
 
 
+def _progression_text(progression: Progression) -> str:
+    """Returns the text of vtkQuadMesher::AddSide."""
+    if isinstance(progression, tuple) and progression and progression[0] == "both":
+        return "both:" + ",".join("%.17g" % value for value in progression[1:])
+    values = progression if isinstance(progression, tuple) else (progression,)
+    return ",".join("%.17g" % value for value in values)
+
+
 def _points_of_block(grid: Any) -> np.ndarray:
     size = [0, 0, 0]
     grid.GetDimensions(size)
@@ -114,6 +154,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
     quads, lines = types == VTK_QUAD, types == VTK_LINE
+    side_names = grid.GetCellData().GetAbstractArray(names.Side)
 
     def of(cells: np.ndarray, name: str) -> np.ndarray:
         return vtk_to_numpy(grid.GetCellData().GetArray(name))[cells]
@@ -122,6 +163,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
         points=places(grid), quads=ids[starts[quads][:, None] + np.arange(4)],
         edges=ids[starts[lines][:, None] + np.arange(2)],
         boundary_kind=of(lines, names.BoundaryKind), boundary_id=of(lines, names.BoundaryId),
+        edge_side=np.array([side_names.GetValue(line) for line in np.flatnonzero(lines)], dtype=str),
         valence=copied(grid.GetPointData(), names.Valence),
         irregular=copied(grid.GetPointData(), names.Irregular), block=of(quads, names.BlockId),
         scaled_jacobian=of(quads, names.ScaledJacobian),
@@ -137,7 +179,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
           sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
-          clearance: Optional[float] = None, pairs: int = 0) -> QuadMesh:
+          clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
+          counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
+          sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
+          max_size: Optional[float] = None) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -165,6 +210,14 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    the size of quads
     pairs          maximum number of pairs of quarter indices 1 and -1 that are added to chosen singularities
                    where they make sizes more uniform
+    names          name of the cell array of the domain's lines with the names of the boundary's sides; default:
+                   "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
+    counts         number of edges by the name of a side
+    progressions   last edge over the first by the name of a side, with the domain on the left; or the lengths
+                   (first, last); or ("both", ratio), ("both", first, middle) towards both ends
+    sizes          length of edges by the name of a side, met within 20 %, from which sizes grow
+    min_size, max_size
+                   bounds of target sizes
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -203,6 +256,15 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     if size_array is not None:
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
+    mesher.SetSideNameArray(names or "")
+    for side, number in (counts or {}).items():
+        mesher.AddSide(side, str(number), "", "")
+    for side, progression in (progressions or {}).items():
+        mesher.AddSide(side, "", _progression_text(progression), "")
+    for side, length in (sizes or {}).items():
+        mesher.AddSide(side, "", "", "%.17g" % length)
+    mesher.SetMinimumSize(checked(min_size))
+    mesher.SetMaximumSize(checked(max_size))
     mesher.SetMerge(_MERGES[merge])
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)

@@ -14,7 +14,8 @@
  * for the domain.
  *
  * Output port 0 (same type as the input): if something was removed, one closed polyline per loop,
- * in the plane of the domain, with the point arrays of the nearest points of the input; otherwise
+ * in the plane of the domain, with the point arrays of the nearest points of the input; if the
+ * boundary has names of sides, one polyline per piece of a side with the array of names. Otherwise
  * the input. Meshes of vtkDrillHoles pass through, and so do, by default, surfaces with point
  * arrays. Field data, only if something was removed:
  * - `BoundaryMoved` (double): the maximum distance of a point of the boundary from the new
@@ -34,6 +35,10 @@
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
+
+#include <string>  // for names
+#include <utility> // for names with sizes
+#include <vector>  // for names with sizes
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkBoundarySimplifier : public vtkPassInputTypeAlgorithm
 {
@@ -75,6 +80,26 @@ public:
   vtkGetMacro(CornerAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Sets the cell array with the names of the domain's sides, as for vtkQuadMesher. The boundary is
+   * kept at points where the name changes. Default: none, `Side` if the domain has that array.
+   */
+  vtkSetMacro(SideNameArray, std::string);
+  vtkGetMacro(SideNameArray, std::string);
+  ///@}
+  /** Sets the name of the array of sides; overload for ParaView. */
+  void SetSideNameArray(const char* name) { this->SetSideNameArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Sets the target length of edges at a side, as for vtkQuadMesher::AddSide. By default loops with
+   * this side are thinned by at most 0.02 of it.
+   */
+  void AddSideSize(const std::string& name, double size);
+  void ClearSideSizes();
+  ///@}
+
   /** Adds a connection to port 1, points at which the boundary is kept. */
   void AddKeptConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
 
@@ -93,6 +118,8 @@ private:
   double ThinningLength = -1.0;
   double SmoothingLength = 0.0;
   double CornerAngle = 30.0;
+  std::string SideNameArray;
+  std::vector<std::pair<std::string, double>> SideSizes;
 };
 
 #endif

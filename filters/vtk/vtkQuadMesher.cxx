@@ -11,6 +11,7 @@
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
+#include "SideConversion.h"
 #include "SizeConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -69,8 +70,10 @@ int vtkQuadMesher::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      const crossfield::QuadRequest request =
+      crossfield::QuadRequest request =
         this->MakeRequest(domain, singularities, corners, input.plane);
+      request.sides = SideConversion::ReadSides(domain, this->SideNameArray, input);
+      request.prescribed = SideConversion::ReadPrescriptions(this->Sides, request.sides);
       const crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
       for (const std::string& warning : result.warnings)
@@ -106,6 +109,8 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   }
   request.quadSize = this->QuadSize;
   request.quadCount = this->QuadCount;
+  request.minimumSize = this->MinimumSize;
+  request.maximumSize = this->MaximumSize;
   request.meshSize = this->MeshSize;
   request.clearance = this->Clearance;
   request.pairs = this->Pairs;
@@ -174,6 +179,35 @@ void vtkQuadMesher::CopyMesh(vtkUnstructuredGrid* mesh)
 }
 
 //------------------------------------------------------------------------------
+void vtkQuadMesher::AddSide(const std::string& name, const std::string& count,
+  const std::string& progression, const std::string& size)
+{
+  this->Sides.push_back({ name, count, progression, size });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::AddSide(
+  const char* name, const char* count, const char* progression, const char* size)
+{
+  const auto text = [](const char* given) { return std::string(given ? given : ""); };
+  if (!text(name).empty())
+  {
+    this->AddSide(text(name), text(count), text(progression), text(size));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadMesher::ClearSides()
+{
+  if (!this->Sides.empty())
+  {
+    this->Sides.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -181,6 +215,10 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
+  os << indent << "SideNameArray: " << this->SideNameArray << "\n";
+  os << indent << "Sides: " << this->Sides.size() << "\n";
+  os << indent << "MinimumSize: " << this->MinimumSize << "\n";
+  os << indent << "MaximumSize: " << this->MaximumSize << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "Merge: " << this->Merge << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";

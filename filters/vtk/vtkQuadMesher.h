@@ -24,8 +24,9 @@
  * `BlockId`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
  * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
  * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
- * same order; −1: the reversed order; 0: boundary). Every side that is not on the boundary is
- * adjacent to exactly one complete side.
+ * same order; −1: the reversed order; 0: boundary), and `SideName` (string): the name of the
+ * boundary's side, several of them separated by commas, empty inside. Every side that is not on the
+ * boundary is adjacent to exactly one complete side.
  *
  * Output 2 (vtkPolyData): the layout: the sides of the blocks as polylines along edges of quads,
  * with the cell array `Edges` (int): quads along each. A side that two blocks share occurs once.
@@ -37,9 +38,10 @@
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
  *
- * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, with the cell
- * arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles, and the point array `VertexId`
- * (int), the point of output 0.
+ * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, edge after edge
+ * along each loop, with the cell arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles,
+ * and `Side` (string), the name of its side (see SideNameArray), and the point array `VertexId` (int),
+ * the point of output 0.
  *
  * Output 6 (vtkPolyData): the irregular nodes, as points with `QuarterIndex` (int), 4 − valence, and
  * `Valence` (int). Corners and other boundary nodes are not among them.
@@ -61,6 +63,7 @@
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
+ * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each).
@@ -82,7 +85,9 @@
 #include "vtkCrossFieldPortMacro.h"     // for the setters of ports
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <string> // for the name of an array
+#include <array>  // for rows of texts
+#include <string> // for names
+#include <vector> // for rows of texts
 
 class vtkDataSet;
 class vtkTable;
@@ -167,6 +172,50 @@ public:
   ///@}
   /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Sets the cell array, of strings or integers, with the names of the domain's sides: of its lines,
+   * or, beside surface cells, of lines along their boundary. Lines of equal names are one side.
+   * Segments without a name are split at corners into `outer0`, `outer1`, ..., `hole0`, ... Quads
+   * have a node wherever the name changes. Default: none, `Side` if the domain has that array.
+   */
+  vtkSetMacro(SideNameArray, std::string);
+  vtkGetMacro(SideNameArray, std::string);
+  ///@}
+  /** Sets the name of the array of sides; overload for ParaView. */
+  void SetSideNameArray(const char* name) { this->SetSideNameArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Prescribes something for the side of a name; empty texts prescribe nothing.
+   * - `count`: the number of edges along the side, a positive whole number.
+   * - `progression`: the last edge over the first, in the direction with the domain on the left, of a
+   *   geometric sequence on every part of the side between two corners: RATIO, or after `both:` the
+   *   same towards both ends, with the middle edge over the first; or FIRST,LAST, the lengths of
+   *   these edges, which prescribe their number as well. The lengths continue in the strips of quads
+   *   that start at the side.
+   * - `size`: the length of all edges of the side, met within 20 %; sizes next to it grow by a
+   *   quarter of the distance, and are continued inside.
+   * Numbers of edges that contradict each other are an error.
+   */
+  void AddSide(const std::string& name, const std::string& count, const std::string& progression,
+    const std::string& size);
+  /** Removes all prescriptions. */
+  void ClearSides();
+  ///@}
+  /** Prescribes something for a side; overload for ParaView. */
+  void AddSide(const char* name, const char* count, const char* progression, const char* size);
+
+  ///@{
+  /**
+   * Sets the bounds of the target size of quads. Default: 0, no bound. Range: 0 or more.
+   */
+  vtkSetClampMacro(MinimumSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumSize, double);
+  vtkSetClampMacro(MaximumSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumSize, double);
+  ///@}
 
   /** Treatment of separatrices that nearly meet. */
   enum MergeType
@@ -272,8 +321,8 @@ public:
   /**
    * Copies the result of the last update into one grid, the form of files: quads, then a VTK_LINE
    * for every boundary edge, with the arrays of both and the field data of output 8. On lines
-   * `BlockId`, `I` and `J` are −1, `ScaledJacobian` and `SizeRatio` 1; on quads `BoundaryKind` is 0
-   * and `BoundaryId` −1.
+   * `BlockId`, `I` and `J` are −1, `ScaledJacobian` and `SizeRatio` 1; on quads `BoundaryKind` is 0,
+   * `BoundaryId` −1 and `Side` empty.
    */
   void CopyMesh(vtkUnstructuredGrid* mesh);
 
@@ -300,6 +349,10 @@ private:
   int QuadCount = 1000;
   int Sizing = SizingAutomatic;
   std::string SizeArray;
+  std::string SideNameArray;
+  std::vector<std::array<std::string, 4>> Sides;
+  double MinimumSize = 0.0;
+  double MaximumSize = 0.0;
   int Pairs = 0;
   int Merge = MergeNone;
   double MeshSize = 0.0;

@@ -83,6 +83,11 @@ vtkSmartPointer<vtkAlgorithm> Open(
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
+  simplifier->SetSideNameArray(options.names);
+  for (const auto& [side, length] : options.sizes)
+  {
+    simplifier->AddSideSize(side, length);
+  }
   return simplifier;
 }
 

@@ -5,6 +5,8 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CLI
 {
@@ -14,8 +16,10 @@ class App;
 /** Options that simplify the boundary of a command's domain. */
 struct BoundaryOptions
 {
-  double thinning = -1.0; ///< ThinningLength of vtkBoundarySimplifier.
-  double smoothing = 0.0; ///< SmoothingLength of vtkBoundarySimplifier.
+  double thinning = -1.0;                            ///< ThinningLength of vtkBoundarySimplifier.
+  double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
+  std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
+  std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
 
   /** Adds the options --thin-boundary and --smooth-boundary. */
   void AddTo(CLI::App& command);

@@ -162,6 +162,27 @@ def test_quad_mesher_for_a_first_user():
         check_equal(fetch(OpenDataFile(file)).GetNumberOfCells(), quads.GetNumberOfCells(), "cells of the file")
 
 
+def test_sides():
+    """Rows of the table prescribe numbers of edges, progressions and sizes."""
+    mesher = QuadMesher(Input=PlanarDomainSource(DomainName="l-shape"), QuadSize=0.1,
+                        Sides=["outer0", "23", "2", "", "outer5", "", "", "0.08"])
+
+    def edges():
+        fetch(mesher)
+        data = servermanager.Fetch(mesher, idx=8).GetFieldData()
+        names, counts = data.GetAbstractArray("SideNames"), data.GetArray("SideEdges")
+        return {names.GetValue(i): counts.GetValue(i) for i in range(counts.GetNumberOfTuples())}
+
+    check_equal(edges()["outer0"], 23, "the number of edges")
+    check(abs(edges()["outer5"] - 25) <= 5, "the size of edges")
+    sides = servermanager.Fetch(mesher, idx=5).GetCellData().GetAbstractArray("Side")
+    check_equal(len({sides.GetValue(i) for i in range(sides.GetNumberOfValues())}), 6, "the number of names")
+    mesher.Sides = ["outer0", "18", "", ""]
+    check_equal(edges()["outer0"], 18, "the number of edges after a change")
+    mesher.Sides = []
+    check(edges()["outer0"] in (19, 20, 21), "the number of edges without rows")
+
+
 def test_quad_mesher_outputs():
     """The singularities and corners that Quad Mesher used are outputs; another one makes the same
     mesh of them."""
@@ -182,4 +203,5 @@ def test_quad_mesher_outputs():
 
 
 run_tests(test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
-          test_energies, test_size_arrays, test_quad_mesher_for_a_first_user, test_quad_mesher_outputs)
+          test_energies, test_size_arrays, test_quad_mesher_for_a_first_user,
+          test_sides, test_quad_mesher_outputs)

@@ -246,6 +246,40 @@ class Quads(unittest.TestCase):
         self.assertEqual([(name, ids.shape) for name, ids in cells], [("quad", (16, 4)), ("line", (16, 2))])
         self.assertEqual([len(values) for values in data["BoundaryId"]], [16, 16])
 
+    def test_sides_have_their_points_in_order(self):
+        plate = as_domain([[(0, 0), (3, 0), (3, 2), (0, 2)],
+                           [(1.4 + 0.4 * np.cos(a), 1 + 0.4 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 60, False)]],
+                          None)
+        mesh = crossfield.quads(plate, size=0.2, counts={"hole0": 21}, progressions={"outer0": ("both", 3.0)},
+                                sizes={"outer3": 0.1})
+        self.assertEqual(sorted(mesh.sides), ["hole0", "outer0", "outer1", "outer2", "outer3"])
+        self.assertEqual(len(mesh.side("hole0")), 21)
+        by_name = {side["name"]: side for side in mesh.report["sides"]}
+        for name in mesh.sides:
+            rows = mesh.side(name)
+            self.assertEqual(len(set(rows)), len(rows))
+            closed = name == "hole0"
+            self.assertEqual(len(rows) - (not closed), by_name[name]["edges"])
+            path = mesh.points[np.append(rows, rows[0]) if closed else rows]
+            self.assertAlmostEqual(np.linalg.norm(np.diff(path, axis=0), axis=1).sum(), by_name[name]["length"])
+            edges = {tuple(edge) for edge in mesh.edges[mesh.edge_side == name]}
+            self.assertEqual(edges, set(zip(rows, np.roll(rows, -1) if closed else rows[1:])))
+        # loops start at their lowest leftmost point, with the domain on the left
+        bottom = mesh.points[mesh.side("outer0")]
+        self.assertEqual(bottom[0].tolist(), [0, 0, 0])
+        self.assertEqual(bottom[-1].tolist(), [3, 0, 0])
+        lengths = np.diff(bottom[:, 0])
+        self.assertAlmostEqual(lengths[(len(lengths) - 1) // 2] / lengths[0], 3)
+        self.assertTrue((abs(np.diff(mesh.points[mesh.side("outer3")][:, 1]) + 0.1) < 0.02).all())
+        with self.assertRaisesRegex(crossfield.Error, "no side 'x'"):
+            mesh.side("x")
+        for arguments, words in (({"counts": {"x": 3}}, "no side 'x'"), ({"names": "x"}, "no cell array 'x'"),
+                                 ({"progressions": {"hole0": 2.0}}, "closed curve"),
+                                 ({"counts": {"outer1": 3, "outer3": 4, "outer0": 2, "outer2": 9}}, "contradict|strip|fits"),
+                                 ({"min_size": 2.0, "max_size": 1.0}, "minimum size")):
+            with self.assertRaisesRegex(crossfield.Error, words):
+                crossfield.quads(plate, size=0.2, **arguments)
+
     def test_refusals(self):
         self.refused("leave one out", "builtin:disk", size=0.1, count=100)
         self.refused("number 0 of quads is not positive", "builtin:disk", count=0)

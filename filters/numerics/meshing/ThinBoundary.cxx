@@ -81,6 +81,12 @@ std::vector<ArcVertex> ThinLoop(const LoopArc& arc, const std::vector<double>& g
 }
 
 //------------------------------------------------------------------------------
+double ThinningFor(double size)
+{
+  return PartOfMeshSize * size;
+}
+
+//------------------------------------------------------------------------------
 double DefaultThinning(const PlanarDomain& domain, double meshSize)
 {
   DrillOptions options;
@@ -92,9 +98,14 @@ double DefaultThinning(const PlanarDomain& domain, double meshSize)
 SimplifiedBoundary ThinBoundary(
   const PlanarDomain& domain, double length, const std::vector<Point>& keep, double cornerAngle)
 {
+  return ThinLoops(domain, std::vector<double>(domain.loops.size(), length), keep, cornerAngle);
+}
+
+//------------------------------------------------------------------------------
+SimplifiedBoundary ThinLoops(const PlanarDomain& domain, const std::vector<double>& lengths,
+  const std::vector<Point>& keep, double cornerAngle)
+{
   const double diagonal = domain.Diagonal();
-  // Coordinates of symmetric domains may be stored with ten digits.
-  const Thinning thinning{ length, cornerAngle / 6.0, std::min(1e-9 * diagonal, 1e-3 * length) };
   SimplifiedBoundary result;
   std::vector<Loop> loops;
   bool isThinned = false;
@@ -105,9 +116,13 @@ SimplifiedBoundary ThinBoundary(
     box.extend(frame.ToFrame(point));
   }
   const Point centre = frame.FromFrame(box.center());
-  for (const Loop& loop : domain.loops)
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
+    const Loop& loop = domain.loops[l];
     const LoopArc arc(loop);
+    // Coordinates of symmetric domains may be stored with ten digits.
+    const Thinning thinning{ lengths[l], cornerAngle / 6.0,
+      std::min(1e-9 * diagonal, 1e-3 * lengths[l]) };
     const std::vector<double> given = arc.FindAll(keep, BoundaryReach * diagonal);
     const std::vector<ArcVertex> vertices =
       ThinLoop(arc, given, frame, centre, cornerAngle, thinning);

@@ -29,4 +29,11 @@ double DefaultThinning(const PlanarDomain& domain, double meshSize = 0.0);
 /// unchanged if its new loops would touch.
 SimplifiedBoundary ThinBoundary(const PlanarDomain& domain, double length,
   const std::vector<Point>& keep = {}, double cornerAngle = DefaultCornerAngle);
+
+/// Does the same with a length for each loop.
+SimplifiedBoundary ThinLoops(const PlanarDomain& domain, const std::vector<double>& lengths,
+  const std::vector<Point>& keep = {}, double cornerAngle = DefaultCornerAngle);
+
+/// Returns the length of thinning for a target edge length: 0.02 of it.
+double ThinningFor(double size);
 }

@@ -4,7 +4,9 @@
 #include "Chords.h"
 #include "Error.h"
 #include "MemoryBudget.h"
+#include "PrescribedSides.h"
 #include "QuadBuilder.h"
+#include "QuadSides.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
 #include "SizeSearch.h"
@@ -54,6 +56,8 @@ public:
     , Domain(DomainOf(*map.topology))
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
+    , Graded(map, this->Curves, options.sides, options.prescribed, result.tMesh)
+    , Sums(PrescribedSums(map, this->Curves, options.sides, options.prescribed, result.tMesh))
   {
   }
 
@@ -88,17 +92,21 @@ public:
     RequireMemory(
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "This number of quads", "use a larger size or fewer quads");
-    result.mesh = BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size);
+    result.mesh =
+      BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size, this->Options.sides);
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
+    PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     result.layoutSeconds += stopwatch.Lap();
   }
 
   void Smooth(QuadResult& result, const Progress& progress) const
   {
     Stopwatch stopwatch;
-    const std::optional<double> sizePart = this->Options.sizes.sizing == Sizing::Conformal
-      ? std::nullopt
-      : std::optional<double>(this->Options.sizePart);
+    const bool isConformal = this->Options.sizes.sizing == Sizing::Conformal &&
+      std::none_of(this->Options.prescribed.begin(), this->Options.prescribed.end(),
+        [](const SidePrescription& one) { return one.isGraded; });
+    const std::optional<double> sizePart =
+      isConformal ? std::nullopt : std::optional<double>(this->Options.sizePart);
     result.blocks = FindBlocks(result.mesh); // depends on the connectivity alone
     if (!this->Options.smooth)
     {
@@ -157,7 +165,11 @@ private:
     {
       length /= size;
     }
-    return MakeQuantisationProblem(this->Result.tMesh, std::move(target));
+    this->Graded.SetTargets(target);
+    QuantisationProblem problem = MakeQuantisationProblem(this->Result.tMesh, std::move(target));
+    problem.sums = this->Sums;
+    this->Graded.SetWeights(problem);
+    return problem;
   }
 
   EdgeCounts QuantiseFor(double size, SearchEffort effort) const
@@ -247,15 +259,22 @@ private:
     const double largest = std::sqrt(this->Area);
     for (double size = this->Result.size; size < largest; size *= std::sqrt(2.0))
     {
-      const EdgeCounts coarse = this->QuantiseFor(size, SearchEffort::Quick);
+      QuantisationProblem problem = this->ProblemFor(size);
+      problem.sums.clear(); // they hold once the blocks are refined
+      const EdgeCounts coarse = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
       if (coarse.counts == last)
       {
         continue;
       }
       last = coarse.counts;
+      const Chords chords(this->Result.tMesh, coarse.counts);
+      if (chords.Refine(this->ProblemFor(size)).empty())
+      {
+        continue; // prescribed numbers do not fit these blocks
+      }
       QuadResult result;
       result.tMesh = this->Result.tMesh;
-      SetCounts(this->RefineCounts(coarse), result);
+      SetCounts(this->RefineCounts(coarse, chords), result);
       result.blocks =
         FindBlocks(BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size));
       results.push_back(std::move(result));
@@ -264,9 +283,8 @@ private:
   }
 
   /// Returns counts of the target size that keep the blocks of a coarse solution.
-  EdgeCounts RefineCounts(const EdgeCounts& coarse) const
+  EdgeCounts RefineCounts(const EdgeCounts& coarse, const Chords& chords) const
   {
-    const Chords chords(this->Result.tMesh, coarse.counts);
     return this->CountsForSize(
       [&](double size)
       {
@@ -289,6 +307,8 @@ private:
   const PlanarDomain Domain;
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
+  const GradedArcs Graded;
+  const std::vector<CountSum> Sums; ///< Prescribed for sides of the boundary.
 };
 }
 
@@ -302,6 +322,8 @@ QuadResult MakeQuads(
   }
   QuadResult result;
   result.tMesh = std::move(tMesh);
+  const BoundaryCurves curves(*map.topology);
+  SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
   Mesher mesher(map, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);

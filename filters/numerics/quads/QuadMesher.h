@@ -1,10 +1,12 @@
 #pragma once
 
+#include "BoundarySides.h"
 #include "EdgeCounts.h"
 #include "QuadBlocks.h"
 #include "QuadQuality.h"
 #include "QuadSizes.h"
 #include "QuadSmoothing.h"
+#include "SidePrescription.h"
 
 #include "SeamlessMap.h"
 
@@ -16,9 +18,12 @@ struct QuadOptions
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   TargetSizes sizes;    ///< Variation of the size over the domain.
-  /// Weight of sizes against shapes in smoothing, between 0 and 1; not used with Sizing::Conformal.
+  /// Weight of sizes against shapes in smoothing, between 0 and 1; not used with Sizing::Conformal
+  /// unless a side is graded.
   double sizePart = 0.5;
-  bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
+  BoundarySides sides;          ///< Sides of the boundary; none: it has no names.
+  SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
+  bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;
 };

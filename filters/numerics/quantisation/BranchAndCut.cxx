@@ -43,13 +43,19 @@ public:
     , SeparateCounts(separate)
   {
     this->PseudoCosts.fill(std::vector<PseudoCost>(problem.Count()));
+    if (start.empty())
+    {
+      this->IsFirstWanted = true;
+      this->Best.cost = std::numeric_limits<double>::max();
+      return;
+    }
     this->SetBest(std::move(start));
   }
 
   EdgeCounts Run(int maximumNodes)
   {
     bool isOpen = this->SolveRoot();
-    while (isOpen && this->Best.nodes < maximumNodes)
+    while (isOpen && this->Best.nodes < maximumNodes && !this->IsFinished())
     {
       ++this->Best.nodes;
       const bool divided = this->Visit();
@@ -70,6 +76,9 @@ public:
 private:
   /// Compares nodes for a heap with the lowest bound first.
   static bool HasHigherBound(const Node& a, const Node& b) { return a.bound > b.bound; }
+
+  /// Returns whether counts were found where any suffice.
+  bool IsFinished() const { return this->IsFirstWanted && !this->Best.counts.empty(); }
 
   void SetBest(std::vector<int> counts)
   {
@@ -292,6 +301,7 @@ private:
   double RootBound = -std::numeric_limits<double>::infinity();
   std::size_t RootRows = 0;
   bool IsUnsolved = false;
+  bool IsFirstWanted = false;
   Node Present;
   std::vector<Node> Open;   ///< A heap, the lowest bound first.
   std::vector<Node> Recent; ///< Nodes created since a node with the lowest bound was selected.

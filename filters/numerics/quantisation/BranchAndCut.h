@@ -13,7 +13,8 @@ class BranchAndCut
 {
 public:
   /// Prepares a search in which only the arcs `free` are variables. The others keep the counts of
-  /// `start`, which satisfy the equations and are the best known.
+  /// `start`, which satisfy the equations and are the best known. If `start` is empty, all arcs are
+  /// free, and the search ends with the first counts that it finds.
   BranchAndCut(const QuantisationProblem& problem, const std::vector<int>& free,
     const std::vector<int>& start);
 
@@ -24,7 +25,7 @@ public:
   using Separate = std::function<std::vector<SeparationRow>(const std::vector<int>& counts)>;
 
   /// Returns the cheapest counts found that satisfy `separate`, or `start` if none is cheaper, with
-  /// a lower bound for all counts that satisfy the rows. Rows of integral relaxations that violate
+  /// a lower bound for all counts that satisfy the rows; without a start the counts may be empty. Rows of integral relaxations that violate
   /// `separate` are added. Ends after `maximumNodes` nodes instead of a time, so that the result is
   /// the same on every machine.
   EdgeCounts Solve(int maximumNodes, const Separate& separate);

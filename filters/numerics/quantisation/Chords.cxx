@@ -1,14 +1,42 @@
 #include "Chords.h"
 
 #include "ArcPoints.h"
+#include "BranchAndCut.h"
 #include "Index.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
 {
+namespace
+{
+/// Returns the best positive numbers that hold the prescribed sums, found within a number of nodes;
+/// none if there are none.
+std::vector<int> Solve(const QuantisationProblem& problem)
+{
+  constexpr int MaximumNodes = 300;
+  std::vector<int> all(problem.Count());
+  std::iota(all.begin(), all.end(), 0);
+  const auto search = [&](const std::vector<int>& start)
+  {
+    BranchAndCut tree(problem, all, start);
+    for (const int chord : all)
+    {
+      tree.AddRow({ { { chord, 1 } }, 1 });
+    }
+    return tree
+      .Solve(MaximumNodes, [](const std::vector<int>&) { return std::vector<SeparationRow>(); })
+      .counts;
+  };
+  const std::vector<int> first = search({});
+  return first.empty() ? first : search(first);
+}
+}
+
 Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
   : Coarse(std::move(coarse))
 {
@@ -56,7 +84,7 @@ Chords::Chords(const TMesh& mesh, std::vector<int> coarse)
   }
 }
 
-std::vector<int> Chords::Refine(const QuantisationProblem& problem) const
+std::vector<int> Chords::Numbers(const QuantisationProblem& problem) const
 {
   std::vector<double> target(Index(this->Total), 0.0);
   std::vector<double> weight(Index(this->Total), 0.0);
@@ -68,14 +96,46 @@ std::vector<int> Chords::Refine(const QuantisationProblem& problem) const
       weight[Index(chord)] += problem.weight[a];
     }
   }
+  QuantisationProblem ofChords;
+  std::vector<int> numbers;
+  for (std::size_t chord = 0; chord < target.size(); ++chord)
+  {
+    ofChords.target.push_back(target[chord] / weight[chord]);
+    numbers.push_back(std::max(1, static_cast<int>(std::lround(ofChords.target.back()))));
+  }
+  if (problem.sums.empty())
+  {
+    return numbers;
+  }
+  ofChords.weight = weight;
+  ofChords.lower.assign(numbers.size(), 1);
+  ofChords.terms.resize(numbers.size());
+  for (const CountSum& sum : problem.sums)
+  {
+    std::map<int, int> factors;
+    for (const auto& [arc, factor] : sum.terms)
+    {
+      for (const int chord : this->OfArc[Index(arc)])
+      {
+        factors[chord] += factor;
+      }
+    }
+    ofChords.sums.push_back(
+      { { factors.begin(), factors.end() }, sum.minimum, sum.maximum, sum.name });
+  }
+  return Solve(ofChords);
+}
+
+std::vector<int> Chords::Refine(const QuantisationProblem& problem) const
+{
+  const std::vector<int> numbers = this->Numbers(problem);
   std::vector<int> counts;
-  for (const std::vector<int>& chords : this->OfArc)
+  for (std::size_t a = 0; a < this->OfArc.size() && !numbers.empty(); ++a)
   {
     int count = 0;
-    for (const int chord : chords)
+    for (const int chord : this->OfArc[a])
     {
-      count +=
-        std::max(1, static_cast<int>(std::lround(target[Index(chord)] / weight[Index(chord)])));
+      count += numbers[Index(chord)];
     }
     counts.push_back(count);
   }

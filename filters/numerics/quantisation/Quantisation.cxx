@@ -1,7 +1,9 @@
 #include "Quantisation.h"
 
 #include "BidirectedFlow.h"
+#include "Error.h"
 #include "Index.h"
+#include "PrescribedSums.h"
 #include "Separation.h"
 #include "Stopwatch.h"
 #include "Subproblem.h"
@@ -32,6 +34,17 @@ EdgeCounts CountAllArcs(const TMesh& mesh, QuantisationProblem problem)
     }
   }
   return shortLoops.empty() ? result : SolveBidirectedFlow(problem);
+}
+
+/// Returns counts that hold the prescribed sums.
+std::vector<int> FeasibleCounts(const TMesh& mesh, const QuantisationProblem& problem)
+{
+  std::optional<std::vector<int>> counts = FindFeasibleCounts(mesh, problem);
+  if (!counts)
+  {
+    throw Error(DescribeConflict(mesh, problem));
+  }
+  return std::move(*counts);
 }
 
 /// Limits of a search.
@@ -162,11 +175,11 @@ EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, Searc
   Stopwatch stopwatch;
   EdgeCounts best = SolveBidirectedFlow(problem);
   best.nodes = 0; // only nodes of branch and cut are counted
-  if (!FindViolations(mesh, best.counts).empty())
+  if (!problem.HoldsSums(best.counts) || !FindViolations(mesh, best.counts).empty())
   {
-    const EdgeCounts separated = CountAllArcs(mesh, problem);
-    best.counts = separated.counts;
-    best.cost = separated.cost;
+    best.counts =
+      problem.sums.empty() ? CountAllArcs(mesh, problem).counts : FeasibleCounts(mesh, problem);
+    best.cost = problem.Cost(best.counts);
   }
   if (best.cost > best.bound + CostRounding(best.bound))
   {

@@ -16,7 +16,8 @@ enum class SearchEffort
 /// Solves a quantisation problem with separation constraints (docs/method.md §14.3). Returns the
 /// optimal flow if no points coincide in it. Otherwise counts n ≥ 1, which always keep points
 /// apart, are improved in windows (WindowSearch.h) and by branch and cut of the full problem
-/// (BranchAndCut.h), within a number of nodes. Throws Error if the equations are infeasible.
+/// (BranchAndCut.h), within a number of nodes. Throws Error if the equations or the
+/// prescribed sums are infeasible.
 EdgeCounts Quantise(const TMesh& mesh, const QuantisationProblem& problem, SearchEffort effort,
   const Progress& progress = {});
 }

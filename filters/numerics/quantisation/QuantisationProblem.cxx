@@ -7,6 +7,22 @@
 
 namespace crossfield
 {
+bool CountSum::Holds(const std::vector<int>& counts) const
+{
+  int sum = 0;
+  for (const auto& [arc, factor] : this->terms)
+  {
+    sum += factor * counts[static_cast<std::size_t>(arc)];
+  }
+  return sum >= this->minimum && sum <= this->maximum;
+}
+
+bool QuantisationProblem::HoldsSums(const std::vector<int>& counts) const
+{
+  return std::all_of(this->sums.begin(), this->sums.end(),
+    [&counts](const CountSum& sum) { return sum.Holds(counts); });
+}
+
 double QuantisationProblem::Cost(std::size_t arc, int count) const
 {
   return this->weight[arc] * std::abs(count - this->target[arc]);
@@ -24,7 +40,7 @@ double QuantisationProblem::Cost(const std::vector<int>& counts) const
 
 bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
 {
-  std::vector<int> sums(static_cast<std::size_t>(this->equations), 0);
+  std::vector<int> totals(static_cast<std::size_t>(this->equations), 0);
   for (std::size_t a = 0; a < counts.size(); ++a)
   {
     if (counts[a] < this->lower[a])
@@ -33,10 +49,11 @@ bool QuantisationProblem::IsFeasible(const std::vector<int>& counts) const
     }
     for (const EquationTerm& term : this->terms[a])
     {
-      sums[static_cast<std::size_t>(term.equation)] += term.sign * counts[a];
+      totals[static_cast<std::size_t>(term.equation)] += term.sign * counts[a];
     }
   }
-  return std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; });
+  return this->HoldsSums(counts) &&
+    std::all_of(totals.begin(), totals.end(), [](int sum) { return sum == 0; });
 }
 
 QuantisationProblem MakeQuantisationProblem(const TMesh& mesh, std::vector<double> target)

@@ -2,6 +2,9 @@
 
 #include "TMesh.h"
 
+#include <string>
+#include <utility>
+
 namespace crossfield
 {
 /// The term ± n_a of an arc in an equation: + on one of two opposite sides of a patch, − on the
@@ -12,10 +15,21 @@ struct EquationTerm
   int sign = 1;
 };
 
+/// A prescribed sum of edge counts: minimum ≤ Σ factor · n_a ≤ maximum.
+struct CountSum
+{
+  std::vector<std::pair<int, int>> terms; ///< Arc and factor; every arc at most once.
+  int minimum = 0;
+  int maximum = 0;
+  std::string name; ///< What prescribes it, for messages; several sums may share one.
+
+  bool Holds(const std::vector<int>& counts) const;
+};
+
 /// The integer program for the edge counts of a T-mesh (docs/method.md §14.1): minimise Σ w_a |n_a
 /// − ℓ_a| over integers n_a ≥ lower_a, with one equation per pair of opposite sides of a patch.
 /// Every arc is in at most two equations, each time with coefficient ±1, so this is a bidirected
-/// flow. Separation rows (SeparationRow.h) are added by the search.
+/// flow, apart from prescribed sums. Separation rows (SeparationRow.h) are added by the search.
 struct QuantisationProblem
 {
   std::vector<double> target; ///< ℓ_a, the target edge count of each arc.
@@ -23,13 +37,16 @@ struct QuantisationProblem
   std::vector<int> lower;
   std::vector<std::vector<EquationTerm>> terms; ///< Per arc; two terms that cancel are left out.
   int equations = 0;
+  std::vector<CountSum> sums;
 
   std::size_t Count() const { return this->target.size(); }
   /// Returns w_a |count − ℓ_a| of one arc.
   double Cost(std::size_t arc, int count) const;
   /// Returns the objective.
   double Cost(const std::vector<int>& counts) const;
-  /// Returns whether all equations and bounds hold.
+  /// Returns whether all prescribed sums hold.
+  bool HoldsSums(const std::vector<int>& counts) const;
+  /// Returns whether all equations, bounds and prescribed sums hold.
   bool IsFeasible(const std::vector<int>& counts) const;
 };
 

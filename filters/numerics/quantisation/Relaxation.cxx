@@ -26,6 +26,7 @@ Relaxation::Relaxation(
 {
   this->AddColumns();
   this->AddEquations();
+  this->AddSums();
 }
 
 bool Relaxation::IsFree(int arc) const
@@ -98,6 +99,31 @@ void Relaxation::AddEquations()
     {
       this->AddRow(equations[i], RowKind::Equal, -fixedSums[i]);
     }
+  }
+}
+
+void Relaxation::AddSums()
+{
+  for (const CountSum& sum : this->Problem.sums)
+  {
+    Terms negative;
+    bool isFree = false;
+    for (const auto& [arc, factor] : sum.terms)
+    {
+      negative.emplace_back(arc, -factor);
+      isFree = isFree || this->IsFree(arc);
+    }
+    if (!isFree)
+    {
+      continue;
+    }
+    if (sum.minimum == sum.maximum)
+    {
+      this->AddRow(sum.terms, RowKind::Equal, sum.minimum);
+      continue;
+    }
+    this->AddRow(sum.terms, RowKind::AtLeast, sum.minimum);
+    this->AddRow(negative, RowKind::AtLeast, -sum.maximum);
   }
 }
 

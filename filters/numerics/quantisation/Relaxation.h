@@ -23,7 +23,7 @@ struct ColumnBounds
 ///
 /// n = ⌊ℓ⌋ − d + m + u with 0 ≤ d ≤ ⌊ℓ⌋, 0 ≤ m ≤ 1, u ≥ 0: three columns per arc, whose costs are
 /// the slopes of w |n − ℓ|. So the absolute value needs no row, and without separation rows the
-/// relaxation is that of the flow. Lower bounds of the problem are not used.
+/// relaxation is that of the flow. Lower bounds of the problem are not used, prescribed sums are.
 class Relaxation
 {
 public:
@@ -72,6 +72,7 @@ private:
   void AddColumns();
   void AddColumn(double cost, int upper);
   void AddEquations();
+  void AddSums();
   /// Adds a row of terms (arc, factor).
   void AddRow(const Terms& terms, RowKind kind, int rhs);
   void RemoveLooseCuts();

@@ -73,6 +73,12 @@ EdgeCounts SearchSize(const TMesh& mesh, int requested, double first,
       // A step of at least 2 % leaves a range of sizes with the same number.
       const double factor = std::sqrt(std::max(ratio, 0.01));
       size *= ratio > 1.0 ? std::max(factor, 1.02) : std::min(factor, 0.98);
+      // Prescribed sums may determine all counts, whatever the size.
+      constexpr double Widest = 16.0;
+      if (size > Widest * first || size * Widest < first)
+      {
+        break;
+      }
     }
   }
   return best;

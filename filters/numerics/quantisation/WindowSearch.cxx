@@ -119,14 +119,15 @@ private:
 };
 
 /// Rebalances all counts by one flow in which no arc loses its last edge. The result is dropped if
-/// points coincide in it, which can happen beside a patch of zero width.
+/// points coincide in it, which can happen beside a patch of zero width, or a prescribed sum fails.
 void Rebalance(const TMesh& mesh, const QuantisationProblem& problem, EdgeCounts& best)
 {
   QuantisationProblem kept = problem;
   std::transform(best.counts.begin(), best.counts.end(), kept.lower.begin(),
     [](int count) { return std::min(count, 1); });
   EdgeCounts found = SolveBidirectedFlow(kept);
-  if (best.IsImprovedBy(found) && FindViolations(mesh, found.counts).empty())
+  if (best.IsImprovedBy(found) && problem.HoldsSums(found.counts) &&
+    FindViolations(mesh, found.counts).empty())
   {
     ReplaceIfCheaper(best, std::move(found));
   }

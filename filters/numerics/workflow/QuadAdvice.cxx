@@ -116,14 +116,9 @@ std::optional<SmallerSize> FindSmallerSize(
   return std::nullopt;
 }
 
-double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
+double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
   const std::function<void(const PlanarDomain& domain)>& mesh)
 {
-  std::vector<Point> kept;
-  for (const CornerChoice& corner : corners)
-  {
-    kept.push_back(corner.position);
-  }
   for (const double part : { 400.0, 200.0, 100.0, 50.0 })
   {
     const double length = std::stod(FormatShort(domain.Diagonal() / part)); // as it is printed

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AutomaticConfiguration.h"
+#include "BoundarySides.h"
 #include "HolonomyRepair.h"
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
@@ -25,6 +26,8 @@ struct QuadRequest
 {
   std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
+  BoundarySides sides;          ///< Sides of the boundary; if it has no names, those of NameSides.
+  SidePrescriptions prescribed; ///< Counts, progressions and sizes of these sides.
 
   /// Absent: conformal, and uniform where chosen singularities leave sizes too different
   /// (SizingChoice.h).
@@ -33,7 +36,9 @@ struct QuadRequest
   /// Side length of quads; with Sizing::Field, a factor of the prescribed sizes. 0: derived from
   /// quadCount.
   double quadSize = 0.0;
-  int quadCount = 1000; ///< Target number of quads if quadSize is 0.
+  int quadCount = 1000;     ///< Target number of quads if quadSize is 0.
+  double minimumSize = 0.0; ///< Lower bound of the target size; 0: none.
+  double maximumSize = 0.0; ///< Upper bound of the target size; 0: none.
 
   double meshSize = 0.0; ///< Edge length of triangles, as in DrillOptions.
   /// Minimum distance of chosen singularities from the boundary and from each other; 0: derived

@@ -179,7 +179,9 @@ public:
     const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
     meshed.quads = crossfield::MakeQuads(
       meshed.layout.map, meshed.layout.tMesh, options, making.Part(0.0, 0.5));
-    if (!this->Request.sizing && !this->Request.singularities)
+    const bool isGraded = std::any_of(this->Request.prescribed.begin(),
+      this->Request.prescribed.end(), [](const SidePrescription& one) { return one.isGraded; });
+    if (!this->Request.sizing && !this->Request.singularities && !isGraded)
     {
       this->AddEvents(ChooseSizing(meshed, options, making.Part(0.5, 1.0)));
     }
@@ -220,6 +222,8 @@ private:
     options.quadSize = this->Request.quadSize;
     options.quadCount = this->Request.quadCount;
     options.sizes.sizing = this->Request.sizing.value_or(Sizing::Conformal);
+    options.sides = this->Request.sides;
+    options.prescribed = this->Request.prescribed;
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);

@@ -3,6 +3,7 @@
 #include "CoarseMeshError.h"
 #include "QuadAdvice.h"
 #include "QuadSteps.h"
+#include "SideSizes.h"
 
 #include <string>
 #include <utility>
@@ -33,8 +34,9 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 }
 
 QuadWorkflowResult MakeQuadMesh(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+  const PlanarDomain& domain, const QuadRequest& given, const Progress& progress)
 {
+  const QuadRequest request = WithSideSizes(domain, given);
   const Progress trial = progress.Part(1.0, 1.0);
   QuadWorkflowResult result;
   try
@@ -44,8 +46,14 @@ QuadWorkflowResult MakeQuadMesh(
   catch (const CoarseMeshError& error)
   {
     // Its remedy, a finer mesh, was tried.
-    const double length = FindSmoothing(domain, request.corners,
-      [&](const PlanarDomain& smooth) { RunQuadSteps(smooth, request, trial); });
+    std::vector<Point> kept = request.sides.FixedPlaces();
+    for (const CornerChoice& corner : request.corners)
+    {
+      kept.push_back(corner.position);
+    }
+    const double length = FindSmoothing(domain, kept,
+      [&](const PlanarDomain& smooth)
+      { RunQuadSteps(smooth, WithSideSizes(smooth, given), trial); });
     throw Error(WithAdvice(
       WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
   }
@@ -64,7 +72,7 @@ QuadWorkflowResult MakeQuadMesh(
     }
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
-  AddWarnings(request, result);
+  AddWarnings(given, result);
   return result;
 }
 }

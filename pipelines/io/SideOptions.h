@@ -1,0 +1,31 @@
+#ifndef SideOptions_h
+#define SideOptions_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+class vtkQuadMesher;
+
+/** Options that prescribe something for named sides of the boundary. */
+struct SideOptions
+{
+  std::vector<std::string> counts;
+  std::vector<std::string> progressions;
+  std::vector<std::string> sizes;
+  double minimumSize = 0.0;
+  double maximumSize = 0.0;
+
+  /** Adds the options --count, --progression, --size-at, --min-size and --max-size. */
+  void AddTo(CLI::App& command);
+  /** Returns the sizes of --size-at that are positive numbers; others are refused by the filter. */
+  std::vector<std::pair<std::string, double>> ReadSizes() const;
+  /** Sets the prescriptions of a filter. Throws PipelineRun::Error if one has no name. */
+  void SetOn(vtkQuadMesher* mesher) const;
+};
+
+#endif

@@ -1,0 +1,121 @@
+"""Meshes and draws the pictures of docs/sides.md, coloured by side.
+
+    xvfb-run -a pvpython scripts/pictures/sides.py PROGRAM FOLDER
+"""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+import vtk
+
+COLOURS = ((214, 39, 40), (31, 119, 180), (44, 160, 44), (148, 103, 189), (255, 127, 14), (23, 190, 207))
+RECTANGLE = [(0, 0, "inlet"), (0, 2, "top"), (4, 2, "outlet"), (4, 0, "bottom")]
+
+
+def circle(count, radius, centre, names):
+    return [(centre[0] + radius * math.cos(2 * math.pi * i / count),
+             centre[1] + radius * math.sin(2 * math.pi * i / count), names(i)) for i in range(count)]
+
+
+def write_domain(path, loops):
+    """Writes loops of (x, y, name of the segment that starts there)."""
+    points, lines, names = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkStringArray()
+    points.SetDataTypeToDouble()
+    names.SetName("Side")
+    for loop in loops:
+        first = points.GetNumberOfPoints()
+        for i, (x, y, name) in enumerate(loop):
+            points.InsertNextPoint(x, y, 0)
+            lines.InsertNextCell(2)
+            lines.InsertCellPoint(first + i)
+            lines.InsertCellPoint(first + (i + 1) % len(loop))
+            names.InsertNextValue(name)
+    data = vtk.vtkPolyData()
+    data.SetPoints(points)
+    data.SetLines(lines)
+    data.GetCellData().AddArray(names)
+    writer = vtk.vtkXMLPolyDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    writer.Write()
+
+
+def draw(path, picture, size=(900, 470)):
+    """Draws quads with their boundary edges, coloured by the array Side."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    grid = reader.GetOutput()
+    side = grid.GetCellData().GetAbstractArray("Side")
+    quads, lines = vtk.vtkCellArray(), vtk.vtkCellArray()
+    names = []
+    for cell in range(grid.GetNumberOfCells()):
+        ids = vtk.vtkIdList()
+        grid.GetCellPoints(cell, ids)
+        if grid.GetCellType(cell) == vtk.VTK_QUAD:
+            quads.InsertNextCell(ids)
+        else:
+            lines.InsertNextCell(ids)
+            names.append(side.GetValue(cell))
+    order = list(dict.fromkeys(names))
+    colours = vtk.vtkUnsignedCharArray()
+    colours.SetNumberOfComponents(3)
+    for name in names:
+        colours.InsertNextTuple3(*COLOURS[order.index(name) % len(COLOURS)])
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for polys, edges in ((quads, None), (None, lines)):
+        data = vtk.vtkPolyData()
+        data.SetPoints(grid.GetPoints())
+        mapper = vtk.vtkPolyDataMapper()
+        mapper.SetInputData(data)
+        actor = vtk.vtkActor()
+        actor.SetMapper(mapper)
+        actor.GetProperty().LightingOff()
+        if polys:
+            data.SetPolys(polys)
+            actor.GetProperty().SetColor(0.95, 0.95, 0.93)
+            actor.GetProperty().EdgeVisibilityOn()
+            actor.GetProperty().SetEdgeColor(0.45, 0.45, 0.45)
+        else:
+            data.SetLines(edges)
+            data.GetCellData().SetScalars(colours)
+            actor.GetProperty().SetLineWidth(5)
+        renderer.AddActor(actor)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+    renderer.ResetCamera()
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    bounds = grid.GetBounds()
+    camera.SetParallelScale(1.05 * max((bounds[3] - bounds[2]) / 2, (bounds[1] - bounds[0]) / 2 * size[1] / size[0]))
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+def main(program, folder):
+    os.makedirs(folder, exist_ok=True)
+    with tempfile.TemporaryDirectory() as work:
+        part = os.path.join(work, "part.vtp")
+        write_domain(part, [RECTANGLE, circle(96, 0.5, (1.5, 1.0), lambda i: "front" if 24 <= i < 72 else "back")])
+        for name, arguments in (
+                ("names", ["--quads", "500"]),
+                ("counts", ["--quads", "500", "--count", "front:12", "--count", "back:19", "--count", "inlet:14"]),
+                ("progression", ["--quads", "700", "--progression", "inlet:both:5", "--progression", "outlet:both:5"]),
+                ("sizes", ["--size", "0.2", "--size-at", "front:0.04", "--size-at", "back:0.04"])):
+            quads = os.path.join(work, name + ".vtu")
+            subprocess.run([program, "quads", part, "-o", quads, *arguments], check=True)
+            draw(quads, os.path.join(folder, name + ".png"))
+
+
+main(*sys.argv[1:])

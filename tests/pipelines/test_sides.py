@@ -1,0 +1,141 @@
+"""crossfield quads --names, --count, --progression, --size-at: what is prescribed holds, and what cannot hold is
+refused in one sentence, without files."""
+import json
+import math
+import unittest
+
+from program import SENTENCE, ProgramTest
+
+
+def write_domain(path, loops, array="Side", numbers=False):
+    """Writes loops of (x, y, name of the segment that starts there) as a .vtp file in ASCII."""
+    points = [point for loop in loops for point in loop]
+    cells, first = [], 0
+    for loop in loops:
+        cells += [(first + i, first + (i + 1) % len(loop)) for i in range(len(loop))]
+        first += len(loop)
+    names = [name for _, _, name in points]
+    if numbers:
+        values = '<DataArray type="Int32" Name="%s" format="ascii">%s</DataArray>' % (array, " ".join(names))
+    else:
+        codes = " ".join(str(code) for name in names for code in [*name.encode(), 0])
+        values = ('<DataArray type="String" Name="%s" NumberOfTuples="%d" format="ascii">%s</DataArray>'
+                  % (array, len(names), codes))
+    path.write_text("""<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData>
+<Piece NumberOfPoints="%d" NumberOfVerts="0" NumberOfLines="%d" NumberOfStrips="0" NumberOfPolys="0">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">%s</DataArray></Points>
+<CellData>%s</CellData>
+<Lines><DataArray type="Int64" Name="connectivity" format="ascii">%s</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">%s</DataArray></Lines>
+</Piece></PolyData></VTKFile>
+""" % (len(points), len(cells), " ".join("%.17g %.17g 0" % (x, y) for x, y, _ in points), values,
+       " ".join("%d %d" % cell for cell in cells), " ".join(str(2 * i + 2) for i in range(len(cells)))))
+
+
+def circle(count, radius, centre, names):
+    """Returns a polygon; `names` gives the name of segment i."""
+    return [(centre[0] + radius * math.cos(2 * math.pi * i / count),
+             centre[1] + radius * math.sin(2 * math.pi * i / count), names(i)) for i in range(count)]
+
+
+RECTANGLE = [(0, 0, "bottom"), (3, 0, "right"), (3, 2, "top"), (0, 2, "left")]
+
+
+class Sides(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        write_domain(self.folder / "plate.vtp", [RECTANGLE, circle(64, 0.4, (1.4, 1.0), lambda i: "hole")])
+        write_domain(self.folder / "rectangle.vtp", [RECTANGLE])
+
+    def report(self, domain, *arguments):
+        return json.loads(self.succeed("quads", domain, "-o", "quads.vtu", "--json", "-", *arguments))
+
+    def edges(self, domain, *arguments):
+        return {side["name"]: side["edges"] for side in self.report(domain, *arguments)["sides"]}
+
+    def test_sides_have_given_or_generated_names(self):
+        report = self.report("plate.vtp")
+        sides = {side["name"]: side for side in report["sides"]}
+        self.assertEqual(set(sides), {"bottom", "right", "top", "left", "hole"})
+        self.assertAlmostEqual(sides["bottom"]["length"], 3)
+        self.assertAlmostEqual(sides["left"]["length"], 2)
+        self.assertEqual(set(self.edges("builtin:l-shape")), {"outer%d" % i for i in range(6)})
+        self.assertEqual(set(self.edges("builtin:disk")), {"outer0"})
+        self.assertEqual(set(self.edges("builtin:ring")), {"outer0", "hole0"})
+
+    def test_names_may_be_integers_of_any_array_and_survive_a_round_trip(self):
+        write_domain(self.folder / "numbers.vtp", [[(x, y, str(i + 7)) for i, (x, y, _) in enumerate(RECTANGLE)]],
+                     "Patch", numbers=True)
+        edges = self.edges("numbers.vtp", "--names", "Patch")
+        self.assertEqual(set(edges), {"7", "8", "9", "10"})
+        self.assertEqual(self.edges("quads.vtu", "--count", "8:11")["8"], 11)
+
+    def test_names_change_on_smooth_curves_and_survive_thinning(self):
+        """The default thins 5000 points; the change stays where it is."""
+        write_domain(self.folder / "disk.vtp",
+                     [circle(5000, 1, (0, 0), lambda i: "a" if i < 613 else "b" if i < 3217 else "c")])
+        report = self.report("disk.vtp", "--quads", "400")
+        lengths = {side["name"]: side["length"] for side in report["sides"]}
+        for name, part in (("a", 613), ("b", 2604), ("c", 1783)):
+            # chords are shorter than the arcs
+            self.assertAlmostEqual(lengths[name] / (2 * math.pi * part / 5000), 1, delta=0.01)
+
+    def test_counts_hold(self):
+        for arguments in (("hole:24",), ("hole:27", "bottom:31"), ("left:9", "right:14"), ("top:40",)):
+            options = [word for text in arguments for word in ("--count", text)]
+            for more in ((), ("--merge", "coarse"), ("--sizing", "uniform")):
+                edges = self.edges("plate.vtp", "--quads", "500", *options, *more)
+                for text in arguments:
+                    name, count = text.split(":")
+                    self.assertEqual(edges[name], int(count), (arguments, more))
+
+    def test_lengths_and_sizes_hold(self):
+        edges = self.edges("rectangle.vtp", "--size", "0.2", "--progression", "bottom:0.05,0.3")
+        # 1 + ln 6 / ln(2.95 / 2.7)
+        self.assertEqual(edges["bottom"], 21)
+        edges = self.edges("plate.vtp", "--size", "0.15", "--size-at", "hole:0.05")
+        self.assertTrue(0.8 <= 2 * math.pi * 0.4 / edges["hole"] / 0.05 <= 1.2, edges)
+        coarse = self.report("rectangle.vtp", "--size", "0.3")["quads"]
+        self.assertGreater(self.report("rectangle.vtp", "--size", "0.3", "--max-size", "0.2")["quads"], 2 * coarse)
+        self.assertLess(self.report("rectangle.vtp", "--size", "0.1", "--min-size", "0.2")["quads"], 200)
+        self.assertEqual(self.edges("rectangle.vtp", "--progression", "top:both:0.2", "--count", "top:20")["top"], 20)
+
+    def test_impossible_prescriptions_are_one_sentence_and_write_nothing(self):
+        for domain, arguments, words in (
+                ("rectangle.vtp", "--count bottom:24 --count top:11",
+                 "bottom:24 and top:11 are sides of one strip of quads; give equal numbers or leave one out"),
+                ("rectangle.vtp", "--count bottom:24 --count left:7 --count right:8", "left:7 and right:8 are sides"),
+                ("plate.vtp", "--count hole:3", "hole:3 fits no mesh of these singularities; give hole:4"),
+                ("plate.vtp", "--count bottom:1", "bottom:1 fits no mesh"),
+                ("plate.vtp", "--count nowhere:3", "no side 'nowhere'; give one of bottom, right, top, left, hole"),
+                ("plate.vtp", "--count hole:2.5", "'2.5' of side 'hole'"),
+                ("plate.vtp", "--count hole:0", "'0' of side 'hole'"),
+                ("plate.vtp", "--count hole:-4", "'-4' of side 'hole'"),
+                ("plate.vtp", "--count hole:many", "'many' of side 'hole'"),
+                ("plate.vtp", "--count hole:20 --count hole:20", "prescribed twice"),
+                ("plate.vtp", "--count hole:20 --size-at hole:0.1", "more than one of"),
+                ("plate.vtp", "--count bottom:20 --progression bottom:0.1,0.2", "more than one of"),
+                ("plate.vtp", "--progression hole:2", "'hole' is a closed curve"),
+                ("plate.vtp", "--progression bottom:-2", "'-2' of side 'bottom'"),
+                ("plate.vtp", "--progression bottom:0", "'0' of side 'bottom'"),
+                ("plate.vtp", "--progression bottom:0.1,x", "'x' of side 'bottom'"),
+                ("plate.vtp", "--progression bottom:2.9,0.3", "do not fit on side 'bottom'"),
+                ("plate.vtp", "--size-at hole:0", "'0' of side 'hole'"),
+                ("plate.vtp", "--size-at hole:nan", "'nan' of side 'hole'"),
+                ("plate.vtp", "--count 24", "no name of a side"),
+                ("plate.vtp", "--count hole:", "no value"),
+                ("plate.vtp", "--names Nothing", "no cell array 'Nothing'"),
+                ("plate.vtp", "--min-size 0.2 --max-size 0.1", "minimum size"),
+        ):
+            with self.subTest(arguments=arguments):
+                before = self.snapshot()
+                result = self.run_program("quads", domain, "-o", "none.vtu", "--json", "none.json", "--quads", "300",
+                                          *arguments.split())
+                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+                self.assertRegex(result.stderr, SENTENCE)
+                self.assertIn(words, result.stderr)
+                self.assertEqual(self.snapshot(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()
