@@ -2,6 +2,7 @@
 
 #include "CleanBlocks.h"
 #include "IndexSplit.h"
+#include "LayerSteps.h"
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
 #include "NodePositions.h"
@@ -9,6 +10,7 @@
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "RequestedSingularities.h"
+#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -49,12 +51,18 @@ void RequireAngles(const PlanarDomain& domain, const Configuration& singularitie
 class Workflow
 {
 public:
-  Workflow(const PlanarDomain& domain, const QuadRequest& request)
+  Workflow(const PlanarDomain& domain, QuadRequest request)
     : Domain(domain)
-    , Request(request)
+    , Request(std::move(request))
+    , Total(this->Request.quadCount)
   {
-    this->MapOptions.corners = request.corners;
-    this->MapOptions.capCorners = request.capCorners;
+    RequireLayers(this->Request.layers);
+    if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
+    {
+      this->Request.quadCount = CountBeforeLayers(domain, this->Request);
+    }
+    this->MapOptions.corners = CornersForLayers(domain, this->Request);
+    this->MapOptions.capCorners = this->Request.capCorners;
   }
 
   void Choose(const Progress& progress)
@@ -178,6 +186,10 @@ public:
       moved = this->Clean(meshed, options, progress.Part(0.2, 1.0));
       this->Result.seconds.clean = this->Clock.Lap();
     }
+    if (!this->Request.layers.empty())
+    {
+      this->AddLayers(meshed, options);
+    }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = meshed.quads.counts.seconds;
     seconds.layout = meshed.quads.layoutSeconds;
@@ -194,6 +206,29 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
+  /// Adds the layers. If a number of quads is requested that the mesh does not have with them, makes
+  /// it again with another number of quads before.
+  void AddLayers(MeshedLayout& meshed, QuadOptions options)
+  {
+    constexpr int MaximumTries = 4;
+    const BoundaryCurves curves(*meshed.layout.map.topology);
+    for (int tries = 1;; ++tries)
+    {
+      const auto before = static_cast<int>(meshed.quads.mesh.quads.size());
+      this->Result.layers = AddRequestedLayers(this->Request, curves, meshed.quads);
+      const auto total = static_cast<int>(meshed.quads.mesh.quads.size());
+      if (options.quadSize > 0.0 || tries == MaximumTries ||
+        std::abs(static_cast<double>(total) / this->Total - 1.0) <= CountTolerance)
+      {
+        return;
+      }
+      options.quadCount = CorrectCountBeforeLayers(before, total, this->Total);
+      const int separateBlocks = meshed.quads.separateBlocks;
+      meshed.quads = crossfield::MakeQuads(meshed.layout.map, meshed.layout.tMesh, options);
+      meshed.quads.separateBlocks = separateBlocks;
+    }
+  }
+
   QuadOptions OptionsFor(const MeshTopology& topology) const
   {
     QuadOptions options;
@@ -354,7 +389,9 @@ private:
   }
 
   const PlanarDomain& Domain;
-  const QuadRequest& Request;
+  /// The request; with layers, quadCount is the number of quads before they are added.
+  QuadRequest Request;
+  const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
   Configuration Started; ///< The singularities before they were repaired.
   QuadWorkflowResult Result;
@@ -362,7 +399,10 @@ private:
 };
 }
 
-QuadWorkflowResult RunQuadSteps(
+namespace
+{
+/// Runs the steps once.
+QuadWorkflowResult RunOnce(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   if (request.sizing != Sizing::Field) // whose sizes are factors
@@ -379,5 +419,31 @@ QuadWorkflowResult RunQuadSteps(
   ClosingLayout layout = workflow.LayOutOrAdvise(remaining.Part(0.1, laidOut));
   workflow.MakeQuads(std::move(layout), remaining.Part(laidOut, 0.95));
   return workflow.TakeResult();
+}
+}
+
+QuadWorkflowResult RunQuadSteps(
+  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
+{
+  // Rows are higher than the quads on average in some places, for example at corners that they turn
+  // around.
+  constexpr double MoreRoom = 1.3;
+  constexpr int MaximumTries = 4;
+  QuadRequest tried = request;
+  for (int tries = 1;; ++tries)
+  {
+    try
+    {
+      return RunOnce(domain, tried, progress);
+    }
+    catch (const LackOfRows& error)
+    {
+      if (request.singularities || tries == MaximumTries)
+      {
+        throw;
+      }
+    }
+    tried.layerRoom *= MoreRoom;
+  }
 }
 }
