@@ -207,6 +207,25 @@ double BandLines::Growth() const
   return growth;
 }
 
+double BandLines::LargestGrowth(const std::vector<std::vector<QuadPoint>>& points) const
+{
+  double growth = 0.0;
+  for (std::size_t line = 0; line < points.size(); ++line)
+  {
+    Point from = this->WallAt(line);
+    double last = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 0; row <= points[line].size(); ++row)
+    {
+      const Point to = row < points[line].size() ? points[line][row].place
+                                                 : this->PlaceOf(this->Points[line].back());
+      growth = std::max(growth, (to - from).norm() / last);
+      last = (to - from).norm();
+      from = to;
+    }
+  }
+  return growth;
+}
+
 double BandLines::LargestStep(int rows) const
 {
   std::vector<double> last;

@@ -30,6 +30,8 @@ public:
   double LargestStep(int rows) const;
   /// Returns the new inner points of all lines for a number of rows.
   std::vector<std::vector<QuadPoint>> Divide(int rows) const;
+  /// Returns the maximum ratio of consecutive edges of the divided lines, from the wall inwards.
+  double LargestGrowth(const std::vector<std::vector<QuadPoint>>& points) const;
   /// Returns the minimum growth that the layers of the band allow.
   double Growth() const;
 

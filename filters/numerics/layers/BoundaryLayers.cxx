@@ -14,7 +14,7 @@ namespace crossfield
 namespace
 {
 /// Ratio of neighbouring heights behind a layer up to which fewer rows than RowsToReplace suffice.
-constexpr double AcceptedStep = 2.5;
+constexpr double AcceptedStep = 2.25;
 /// Part of the smallest step by which a step of fewer rows may be larger.
 constexpr double SimilarStep = 1.05;
 
@@ -86,8 +86,17 @@ public:
       const QuadBand band = FindBand(this->Layered, sides,
         static_cast<std::size_t>(edge - this->Layered.bands.begin()), plan.rowsReplaced);
       const BandLines lines(this->Layered, band, sides, this->Curves, plan.rowsReplaced);
-      plan.rows = plan.rows > 0 ? plan.rows : lines.RowsNeeded();
-      DivideBand(this->Layered, band, sides, lines.Divide(plan.rows));
+      const bool isPrescribed = plan.rows > 0;
+      plan.rows = isPrescribed ? plan.rows : lines.RowsNeeded();
+      std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
+      // Chords of a curved line may grow slightly faster than its lengths.
+      constexpr int MoreRows = 5;
+      for (int more = 0; !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > lines.Growth();
+           ++more)
+      {
+        points = lines.Divide(++plan.rows);
+      }
+      DivideBand(this->Layered, band, sides, points);
     }
   }
 

@@ -399,10 +399,7 @@ private:
 };
 }
 
-namespace
-{
-/// Runs the steps once.
-QuadWorkflowResult RunOnce(
+QuadWorkflowResult RunQuadSteps(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   if (request.sizing != Sizing::Field) // whose sizes are factors
@@ -419,31 +416,5 @@ QuadWorkflowResult RunOnce(
   ClosingLayout layout = workflow.LayOutOrAdvise(remaining.Part(0.1, laidOut));
   workflow.MakeQuads(std::move(layout), remaining.Part(laidOut, 0.95));
   return workflow.TakeResult();
-}
-}
-
-QuadWorkflowResult RunQuadSteps(
-  const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
-{
-  // Rows are higher than the quads on average in some places, for example at corners that they turn
-  // around.
-  constexpr double MoreRoom = 1.3;
-  constexpr int MaximumTries = 4;
-  QuadRequest tried = request;
-  for (int tries = 1;; ++tries)
-  {
-    try
-    {
-      return RunOnce(domain, tried, progress);
-    }
-    catch (const LackOfRows& error)
-    {
-      if (request.singularities || tries == MaximumTries)
-      {
-        throw;
-      }
-    }
-    tried.layerRoom *= MoreRoom;
-  }
 }
 }

@@ -1,8 +1,8 @@
 #include "QuadWorkflow.h"
 
 #include "CoarseMeshError.h"
+#include "LayerRuns.h"
 #include "QuadAdvice.h"
-#include "QuadSteps.h"
 
 #include <string>
 #include <utility>
@@ -39,13 +39,13 @@ QuadWorkflowResult MakeQuadMesh(
   QuadWorkflowResult result;
   try
   {
-    result = RunQuadSteps(domain, request, progress);
+    result = RunWithLayers(domain, request, progress);
   }
   catch (const CoarseMeshError& error)
   {
     // Its remedy, a finer mesh, was tried.
     const double length = FindSmoothing(domain, request.corners,
-      [&](const PlanarDomain& smooth) { RunQuadSteps(smooth, request, trial); });
+      [&](const PlanarDomain& smooth) { RunWithLayers(smooth, request, trial); });
     throw Error(WithAdvice(
       WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
   }
@@ -59,7 +59,7 @@ QuadWorkflowResult MakeQuadMesh(
         {
           QuadRequest other = request;
           other.quadSize = size;
-          return RunQuadSteps(domain, other, trial).quads;
+          return RunWithLayers(domain, other, trial).quads;
         });
     }
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
