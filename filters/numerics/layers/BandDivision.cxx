@@ -13,12 +13,12 @@ namespace
 class Divider
 {
 public:
-  Divider(LayeredMesh& layered, const QuadBand& band, const QuadSides& sides,
+  Divider(LayeredMesh& layered, const QuadBand& band, const QuadWalk& walk,
     const std::vector<std::vector<QuadPoint>>& lines)
     : Layered(layered)
     , Mesh(layered.mesh)
     , Band(band)
-    , Sides(sides)
+    , Walk(walk)
     , Rows(static_cast<int>(lines[0].size()) + 1)
     , OldRows(static_cast<int>(band.rows.size()))
     , IsInBand(layered.mesh.quads.size(), false)
@@ -45,7 +45,7 @@ private:
   /// Adds the new points of a line to the mesh, after all old ones.
   void AddLine(std::size_t line, const std::vector<QuadPoint>& points)
   {
-    std::vector<int> old = PointsAcross(this->Band, this->Sides, line, this->OldRows);
+    std::vector<int> old = PointsAcross(this->Band, this->Walk, line, this->OldRows);
     std::vector<int> divided = { old.front() };
     for (const QuadPoint& point : points)
     {
@@ -197,7 +197,7 @@ private:
   LayeredMesh& Layered;
   QuadMesh& Mesh;
   const QuadBand& Band;
-  const QuadSides& Sides;
+  const QuadWalk& Walk;
   const int Rows;
   const int OldRows;
   std::vector<bool> IsInBand;  ///< Per old quad.
@@ -207,9 +207,9 @@ private:
 };
 }
 
-void DivideBand(LayeredMesh& layered, const QuadBand& band, const QuadSides& sides,
+void DivideBand(LayeredMesh& layered, const QuadBand& band, const QuadWalk& walk,
   const std::vector<std::vector<QuadPoint>>& lines)
 {
-  Divider(layered, band, sides, lines).Divide();
+  Divider(layered, band, walk, lines).Divide();
 }
 }

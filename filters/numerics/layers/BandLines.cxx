@@ -35,18 +35,18 @@ std::pair<std::size_t, double> PartAt(const std::vector<double>& ends, double va
 }
 }
 
-BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const QuadSides& sides,
+BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const QuadWalk& walk,
   const BoundaryCurves& curves, int rows)
   : Layered(layered)
   , Band(band)
-  , Sides(sides)
+  , Walk(walk)
   , Curves(curves)
   , OldRows(rows)
   , Data(band.LineCount())
 {
   for (std::size_t line = 0; line < band.LineCount(); ++line)
   {
-    this->Points.push_back(PointsAcross(band, sides, line, rows));
+    this->Points.push_back(PointsAcross(band, walk, line, rows));
     this->Walls.push_back(this->PlaceOf(this->Points[line].front()));
   }
   const std::vector<double> heights = this->HeightsAtWall();
@@ -238,16 +238,16 @@ double BandLines::LargestStep(int rows) const
   double step = 1.0;
   for (std::size_t column = 0; column < this->Band.layers.size(); ++column)
   {
-    const int above = this->Sides.Above(this->Band.rows[Index(this->OldRows - 1)][column]);
+    const int above = this->Walk.Above(this->Band.rows[Index(this->OldRows - 1)][column]);
     if (this->Band.layers[column] < 0 || above < 0)
     {
       continue;
     }
     double height = 0.0;
-    for (const int side : { QuadSides::Next(above), QuadSides::Previous(above) })
+    for (const int side : { QuadWalk::Next(above), QuadWalk::Previous(above) })
     {
       height +=
-        0.5 * (this->PlaceOf(this->Sides.EndOf(side)) - this->PlaceOf(this->Sides.StartOf(side))).norm();
+        0.5 * (this->PlaceOf(this->Walk.EndOf(side)) - this->PlaceOf(this->Walk.StartOf(side))).norm();
     }
     const double below = 0.5 * (last[column] + last[(column + 1) % last.size()]);
     step = std::max({ step, height / below, below / height });

@@ -19,7 +19,7 @@ class BandLines
 {
 public:
   /// Constructs the lines across the first rows of a band.
-  BandLines(const LayeredMesh& layered, const QuadBand& band, const QuadSides& sides,
+  BandLines(const LayeredMesh& layered, const QuadBand& band, const QuadWalk& walk,
     const BoundaryCurves& curves, int rows);
 
   const std::vector<BandLine>& Lines() const { return this->Data; }
@@ -57,7 +57,7 @@ private:
 
   const LayeredMesh& Layered;
   const QuadBand& Band;
-  const QuadSides& Sides;
+  const QuadWalk& Walk;
   const BoundaryCurves& Curves;
   const int OldRows;
   std::vector<std::vector<int>> Points; ///< Per line.

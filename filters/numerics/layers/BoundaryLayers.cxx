@@ -51,14 +51,14 @@ public:
   /// Finds the bands and the rows of them that are replaced.
   void Plan()
   {
-    const QuadSides sides(this->Layered.mesh);
+    const QuadWalk walk(this->Layered.mesh);
     int maximumRows = 1;
     for (const LayerPrescription& prescription : this->Layered.prescriptions)
     {
       maximumRows = std::max(maximumRows, 2 * RowsToReplace(prescription.growth));
     }
-    const std::vector<QuadBand> bands = FindBands(this->Layered, sides, maximumRows);
-    const std::vector<int> walls = sides.OfBoundary();
+    const std::vector<QuadBand> bands = FindBands(this->Layered, walk, maximumRows);
+    const std::vector<int> walls = walk.OfBoundary();
     this->Layered.bands.assign(walls.size(), -1);
     for (std::size_t b = 0; b < bands.size(); ++b)
     {
@@ -70,7 +70,7 @@ public:
           this->Layered.bands[e] = static_cast<int>(b);
         }
       }
-      this->Plans.push_back(this->PlanBand(bands[b], sides));
+      this->Plans.push_back(this->PlanBand(bands[b], walk));
     }
   }
 
@@ -80,12 +80,12 @@ public:
     for (std::size_t b = 0; b < this->Plans.size(); ++b)
     {
       BandPlan& plan = this->Plans[b];
-      const QuadSides sides(this->Layered.mesh);
+      const QuadWalk walk(this->Layered.mesh);
       const auto edge = std::find(
         this->Layered.bands.begin(), this->Layered.bands.end(), static_cast<int>(b));
-      const QuadBand band = FindBand(this->Layered, sides,
+      const QuadBand band = FindBand(this->Layered, walk,
         static_cast<std::size_t>(edge - this->Layered.bands.begin()), plan.rowsReplaced);
-      const BandLines lines(this->Layered, band, sides, this->Curves, plan.rowsReplaced);
+      const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
       const bool isPrescribed = plan.rows > 0;
       plan.rows = isPrescribed ? plan.rows : lines.RowsNeeded();
       std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
@@ -96,7 +96,7 @@ public:
       {
         points = lines.Divide(++plan.rows);
       }
-      DivideBand(this->Layered, band, sides, points);
+      DivideBand(this->Layered, band, walk, points);
     }
   }
 
@@ -129,7 +129,7 @@ private:
     return this->Layered.prescriptions[Index(*found)];
   }
 
-  BandPlan PlanBand(const QuadBand& band, const QuadSides& sides) const
+  BandPlan PlanBand(const QuadBand& band, const QuadWalk& walk) const
   {
     int rows = 0;
     for (const int layer : band.layers)
@@ -144,8 +144,8 @@ private:
       }
       rows = std::max(rows, prescribed);
     }
-    BandPlan plan = rows > 0 ? this->PlanForRows(band, sides, rows) : this->PlanForGrowth(band, sides);
-    const BandLines lines(this->Layered, band, sides, this->Curves, plan.rowsReplaced);
+    BandPlan plan = rows > 0 ? this->PlanForRows(band, walk, rows) : this->PlanForGrowth(band, walk);
+    const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
     this->RequireThinRows(band, lines, plan.rowsReplaced);
     return plan;
   }
@@ -167,14 +167,14 @@ private:
   }
 
   /// Returns the smallest number of rows behind which the step of heights is about the smallest.
-  BandPlan PlanForGrowth(const QuadBand& band, const QuadSides& sides) const
+  BandPlan PlanForGrowth(const QuadBand& band, const QuadWalk& walk) const
   {
     BandPlan plan;
     double best = 0.0;
     std::vector<double> steps;
     for (int rows = 1; rows <= static_cast<int>(band.rows.size()); ++rows)
     {
-      const BandLines lines(this->Layered, band, sides, this->Curves, rows);
+      const BandLines lines(this->Layered, band, walk, this->Curves, rows);
       steps.push_back(lines.LargestStep(lines.RowsNeeded()));
       best = rows == 1 ? steps.back() : std::min(best, steps.back());
     }
@@ -182,10 +182,10 @@ private:
       steps.begin(), steps.end(), [&](double step) { return step <= SimilarStep * best; });
     plan.rowsReplaced = static_cast<int>(similar - steps.begin()) + 1;
     const auto available = static_cast<int>(band.rows.size());
-    const int needed = RowsToReplace(BandLines(this->Layered, band, sides, this->Curves, 1).Growth());
+    const int needed = RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
     if (best > AcceptedStep && available < needed)
     {
-      const std::string lack = this->DescribeLack(band, sides, needed);
+      const std::string lack = this->DescribeLack(band, walk, needed);
       if (band.end == BandEnd::Irregular)
       {
         throw LackOfRows(lack);
@@ -196,14 +196,14 @@ private:
   }
 
   /// Returns the largest number of rows that a prescribed number of rows can replace.
-  BandPlan PlanForRows(const QuadBand& band, const QuadSides& sides, int rows) const
+  BandPlan PlanForRows(const QuadBand& band, const QuadWalk& walk, int rows) const
   {
     BandPlan plan;
     plan.rows = rows;
     int needed = 0;
     for (int replaced = 1; replaced <= static_cast<int>(band.rows.size()); ++replaced)
     {
-      const BandLines lines(this->Layered, band, sides, this->Curves, replaced);
+      const BandLines lines(this->Layered, band, walk, this->Curves, replaced);
       needed = lines.RowsNeeded();
       if (needed > rows)
       {
@@ -218,7 +218,7 @@ private:
         " to grow from " + Format(prescription.first) + " to the quads beside it, but " +
         std::to_string(rows) + " are prescribed; give more rows, a larger growth, or smaller quads.");
     }
-    const BandLines lines(this->Layered, band, sides, this->Curves, plan.rowsReplaced);
+    const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
     for (const BandLine& line : lines.Lines())
     {
       if (line.isLayered && rows * line.first > line.length)
@@ -232,7 +232,7 @@ private:
   }
 
   /// Returns a sentence about a band with too few rows.
-  std::string DescribeLack(const QuadBand& band, const QuadSides& sides, int needed) const
+  std::string DescribeLack(const QuadBand& band, const QuadWalk& walk, int needed) const
   {
     const auto available = static_cast<int>(band.rows.size());
     const std::string& name = this->PrescriptionOf(band).name;
@@ -244,7 +244,7 @@ private:
     {
     case BandEnd::Irregular:
     {
-      const BandLines lines(this->Layered, band, sides, this->Curves, available);
+      const BandLines lines(this->Layered, band, walk, this->Curves, available);
       double height = 0.0;
       for (const BandLine& line : lines.Lines())
       {

@@ -1,7 +1,7 @@
 #include "LayerReport.h"
 
 #include "Index.h"
-#include "QuadSides.h"
+#include "QuadWalk.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,21 +16,21 @@ constexpr double HeightTolerance = 0.05;
 class Measurer
 {
 public:
-  Measurer(const LayeredMesh& layered, const QuadSides& sides)
+  Measurer(const LayeredMesh& layered, const QuadWalk& walk)
     : Layered(layered)
-    , Sides(sides)
+    , Walk(walk)
   {
   }
 
-  Point Start(int side) const { return this->PlaceOf(this->Sides.StartOf(side)); }
-  Point End(int side) const { return this->PlaceOf(this->Sides.EndOf(side)); }
+  Point Start(int side) const { return this->PlaceOf(this->Walk.StartOf(side)); }
+  Point End(int side) const { return this->PlaceOf(this->Walk.EndOf(side)); }
   double Length(int side) const { return (this->End(side) - this->Start(side)).norm(); }
 
   /// Returns the mean distance of the opposite side of a quad from the line through a side.
   double HeightAcross(int side) const
   {
     const Point along = (this->End(side) - this->Start(side)).normalized();
-    const int opposite = QuadSides::Opposite(side);
+    const int opposite = QuadWalk::Opposite(side);
     return 0.5 * (Cross(along, this->Start(opposite) - this->Start(side)) +
                    Cross(along, this->End(opposite) - this->Start(side)));
   }
@@ -39,21 +39,21 @@ public:
   double Height(int side) const
   {
     return 0.5 *
-      (this->Length(QuadSides::Next(side)) + this->Length(QuadSides::Previous(side)));
+      (this->Length(QuadWalk::Next(side)) + this->Length(QuadWalk::Previous(side)));
   }
 
 private:
   Point PlaceOf(int point) const { return this->Layered.mesh.points[Index(point)].place; }
 
   const LayeredMesh& Layered;
-  const QuadSides& Sides;
+  const QuadWalk& Walk;
 };
 }
 
 std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::vector<int>& rows)
 {
-  const QuadSides sides(layered.mesh);
-  const Measurer measurer(layered, sides);
+  const QuadWalk walk(layered.mesh);
+  const Measurer measurer(layered, walk);
   std::vector<LayerReport> reports;
   for (const LayerPrescription& prescription : layered.prescriptions)
   {
@@ -64,7 +64,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     reports.push_back(report);
   }
   std::vector<double> lengths(reports.size(), 0.0);
-  const std::vector<int> walls = sides.OfBoundary();
+  const std::vector<int> walls = walk.OfBoundary();
   for (std::size_t e = 0; e < walls.size(); ++e)
   {
     if (layered.layers[e] < 0)
@@ -85,7 +85,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     }
     double last = 0.0;
     int side = walls[e];
-    for (int row = 0; row <= rows[e] && side >= 0; ++row, side = sides.Above(side))
+    for (int row = 0; row <= rows[e] && side >= 0; ++row, side = walk.Above(side))
     {
       const double height = measurer.Height(side);
       if (row > 0)

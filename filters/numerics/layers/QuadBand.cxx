@@ -19,13 +19,13 @@ std::size_t RowThrough(int side)
 class Finder
 {
 public:
-  Finder(const LayeredMesh& layered, const QuadSides& sides)
+  Finder(const LayeredMesh& layered, const QuadWalk& walk)
     : Layered(layered)
-    , Sides(sides)
+    , Walk(walk)
     , LayerOfSide(4 * layered.mesh.quads.size(), -1)
     , IsTaken(2 * layered.mesh.quads.size(), false)
     , IsFree(layered.mesh.points.size(), false)
-    , Walls(sides.OfBoundary())
+    , Walls(walk.OfBoundary())
   {
     this->MarkPoints();
   }
@@ -110,14 +110,14 @@ private:
   {
     QuadBand band;
     int start = wall;
-    for (int side = wall; side >= 0 && !band.closed; side = this->Sides.Backward(side))
+    for (int side = wall; side >= 0 && !band.closed; side = this->Walk.Backward(side))
     {
-      band.closed = this->Sides.Backward(side) == wall;
+      band.closed = this->Walk.Backward(side) == wall;
       start = side;
     }
     std::vector<int> row;
     for (int side = start; side >= 0 && (row.empty() || side != start);
-         side = this->Sides.Forward(side))
+         side = this->Walk.Forward(side))
     {
       row.push_back(side);
       band.layers.push_back(this->LayerOfSide[Index(side)]);
@@ -126,7 +126,7 @@ private:
     if (!this->Take(row, band))
     {
       throw Error("The quads beside '" + this->NameOf(band) + "' near " +
-        Describe(this->PointOf(this->Sides.StartOf(wall)).place) +
+        Describe(this->PointOf(this->Walk.StartOf(wall)).place) +
         " are also beside another side with a layer, or beside this one again; use smaller quads.");
     }
     return band;
@@ -172,9 +172,9 @@ private:
     std::vector<int> next;
     for (std::size_t i = 0; i < last.size(); ++i)
     {
-      const int top = QuadSides::Opposite(last[i]);
-      const int left = this->Sides.EndOf(top);
-      const int right = this->Sides.StartOf(top);
+      const int top = QuadWalk::Opposite(last[i]);
+      const int left = this->Walk.EndOf(top);
+      const int right = this->Walk.StartOf(top);
       for (const int point : { left, right })
       {
         if (!this->IsFree[Index(point)])
@@ -184,7 +184,7 @@ private:
             found.curve.loop < 0 ? BandEnd::Irregular : BandEnd::Boundary, point);
         }
       }
-      const int above = this->Sides.Above(last[i]);
+      const int above = this->Walk.Above(last[i]);
       if (above < 0)
       {
         return fail(BandEnd::Boundary, left);
@@ -195,21 +195,21 @@ private:
     {
       const bool isLast = i + 1 == next.size();
       const int expected = !isLast ? next[i + 1] : band.closed ? next[0] : -1;
-      if (this->Sides.Forward(next[i]) != expected)
+      if (this->Walk.Forward(next[i]) != expected)
       {
-        return fail(BandEnd::Irregular, this->Sides.EndOf(next[i]));
+        return fail(BandEnd::Irregular, this->Walk.EndOf(next[i]));
       }
     }
     if (!this->Take(next, band))
     {
-      return fail(BandEnd::Other, this->Sides.StartOf(next[0]));
+      return fail(BandEnd::Other, this->Walk.StartOf(next[0]));
     }
     band.rows.push_back(std::move(next));
     return true;
   }
 
   const LayeredMesh& Layered;
-  const QuadSides& Sides;
+  const QuadWalk& Walk;
   std::vector<int> LayerOfSide; ///< Per side of a quad.
   std::vector<bool> IsTaken;    ///< Per row through a quad.
   std::vector<bool> IsFree;     ///< Per point.
@@ -217,19 +217,19 @@ private:
 };
 }
 
-std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadSides& sides, int maximumRows)
+std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk, int maximumRows)
 {
-  return Finder(layered, sides).Find(maximumRows);
+  return Finder(layered, walk).Find(maximumRows);
 }
 
 QuadBand FindBand(
-  const LayeredMesh& layered, const QuadSides& sides, std::size_t edge, int rows)
+  const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows)
 {
-  return Finder(layered, sides).FindOne(edge, rows);
+  return Finder(layered, walk).FindOne(edge, rows);
 }
 
 std::vector<int> PointsAcross(
-  const QuadBand& band, const QuadSides& sides, std::size_t line, int rows)
+  const QuadBand& band, const QuadWalk& walk, std::size_t line, int rows)
 {
   const bool isLast = line == band.rows[0].size();
   const std::size_t column = isLast ? line - 1 : line;
@@ -237,10 +237,10 @@ std::vector<int> PointsAcross(
   for (int row = 0; row < rows; ++row)
   {
     const int side = band.rows[Index(row)][column];
-    points.push_back(isLast ? sides.EndOf(side) : sides.StartOf(side));
+    points.push_back(isLast ? walk.EndOf(side) : walk.StartOf(side));
   }
-  const int top = QuadSides::Opposite(band.rows[Index(rows - 1)][column]);
-  points.push_back(isLast ? sides.StartOf(top) : sides.EndOf(top));
+  const int top = QuadWalk::Opposite(band.rows[Index(rows - 1)][column]);
+  points.push_back(isLast ? walk.StartOf(top) : walk.EndOf(top));
   return points;
 }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "LayeredMesh.h"
-#include "QuadSides.h"
+#include "QuadWalk.h"
 
 #include <set>
 
@@ -36,14 +36,14 @@ struct QuadBand
 /// Returns the bands of the layered edges of a mesh, each with up to `maximumRows` rows. Bands
 /// grow row by row together, so that two of them share what is between them. Points of inner lines
 /// are regular.
-std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadSides& sides, int maximumRows);
+std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk, int maximumRows);
 
 /// Returns the band of one layered edge, with a number of rows that FindBands found. Throws Error if
 /// bands that were divided since have taken them.
 QuadBand FindBand(
-  const LayeredMesh& layered, const QuadSides& sides, std::size_t edge, int rows);
+  const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows);
 
 /// Returns the points of a grid line across the first rows of a band, from the wall inwards.
 std::vector<int> PointsAcross(
-  const QuadBand& band, const QuadSides& sides, std::size_t line, int rows);
+  const QuadBand& band, const QuadWalk& walk, std::size_t line, int rows);
 }

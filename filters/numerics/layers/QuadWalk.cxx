@@ -1,4 +1,4 @@
-#include "QuadSides.h"
+#include "QuadWalk.h"
 
 #include "Index.h"
 
@@ -6,35 +6,35 @@
 
 namespace crossfield
 {
-QuadSides::QuadSides(const QuadMesh& mesh)
+QuadWalk::QuadWalk(const QuadMesh& mesh)
   : Mesh(mesh)
   , Twins(mesh.Twins())
 {
 }
 
-int QuadSides::StartOf(int side) const
+int QuadWalk::StartOf(int side) const
 {
   return this->Mesh.quads[Index(side / 4)][Index(side % 4)];
 }
 
-int QuadSides::EndOf(int side) const
+int QuadWalk::EndOf(int side) const
 {
   return this->StartOf(Next(side));
 }
 
-int QuadSides::Forward(int side) const
+int QuadWalk::Forward(int side) const
 {
   const int twin = this->Twin(Next(side));
   return twin < 0 ? -1 : Next(twin);
 }
 
-int QuadSides::Backward(int side) const
+int QuadWalk::Backward(int side) const
 {
   const int twin = this->Twin(Previous(side));
   return twin < 0 ? -1 : Previous(twin);
 }
 
-std::vector<int> QuadSides::OfBoundary() const
+std::vector<int> QuadWalk::OfBoundary() const
 {
   std::map<std::array<int, 2>, int> open;
   for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)

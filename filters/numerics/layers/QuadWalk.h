@@ -5,10 +5,10 @@
 namespace crossfield
 {
 /// The sides of the quads of a mesh, numbered as in QuadMesh::Twins, and the steps between them.
-class QuadSides
+class QuadWalk
 {
 public:
-  explicit QuadSides(const QuadMesh& mesh);
+  explicit QuadWalk(const QuadMesh& mesh);
 
   int StartOf(int side) const;
   int EndOf(int side) const;
