@@ -154,6 +154,7 @@ int Mesh(const QuadsOptions& options)
   mesher->SetQuadSize(options.size);
   mesher->SetQuadCount(options.quads);
   SetSizing(options, mesher);
+  mesher->SetSideNameArray(options.boundary.names);
   mesher->SetMerge(options.merge);
   mesher->SetMeshSize(options.meshSize);
   mesher->SetCapCorners(options.capCorners);
@@ -259,6 +260,12 @@ void AddQuadsCommand(CLI::App& app, int& status)
       "domain, or with --quads their proportions; default: conformal")
     ->expected(1, 2)
     ->type_name("WORD");
+  command
+    ->add_option("--names", options->boundary.names,
+      "cell array of the domain's lines, strings or integers, with the names of the sides of the "
+      "boundary; default: Side if the domain has it, otherwise outer0, outer1, ..., hole0, ... between "
+      "corners")
+    ->type_name("ARRAY");
   const std::map<std::string, int> merges = { { "none", vtkQuadMesher::MergeNone },
     { "clean", vtkQuadMesher::MergeClean }, { "coarse", vtkQuadMesher::MergeCoarse } };
   CLI::Option* merge =

@@ -34,6 +34,7 @@ class QuadMesh:
     edges            (b, 2) int, of the boundary, with the domain on the left
     boundary_kind    (b,) int: 1 outer loop, 2 inner loop
     boundary_id      (b,) int: number of the loop
+    edge_side        (b,) str: name of the side of the boundary that each edge belongs to
     valence          (n,) int, quads at each point
     irregular        (n,) int, quarter index of a singularity or corner, else 0
     block            (q,) int, the block of each quad
@@ -52,6 +53,7 @@ class QuadMesh:
     edges: np.ndarray
     boundary_kind: np.ndarray
     boundary_id: np.ndarray
+    edge_side: np.ndarray
     valence: np.ndarray
     irregular: np.ndarray
     block: np.ndarray
@@ -67,6 +69,33 @@ class QuadMesh:
     def __repr__(self) -> str:
         return "<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian %.2f>" % (
             len(self.quads), len(self.blocks), self.report["scaled_jacobian"]["min"])
+
+    @property
+    def sides(self) -> list[str]:
+        """The names of the sides of the boundary."""
+        return [side["name"] for side in self.report["sides"]]
+
+    def side(self, name: str) -> np.ndarray:
+        """Returns the rows of `points` on a side, in order with the domain on the left.
+
+        Pieces of the side that are apart follow one another; the first point of a closed loop is not repeated.
+
+        >>> mesh = quads([(0, 0), (2, 0), (2, 1), (0, 1)], size=0.5)
+        >>> mesh.sides
+        ['outer0', 'outer1', 'outer2', 'outer3']
+        >>> mesh.points[mesh.side("outer0")][:, 0]
+        array([0. , 0.5, 1. , 1.5, 2. ])
+        """
+        if name not in self.sides:
+            raise Error("The mesh has no side '%s'; its sides are %s." % (name, ", ".join(self.sides)))
+        edges = self.edges[self.edge_side == name]
+        starts = np.flatnonzero(np.r_[True, edges[1:, 0] != edges[:-1, 1]]) if len(edges) else []
+        pieces = np.split(edges, starts[1:]) if len(edges) else []
+        if len(pieces) > 1 and pieces[-1][-1, 1] == pieces[0][0, 0]:  # through the first edge of a loop
+            pieces = [np.vstack([pieces[-1], pieces[0]]), *pieces[1:-1]]
+        chains = [piece[:, 0] if piece[-1, 1] == piece[0, 0] else np.r_[piece[:, 0], piece[-1, 1]]
+                  for piece in pieces]
+        return np.concatenate(chains) if chains else np.empty(0, int)
 
     def plot(self, file: Optional[Union[str, "os.PathLike[str]"]] = None, width: int = 900) -> Any:
         """Shows the mesh in a window until it is closed, with pale blocks and irregular nodes in
@@ -114,6 +143,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
     quads, lines = types == VTK_QUAD, types == VTK_LINE
+    side_names = grid.GetCellData().GetAbstractArray(names.Side)
 
     def of(cells: np.ndarray, name: str) -> np.ndarray:
         return vtk_to_numpy(grid.GetCellData().GetArray(name))[cells]
@@ -122,6 +152,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
         points=places(grid), quads=ids[starts[quads][:, None] + np.arange(4)],
         edges=ids[starts[lines][:, None] + np.arange(2)],
         boundary_kind=of(lines, names.BoundaryKind), boundary_id=of(lines, names.BoundaryId),
+        edge_side=np.array([side_names.GetValue(line) for line in np.flatnonzero(lines)], dtype=str),
         valence=copied(grid.GetPointData(), names.Valence),
         irregular=copied(grid.GetPointData(), names.Irregular), block=of(quads, names.BlockId),
         scaled_jacobian=of(quads, names.ScaledJacobian),
@@ -135,7 +166,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
           corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
-          sizing: str = "conformal", size_array: Optional[str] = None, merge: str = "none",
+          sizing: str = "conformal", size_array: Optional[str] = None, names: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
@@ -152,6 +183,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
                    proportions if `count` is given; with the last two, chosen singularities are moved to where
                    sizes are nearest to these
     size_array     name of this array
+    names          name of the cell array of the domain's lines with the names of the boundary's sides; default:
+                   "Side" if the domain has it, otherwise "outer0", "outer1", ..., "hole0", ... between corners
     merge          separatrices that nearly meet: "none" keeps them apart; "clean" moves singularities until they
                    meet, as far as the quads stay as good; "coarse" merges them in place, for the fewest
                    blocks whose worst quad is at least half as good
@@ -202,6 +235,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     if size_array is not None:
         mesher.SetSizeArray(size_array)
         mesher.SetQuadSize(1.0 if count is None else 0.0)  # factor of the array's lengths
+    mesher.SetSideNameArray(names or "")
     mesher.SetMerge(_MERGES[merge])
     mesher.SetRepairHolonomy(repair_holonomy)
     mesher.SetRepairPart(repair_part)

@@ -7,12 +7,14 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
+#include "SideConversion.h"
 #include "SmoothBoundary.h"
 #include "ThinBoundary.h"
 #include "UsedPoints.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -119,21 +121,58 @@ void CopyNearestArrays(vtkDataSet* input, vtkPoints* points, vtkPointData* array
   }
 }
 
-/** Writes one closed polyline per loop, with the arrays of the nearest points of the input. */
-void WriteLoops(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDataSet* output)
+/** Names of the sides of a boundary and the array that they were read from. */
+struct NamedSides
 {
+  std::string array; ///< Empty: the boundary has no names.
+  crossfield::BoundarySides sides;
+};
+
+/**
+ * Writes one polyline per loop, or per piece of a side, with the arrays of the nearest points of the
+ * input.
+ */
+void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named, vtkDataSet* input,
+  vtkDataSet* output)
+{
+  std::vector<crossfield::LoopArc> arcs;
+  for (const crossfield::Loop& loop : domain.domain.loops)
+  {
+    arcs.emplace_back(loop);
+  }
+  const crossfield::SidesAlong along(named.sides, arcs);
+  const auto nameAt = [&](std::size_t loop, std::size_t segment)
+  {
+    const int side =
+      along.At(loop, 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)));
+    return side < named.sides.given ? named.sides.names[static_cast<std::size_t>(side)]
+                                    : std::string();
+  };
+  vtkNew<vtkStringArray> sideNames;
+  sideNames->SetName(named.array.c_str());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  for (const crossfield::Loop& loop : domain.domain.loops)
+  for (std::size_t l = 0; l < arcs.size(); ++l)
   {
+    const crossfield::Loop& loop = domain.domain.loops[l];
     const vtkIdType first = points->GetNumberOfPoints();
-    lines->InsertNextCell(static_cast<int>(loop.size()) + 1);
-    for (const crossfield::Point& place : loop)
+    std::vector<vtkIdType> piece;
+    for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(domain.plane.ToSpace(place).data()));
+      piece.push_back(points->InsertNextPoint(domain.plane.ToSpace(loop[i]).data()));
+      const bool isLast = i + 1 == loop.size();
+      if (isLast || (!named.array.empty() && nameAt(l, i) != nameAt(l, i + 1)))
+      {
+        piece.push_back(isLast ? first : points->GetNumberOfPoints());
+        lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
+        if (!named.array.empty())
+        {
+          sideNames->InsertNextValue(nameAt(l, i));
+        }
+        piece.clear();
+      }
     }
-    lines->InsertCellPoint(first);
   }
   if (auto* curves = vtkPolyData::SafeDownCast(output))
   {
@@ -146,6 +185,10 @@ void WriteLoops(const DomainConversion::Domain& domain, vtkDataSet* input, vtkDa
     grid->SetCells(VTK_POLY_LINE, lines);
   }
   CopyNearestArrays(input, points, output->GetPointData());
+  if (!named.array.empty())
+  {
+    output->GetCellData()->AddArray(sideNames);
+  }
 }
 }
 
@@ -194,6 +237,14 @@ int vtkBoundarySimplifier::RequestData(
           kept.push_back(given.plane.ToPlane(Eigen::Vector3d(points->GetPoint(p))));
         }
       }
+      NamedSides named;
+      named.array = SideConversion::FindArray(input, this->SideNameArray);
+      if (!named.array.empty())
+      {
+        named.sides = SideConversion::ReadSides(input, this->SideNameArray, given);
+        const std::vector<crossfield::Point> ends = named.sides.FixedPlaces();
+        kept.insert(kept.end(), ends.begin(), ends.end());
+      }
       progress.Report(0.5);
       const double thinning = this->ThinningLength >= 0.0
         ? this->ThinningLength
@@ -220,7 +271,7 @@ int vtkBoundarySimplifier::RequestData(
         PassThrough(input, output);
         return;
       }
-      WriteLoops(simple, input, output);
+      WriteLoops(simple, named, input, output);
       namespace names = vtkCrossFieldArrayNames;
       ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
       ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,
@@ -237,4 +288,5 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ThinningLength: " << this->ThinningLength << "\n";
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "SideNameArray: " << this->SideNameArray << "\n";
 }

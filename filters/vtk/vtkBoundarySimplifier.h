@@ -14,7 +14,8 @@
  * for the domain.
  *
  * Output port 0 (same type as the input): if something was removed, one closed polyline per loop,
- * in the plane of the domain, with the point arrays of the nearest points of the input; otherwise
+ * in the plane of the domain, with the point arrays of the nearest points of the input; if the
+ * boundary has names of sides, one polyline per piece of a side with the array of names. Otherwise
  * the input. Meshes of vtkDrillHoles pass through, and so do, by default, surfaces with point
  * arrays. Field data, only if something was removed:
  * - `BoundaryMoved` (double): the maximum distance of a point of the boundary from the new
@@ -34,6 +35,8 @@
 
 #include "vtkCrossFieldFiltersModule.h" // for the export macro
 #include "vtkPassInputTypeAlgorithm.h"
+
+#include <string> // for the name of an array
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkBoundarySimplifier : public vtkPassInputTypeAlgorithm
 {
@@ -75,6 +78,15 @@ public:
   vtkGetMacro(CornerAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Sets the cell array with the names of the domain's sides, as for vtkQuadMesher. The boundary is
+   * kept at points where the name changes. Default: none, `Side` if the domain has that array.
+   */
+  vtkSetMacro(SideNameArray, std::string);
+  vtkGetMacro(SideNameArray, std::string);
+  ///@}
+
   /** Adds a connection to port 1, points at which the boundary is kept. */
   void AddKeptConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
 
@@ -93,6 +105,7 @@ private:
   double ThinningLength = -1.0;
   double SmoothingLength = 0.0;
   double CornerAngle = 30.0;
+  std::string SideNameArray;
 };
 
 #endif

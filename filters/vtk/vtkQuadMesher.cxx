@@ -12,6 +12,7 @@
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
+#include "SideConversion.h"
 #include "SizeConversion.h"
 #include "ViewText.h"
 #include "vtkCrossFieldArrayNames.h"
@@ -70,8 +71,9 @@ int vtkQuadMesher::RequestData(
     [&](const crossfield::Progress& progress)
     {
       const DomainConversion::Domain input = DomainConversion::ReadDomain(domain);
-      const crossfield::QuadRequest request =
+      crossfield::QuadRequest request =
         this->MakeRequest(domain, singularities, corners, input.plane);
+      request.sides = SideConversion::ReadSides(domain, this->SideNameArray, input);
       const crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
       for (const std::string& warning : result.warnings)
@@ -182,6 +184,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "QuadCount: " << this->QuadCount << "\n";
   os << indent << "Sizing: " << this->Sizing << "\n";
   os << indent << "SizeArray: " << this->SizeArray << "\n";
+  os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "Merge: " << this->Merge << "\n";
   os << indent << "MeshSize: " << this->MeshSize << "\n";

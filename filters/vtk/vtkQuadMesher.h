@@ -24,8 +24,9 @@
  * `BlockId`; shared points are equal in every bit. Field data of each block, per side J = 0, I largest, J largest, I = 0:
  * `NeighbourBlock` (the adjacent block, −1: the boundary), `NeighbourSide` (the adjacent side of
  * that block), `NeighbourOrientation` (1: the points of both sides, by increasing I or J, have the
- * same order; −1: the reversed order; 0: boundary). Every side that is not on the boundary is
- * adjacent to exactly one complete side.
+ * same order; −1: the reversed order; 0: boundary), and `SideName` (string): the name of the
+ * boundary's side, several of them separated by commas, empty inside. Every side that is not on the
+ * boundary is adjacent to exactly one complete side.
  *
  * Output 2 (vtkPolyData): the layout: the sides of the blocks as polylines along edges of quads,
  * with the cell array `Edges` (int): quads along each. A side that two blocks share occurs once.
@@ -37,9 +38,10 @@
  * Output 4 (vtkPolyData): the corners used, as points with `QuarterIndex` (int): all corners of the
  * boundary, and the vertices of the boundary that have a singularity.
  *
- * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, with the cell
- * arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles, and the point array `VertexId`
- * (int), the point of output 0.
+ * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, edge after edge
+ * along each loop, with the cell arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles,
+ * and `Side` (string), the name of its side (see SideNameArray), and the point array `VertexId` (int),
+ * the point of output 0.
  *
  * Output 6 (vtkPolyData): the irregular nodes, as points with `QuarterIndex` (int), 4 − valence, and
  * `Valence` (int). Corners and other boundary nodes are not among them.
@@ -61,6 +63,7 @@
  * positively oriented), `InvertedPlace` (3, position of the worst one), `Released` (whether
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
+ * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each).
@@ -161,6 +164,19 @@ public:
   ///@}
   /** Sets the name of the size array; overload for ParaView. */
   void SetSizeArray(const char* name) { this->SetSizeArray(std::string(name ? name : "")); }
+
+  ///@{
+  /**
+   * Sets the cell array, of strings or integers, with the names of the domain's sides: of its lines,
+   * or, beside surface cells, of lines along their boundary. Lines of equal names are one side.
+   * Segments without a name are split at corners into `outer0`, `outer1`, ..., `hole0`, ... Quads
+   * have a node wherever the name changes. Default: none, `Side` if the domain has that array.
+   */
+  vtkSetMacro(SideNameArray, std::string);
+  vtkGetMacro(SideNameArray, std::string);
+  ///@}
+  /** Sets the name of the array of sides; overload for ParaView. */
+  void SetSideNameArray(const char* name) { this->SetSideNameArray(std::string(name ? name : "")); }
 
   /** Treatment of separatrices that nearly meet. */
   enum MergeType
@@ -296,8 +312,8 @@ public:
   /**
    * Copies the result of the last update into one grid, the form of files: quads, then a VTK_LINE
    * for every boundary edge, with the arrays of both and the field data of output 8. On lines
-   * `BlockId`, `I` and `J` are −1, `ScaledJacobian` and `SizeRatio` 1; on quads `BoundaryKind` is 0
-   * and `BoundaryId` −1.
+   * `BlockId`, `I` and `J` are −1, `ScaledJacobian` and `SizeRatio` 1; on quads `BoundaryKind` is 0,
+   * `BoundaryId` −1 and `Side` empty.
    */
   void CopyMesh(vtkUnstructuredGrid* mesh);
 
@@ -324,6 +340,7 @@ private:
   int QuadCount = 1000;
   int Sizing = SizingConformal;
   std::string SizeArray;
+  std::string SideNameArray;
   int Pairs = 0;
   int Merge = MergeNone;
   double MeshSize = 0.0;

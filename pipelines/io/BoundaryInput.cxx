@@ -83,6 +83,7 @@ vtkSmartPointer<vtkAlgorithm> Open(
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
+  simplifier->SetSideNameArray(options.names);
   return simplifier;
 }
 

@@ -16,6 +16,7 @@ struct BoundaryOptions
 {
   double thinning = -1.0; ///< ThinningLength of vtkBoundarySimplifier.
   double smoothing = 0.0; ///< SmoothingLength of vtkBoundarySimplifier.
+  std::string names;      ///< SideNameArray of vtkBoundarySimplifier.
 
   /** Adds the options --thin-boundary and --smooth-boundary. */
   void AddTo(CLI::App& command);

@@ -140,8 +140,6 @@ private:
     }
     LayeredMesh& layered = this->Layered;
     std::vector<QuadBoundaryEdge> boundary;
-    std::vector<int> layers;
-    std::vector<int> names;
     std::vector<int> bands;
     for (std::size_t e = 0; e < this->Mesh.boundary.size(); ++e)
     {
@@ -154,14 +152,10 @@ private:
       {
         edge.points = { points[i], points[i + 1] };
         boundary.push_back(edge);
-        layers.push_back(layered.layers[e]);
-        names.push_back(layered.names[e]);
         bands.push_back(layered.bands[e]);
       }
     }
     this->Mesh.boundary = std::move(boundary);
-    layered.layers = std::move(layers);
-    layered.names = std::move(names);
     layered.bands = std::move(bands);
   }
 

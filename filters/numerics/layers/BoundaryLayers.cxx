@@ -31,6 +31,22 @@ std::string CountRows(int rows)
   return std::to_string(rows) + (rows == 1 ? " row" : " rows");
 }
 
+/// Returns names as "'a', 'b' or 'c'", at most ten of them.
+std::string ListOf(const std::vector<std::string>& names)
+{
+  constexpr std::size_t Most = 10;
+  const std::size_t count = std::min(names.size(), Most);
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += (i == 0                                             ? "'"
+                : i + 1 == count && count == names.size() ? " or '"
+                                                                 : ", '") +
+      names[i] + "'";
+  }
+  return text + (names.size() > Most ? " or another side" : "");
+}
+
 /// The rows of a band that are replaced, and those that replace them.
 struct BandPlan
 {
@@ -65,7 +81,7 @@ public:
       for (std::size_t e = 0; e < walls.size(); ++e)
       {
         const std::vector<int>& row = bands[b].rows[0];
-        if (this->Layered.layers[e] >= 0 && std::find(row.begin(), row.end(), walls[e]) != row.end())
+        if (this->Layered.LayerAt(e) >= 0 && std::find(row.begin(), row.end(), walls[e]) != row.end())
         {
           this->Layered.bands[e] = static_cast<int>(b);
         }
@@ -112,7 +128,7 @@ public:
     {
       if (this->Layered.bands[e] >= 0)
       {
-        int& replaced = reports[Index(this->Layered.layers[e])].rowsReplaced;
+        int& replaced = reports[Index(this->Layered.LayerAt(e))].rowsReplaced;
         replaced =
           std::max(replaced, this->Plans[Index(this->Layered.bands[e])].rowsReplaced);
       }
@@ -267,7 +283,8 @@ private:
 };
 }
 
-void RequireLayers(const std::vector<LayerPrescription>& layers)
+void RequireLayers(
+  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides)
 {
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
@@ -288,6 +305,10 @@ void RequireLayers(const std::vector<LayerPrescription>& layers)
       throw Error(name + " has " + std::to_string(layer.rows) +
         " rows; give a positive number, or 0 for as many as the growth needs.");
     }
+    if (std::find(sides.begin(), sides.end(), layer.name) == sides.end())
+    {
+      throw Error("There is no side '" + layer.name + "' for a layer; give " + ListOf(sides) + ".");
+    }
     for (std::size_t j = 0; j < i; ++j)
     {
       if (layers[j].name == layer.name)
@@ -299,22 +320,18 @@ void RequireLayers(const std::vector<LayerPrescription>& layers)
 }
 
 std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions, const std::vector<int>& layers,
-  const std::vector<int>& names)
+  const std::vector<LayerPrescription>& prescriptions)
 {
-  RequireLayers(prescriptions);
-  for (std::size_t layer = 0; layer < prescriptions.size(); ++layer)
-  {
-    if (std::find(layers.begin(), layers.end(), static_cast<int>(layer)) == layers.end())
-    {
-      throw Error("There is no side '" + prescriptions[layer].name +
-        "' for a layer; give the name of a side of the domain.");
-    }
-  }
+  RequireLayers(prescriptions, quads.mesh.sideNames);
   LayeredMesh layered;
   layered.prescriptions = prescriptions;
-  layered.layers = layers;
-  layered.names = names;
+  for (const std::string& name : quads.mesh.sideNames)
+  {
+    const auto found = std::find_if(prescriptions.begin(), prescriptions.end(),
+      [&](const LayerPrescription& layer) { return layer.name == name; });
+    layered.layerOfSide.push_back(
+      found == prescriptions.end() ? -1 : static_cast<int>(found - prescriptions.begin()));
+  }
   layered.regions.assign(quads.mesh.quads.size(), 0);
   layered.mesh = std::move(quads.mesh);
   Layerer layerer(layered, curves);

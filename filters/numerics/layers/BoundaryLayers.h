@@ -13,17 +13,16 @@ public:
   using Error::Error;
 };
 
-/// Throws Error if a prescription has impossible numbers.
-void RequireLayers(const std::vector<LayerPrescription>& layers);
+/// Throws Error if a prescription has impossible numbers, or is for none of the sides.
+void RequireLayers(
+  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides);
 
 /// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
 /// (docs/method.md §15). Points outside the bands, valences and the irregular points stay as they
-/// are. The blocks are divided along the bands. `layers` has per edge of mesh.boundary the
-/// prescription of its side, −1 where there is none; `names` has the numbers of all sides.
+/// are. The blocks are divided along the bands.
 ///
-/// Throws Error if a side does not exist, if its first height is not less than the rows there, or
+/// Throws Error as RequireLayers does, and if the first height of a side is not less than the rows there, or
 /// LackOfRows if too few rows beside it are free of irregular points.
 std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions, const std::vector<int>& layers,
-  const std::vector<int>& names);
+  const std::vector<LayerPrescription>& prescriptions);
 }

@@ -67,11 +67,11 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   const std::vector<int> walls = walk.OfBoundary();
   for (std::size_t e = 0; e < walls.size(); ++e)
   {
-    if (layered.layers[e] < 0)
+    if (layered.LayerAt(e) < 0)
     {
       continue;
     }
-    const std::size_t layer = Index(layered.layers[e]);
+    const std::size_t layer = Index(layered.LayerAt(e));
     LayerReport& report = reports[layer];
     const double length = measurer.Length(walls[e]);
     const double first = measurer.HeightAcross(walls[e]);

@@ -20,11 +20,17 @@ struct LayeredMesh
 {
   QuadMesh mesh;
   std::vector<LayerPrescription> prescriptions;
-  std::vector<int> layers; ///< Per edge of mesh.boundary, the prescription of its side, −1: none.
-  std::vector<int> names;  ///< Per edge of mesh.boundary, the number of its side.
-  std::vector<int> bands;  ///< Per edge of mesh.boundary, the number of its band, −1: none.
+  std::vector<int> layerOfSide; ///< Per side of the boundary, its prescription, −1: none.
+  std::vector<int> bands;       ///< Per edge of mesh.boundary, the number of its band, −1: none.
   /// Per quad, a number that differs between quads of different sets of divided bands; 0 for those
   /// outside all of them.
   std::vector<int> regions;
+
+  /// Returns the prescription of the side of an edge of mesh.boundary, −1: none.
+  int LayerAt(std::size_t edge) const
+  {
+    const int side = this->mesh.boundary[edge].side;
+    return side < 0 ? -1 : this->layerOfSide[static_cast<std::size_t>(side)];
+  }
 };
 }

@@ -75,13 +75,13 @@ private:
     std::vector<int> nameAt(mesh.points.size(), -1);
     for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     {
-      nameAt[Index(mesh.boundary[e].points[0])] = this->Layered.names[e];
+      nameAt[Index(mesh.boundary[e].points[0])] = mesh.boundary[e].side;
     }
     for (std::size_t e = 0; e < mesh.boundary.size(); ++e)
     {
-      this->LayerOfSide[Index(this->Walls[e])] = this->Layered.layers[e];
+      this->LayerOfSide[Index(this->Walls[e])] = this->Layered.LayerAt(e);
       const std::size_t end = Index(mesh.boundary[e].points[1]);
-      this->IsFree[end] = this->IsFree[end] && nameAt[end] == this->Layered.names[e];
+      this->IsFree[end] = this->IsFree[end] && nameAt[end] == mesh.boundary[e].side;
     }
   }
 
@@ -90,9 +90,9 @@ private:
   {
     std::vector<QuadBand> bands;
     std::vector<bool> isVisited(this->LayerOfSide.size(), false);
-    for (std::size_t e = 0; e < this->Layered.layers.size(); ++e)
+    for (std::size_t e = 0; e < this->Layered.mesh.boundary.size(); ++e)
     {
-      if (this->Layered.layers[e] < 0 || isVisited[Index(this->Walls[e])])
+      if (this->Layered.LayerAt(e) < 0 || isVisited[Index(this->Walls[e])])
       {
         continue;
       }

@@ -27,6 +27,8 @@ public:
   CurvePlace Nearest(int loop, const Point& point) const;
   /// Returns the unit tangent of the polyline; at a vertex, that of the edge after it.
   Point Tangent(const CurvePlace& place) const;
+  /// Returns the loops.
+  const std::vector<LoopArc>& GetArcs() const { return this->Arcs; }
   double Length(int loop) const { return this->ArcOf(loop).Length(); }
   /// Returns the positions of corner vertices (MeshTopology::corners).
   std::vector<CurvePlace> Corners() const;

@@ -5,6 +5,7 @@
 #include "ChartWalk.h"
 #include "Error.h"
 #include "Index.h"
+#include "QuadSides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ public:
     }
   }
 
-  QuadMesh Build()
+  QuadMesh Build(const BoundarySides& sides)
   {
     this->Reserve();
     this->PlaceArcPoints();
@@ -64,6 +65,7 @@ public:
     this->CountValences();
     this->FixCorners();
     OrderOnBoundary(this->Mesh, this->Curves);
+    NameBoundary(sides, this->Curves, this->Mesh);
     return std::move(this->Mesh);
   }
 
@@ -122,11 +124,11 @@ private:
     return this->Curves.Place(position, std::clamp((place.w - from).norm() / length, 0.0, 1.0));
   }
 
-  /// Returns the rank by which coincident points take their position: cones, then the boundary,
-  /// then the first.
+  /// Returns the rank by which coincident points take their position: cones and fixed nodes,
+  /// then the boundary, then the first.
   int RankOf(const QuadPoint& point) const
   {
-    return point.cone >= 0 ? 3 : point.curve.loop >= 0 ? 2 : 1;
+    return point.cone >= 0 || point.fixed ? 3 : point.curve.loop >= 0 ? 2 : 1;
   }
 
   /// Stores a candidate for the point of a class if it is the first, or of higher rank than the one
@@ -187,6 +189,9 @@ private:
     {
       point.cone = cone;
       point.quarterIndex = this->Map.cones[Index(cone)].quarterIndex;
+    }
+    if (isCone || (node && arc.onBoundary && this->Separatrices.nodes[Index(number)].isFixed))
+    {
       point.place = this->Separatrices.nodes[Index(number)].place;
       point.fixed = true;
     }
@@ -413,9 +418,9 @@ private:
 };
 }
 
-QuadMesh BuildQuads(
-  const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+QuadMesh BuildQuads(const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts,
+  double size, const BoundarySides& sides)
 {
-  return QuadBuilder(map, mesh, counts, size).Build();
+  return QuadBuilder(map, mesh, counts, size).Build(sides);
 }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundarySides.h"
 #include "QuadMesh.h"
 #include "TMesh.h"
 
@@ -15,6 +16,8 @@ namespace crossfield
 ///
 /// Throws Error if the result does not have the Euler characteristic of the domain and the valences
 /// of the cones.
-QuadMesh BuildQuads(
-  const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size);
+/// `sides` are the sides of the domain, whose ends are nodes of the T-mesh (SplitAtSides) where they
+/// are fixed.
+QuadMesh BuildQuads(const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts,
+  double size, const BoundarySides& sides = {});
 }

@@ -3,6 +3,7 @@
 #include "BoundaryCurves.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -12,9 +13,9 @@ struct QuadPoint
 {
   Point place = Point::Zero(); ///< Position in the plane.
   CurvePlace curve;            ///< Position on the boundary, if the point is there.
-  bool fixed = false;          ///< Set for corners of the boundary and singularities.
-  int cone = -1;               ///< Index in SeamlessMap::cones, −1 if it is none.
-  int quarterIndex = 0;        ///< Requested quarter index: that of the cone, else 0.
+  bool fixed = false;   ///< Set for corners of the boundary, ends of sides and singularities.
+  int cone = -1;        ///< Index in SeamlessMap::cones, −1 if it is none.
+  int quarterIndex = 0; ///< Requested quarter index: that of the cone, else 0.
   double scale =
     1.0;           ///< Target size over that of the mesh: e^H unless SetTargetLengths changes it.
   int valence = 0; ///< Number of quads.
@@ -26,6 +27,7 @@ struct QuadBoundaryEdge
   std::array<int, 2> points{};
   BoundaryKind kind = BoundaryKind::Outer;
   int id = 0;
+  int side = -1; ///< Index in QuadMesh::sideNames, −1 if the boundary has no names.
 };
 
 /// An all-quad mesh. Quads are counter-clockwise.
@@ -35,8 +37,9 @@ struct QuadMesh
   std::vector<std::array<int, 4>> quads;
   /// Per quad, the target lengths of its sides 01 (and 23) and 12 (and 30).
   std::vector<std::array<double, 2>> targetLengths;
-  std::vector<int> patch; ///< Patch of the T-mesh, per quad.
-  std::vector<QuadBoundaryEdge> boundary;
+  std::vector<int> patch;                 ///< Patch of the T-mesh, per quad.
+  std::vector<QuadBoundaryEdge> boundary; ///< Edge after edge along every loop.
+  std::vector<std::string> sideNames;     ///< Names of the sides of the boundary.
 
   /// Returns for every side the opposite side of the same edge, −1 on the boundary. Side s of quad
   /// q has number 4 q + s and leads from corner s to corner s + 1 with the quad on its left. Throws

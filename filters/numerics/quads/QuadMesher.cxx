@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "MemoryBudget.h"
 #include "QuadBuilder.h"
+#include "QuadSides.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
 #include "SizeSearch.h"
@@ -82,7 +83,8 @@ public:
     RequireMemory(
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "This number of quads", "use a larger size or fewer quads");
-    result.mesh = BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size);
+    result.mesh =
+      BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size, this->Options.sides);
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     result.layoutSeconds += stopwatch.Lap();
   }
@@ -249,6 +251,7 @@ QuadResult MakeQuads(
   }
   QuadResult result;
   result.tMesh = std::move(tMesh);
+  SplitAtSides(map, BoundaryCurves(*map.topology), options.sides, result.tMesh);
   Mesher mesher(map, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);

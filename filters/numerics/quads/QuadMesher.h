@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundarySides.h"
 #include "EdgeCounts.h"
 #include "QuadBlocks.h"
 #include "QuadQuality.h"
@@ -16,6 +17,7 @@ struct QuadOptions
   double quadSize = 0.0;
   int quadCount = 1000; ///< Target number of quads if quadSize is 0.
   TargetSizes sizes;    ///< Variation of the size over the domain.
+  BoundarySides sides;  ///< Sides of the boundary; none: it has no names.
   bool smooth = true;   ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.
   bool coarse = false;

@@ -52,7 +52,7 @@ public:
     std::map<int, std::vector<int>> terminals;
     for (int p = 0; p < this->Points.Count(); ++p)
     {
-      if (this->IsCone(p) || this->OnBoundary[Index(p)])
+      if (this->IsDistinct(p) || this->OnBoundary[Index(p)])
       {
         terminals[this->Classes.Find(p)].push_back(p);
       }
@@ -61,7 +61,7 @@ public:
     for (auto& [representative, members] : terminals)
     {
       std::stable_partition(
-        members.begin(), members.end(), [this](int p) { return this->IsCone(p); });
+        members.begin(), members.end(), [this](int p) { return this->IsDistinct(p); });
       const int first = members.front();
       if (std::any_of(members.begin(), members.end(),
             [this, first](int p) { return this->Conflict(first, p); }))
@@ -74,16 +74,16 @@ public:
   }
 
 private:
-  bool IsCone(int p) const
+  bool IsDistinct(int p) const
   {
-    return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[Index(p)].cone >= 0;
+    return p < static_cast<int>(this->Mesh.nodes.size()) && this->Mesh.nodes[Index(p)].IsDistinct();
   }
 
   /// Returns whether two coincident points must be apart.
   bool Conflict(int a, int b)
   {
-    const bool both = this->IsCone(a) && this->IsCone(b);
-    const bool terminal = this->IsCone(b) || this->OnBoundary[Index(b)];
+    const bool both = this->IsDistinct(a) && this->IsDistinct(b);
+    const bool terminal = this->IsDistinct(b) || this->OnBoundary[Index(b)];
     return a != b && terminal && (both || this->Sides.Find(a) != this->Sides.Find(b));
   }
 

@@ -26,7 +26,7 @@ SeparationRow MakeSeparationRow(const Violation& violation, const TMesh& mesh,
 SeparationRow MakeSeparationRowFor(const std::vector<int>& best, const Violation& violation,
   const TMesh& mesh, const std::vector<int>& counts, const std::vector<double>& target);
 
-/// Finds points that coincide but must not (docs/method.md §14.3): two cones, a singularity and the
+/// Finds points that coincide but must not (docs/method.md §14.3): two cones or fixed nodes, a singularity and the
 /// boundary, or points of the boundary that boundary arcs without edges do not join. There is one
 /// violation per class of coincident points, with the arcs on the shortest path between two of
 /// them, and one per boundary loop with fewer than MinimumLoop edges.

@@ -62,10 +62,10 @@ public:
   }
 
 private:
-  bool IsCone(int point) const
+  bool IsDistinct(int point) const
   {
     return point < static_cast<int>(this->Mesh.nodes.size()) &&
-      this->Mesh.nodes[Index(point)].cone >= 0;
+      this->Mesh.nodes[Index(point)].IsDistinct();
   }
 
   LinkEnds EndsOf(const PointLink& link) const
@@ -120,11 +120,11 @@ private:
     return {};
   }
 
-  /// Turns to the boundary at an end that is not a cone, and stores the axis across it. Returns
+  /// Turns to the boundary at an end that is not distinct, and stores the axis across it. Returns
   /// false if there is none, or another one was stored before.
   bool TurnToBoundary(int point, PatchPoint& position, std::optional<std::size_t>& across)
   {
-    if (this->IsCone(point))
+    if (this->IsDistinct(point))
     {
       return true;
     }

@@ -18,6 +18,10 @@ struct TNode
   int cone = -1;    ///< Index in SeamlessMap::cones of a singularity or corner; else −1.
   int quarters = 4; ///< Angle around it, on the boundary the interior angle, in quarter turns.
   Point place = Point::Zero(); ///< Position in the plane.
+  bool isFixed = false;        ///< Quads must have a point exactly here (TMeshSplit.h).
+
+  /// Returns whether the node must not coincide with another one of this kind.
+  bool IsDistinct() const { return this->cone >= 0 || this->isFixed; }
 };
 
 /// One direction of an arc, with its patch on the left.

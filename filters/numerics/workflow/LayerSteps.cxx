@@ -10,11 +10,35 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the name of the side of a loop.
-std::string NameOfLoop(std::size_t loop)
+/// The names of the sides along the loops of a domain.
+class NamesAlong
 {
-  return loop == 0 ? "outer" : "hole" + std::to_string(loop - 1);
-}
+public:
+  NamesAlong(const PlanarDomain& domain, const QuadRequest& request)
+    : Sides(SidesOf(domain, request))
+    , Arcs(domain.loops.begin(), domain.loops.end())
+    , Along(this->Sides, this->Arcs)
+  {
+  }
+
+  /// Returns the name of a segment of a loop.
+  const std::string& At(std::size_t loop, std::size_t segment) const
+  {
+    const LoopArc& arc = this->Arcs[loop];
+    const double middle = 0.5 * (arc.Start(segment) + arc.Start(segment + 1));
+    return this->Sides.names[static_cast<std::size_t>(this->Along.At(loop, middle))];
+  }
+
+  double LengthOf(std::size_t loop, std::size_t segment) const
+  {
+    return this->Arcs[loop].Start(segment + 1) - this->Arcs[loop].Start(segment);
+  }
+
+private:
+  BoundarySides Sides;
+  std::vector<LoopArc> Arcs;
+  SidesAlong Along;
+};
 
 const LayerPrescription* FindLayer(const QuadRequest& request, const std::string& name)
 {
@@ -22,23 +46,29 @@ const LayerPrescription* FindLayer(const QuadRequest& request, const std::string
     [&](const LayerPrescription& layer) { return layer.name == name; });
   return found == request.layers.end() ? nullptr : &*found;
 }
-
-double LengthOf(const Loop& loop)
-{
-  double length = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-  }
-  return length;
 }
+
+BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request)
+{
+  return request.sides.names.empty() ? NameSides(domain) : request.sides;
 }
 
 std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request)
 {
   std::vector<CornerChoice> corners = request.corners;
-  const SidesAtCorner sidesAt = [](const Corner& corner)
-  { return std::vector<std::string>{ NameOfLoop(static_cast<std::size_t>(corner.loop)) }; };
+  if (request.layers.empty() && request.cornerRows.empty())
+  {
+    return corners;
+  }
+  const NamesAlong names(domain, request);
+  const SidesAtCorner sidesAt = [&](const Corner& corner)
+  {
+    const auto loop = static_cast<std::size_t>(corner.loop);
+    const auto vertex = static_cast<std::size_t>(corner.vertex);
+    const std::size_t count = domain.loops[loop].size();
+    return std::vector<std::string>{ names.At(loop, (vertex + count - 1) % count),
+      names.At(loop, vertex) };
+  };
   const double reach = BoundaryReach * domain.Diagonal();
   const auto isChosen = [&](const Point& position)
   {
@@ -53,10 +83,6 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
         " has both a quarter index and a treatment of rows; give one of them.");
     }
     corners.push_back(choice);
-  }
-  if (request.layers.empty())
-  {
-    return corners;
   }
   for (const Corner& corner : FindCorners(domain.loops))
   {
@@ -74,35 +100,55 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
 ClearanceFactors ClearanceForLayers(
   const PlanarDomain& domain, const QuadRequest& request, double clearance, double quadSize)
 {
-  ClearanceFactors factors;
-  for (std::size_t l = 0; l < domain.loops.size() && !request.layers.empty(); ++l)
+  if (request.layers.empty())
   {
-    const LayerPrescription* layer = FindLayer(request, NameOfLoop(l));
-    const double room =
-      layer == nullptr ? 0.0 : request.layerRoom * RowsToReplace(layer->growth) * quadSize;
-    factors.emplace_back(domain.loops[l].size(), std::max(1.0, room / clearance));
+    return {};
+  }
+  const NamesAlong names(domain, request);
+  ClearanceFactors factors;
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    factors.emplace_back();
+    for (std::size_t segment = 0; segment < domain.loops[l].size(); ++segment)
+    {
+      const LayerPrescription* layer = FindLayer(request, names.At(l, segment));
+      const double room =
+        layer == nullptr ? 0.0 : request.layerRoom * RowsToReplace(layer->growth) * quadSize;
+      factors.back().push_back(std::max(1.0, room / clearance));
+    }
   }
   return factors;
 }
 
 int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
 {
+  std::vector<double> lengths(request.layers.size(), 0.0);
+  const NamesAlong names(domain, request);
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    for (std::size_t segment = 0; segment < domain.loops[l].size(); ++segment)
+    {
+      if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
+      {
+        lengths[static_cast<std::size_t>(layer - request.layers.data())] +=
+          names.LengthOf(l, segment);
+      }
+    }
+  }
   // With h the size of quads, K rows of h along a side of length L become N rows: A/h² + Σ L (N −
   // K)/h quads. N depends on h by a logarithm only.
   double size = std::sqrt(domain.Area() / request.quadCount);
   for (int iteration = 0; iteration < 10; ++iteration)
   {
     double columns = 0.0;
-    for (std::size_t loop = 0; loop < domain.loops.size(); ++loop)
+    for (std::size_t i = 0; i < request.layers.size(); ++i)
     {
-      if (const LayerPrescription* layer = FindLayer(request, NameOfLoop(loop)))
-      {
-        const int replaced = RowsToReplace(layer->growth);
-        const int rows = layer->rows > 0
-          ? layer->rows
-          : RowsToFill(replaced * size, std::min(layer->first, size), layer->growth);
-        columns += LengthOf(domain.loops[loop]) * std::max(0, rows - replaced);
-      }
+      const LayerPrescription& layer = request.layers[i];
+      const int replaced = RowsToReplace(layer.growth);
+      const int rows = layer.rows > 0
+        ? layer.rows
+        : RowsToFill(replaced * size, std::min(layer.first, size), layer.growth);
+      columns += lengths[i] * std::max(0, rows - replaced);
     }
     // A x² + columns x = count, x = 1/h.
     const double area = domain.Area();
@@ -119,20 +165,5 @@ int CorrectCountBeforeLayers(int before, int total, int requested)
   const double c = (total - before) / root;
   const double corrected = 0.5 * (std::sqrt(c * c + 4.0 * requested) - c);
   return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
-}
-
-std::vector<LayerReport> AddRequestedLayers(
-  const QuadRequest& request, const BoundaryCurves& curves, QuadResult& quads)
-{
-  std::vector<int> layers;
-  std::vector<int> names;
-  for (const QuadBoundaryEdge& edge : quads.mesh.boundary)
-  {
-    const LayerPrescription* layer =
-      FindLayer(request, NameOfLoop(static_cast<std::size_t>(edge.id)));
-    layers.push_back(layer == nullptr ? -1 : static_cast<int>(layer - request.layers.data()));
-    names.push_back(edge.id);
-  }
-  return AddLayers(quads, curves, request.layers, layers, names);
 }
 }

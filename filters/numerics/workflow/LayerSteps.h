@@ -4,6 +4,9 @@
 
 namespace crossfield
 {
+/// Returns the sides of a request; without any, those between corners.
+BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request);
+
 /// Returns the corners of a request, completed by those that its treatments and layers need: at
 /// corners of layered sides without a choice, that of DefaultRows (docs/method.md §15.4).
 std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request);
@@ -20,8 +23,4 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Corrects such a number, with which there were `total` quads instead of `requested` ones.
 int CorrectCountBeforeLayers(int before, int total, int requested);
-
-/// Adds the layers of a request to a mesh, as AddLayers does.
-std::vector<LayerReport> AddRequestedLayers(
-  const QuadRequest& request, const BoundaryCurves& curves, QuadResult& quads);
 }

@@ -116,14 +116,9 @@ std::optional<SmallerSize> FindSmallerSize(
   return std::nullopt;
 }
 
-double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
+double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
   const std::function<void(const PlanarDomain& domain)>& mesh)
 {
-  std::vector<Point> kept;
-  for (const CornerChoice& corner : corners)
-  {
-    kept.push_back(corner.position);
-  }
   for (const double part : { 400.0, 200.0, 100.0, 50.0 })
   {
     const double length = std::stod(FormatShort(domain.Diagonal() / part)); // as it is printed
@@ -143,8 +138,9 @@ double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>
 std::string CountInverted(const QuadQuality& quality)
 {
   const bool one = quality.inverted == 1;
-  return std::to_string(quality.inverted) + (one ? " quad is inverted near " :
-    " quads are inverted, the worst near ") + Describe(quality.where);
+  return std::to_string(quality.inverted) +
+    (one ? " quad is inverted near " : " quads are inverted, the worst near ") +
+    Describe(quality.where);
 }
 
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller)

@@ -42,9 +42,9 @@ std::optional<SmallerSize> FindSmallerSize(
   const QuadResult& quads, const std::function<QuadResult(double size)>& mesh);
 
 /// Returns a length for which the domain with a smoothed boundary (SmoothBoundary.h) has quads,
-/// rounded to four digits; 0 if none of 1/400 to 1/50 of the diagonal has. `mesh` makes the quads of a
-/// domain, or throws Error.
-double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>& corners,
+/// rounded to four digits; 0 if none of 1/400 to 1/50 of the diagonal has. The boundary stays in place
+/// at the points `kept`. `mesh` makes the quads of a domain, or throws Error.
+double FindSmoothing(const PlanarDomain& domain, const std::vector<Point>& kept,
   const std::function<void(const PlanarDomain& domain)>& mesh);
 
 /// Returns, without a full stop, the number of inverted quads and the place of the worst one.

@@ -2,6 +2,7 @@
 
 #include "AutomaticConfiguration.h"
 #include "BoundaryLayers.h"
+#include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
 #include "PrescribedSizes.h"
@@ -27,6 +28,7 @@ struct QuadRequest
 {
   std::optional<Configuration> singularities; ///< Chosen for the domain if absent.
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
+  BoundarySides sides; ///< Sides of the boundary; if it has no names, those of NameSides.
 
   Sizing sizing = Sizing::Conformal;
   PrescribedSizes prescribedSizes; ///< Used with Sizing::Field only.

@@ -56,7 +56,7 @@ public:
     , Request(std::move(request))
     , Total(this->Request.quadCount)
   {
-    RequireLayers(this->Request.layers);
+    RequireLayers(this->Request.layers, SidesOf(domain, this->Request).names);
     if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
     {
       this->Request.quadCount = CountBeforeLayers(domain, this->Request);
@@ -215,7 +215,7 @@ private:
     for (int tries = 1;; ++tries)
     {
       const auto before = static_cast<int>(meshed.quads.mesh.quads.size());
-      this->Result.layers = AddRequestedLayers(this->Request, curves, meshed.quads);
+      this->Result.layers = crossfield::AddLayers(meshed.quads, curves, this->Request.layers);
       const auto total = static_cast<int>(meshed.quads.mesh.quads.size());
       if (options.quadSize > 0.0 || tries == MaximumTries ||
         std::abs(static_cast<double>(total) / this->Total - 1.0) <= CountTolerance)
@@ -236,6 +236,7 @@ private:
     options.quadCount = this->Request.quadCount;
     options.coarse = this->Request.merge == BlockMerge::Coarse;
     options.sizes.sizing = this->Request.sizing;
+    options.sides = SidesOf(this->Domain, this->Request);
     if (this->Request.sizing == Sizing::Field)
     {
       RelativeSizes sizes = ComputeRelativeSizes(this->Request.prescribedSizes, topology);

@@ -2,6 +2,7 @@
 
 #include "CoarseMeshError.h"
 #include "LayerRuns.h"
+#include "LayerSteps.h"
 #include "QuadAdvice.h"
 
 #include <string>
@@ -44,8 +45,13 @@ QuadWorkflowResult MakeQuadMesh(
   catch (const CoarseMeshError& error)
   {
     // Its remedy, a finer mesh, was tried.
-    const double length = FindSmoothing(domain, request.corners,
-      [&](const PlanarDomain& smooth) { RunWithLayers(smooth, request, trial); });
+    std::vector<Point> kept = request.sides.FixedPlaces();
+    for (const CornerChoice& corner : CornersForLayers(domain, request))
+    {
+      kept.push_back(corner.position);
+    }
+    const double length = FindSmoothing(
+      domain, kept, [&](const PlanarDomain& smooth) { RunWithLayers(smooth, request, trial); });
     throw Error(WithAdvice(
       WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
   }

@@ -1,6 +1,7 @@
 #include "QuadConversion.h"
 
 #include "ColumnWriting.h"
+#include "SideConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -125,6 +126,7 @@ void WriteBoundary(const QuadMesh& mesh, const crossfield::DomainPlane& plane, v
   output->SetLines(lines);
   ColumnWriting::AddIntegers(output->GetCellData(), names::BoundaryKind, kinds);
   ColumnWriting::AddIntegers(output->GetCellData(), names::BoundaryId, ids);
+  SideConversion::WriteSides(mesh, output->GetCellData());
   ColumnWriting::AddIntegers(output->GetPointData(), names::VertexId, vertices);
 }
 
@@ -163,6 +165,12 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
   }
   Prepend(boundary->GetCellData(), names::BoundaryKind, 0, quadCount, to);
   Prepend(boundary->GetCellData(), names::BoundaryId, -1, quadCount, to);
+  vtkNew<vtkStringArray> sides;
+  sides->SetName(names::Side);
+  sides->SetNumberOfValues(quadCount);
+  vtkAbstractArray* ofLines = boundary->GetCellData()->GetAbstractArray(names::Side);
+  sides->InsertTuples(quadCount, lineCount, 0, ofLines);
+  to->AddArray(sides);
 }
 
 //------------------------------------------------------------------------------
@@ -198,6 +206,7 @@ void WriteBlocks(
     output->GetMetaData(number)->Set(
       vtkCompositeDataSet::NAME(), ("block" + std::to_string(b)).c_str());
   }
+  SideConversion::WriteBlockSides(result, output);
 }
 
 //------------------------------------------------------------------------------

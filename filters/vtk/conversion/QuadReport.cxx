@@ -2,6 +2,7 @@
 
 #include "ColumnWriting.h"
 #include "QuadAdvice.h"
+#include "SideConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include <array>
@@ -103,6 +104,7 @@ void Write(const QuadResult& result, const crossfield::DomainPlane& plane, vtkFi
   const Eigen::Vector3d where = plane.ToSpace(quality.where);
   ColumnWriting::AddNumbers(data, names::InvertedPlace, { where.x(), where.y(), where.z() });
   addFlag(names::Released, result.smoothing.released);
+  SideConversion::WriteReport(result.mesh, data);
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,170 @@
+#include "BoundarySides.h"
+
+#include "BoundaryCorners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Collects pieces and their names.
+class Namer
+{
+public:
+  Namer(const PlanarDomain& domain, const SegmentNames& names)
+    : Domain(domain)
+    , Names(names)
+  {
+    for (const std::vector<std::string>& ofLoop : names)
+    {
+      for (const std::string& name : ofLoop)
+      {
+        if (!name.empty() && this->Sides.Find(name) < 0)
+        {
+          this->Sides.names.push_back(name);
+        }
+      }
+    }
+    this->Sides.given = static_cast<int>(this->Sides.names.size());
+  }
+
+  BoundarySides Run()
+  {
+    for (std::size_t l = 0; l < this->Domain.loops.size(); ++l)
+    {
+      this->AddLoop(l);
+    }
+    return std::move(this->Sides);
+  }
+
+private:
+  const std::string& NameOf(std::size_t loop, std::size_t segment) const
+  {
+    static const std::string None;
+    return this->Names.empty() ? None : this->Names[loop][segment];
+  }
+
+  void AddLoop(std::size_t l)
+  {
+    const Loop& loop = this->Domain.loops[l];
+    const std::vector<double> turns = LoopArc(loop).Turns();
+    const std::size_t before = this->Sides.starts.size();
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const std::string& name = this->NameOf(l, i);
+      const bool changes = name != this->NameOf(l, (i + loop.size() - 1) % loop.size());
+      if (changes || (name.empty() && IsCorner(turns[i])))
+      {
+        this->Sides.starts.push_back({ loop[i], this->SideFor(l, name), changes });
+      }
+    }
+    if (this->Sides.starts.size() == before)
+    {
+      this->Sides.starts.push_back({ loop[0], this->SideFor(l, this->NameOf(l, 0)), false });
+    }
+  }
+
+  /// Returns the side of a piece; a new one if the piece has no name.
+  int SideFor(std::size_t loop, const std::string& name)
+  {
+    if (!name.empty())
+    {
+      return this->Sides.Find(name);
+    }
+    std::string generated;
+    do
+    {
+      generated =
+        loop == 0 ? "outer" + std::to_string(this->Outer++) : "hole" + std::to_string(this->Hole++);
+    } while (this->Sides.Find(generated) >= 0);
+    this->Sides.names.push_back(generated);
+    return static_cast<int>(this->Sides.names.size()) - 1;
+  }
+
+  const PlanarDomain& Domain;
+  const SegmentNames& Names;
+  BoundarySides Sides;
+  int Outer = 0; ///< Number of the next generated name on the outer loop.
+  int Hole = 0;  ///< Number of the next generated name on inner loops.
+};
+}
+
+//------------------------------------------------------------------------------
+int BoundarySides::Find(const std::string& name) const
+{
+  const auto found = std::find(this->names.begin(), this->names.end(), name);
+  return found == this->names.end() ? -1 : static_cast<int>(found - this->names.begin());
+}
+
+//------------------------------------------------------------------------------
+std::vector<Point> BoundarySides::FixedPlaces() const
+{
+  std::vector<Point> places;
+  for (const SideStart& start : this->starts)
+  {
+    if (start.isFixed)
+    {
+      places.push_back(start.place);
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+BoundarySides NameSides(const PlanarDomain& domain, const SegmentNames& names)
+{
+  return Namer(domain, names).Run();
+}
+
+//------------------------------------------------------------------------------
+SidesAlong::SidesAlong(const BoundarySides& sides, const std::vector<LoopArc>& loops)
+  : Starts(loops.size())
+{
+  for (const LoopArc& loop : loops)
+  {
+    this->Lengths.push_back(loop.Length());
+  }
+  for (const SideStart& start : sides.starts)
+  {
+    std::size_t nearest = 0;
+    double at = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t l = 0; l < loops.size(); ++l)
+    {
+      const double candidate = loops[l].Nearest(start.place);
+      const double distance = (loops[l].At(candidate) - start.place).norm();
+      if (distance < smallest)
+      {
+        nearest = l;
+        at = candidate;
+        smallest = distance;
+      }
+    }
+    this->Starts[nearest].push_back({ at, start.side, start.isFixed });
+  }
+  for (std::vector<LoopSide>& starts : this->Starts)
+  {
+    std::stable_sort(starts.begin(), starts.end(),
+      [](const LoopSide& a, const LoopSide& b) { return a.at < b.at; });
+  }
+}
+
+//------------------------------------------------------------------------------
+int SidesAlong::At(std::size_t loop, double at) const
+{
+  const std::vector<LoopSide>& starts = this->Starts[loop];
+  if (starts.empty())
+  {
+    return -1;
+  }
+  const double length = this->Lengths[loop];
+  at -= length * std::floor(at / length);
+  const auto after = std::upper_bound(starts.begin(), starts.end(), at,
+    [](double place, const LoopSide& start) { return place < start.at; });
+  return after == starts.begin() ? starts.back().side : (after - 1)->side;
+}
+}

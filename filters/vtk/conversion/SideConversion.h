@@ -1,0 +1,54 @@
+#ifndef SideConversion_h
+#define SideConversion_h
+
+#include "BoundarySides.h"
+#include "DomainConversion.h"
+#include "QuadMesh.h"
+
+#include <string>
+
+class vtkCellData;
+class vtkDataSet;
+class vtkFieldData;
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
+namespace crossfield
+{
+struct QuadResult;
+}
+
+/** Conversion of the names of boundary sides. */
+namespace SideConversion
+{
+/**
+ * Returns the name of the cell array with the names of sides: `requested`, or `Side` if that is
+ * empty and the cells have it, otherwise nothing. Throws crossfield::Error if a requested array is
+ * missing or holds neither strings nor integers.
+ */
+std::string FindArray(vtkDataSet* input, const std::string& requested);
+
+/**
+ * Reads the sides of a domain from a cell array of its lines: of its curves, or, beside surface
+ * cells, of lines along their boundary. Integers are read as their decimal text. Segments of the
+ * boundary without a line, and lines with an empty string, have no name (see crossfield::NameSides);
+ * lines inside the domain are ignored. Throws crossfield::Error as FindArray does, or if a
+ * requested array names no segment.
+ */
+crossfield::BoundarySides ReadSides(
+  vtkDataSet* input, const std::string& requested, const DomainConversion::Domain& domain);
+
+/** Adds the array `Side` of boundary lines. */
+void WriteSides(const crossfield::QuadMesh& mesh, vtkCellData* data);
+
+/**
+ * Adds the field data `SideName` of blocks: four strings; a side of a block along several sides of
+ * the boundary has their names in order, separated by commas.
+ */
+void WriteBlockSides(const crossfield::QuadResult& result, vtkMultiBlockDataSet* blocks);
+
+/** Adds the field data `SideNames`, `SideEdges` and `SideLengths`, one value per side. */
+void WriteReport(const crossfield::QuadMesh& mesh, vtkFieldData* data);
+}
+
+#endif
