@@ -3,7 +3,8 @@
 #include "BoundaryOrder.h"
 #include "Index.h"
 #include "LayerRows.h"
-#include "MonotoneCurve.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ BandLines::BandLines(const LayeredMesh& layered, const QuadBand& band, const Qua
     }
     else
     {
-      const MonotoneCurve curve(PlacesOf(layered.mesh, this->Points[line]));
+      const MonotoneCurve curve = this->CurveOf(line);
       data.length = curve.Length();
       direction = curve.StartTangent();
     }
@@ -139,8 +140,9 @@ std::vector<double> BandLines::HeightsAtWall()
 double BandLines::SineAtWall(std::size_t line, const Point& direction) const
 {
   const std::size_t count = this->Walls.size();
+  const std::size_t columns = this->Band.layers.size();
   double sum = 0.0;
-  int edges = 0;
+  double edges = 0.0;
   for (const bool forward : { true, false })
   {
     if (!this->Band.closed && line == (forward ? count - 1 : 0))
@@ -149,10 +151,33 @@ double BandLines::SineAtWall(std::size_t line, const Point& direction) const
     }
     const Point along =
       this->WallAt((forward ? line + 1 : line + count - 1) % count) - this->WallAt(line);
-    sum += std::abs(std::sin(AngleBetween(along, direction)));
-    ++edges;
+    const std::size_t column = (forward ? line : line + columns - 1) % columns;
+    // At the end of a layered side, only the side counts.
+    const double weight =
+      this->Data[line].isLayered && this->Band.layers[column] < 0 ? 0.0 : 1.0;
+    sum += weight * std::abs(std::sin(AngleBetween(along, direction)));
+    edges += weight;
   }
   return sum / edges;
+}
+
+MonotoneCurve BandLines::CurveOf(std::size_t line) const
+{
+  const std::vector<Point> places = PlacesOf(this->Layered.mesh, this->Points[line]);
+  const QuadPoint& wall = this->Layered.mesh.points[Index(this->Points[line].front())];
+  const std::size_t columns = this->Band.layers.size();
+  if (this->IsEnd(line) || !wall.fixed || wall.curve.loop < 0 || wall.valence != 2 ||
+    this->Band.layers[line % columns] < 0 || this->Band.layers[(line + columns - 1) % columns] < 0)
+  {
+    return MonotoneCurve(places);
+  }
+  const std::size_t count = this->Walls.size();
+  const Point next = this->WallAt((line + 1) % count) - places[0];
+  const Point previous = this->WallAt((line + count - 1) % count) - places[0];
+  const double angle = AngleBetween(next, previous);
+  const double half = 0.5 * (angle < 0.0 ? angle + 2.0 * Pi : angle);
+  const Point bisector = Eigen::Rotation2Dd(half) * next.normalized();
+  return MonotoneCurve(places, bisector);
 }
 
 bool BandLines::IsEnd(std::size_t line) const
@@ -303,7 +328,7 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
     if (this->IsEnd(line))
     {
       ends.push_back({ line, this->PartsOfEnd(line),
-        MonotoneCurve(PlacesOf(mesh, this->Points[line])), this->Data[line].length });
+        this->CurveOf(line), this->Data[line].length });
     }
   }
   std::vector<std::vector<QuadPoint>> result;
@@ -311,7 +336,7 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
   {
     const BandLine& data = this->Data[line];
     const std::vector<int>& points = this->Points[line];
-    const MonotoneCurve curve(PlacesOf(mesh, points));
+    const MonotoneCurve curve = this->CurveOf(line);
     std::vector<double> lengths = { 0.0 };
     for (std::size_t level = 0; level + 1 < points.size(); ++level)
     {

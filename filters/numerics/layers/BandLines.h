@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MonotoneCurve.h"
 #include "QuadBand.h"
 
 namespace crossfield
@@ -14,7 +15,7 @@ struct BandLine
 };
 
 /// The grid lines across a band as curves, and the heights of rows along them (docs/method.md
-/// §15.2).
+/// §16.2).
 class BandLines
 {
 public:
@@ -23,6 +24,8 @@ public:
     const BoundaryCurves& curves, int rows);
 
   const std::vector<BandLine>& Lines() const { return this->Data; }
+  /// Returns the point of a line at the wall.
+  const Point& WallAt(std::size_t line) const { return this->Walls[line]; }
   /// Returns the number of rows with which no line grows faster than its layers allow.
   int RowsNeeded() const;
   /// Returns the maximum ratio of the row behind the band to the last of so many new rows, or its
@@ -39,14 +42,17 @@ private:
   /// Returns the prescribed heights of the first row at the wall, normal to it, and marks the lines
   /// at layered sides.
   std::vector<double> HeightsAtWall();
-  /// Returns the mean sine of the angles between a direction at a line's start and the wall.
+  /// Returns the mean sine of the angles between a direction at a line's start and the wall, or its
+  /// layered part.
   double SineAtWall(std::size_t line, const Point& direction) const;
   Point PlaceOf(int point) const
   {
     return this->Layered.mesh.points[static_cast<std::size_t>(point)].place;
   }
-  const Point& WallAt(std::size_t line) const { return this->Walls[line]; }
   bool IsEnd(std::size_t line) const;
+  /// Returns the points of a line as a curve. At a corner that rows of layers turn around, it starts
+  /// along the bisector, so that the rows are as high on both sides.
+  MonotoneCurve CurveOf(std::size_t line) const;
   /// Returns the arc lengths on the boundary from the start of an end line to its points.
   std::vector<double> LengthsOnBoundary(std::size_t line) const;
   /// Returns the position on the boundary at a length from the start of an end line.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace crossfield
@@ -58,9 +59,10 @@ struct BandPlan
 class Layerer
 {
 public:
-  Layerer(LayeredMesh& layered, const BoundaryCurves& curves)
+  Layerer(LayeredMesh& layered, const BoundaryCurves& curves, double quadSize)
     : Layered(layered)
     , Curves(curves)
+    , QuadSize(quadSize)
   {
   }
 
@@ -260,15 +262,21 @@ private:
     {
     case BandEnd::Irregular:
     {
+      // The height of the rows there.
       const BandLines lines(this->Layered, band, walk, this->Curves, available);
+      double distance = std::numeric_limits<double>::infinity();
       double height = 0.0;
-      for (const BandLine& line : lines.Lines())
+      for (std::size_t line = 0; line < lines.Lines().size(); ++line)
       {
-        height = std::max(height, line.isLayered ? line.length / available : 0.0);
+        const double candidate = (band.place - lines.WallAt(line)).norm();
+        if (lines.Lines()[line].isLayered && candidate < distance)
+        {
+          distance = candidate;
+          height = lines.Lines()[line].length / available;
+        }
       }
       return start + "irregular nodes" + place + "move the singularities " +
-        Format((needed - available) * height) +
-        " away, or use smaller quads.";
+        Format((needed - available) * std::max(height, this->QuadSize)) + " away.";
     }
     case BandEnd::Boundary:
       return start + "corners and ends of sides" + place + "use smaller quads.";
@@ -279,6 +287,7 @@ private:
 
   LayeredMesh& Layered;
   const BoundaryCurves& Curves;
+  const double QuadSize; ///< As in QuadResult::size.
   std::vector<BandPlan> Plans;
 };
 }
@@ -334,7 +343,7 @@ std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curv
   }
   layered.regions.assign(quads.mesh.quads.size(), 0);
   layered.mesh = std::move(quads.mesh);
-  Layerer layerer(layered, curves);
+  Layerer layerer(layered, curves, quads.size);
   layerer.Plan();
   layerer.Divide();
   const std::vector<LayerReport> reports = layerer.Measure();

@@ -18,7 +18,7 @@ void RequireLayers(
   const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides);
 
 /// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
-/// (docs/method.md §15). Points outside the bands, valences and the irregular points stay as they
+/// (docs/method.md §16). Points outside the bands, valences and the irregular points stay as they
 /// are. The blocks are divided along the bands.
 ///
 /// Throws Error as RequireLayers does, and if the first height of a side is not less than the rows there, or

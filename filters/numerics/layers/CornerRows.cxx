@@ -28,6 +28,19 @@ int Rank(const CornerRule& rule)
   return rule.position ? 0 : rule.side.empty() ? 2 : 1;
 }
 
+bool IsPossible(const Corner& corner, CornerRows rows)
+{
+  try
+  {
+    QuarterIndexFor(corner, rows);
+    return true;
+  }
+  catch (const Error&)
+  {
+    return false;
+  }
+}
+
 bool Applies(const CornerRule& rule, const Corner& corner, const std::vector<std::string>& sides,
   double reach)
 {
@@ -111,7 +124,7 @@ std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
     for (std::size_t i = 0; i < rules.size(); ++i)
     {
       const CornerRule& rule = rules[i];
-      if (!Applies(rule, corner, sides, reach))
+      if (!Applies(rule, corner, sides, reach) || (!rule.position && !IsPossible(corner, rule.rows)))
       {
         continue;
       }
@@ -133,7 +146,7 @@ std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
     if (!applies[i])
     {
       throw Error("The boundary has no corner " + DescribeRule(rules[i]) +
-        " for rows to end, turn or leave; give vertices at which it turns by more than 30°.");
+        " at which rows can do this; give vertices at which it turns by more than 30°.");
     }
   }
   return choices;

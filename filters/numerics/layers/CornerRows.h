@@ -9,7 +9,7 @@
 
 namespace crossfield
 {
-/// What the rows of quads beside a side do at its corner (docs/method.md §15.4).
+/// What the rows of quads beside a side do at its corner (docs/method.md §16.4).
 enum class CornerRows
 {
   End,  ///< They end on the next side: one quad, quarter index 1.
@@ -39,8 +39,9 @@ CornerRows DefaultRows(double angle);
 int QuarterIndexFor(const Corner& corner, CornerRows rows);
 
 /// Returns the choices for the corners that rules treat. At a corner, a position takes precedence
-/// over a side, and a side over an angle. Throws Error if a rule applies to no corner, if two of a
-/// kind differ at one, and as QuarterIndexFor does.
+/// over a side, and a side over an angle. Rules for sides and angles treat only corners with an angle
+/// for the treatment. Throws Error if a rule treats no corner, if two of a kind differ at one, and for
+/// positions as QuarterIndexFor does.
 std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
   const std::vector<CornerRule>& rules, const SidesAtCorner& sidesAt);
 }

@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-/// Measures of the boundary layer of one side (docs/method.md §15.3).
+/// Measures of the boundary layer of one side (docs/method.md §16.3).
 struct LayerReport
 {
   std::string name;         ///< Of the side.

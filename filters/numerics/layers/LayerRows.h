@@ -5,7 +5,7 @@
 namespace crossfield
 {
 /// Returns the number of rows whose heights grow by `growth` > 1 from `first` until they fill a
-/// length: ⌈ln(1 + S (g − 1)/a) / ln g⌉ (docs/method.md §15.2).
+/// length: ⌈ln(1 + S (g − 1)/a) / ln g⌉ (docs/method.md §16.2).
 int RowsToFill(double length, double first, double growth);
 
 /// Returns the growth r with which `rows` rows from `first` fill a length: a (r^N − 1)/(r − 1) = S.

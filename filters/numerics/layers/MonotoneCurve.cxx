@@ -57,7 +57,8 @@ std::vector<double> MonotoneSlopes(const std::vector<double>& chords, const std:
 }
 }
 
-MonotoneCurve::MonotoneCurve(const std::vector<Point>& points)
+MonotoneCurve::MonotoneCurve(
+  const std::vector<Point>& points, const std::optional<Point>& start)
   : Points(points)
 {
   const Point along = (points.back() - points.front()).normalized();
@@ -77,6 +78,10 @@ MonotoneCurve::MonotoneCurve(const std::vector<Point>& points)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     this->Slopes.push_back(slopes[0][i] * along + slopes[1][i] * across);
+  }
+  if (start)
+  {
+    this->Slopes.front() = *start;
   }
   this->Lengths = { 0.0 };
   for (std::size_t i = 0; i < this->Chords.size(); ++i)

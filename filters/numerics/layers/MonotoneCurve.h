@@ -2,6 +2,7 @@
 
 #include "Plane.h"
 
+#include <optional>
 #include <vector>
 
 namespace crossfield
@@ -9,12 +10,14 @@ namespace crossfield
 /// A smooth curve through points, which does not overshoot between them: cubic Hermite
 /// interpolation with the monotone derivatives of Fritsch and Butland over the length of the
 /// polyline, for the coordinates along and across the line from the first point to the last one
-/// (docs/method.md §15.2). The curve is therefore the same in every position of the plane.
+/// (docs/method.md §16.2). The curve is therefore the same in every position of the plane.
 class MonotoneCurve
 {
 public:
-  /// Constructs the curve through at least two points that differ.
-  explicit MonotoneCurve(const std::vector<Point>& points);
+  /// Constructs the curve through at least two points that differ. `start`, if it is given, is the
+  /// unit tangent at the first point.
+  explicit MonotoneCurve(
+    const std::vector<Point>& points, const std::optional<Point>& start = std::nullopt);
 
   /// Returns the arc length.
   double Length() const { return this->Lengths.back(); }

@@ -17,7 +17,7 @@ enum class BandEnd
 };
 
 /// Rows of quads beside a part of the boundary, from its first row inwards. All rows are as long;
-/// they are closed, or end on the boundary (docs/method.md §15.1).
+/// they are closed, or end on the boundary (docs/method.md §16.1).
 struct QuadBand
 {
   bool closed = false;

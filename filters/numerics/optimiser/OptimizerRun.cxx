@@ -87,7 +87,7 @@ void OptimizerRun::EnforceClearances(double requested, Configuration& singularit
   for (;;)
   {
     objective.clearance =
-      EnforceClearance(this->Domain, requested, objective.clearanceFactors, singularities);
+      EnforceClearance(this->Domain, requested, singularities, objective.clearanceFactors);
     if (objective.clearance >= requested || largest <= 1.0)
     {
       return;

@@ -163,8 +163,8 @@ double MoveApart(const PlanarDomain& domain, double clearance, const ClearanceFa
 }
 }
 
-double EnforceClearance(const PlanarDomain& domain, double clearance,
-  const ClearanceFactors& factors, Configuration& configuration)
+double EnforceClearance(const PlanarDomain& domain, double clearance, Configuration& configuration,
+  const ClearanceFactors& factors)
 {
   Configuration moved = configuration;
   const double reached = MoveApart(domain, clearance, factors, moved);

@@ -11,6 +11,6 @@ namespace crossfield
 /// diagonal are preserved if space permits.
 /// Returns the clearance that was reached: the requested one, or half of the minimum distance of
 /// the start if there is not enough space, as in a gap of two clearances; then nothing is moved.
-double EnforceClearance(const PlanarDomain& domain, double clearance,
-  const ClearanceFactors& factors, Configuration& configuration);
+double EnforceClearance(const PlanarDomain& domain, double clearance, Configuration& configuration,
+  const ClearanceFactors& factors = {});
 }

@@ -2,6 +2,7 @@
 
 #include "LayerSteps.h"
 #include "PoincareHopf.h"
+#include "QuadAdvice.h"
 #include "QuadSteps.h"
 
 #include <optional>
@@ -61,11 +62,16 @@ QuadWorkflowResult RunWithRoom(
     {
       return RunQuadSteps(domain, tried, progress);
     }
-    catch (const LackOfRows&)
+    catch (const LackOfRows& error)
     {
-      if (request.singularities || tries == MaximumTries)
+      if (request.singularities)
       {
-        throw;
+        throw LackOfRows(WithAdvice(error.what(), ", or leave them out, and others are chosen"));
+      }
+      if (tries == MaximumTries)
+      {
+        throw LackOfRows(
+          WithAdvice(WithoutRemedy(error.what()), "; use smaller quads, or a larger growth"));
       }
     }
     tried.layerRoom *= MoreRoom;

@@ -8,7 +8,7 @@ namespace crossfield
 BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Returns the corners of a request, completed by those that its treatments and layers need: at
-/// corners of layered sides without a choice, that of DefaultRows (docs/method.md §15.4).
+/// corners of layered sides without a choice, that of DefaultRows (docs/method.md §16.4).
 std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Returns the factors of a clearance with which chosen singularities leave the bands of the layers

@@ -105,6 +105,20 @@ TEST(CornerRows, PositionsComeBeforeSidesAndSidesBeforeAngles)
   EXPECT_EQ(indexOf({ At(inner, CornerRows::Turn), At(inner, CornerRows::Turn) }), 0);
 }
 
+TEST(CornerRows, RulesForSidesTreatCornersWithAnAngleForThem)
+{
+  const PlanarDomain domain = LShape();
+  CornerRule rule;
+  rule.side = "wall";
+  const SidesAtCorner sidesAt = [](const Corner&) { return std::vector<std::string>{ "wall" }; };
+  rule.rows = CornerRows::Turn;
+  const std::vector<CornerChoice> turned = TreatCorners(domain, { rule }, sidesAt);
+  ASSERT_EQ(turned.size(), 1U);
+  EXPECT_EQ(turned[0].position, Point(1.0, 1.0));
+  rule.rows = CornerRows::End;
+  EXPECT_EQ(TreatCorners(domain, { rule }, sidesAt).size(), 5U);
+}
+
 TEST(CornerRows, RefuseRulesWithoutACornerAndContradictions)
 {
   const PlanarDomain domain = LShape();

@@ -116,6 +116,16 @@ TEST(MonotoneCurve, IsTheSameInEveryPosition)
   }
 }
 
+TEST(MonotoneCurve, TakesAGivenStartTangent)
+{
+  const std::vector<Point> points = OnArc(6, 1.0);
+  const Point start = Point(0.3, 1.0).normalized();
+  const MonotoneCurve curve(points, start);
+  EXPECT_LT((curve.StartTangent() - start).norm(), 1e-12);
+  EXPECT_LT(((curve.At(1e-6) - points[0]) / 1e-6 - start).norm(), 1e-4);
+  EXPECT_LT((curve.At(curve.Length()) - points.back()).norm(), 1e-12);
+}
+
 TEST(MonotoneCurve, DoesNotOvershoot)
 {
   // A step: a spline would oscillate.
