@@ -22,7 +22,8 @@ class QuadMesherLayers : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Filter->SetInputData(TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 2.0, 1.0 }) }));
+    this->Filter->SetInputData(
+      TestInputs::Loops({ TestInputs::Rectangle({ 0.0, 0.0 }, { 2.0, 1.0 }) }));
     this->Filter->SetQuadSize(0.1);
   }
 
@@ -58,16 +59,15 @@ TEST_F(QuadMesherLayers, AreReported)
     EXPECT_EQ(this->Report("LayerInBounds", i), 1.0);
     EXPECT_LE(this->Report("LayerGrowth", i), growth[i] + 1e-9);
     EXPECT_GE(this->Report("LayerRatio", i), this->Report("LayerGrowth", i) - 1e-12);
-    EXPECT_NEAR(
-      this->Report("LayerThickness", i), 0.1 * this->Report("LayerReplaced", i), 1e-9);
+    EXPECT_NEAR(this->Report("LayerThickness", i), 0.1 * this->Report("LayerReplaced", i), 1e-9);
   }
   // Rows of both layers, and those between them.
   const double rows = this->Report("LayerRows", 0) + this->Report("LayerRows", 1) + 10.0 -
     this->Report("LayerReplaced", 0) - this->Report("LayerReplaced", 1);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), 20.0 * rows);
   EXPECT_EQ(this->Report("Blocks"), 3.0);
-  EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1))
-              ->GetNumberOfBlocks(),
+  EXPECT_EQ(
+    vtkMultiBlockDataSet::SafeDownCast(this->Filter->GetOutputDataObject(1))->GetNumberOfBlocks(),
     3U);
 }
 

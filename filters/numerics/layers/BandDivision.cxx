@@ -96,8 +96,9 @@ private:
         const std::array<int, 4> quad = { left[Index(row)], right[Index(row)],
           right[Index(row + 1)], left[Index(row + 1)] };
         quads.push_back(quad);
-        targetLengths.push_back({ 0.5 * (this->Length(quad[0], quad[1]) + this->Length(quad[2], quad[3])),
-          0.5 * (this->Length(quad[1], quad[2]) + this->Length(quad[3], quad[0])) });
+        targetLengths.push_back(
+          { 0.5 * (this->Length(quad[0], quad[1]) + this->Length(quad[2], quad[3])),
+            0.5 * (this->Length(quad[1], quad[2]) + this->Length(quad[3], quad[0])) });
         patch.push_back(this->Mesh.patch[old]);
         regions.push_back(regionOf(old));
       }
@@ -134,8 +135,7 @@ private:
       }
       for (std::size_t level = 0; level + 1 < old.size(); ++level)
       {
-        replacements[{ old[level], old[level + 1] }] =
-          level == 0 ? divided : std::vector<int>();
+        replacements[{ old[level], old[level + 1] }] = level == 0 ? divided : std::vector<int>();
       }
     }
     LayeredMesh& layered = this->Layered;

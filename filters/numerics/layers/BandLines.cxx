@@ -82,8 +82,8 @@ std::vector<double> BandLines::HeightsAtWall()
     int sides = 0;
     const bool hasLeft = this->Band.closed || line > 0;
     const bool hasRight = this->Band.closed || line < columns;
-    for (const auto& [exists, column] : { std::make_pair(hasLeft, line + columns - 1),
-           std::make_pair(hasRight, line) })
+    for (const auto& [exists, column] :
+      { std::make_pair(hasLeft, line + columns - 1), std::make_pair(hasRight, line) })
     {
       const int layer = exists ? this->Band.layers[column % columns] : -1;
       if (layer >= 0)
@@ -153,8 +153,7 @@ double BandLines::SineAtWall(std::size_t line, const Point& direction) const
       this->WallAt((forward ? line + 1 : line + count - 1) % count) - this->WallAt(line);
     const std::size_t column = (forward ? line : line + columns - 1) % columns;
     // At the end of a layered side, only the side counts.
-    const double weight =
-      this->Data[line].isLayered && this->Band.layers[column] < 0 ? 0.0 : 1.0;
+    const double weight = this->Data[line].isLayered && this->Band.layers[column] < 0 ? 0.0 : 1.0;
     sum += weight * std::abs(std::sin(AngleBetween(along, direction)));
     edges += weight;
   }
@@ -271,8 +270,8 @@ double BandLines::LargestStep(int rows) const
     double height = 0.0;
     for (const int side : { QuadWalk::Next(above), QuadWalk::Previous(above) })
     {
-      height +=
-        0.5 * (this->PlaceOf(this->Walk.EndOf(side)) - this->PlaceOf(this->Walk.StartOf(side))).norm();
+      height += 0.5 *
+        (this->PlaceOf(this->Walk.EndOf(side)) - this->PlaceOf(this->Walk.StartOf(side))).norm();
     }
     const double below = 0.5 * (last[column] + last[(column + 1) % last.size()]);
     step = std::max({ step, height / below, below / height });
@@ -327,8 +326,8 @@ std::vector<std::vector<QuadPoint>> BandLines::Divide(int rows) const
   {
     if (this->IsEnd(line))
     {
-      ends.push_back({ line, this->PartsOfEnd(line),
-        this->CurveOf(line), this->Data[line].length });
+      ends.push_back(
+        { line, this->PartsOfEnd(line), this->CurveOf(line), this->Data[line].length });
     }
   }
   std::vector<std::vector<QuadPoint>> result;

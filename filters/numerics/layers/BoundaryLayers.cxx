@@ -40,9 +40,9 @@ std::string ListOf(const std::vector<std::string>& names)
   std::string text;
   for (std::size_t i = 0; i < count; ++i)
   {
-    text += (i == 0                                             ? "'"
+    text += (i == 0                                       ? "'"
                 : i + 1 == count && count == names.size() ? " or '"
-                                                                 : ", '") +
+                                                          : ", '") +
       names[i] + "'";
   }
   return text + (names.size() > Most ? " or another side" : "");
@@ -83,7 +83,8 @@ public:
       for (std::size_t e = 0; e < walls.size(); ++e)
       {
         const std::vector<int>& row = bands[b].rows[0];
-        if (this->Layered.LayerAt(e) >= 0 && std::find(row.begin(), row.end(), walls[e]) != row.end())
+        if (this->Layered.LayerAt(e) >= 0 &&
+          std::find(row.begin(), row.end(), walls[e]) != row.end())
         {
           this->Layered.bands[e] = static_cast<int>(b);
         }
@@ -99,8 +100,8 @@ public:
     {
       BandPlan& plan = this->Plans[b];
       const QuadWalk walk(this->Layered.mesh);
-      const auto edge = std::find(
-        this->Layered.bands.begin(), this->Layered.bands.end(), static_cast<int>(b));
+      const auto edge =
+        std::find(this->Layered.bands.begin(), this->Layered.bands.end(), static_cast<int>(b));
       const QuadBand band = FindBand(this->Layered, walk,
         static_cast<std::size_t>(edge - this->Layered.bands.begin()), plan.rowsReplaced);
       const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
@@ -109,8 +110,8 @@ public:
       std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
       // Chords of a curved line may grow slightly faster than its lengths.
       constexpr int MoreRows = 5;
-      for (int more = 0; !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > lines.Growth();
-           ++more)
+      for (int more = 0;
+           !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > lines.Growth(); ++more)
       {
         points = lines.Divide(++plan.rows);
       }
@@ -131,8 +132,7 @@ public:
       if (this->Layered.bands[e] >= 0)
       {
         int& replaced = reports[Index(this->Layered.LayerAt(e))].rowsReplaced;
-        replaced =
-          std::max(replaced, this->Plans[Index(this->Layered.bands[e])].rowsReplaced);
+        replaced = std::max(replaced, this->Plans[Index(this->Layered.bands[e])].rowsReplaced);
       }
     }
     return reports;
@@ -142,8 +142,8 @@ private:
   /// Returns the prescription of the first layered side of a band.
   const LayerPrescription& PrescriptionOf(const QuadBand& band) const
   {
-    const auto found = std::find_if(
-      band.layers.begin(), band.layers.end(), [](int layer) { return layer >= 0; });
+    const auto found =
+      std::find_if(band.layers.begin(), band.layers.end(), [](int layer) { return layer >= 0; });
     return this->Layered.prescriptions[Index(*found)];
   }
 
@@ -162,7 +162,8 @@ private:
       }
       rows = std::max(rows, prescribed);
     }
-    BandPlan plan = rows > 0 ? this->PlanForRows(band, walk, rows) : this->PlanForGrowth(band, walk);
+    BandPlan plan =
+      rows > 0 ? this->PlanForRows(band, walk, rows) : this->PlanForGrowth(band, walk);
     const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
     this->RequireThinRows(band, lines, plan.rowsReplaced);
     return plan;
@@ -177,8 +178,7 @@ private:
       {
         const LayerPrescription& prescription = this->PrescriptionOf(band);
         throw Error("The first height " + Format(prescription.first) + " of the layer of '" +
-          prescription.name + "' is not below the height " +
-          Format(line.length / rowsReplaced) +
+          prescription.name + "' is not below the height " + Format(line.length / rowsReplaced) +
           " of the quads beside it; give a smaller height, or larger quads.");
       }
     }
@@ -200,7 +200,8 @@ private:
       steps.begin(), steps.end(), [&](double step) { return step <= SimilarStep * best; });
     plan.rowsReplaced = static_cast<int>(similar - steps.begin()) + 1;
     const auto available = static_cast<int>(band.rows.size());
-    const int needed = RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
+    const int needed =
+      RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
     if (best > AcceptedStep && available < needed)
     {
       const std::string lack = this->DescribeLack(band, walk, needed);
@@ -234,7 +235,8 @@ private:
     {
       throw Error("The layer of '" + prescription.name + "' needs " + CountRows(needed) +
         " to grow from " + Format(prescription.first) + " to the quads beside it, but " +
-        std::to_string(rows) + " are prescribed; give more rows, a larger growth, or smaller quads.");
+        std::to_string(rows) +
+        " are prescribed; give more rows, a larger growth, or smaller quads.");
     }
     const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
     for (const BandLine& line : lines.Lines())
@@ -256,8 +258,8 @@ private:
     const std::string& name = this->PrescriptionOf(band).name;
     const std::string start = "Only " + CountRows(available) + " beside '" + name + "' " +
       (available == 1 ? "is" : "are") + " free of ";
-    const std::string place = " near " + Describe(band.place) + ", " + std::to_string(needed) +
-      " are needed; ";
+    const std::string place =
+      " near " + Describe(band.place) + ", " + std::to_string(needed) + " are needed; ";
     switch (band.end)
     {
     case BandEnd::Irregular:
@@ -301,8 +303,8 @@ void RequireLayers(
     const std::string name = "The layer of '" + layer.name + "'";
     if (!(layer.first > 0.0) || !std::isfinite(layer.first))
     {
-      throw Error(name + " has a first height of " + Format(layer.first) +
-        "; give a positive length.");
+      throw Error(
+        name + " has a first height of " + Format(layer.first) + "; give a positive length.");
     }
     if (!(layer.growth > 1.0 && layer.growth <= 3.0))
     {

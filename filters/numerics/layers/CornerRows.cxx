@@ -41,8 +41,8 @@ bool IsPossible(const Corner& corner, CornerRows rows)
   }
 }
 
-bool Applies(const CornerRule& rule, const Corner& corner, const std::vector<std::string>& sides,
-  double reach)
+bool Applies(
+  const CornerRule& rule, const Corner& corner, const std::vector<std::string>& sides, double reach)
 {
   if (rule.position)
   {
@@ -107,8 +107,8 @@ int QuarterIndexFor(const Corner& corner, CornerRows rows)
   }
 }
 
-std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
-  const std::vector<CornerRule>& rules, const SidesAtCorner& sidesAt)
+std::vector<CornerChoice> TreatCorners(
+  const PlanarDomain& domain, const std::vector<CornerRule>& rules, const SidesAtCorner& sidesAt)
 {
   std::vector<CornerChoice> choices;
   if (rules.empty())
@@ -124,7 +124,8 @@ std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
     for (std::size_t i = 0; i < rules.size(); ++i)
     {
       const CornerRule& rule = rules[i];
-      if (!Applies(rule, corner, sides, reach) || (!rule.position && !IsPossible(corner, rule.rows)))
+      if (!Applies(rule, corner, sides, reach) ||
+        (!rule.position && !IsPossible(corner, rule.rows)))
       {
         continue;
       }

@@ -42,6 +42,6 @@ int QuarterIndexFor(const Corner& corner, CornerRows rows);
 /// over a side, and a side over an angle. Rules for sides and angles treat only corners with an angle
 /// for the treatment. Throws Error if a rule treats no corner, if two of a kind differ at one, and for
 /// positions as QuarterIndexFor does.
-std::vector<CornerChoice> TreatCorners(const PlanarDomain& domain,
-  const std::vector<CornerRule>& rules, const SidesAtCorner& sidesAt);
+std::vector<CornerChoice> TreatCorners(
+  const PlanarDomain& domain, const std::vector<CornerRule>& rules, const SidesAtCorner& sidesAt);
 }

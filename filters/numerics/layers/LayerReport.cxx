@@ -31,15 +31,15 @@ public:
   {
     const Point along = (this->End(side) - this->Start(side)).normalized();
     const int opposite = QuadWalk::Opposite(side);
-    return 0.5 * (Cross(along, this->Start(opposite) - this->Start(side)) +
-                   Cross(along, this->End(opposite) - this->Start(side)));
+    return 0.5 *
+      (Cross(along, this->Start(opposite) - this->Start(side)) +
+        Cross(along, this->End(opposite) - this->Start(side)));
   }
 
   /// Returns the mean length of the sides of a quad next to a side.
   double Height(int side) const
   {
-    return 0.5 *
-      (this->Length(QuadWalk::Next(side)) + this->Length(QuadWalk::Previous(side)));
+    return 0.5 * (this->Length(QuadWalk::Next(side)) + this->Length(QuadWalk::Previous(side)));
   }
 
 private:

@@ -9,10 +9,10 @@ namespace crossfield
 /// Measures of the boundary layer of one side (docs/method.md §16.3).
 struct LayerReport
 {
-  std::string name;         ///< Of the side.
-  int rowsReplaced = 0;     ///< K: rows of quads that were replaced.
-  int rows = 0;             ///< N: rows of the layer.
-  double first = 0.0;       ///< Prescribed height of the first row.
+  std::string name;           ///< Of the side.
+  int rowsReplaced = 0;       ///< K: rows of quads that were replaced.
+  int rows = 0;               ///< N: rows of the layer.
+  double first = 0.0;         ///< Prescribed height of the first row.
   double minimumHeight = 0.0; ///< Of the first row, normal to the wall.
   double maximumHeight = 0.0; ///< Of the first row, normal to the wall.
   double meanThickness = 0.0; ///< Length across all rows.

@@ -13,8 +13,7 @@ constexpr double RowRounding = 1e-6;
 /// Returns (r^N − 1)/(r − 1) with r = e^logarithm.
 double SumOfRows(double logarithm, int rows)
 {
-  return std::abs(logarithm) < 1e-12 ? rows
-                                     : std::expm1(rows * logarithm) / std::expm1(logarithm);
+  return std::abs(logarithm) < 1e-12 ? rows : std::expm1(rows * logarithm) / std::expm1(logarithm);
 }
 }
 

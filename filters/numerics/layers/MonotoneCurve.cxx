@@ -34,7 +34,8 @@ double EndSlope(double h0, double h1, double d0, double d1)
 }
 
 /// Returns the derivatives of one coordinate at all points.
-std::vector<double> MonotoneSlopes(const std::vector<double>& chords, const std::vector<double>& values)
+std::vector<double> MonotoneSlopes(
+  const std::vector<double>& chords, const std::vector<double>& values)
 {
   const std::size_t pieces = chords.size();
   std::vector<double> secants;
@@ -57,8 +58,7 @@ std::vector<double> MonotoneSlopes(const std::vector<double>& chords, const std:
 }
 }
 
-MonotoneCurve::MonotoneCurve(
-  const std::vector<Point>& points, const std::optional<Point>& start)
+MonotoneCurve::MonotoneCurve(const std::vector<Point>& points, const std::optional<Point>& start)
   : Points(points)
 {
   const Point along = (points.back() - points.front()).normalized();

@@ -180,8 +180,7 @@ private:
         if (!this->IsFree[Index(point)])
         {
           const QuadPoint& found = this->PointOf(point);
-          return fail(
-            found.curve.loop < 0 ? BandEnd::Irregular : BandEnd::Boundary, point);
+          return fail(found.curve.loop < 0 ? BandEnd::Irregular : BandEnd::Boundary, point);
         }
       }
       const int above = this->Walk.Above(last[i]);
@@ -222,8 +221,7 @@ std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk
   return Finder(layered, walk).Find(maximumRows);
 }
 
-QuadBand FindBand(
-  const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows)
+QuadBand FindBand(const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows)
 {
   return Finder(layered, walk).FindOne(edge, rows);
 }

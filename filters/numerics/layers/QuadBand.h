@@ -40,8 +40,7 @@ std::vector<QuadBand> FindBands(const LayeredMesh& layered, const QuadWalk& walk
 
 /// Returns the band of one layered edge, with a number of rows that FindBands found. Throws Error if
 /// bands that were divided since have taken them.
-QuadBand FindBand(
-  const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows);
+QuadBand FindBand(const LayeredMesh& layered, const QuadWalk& walk, std::size_t edge, int rows);
 
 /// Returns the points of a grid line across the first rows of a band, from the wall inwards.
 std::vector<int> PointsAcross(

@@ -57,9 +57,8 @@ void AddPair(
 }
 }
 
-ClearanceBarrier::ClearanceBarrier(
-  const PlanarDomain& domain, const Configuration& configuration, double distance,
-  const ClearanceFactors& factors)
+ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration,
+  double distance, const ClearanceFactors& factors)
   : Distance(distance)
 {
   for (const Singularity& singularity : configuration)

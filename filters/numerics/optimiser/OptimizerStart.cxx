@@ -31,9 +31,9 @@ BoundaryOffset OffsetFromBoundary(
     const Loop& loop = domain.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const BoundaryOffset offset = { OffsetFromSegment(
-                                        point, loop[i], loop[(i + 1) % loop.size()]),
-        FactorAt(factors, l, i) };
+      const BoundaryOffset offset = {
+        OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]), FactorAt(factors, l, i)
+      };
       nearest = offset.Distance() < nearest.Distance() ? offset : nearest;
     }
   }
@@ -44,8 +44,8 @@ BoundaryOffset OffsetFromBoundary(
 class Separation
 {
 public:
-  Separation(const PlanarDomain& domain, const ClearanceFactors& factors,
-    const Configuration& configuration)
+  Separation(
+    const PlanarDomain& domain, const ClearanceFactors& factors, const Configuration& configuration)
     : Moved(configuration)
     , Domain(domain)
     , Factors(factors)
@@ -61,8 +61,7 @@ public:
     }
     for (const std::size_t i : this->Inside)
     {
-      this->MinimumDistance = std::min(
-        this->MinimumDistance,
+      this->MinimumDistance = std::min(this->MinimumDistance,
         OffsetFromBoundary(domain, factors, configuration[i].position).Distance());
       for (const std::size_t j : this->Inside)
       {

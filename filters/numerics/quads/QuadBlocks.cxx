@@ -29,7 +29,7 @@ public:
   }
 
   /// Marks the sides between quads of different regions, after a first Cut. Lines across annuli, which
-    /// Cut adds, then lead through them.
+  /// Cut adds, then lead through them.
   void AddWalls(const std::vector<int>& regions)
   {
     for (std::size_t side = 0; side < this->Twins.size(); ++side)

@@ -38,7 +38,8 @@ std::optional<QuadWorkflowResult> RunWithoutSingularities(
     QuadWorkflowResult result = RunQuadSteps(domain, without, progress);
     result.events.insert(
       result.events.begin(), "The grid lines around the layers need no singularities.");
-    return result.quads.quality.inverted == 0 ? std::make_optional(std::move(result)) : std::nullopt;
+    return result.quads.quality.inverted == 0 ? std::make_optional(std::move(result))
+                                              : std::nullopt;
   }
   catch (const Error&)
   {

@@ -72,8 +72,8 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
   const double reach = BoundaryReach * domain.Diagonal();
   const auto isChosen = [&](const Point& position)
   {
-    return std::any_of(corners.begin(), corners.end(), [&](const CornerChoice& choice)
-      { return (choice.position - position).norm() <= reach; });
+    return std::any_of(corners.begin(), corners.end(),
+      [&](const CornerChoice& choice) { return (choice.position - position).norm() <= reach; });
   };
   for (const CornerChoice& choice : TreatCorners(domain, request.cornerRows, sidesAt))
   {
@@ -152,8 +152,7 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
     }
     // A x² + columns x = count, x = 1/h.
     const double area = domain.Area();
-    size = 2.0 * area /
-      (std::sqrt(columns * columns + 4.0 * area * request.quadCount) - columns);
+    size = 2.0 * area / (std::sqrt(columns * columns + 4.0 * area * request.quadCount) - columns);
   }
   return std::max(1, static_cast<int>(std::lround(domain.Area() / (size * size))));
 }

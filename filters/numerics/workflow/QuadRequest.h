@@ -52,9 +52,9 @@ struct QuadRequest
   bool split = false;
   BlockMerge merge = BlockMerge::None;
 
-  std::vector<LayerPrescription> layers;   ///< Boundary layers of sides.
+  std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
   double layerRoom = 1.0; ///< Factor of the distance that chosen singularities keep from layers.
-  std::vector<CornerRule> cornerRows;      ///< What rows do at corners.
+  std::vector<CornerRule> cornerRows; ///< What rows do at corners.
 };
 
 /// Numbers of blocks with each kind of merging, as far as they were computed.

@@ -58,8 +58,8 @@ std::pair<std::string, std::string> SplitEntry(
   const std::size_t colon = entry.rfind(':');
   if (colon == std::string::npos || colon == 0)
   {
-    throw crossfield::Error("The " + what + " '" + entry + "' has no colon after a name; give " +
-      form + ".");
+    throw crossfield::Error(
+      "The " + what + " '" + entry + "' has no colon after a name; give " + form + ".");
   }
   return { entry.substr(0, colon), entry.substr(colon + 1) };
 }
@@ -82,8 +82,8 @@ std::vector<crossfield::LayerPrescription> ReadLayers(const std::string& text)
     const std::optional<std::vector<double>> numbers = ReadNumbers(values, ',');
     if (!numbers || numbers->empty() || numbers->size() > 3)
     {
-      throw crossfield::Error("The layer '" + entry + "' does not have one to three numbers; give " +
-        form + ".");
+      throw crossfield::Error(
+        "The layer '" + entry + "' does not have one to three numbers; give " + form + ".");
     }
     crossfield::LayerPrescription layer;
     layer.name = name;

@@ -14,8 +14,8 @@ void ExpectSoundBlocks(const QuadResult& result)
   for (const QuadBlock& block : result.blocks.blocks)
   {
     quads += static_cast<std::size_t>(block.width * block.height);
-    EXPECT_TRUE(std::none_of(
-      block.points.begin(), block.points.end(), [](int point) { return point < 0; }));
+    EXPECT_TRUE(
+      std::none_of(block.points.begin(), block.points.end(), [](int point) { return point < 0; }));
     for (std::size_t side = 0; side < 4; ++side)
     {
       const BlockNeighbour& neighbour = block.neighbours[side];

@@ -73,8 +73,7 @@ std::vector<double> Coordinates(const QuadMesh& mesh, Eigen::Index axis)
 TEST(BoundaryLayers, OfASquareAreGeometricSeries)
 {
   const double first = 1e-3;
-  const QuadWorkflowResult result =
-    MakeQuadMesh(UnitSquare(), SquareRequest(OnFourSides(first)));
+  const QuadWorkflowResult result = MakeQuadMesh(UnitSquare(), SquareRequest(OnFourSides(first)));
   ASSERT_EQ(result.layers.size(), 4U);
   const LayerReport& report = result.layers[0];
   const double thickness = 0.05 * report.rowsReplaced;
@@ -168,8 +167,8 @@ TEST(BoundaryLayers, NothingMovesOutsideTheBand)
       ? 1
       : 0;
   }
-  EXPECT_EQ(same,
-    static_cast<int>(plain.quads.mesh.points.size()) - columns * (report.rowsReplaced - 1));
+  EXPECT_EQ(
+    same, static_cast<int>(plain.quads.mesh.points.size()) - columns * (report.rowsReplaced - 1));
   ExpectSoundBlocks(layered.quads);
 }
 
@@ -187,8 +186,8 @@ TEST(BoundaryLayers, NumberOfQuadsIncludesTheRows)
 TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
 {
   Loop hole = RegularPolygon(64, 0.2, Point(0.1, 0.0));
-  const PlanarDomain domain = MakePlanarDomain(
-    { { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } }, hole });
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } }, hole });
   QuadRequest request;
   request.quadSize = 0.06;
   // As chosen without a layer, they leave too few rows, and the message says so.
@@ -301,7 +300,8 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
   const auto refuses =
     [&](const std::vector<LayerPrescription>& layers, const std::vector<std::string>& parts)
   { return Refuses([&] { MakeQuadMesh(square, SquareRequest(layers)); }, parts); };
-  EXPECT_TRUE(refuses({ Layer("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
+  EXPECT_TRUE(refuses(
+    { Layer("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
   EXPECT_TRUE(refuses({ Layer("outer0", 0.0) }, { "first height of 0", "positive" }));
   EXPECT_TRUE(refuses({ Layer("outer0", -1.0) }, { "first height of -1" }));
   EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.0) }, { "growth of 1", "above 1" }));
@@ -311,7 +311,8 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
     refuses({ Layer("outer0", 1e-3), Layer("outer0", 1e-4) }, { "'outer0' has two layers" }));
   EXPECT_TRUE(
     refuses({ Layer("outer0", 0.2) }, { "first height 0.2", "is not below the height 0.05" }));
-  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
+  EXPECT_TRUE(
+    refuses({ Layer("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
   EXPECT_TRUE(refuses({ Layer("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
   // Too few quads between two sides.
   QuadRequest narrow = SquareRequest(OnFourSides(1e-3, 1.05));

@@ -59,8 +59,8 @@ PlanarDomain RandomHoled(Random& random)
   const int holes = random.Integer(1, 2);
   for (int i = 0; i < holes; ++i)
   {
-    const Point centre((i + 0.5) * width / holes + random.Uniform(-0.1, 0.1),
-      0.75 + random.Uniform(-0.1, 0.1));
+    const Point centre(
+      (i + 0.5) * width / holes + random.Uniform(-0.1, 0.1), 0.75 + random.Uniform(-0.1, 0.1));
     loops.push_back(RegularPolygon(64, random.Uniform(0.12, 0.22), centre));
   }
   return MakePlanarDomain(loops);
@@ -152,11 +152,11 @@ std::map<int, int> RequestedOf(const QuadWorkflowResult& result)
 
 /// Measures the heights of the first rows independently of LayerReport: distances of the points next
 /// to the wall from the edges of its side. Returns the part of them that is within 5 %.
-double PartWithin(
-  const QuadWorkflowResult& result, const std::vector<LayerPrescription>& layers)
+double PartWithin(const QuadWorkflowResult& result, const std::vector<LayerPrescription>& layers)
 {
   const QuadMesh& mesh = result.quads.mesh;
-  const auto placeOf = [&](int point) { return mesh.points[static_cast<std::size_t>(point)].place; };
+  const auto placeOf = [&](int point)
+  { return mesh.points[static_cast<std::size_t>(point)].place; };
   std::map<std::array<int, 2>, int> sideAt;
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
   {
@@ -243,9 +243,9 @@ TEST(LayerProperties, HoldOnRandomParts)
           ratio = std::max(ratio, report.largestRatio);
           inBounds = std::min(inBounds, report.partInBounds);
         }
-        std::printf("%d: %zu quads, jacobian %.3f of %.3f, in bounds %.3f %.3f, ratio %.2f\n", number,
-          mesh.quads.size(), result.quads.quality.jacobian.min, result.quads.quality.bound, inBounds,
-          part, ratio);
+        std::printf("%d: %zu quads, jacobian %.3f of %.3f, in bounds %.3f %.3f, ratio %.2f\n",
+          number, mesh.quads.size(), result.quads.quality.jacobian.min, result.quads.quality.bound,
+          inBounds, part, ratio);
       }
     }
     catch (const Error& error)

@@ -95,7 +95,8 @@ TEST(MonotoneCurve, IsTheSameInEveryPosition)
     {
       points.push_back(points.back() + Point(random.Uniform(0.1, 1.0), random.Uniform(-0.4, 0.4)));
     }
-    const Similarity map = { random.Uniform(0.0, 6.0), random.Uniform(0.1, 10.0), Point(3.0, -2.0) };
+    const Similarity map = { random.Uniform(0.0, 6.0), random.Uniform(0.1, 10.0),
+      Point(3.0, -2.0) };
     std::vector<Point> moved;
     std::vector<Point> mirrored;
     for (const Point& point : points)
