@@ -22,6 +22,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <CLI/CLI.hpp>
@@ -58,6 +59,8 @@ struct QuadsOptions
   bool repairHolonomy = false;
   double repairPart = 1.0;
   bool split = false;
+  std::vector<std::string> layers;
+  std::vector<std::string> cornerRows;
 };
 
 double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
@@ -117,6 +120,33 @@ std::string CheckSizing(const QuadsOptions& options)
     : "";
 }
 
+/** Returns the entries of an option in the form of vtkQuadMesher. */
+std::string Join(const std::vector<std::string>& entries)
+{
+  std::string text;
+  for (const std::string& entry : entries)
+  {
+    text += entry + ";";
+  }
+  return text;
+}
+
+/** Prints a line for each boundary layer. */
+void PrintLayers(vtkFieldData* report)
+{
+  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::LayerSide));
+  for (vtkIdType i = 0; sides != nullptr && i < sides->GetNumberOfValues(); ++i)
+  {
+    const auto value = [&](const char* name, int component = 0)
+    { return report->GetArray(name)->GetComponent(i, component); };
+    std::cout << "layer of '" << sides->GetValue(i) << "': " << value(names::LayerReplaced)
+              << " rows divided into " << value(names::LayerRows) << ", heights of the first "
+              << value(names::LayerHeightRange, 0) << " to " << value(names::LayerHeightRange, 1)
+              << ", largest growth " << value(names::LayerGrowth)
+              << ", largest ratio of neighbours " << value(names::LayerRatio) << "\n";
+  }
+}
+
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
@@ -142,6 +172,8 @@ int Mesh(const QuadsOptions& options)
   mesher->SetSplitSingularities(options.split);
   mesher->SetPairs(options.pairs);
   mesher->SetClearance(options.clearance);
+  mesher->SetLayers(Join(options.layers));
+  mesher->SetCornerRows(Join(options.cornerRows));
   if (!options.singularities.empty())
   {
     mesher->SetSingularitiesConnection(
@@ -200,6 +232,7 @@ int Mesh(const QuadsOptions& options)
               << ReportJson::Write("quads", "irregular", quads.Get())
               << ", minimum scaled Jacobian " << Value(quads, names::ScaledJacobianRange)
               << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
+    PrintLayers(quads->GetFieldData());
   }
   outputs.Commit();
   return Value(quads, names::Inverted) > 0.0 ? AnswerIsNo : Done;
@@ -279,6 +312,22 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command->add_flag("--split", options->split,
     "split singularities of quarter index 2 or more, or -2 or less, into ones of index 1 or -1, "
     "about 1.5 quads apart");
+  command
+    ->add_option("--layers", options->layers,
+      "boundary layer of a side: height of the first row, normal to the wall, maximum growth from row "
+      "to row (default: 1.2) and number of rows (default: as many as the growth needs); may be "
+      "repeated")
+    ->type_name("NAME:FIRST[,GROWTH[,ROWS]]")
+    ->expected(1)
+    ->take_all();
+  command
+    ->add_option("--corner", options->cornerRows,
+      "what rows of quads do at the corner at a position, at corners with interior angles between two "
+      "values in degrees, or at those of a side: end on the next side, turn around the corner, or "
+      "leave it along a grid line; may be repeated")
+    ->type_name("X,Y|ANGLE-ANGLE|NAME:end|turn|leave")
+    ->expected(1)
+    ->take_all();
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

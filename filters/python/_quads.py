@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from . import names
 from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
+from ._layers import CornerRows, Layers, corner_rows_text, layers_text
 from ._plot import plot_quads
 from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
@@ -176,18 +177,21 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
 
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
           count: Optional[int] = None, mesh_size: Optional[float] = None,
-          corners: Union[Corners, Singularities] = None, cap_corners: bool = True,
+          corners: Union[Corners, Singularities, CornerRows] = None, cap_corners: bool = True,
           sizing: str = "auto", size_array: Optional[str] = None, merge: str = "none",
           repair_holonomy: bool = False, repair_part: float = 1.0, split: bool = False,
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
-          max_size: Optional[float] = None) -> QuadMesh:
+          max_size: Optional[float] = None, layers: Optional[Layers] = None) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
-                   report["events"] lists the decisions
+                   report["events"] lists the decisions. `corners` may also be a dictionary that says what
+                   rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
+                   the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
+                   their corners, or ranges of angles in degrees as "200-300"
     size           mean side length of quads
     count          target number of quads, instead of a size; default: 1000
     mesh_size      edge length of the triangles on which the map is solved; default: 1/40 of the diagonal
@@ -218,6 +222,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     sizes          length of edges by the name of a side, met within 20 %, from which sizes grow
     min_size, max_size
                    bounds of target sizes
+    layers         boundary layers, as {"wall": (1e-4, 1.2)}: for each named side the height of the first row,
+                   normal to the wall, and optionally the maximum growth from row to row (default: 1.2) and the
+                   number of rows; report["layers"] has the measures, and `count` includes the rows
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -230,6 +237,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     >>> plate = [(0, 0), (3, 0), (3, 1), (0, 1)]
     >>> quads(plate, [(1, 0.5, 1), (2, 0.5, -1)], count=300).report["asked"]
     {'3': 1, '5': 1}
+    >>> mesh = quads([(0, 0), (1, 0), (1, 1), (0, 1)], size=0.05, layers={"outer0": (1e-3, 1.2)})
+    >>> [layer["rows"] for layer in mesh.report["layers"]]
+    [23]
     """
     if size is not None and count is not None:
         raise Error("Both the size of the quads and their number are given; leave one out.")
@@ -273,6 +283,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     mesher.SetPairs(pairs)
     if singularities is not None:
         mesher.SetSingularitiesData(as_configuration(singularities))
-    if corners is not None:
+    if layers is not None:
+        mesher.SetLayers(layers_text(layers))
+    if isinstance(corners, Mapping):
+        mesher.SetCornerRows(corner_rows_text(corners))
+    elif corners is not None:
         mesher.SetCornersData(corner_points(corners))
     return _mesh_of(pipeline.update(mesher), was_chosen=singularities is None)

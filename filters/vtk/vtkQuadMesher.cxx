@@ -8,6 +8,7 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HolonomyConversion.h"
+#include "LayerText.h"
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
@@ -118,6 +119,8 @@ crossfield::QuadRequest vtkQuadMesher::MakeRequest(vtkDataSet* domain, vtkDataSe
   request.repairHolonomy = this->RepairHolonomy;
   request.repairPart = this->RepairPart;
   request.split = this->SplitSingularities;
+  request.layers = LayerText::ReadLayers(this->Layers);
+  request.cornerRows = LayerText::ReadCornerRows(this->CornerRows, plane);
   request.merge = static_cast<crossfield::BlockMerge>(this->Merge);
   return request;
 }
@@ -160,6 +163,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
     HolonomyConversion::WriteRepair(*result.repair, plane, report);
   }
   QuadReport::WriteBlockCounts(result.blocks, report);
+  QuadReport::WriteLayers(result.layers, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
@@ -227,6 +231,8 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RepairHolonomy: " << this->RepairHolonomy << "\n";
   os << indent << "RepairPart: " << this->RepairPart << "\n";
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "CornerRows: " << this->CornerRows << "\n";
   os << indent << "StageSeconds:";
   for (const double seconds : this->StageSeconds)
   {

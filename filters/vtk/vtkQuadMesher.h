@@ -311,6 +311,36 @@ public:
   vtkBooleanMacro(SplitSingularities, bool);
   ///@}
 
+  ///@{
+  /**
+   * Sets the boundary layers of named sides: entries NAME:FIRST[,GROWTH[,ROWS]] separated by
+   * semicolons, for example "wall:1e-4,1.2; hole:1e-3". The quads beside a side are divided into
+   * rows of which the first has the height FIRST, normal to the wall, and each further one grows by
+   * at most GROWTH, 1.2 by default, until it is about as high as the quads behind; ROWS prescribes
+   * their number. Chosen singularities then stay away from the boundary, and QuadCount includes the
+   * rows. Default: empty, none.
+   */
+  vtkSetMacro(Layers, std::string);
+  vtkGetMacro(Layers, std::string);
+  ///@}
+  /** Sets the layers; overload for ParaView. */
+  void SetLayers(const char* layers) { this->SetLayers(std::string(layers ? layers : "")); }
+
+  ///@{
+  /**
+   * Sets what rows of quads do at corners: entries WHERE:end, WHERE:turn or WHERE:leave separated by
+   * semicolons. WHERE is a position X,Y or X,Y,Z, a range of interior angles in degrees such as
+   * 200-300, or the name of a side for all of its corners. Rows end on the next side (one quad at
+   * the corner), turn around the corner (two quads), or follow the grid line that leaves it (three
+   * or more). Default: empty; corners of sides with a layer then end up to 135°, turn up to 315° and
+   * leave above, and all others have the quarter index of their angle.
+   */
+  vtkSetMacro(CornerRows, std::string);
+  vtkGetMacro(CornerRows, std::string);
+  ///@}
+  /** Sets what rows do at corners; overload for ParaView. */
+  void SetCornerRows(const char* rows) { this->SetCornerRows(std::string(rows ? rows : "")); }
+
   /**
    * Returns the seconds that the last run took for triangles, map, separatrices, edge counts,
    * layout, smoothing and, last, for choosing and repairing singularities. They are not part of the
@@ -361,6 +391,8 @@ private:
   bool RepairHolonomy = false;
   double RepairPart = 1.0;
   bool SplitSingularities = false;
+  std::string Layers;
+  std::string CornerRows;
   double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

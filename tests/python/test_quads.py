@@ -52,6 +52,24 @@ class Quads(unittest.TestCase):
                 del report["seconds"], report["integers"]["seconds"]
             self.assertEqual(json.dumps(found, sort_keys=True), json.dumps(expected, sort_keys=True))
 
+    def test_layers_and_what_rows_do_at_corners(self):
+        shape = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        mesh = crossfield.quads(shape, size=0.1, layers={"outer0": (1e-3, 1.25), "outer2": 1e-3},
+                                corners={(1, 1): "leave"})
+        first, second = mesh.report["layers"]
+        self.assertEqual((first["side"], second["side"]), ("outer0", "outer2"))
+        for layer, growth in ((first, 1.25), (second, 1.2)):
+            self.assertAlmostEqual(layer["heights"]["min"], 1e-3, places=8)
+            self.assertLessEqual(layer["growth"], growth + 1e-9)
+            self.assertEqual(layer["in_bounds"], 1)
+        self.assertEqual(mesh.report["irregular"], {})
+        turned = crossfield.quads(shape, size=0.1, corners={"outer2": "turn"})
+        self.assertEqual(turned.report["irregular"], {"5": 1})
+        self.assertNotIn("layers", turned.report)
+        self.refused("no side 'wall'", shape, layers={"wall": 1e-3})
+        self.refused("semicolon", shape, layers={"a;b": 1e-3})
+        self.refused("no word end, turn or leave", shape, corners={(1, 1): "stay"})
+
     def test_singularities_and_corners_used_are_outputs_of_the_filter(self):
         mesh = crossfield.quads("builtin:star", count=300)
         mesher = crossfield.vtkQuadMesher()

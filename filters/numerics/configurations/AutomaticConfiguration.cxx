@@ -213,6 +213,7 @@ AutomaticConfiguration ChooseConfiguration(
     options.optimizer.sizes.sizing != Sizing::Conformal || options.optimizer.pairs > 0;
   AutomaticOptions minimum = options;
   minimum.optimizer.clearance = fits ? 0.0 : clearance;
+  minimum.optimizer.clearanceFactors = {};
   minimum.optimizer.quadSize = ResolveQuadSize(domain, options);
   minimum.optimizer.sizes = {};
   minimum.optimizer.pairs = 0;

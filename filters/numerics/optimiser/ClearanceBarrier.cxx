@@ -57,8 +57,8 @@ void AddPair(
 }
 }
 
-ClearanceBarrier::ClearanceBarrier(
-  const PlanarDomain& domain, const Configuration& configuration, double distance)
+ClearanceBarrier::ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration,
+  double distance, const ClearanceFactors& factors)
   : Distance(distance)
 {
   for (const Singularity& singularity : configuration)
@@ -66,12 +66,15 @@ ClearanceBarrier::ClearanceBarrier(
     this->Quarters.push_back(
       singularity.quarterIndex == 0 ? 1.0 : static_cast<double>(singularity.quarterIndex));
   }
-  for (const Loop& loop : domain.loops)
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
+    const Loop& loop = domain.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
       const Point& to = loop[(i + 1) % loop.size()];
-      this->Sides.push_back({ loop[i], to, std::min(1.0, (to - loop[i]).norm() / distance) });
+      const double factor = FactorAt(factors, l, i);
+      const double weight = std::min(1.0, (to - loop[i]).norm() / (factor * distance));
+      this->Sides.push_back({ loop[i], to, weight, factor });
     }
   }
 }
@@ -92,9 +95,9 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
       const double t = NearestFraction(position, side.from, side.to);
       const Point offset = OffsetFromSegment(position, side.from, side.to);
       const double d = offset.norm();
-      if (d < 2.0 * this->Distance)
+      if (d < 2.0 * side.factor * this->Distance)
       {
-        const BarrierValue barrier = EvaluateBarrier(d, this->Distance);
+        const BarrierValue barrier = EvaluateBarrier(d, side.factor * this->Distance);
         const double factor = RepulsionFactor * quarters * quarters * side.weight;
         const Point normal = offset / d;
         result.energy += factor * barrier.value;

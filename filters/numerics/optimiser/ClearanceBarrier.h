@@ -5,15 +5,27 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace crossfield
 {
+/// Factors of the clearance at the edges of a domain, per loop and edge; empty: 1 everywhere.
+using ClearanceFactors = std::vector<std::vector<double>>;
+
+/// Returns the factor of an edge.
+inline double FactorAt(const ClearanceFactors& factors, std::size_t loop, std::size_t edge)
+{
+  return factors.empty() ? 1.0 : factors[loop][edge];
+}
+
 /// Barrier that keeps singularities at a distance δ from the boundary and from each other
 /// (docs/method.md §5.5):
 ///   b(t) = −κ (t − 1)² ln t,  t = (d − δ)/δ,  for δ < d < 2δ; zero beyond, infinite below.
 /// The barrier is summed over the sides of the boundary and over pairs of singularities. The
 /// distance to a single side is differentiable wherever b is neither zero nor infinite; the
 /// distance to the whole boundary is not, on the bisector of a corner. A side shorter than δ has
-/// the weight length/δ, so that a curve of many sides acts like a straight one.
+/// the weight length/δ, so that a curve of many sides acts like a straight one. At an edge with a
+/// factor, the distance is divided by it.
 class ClearanceBarrier
 {
 public:
@@ -31,7 +43,8 @@ public:
   /// boundary: gradients of W are about π/δ, so that minima of W at a distance of 1.5 δ move by
   /// 0.04 δ. Singularities of opposite sign attract each other and have no minimum there: κ is the
   /// negative product, which keeps them at 1.22 δ and the iteration well conditioned.
-  ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance);
+  ClearanceBarrier(const PlanarDomain& domain, const Configuration& configuration, double distance,
+    const ClearanceFactors& factors = {});
 
   /// Evaluates the barrier at positions with two coordinates per singularity, in the length unit of
   /// the domain.
@@ -44,6 +57,7 @@ private:
     Point from;
     Point to;
     double weight;
+    double factor;
   };
 
   std::vector<Side> Sides;

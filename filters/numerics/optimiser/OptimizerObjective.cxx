@@ -45,7 +45,7 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
   , Started(configuration)
   , Length(domain.Diagonal())
   , Solves(options.budget)
-  , Barrier(domain, configuration, options.clearance)
+  , Barrier(domain, configuration, options.clearance, options.clearanceFactors)
   , Sizes(options.goal == OptimizerGoal::UniformSizes
         ? std::make_shared<const SizeUniformity>(*this->Points, options.sizes)
         : nullptr)

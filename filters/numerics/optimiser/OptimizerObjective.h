@@ -43,6 +43,7 @@ enum class OptimizerGoal
 struct ObjectiveOptions
 {
   double clearance = 0.0; ///< A length, positive.
+  ClearanceFactors clearanceFactors;
   /// Keeps the symmetries of the start (OptimizerSymmetry.h).
   bool keepSymmetry = true;
   OptimizerGoal goal = OptimizerGoal::Energy;

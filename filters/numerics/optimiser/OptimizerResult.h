@@ -28,6 +28,7 @@ struct OptimizerOptions
   /// stands for 1/400 of the diagonal, a tenth of the default mesh size: no mesh for a field would
   /// resolve singularities closer to the boundary.
   double clearance = 0.0;
+  ClearanceFactors clearanceFactors; ///< Of the clearance at edges of the boundary.
   /// Side length of the quads that will be made, 0 if it is not known. The boundary takes a
   /// singularity only where quads of this size have sufficient angles (docs/method.md §5.5). 0
   /// stands for 1/40 of the diagonal, the default mesh size.

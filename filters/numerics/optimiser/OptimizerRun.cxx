@@ -37,6 +37,7 @@ OptimizerRun::OptimizerRun(
   this->Options.quadSize = options.quadSize;
   this->Options.objective.clearance =
     options.clearance > 0.0 ? options.clearance : CoreRadius(domain);
+  this->Options.objective.clearanceFactors = options.clearanceFactors;
   this->Options.objective.sizes = options.sizes;
   if (options.maximumSolves > 0)
   {
@@ -51,8 +52,7 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
   TrackedConfiguration tracked{ start, std::vector<int>(start.size()), {} };
   std::iota(tracked.origins.begin(), tracked.origins.end(), 0);
   const double requested = this->Options.objective.clearance;
-  this->Options.objective.clearance =
-    EnforceClearance(this->Domain, requested, tracked.singularities);
+  this->EnforceClearances(requested, tracked.singularities);
   if (this->Options.objective.clearance < requested)
   {
     this->AddEvent("Two singularities, or one and the boundary, are too close for a clearance of " +
@@ -78,6 +78,35 @@ void OptimizerRun::Start(const Configuration& start, const Progress& progress)
 bool OptimizerRun::IsAbove(double energy) const
 {
   return this->Stage.CoreEnergy(this->Current, RankingRadius(this->Domain)) > energy;
+}
+
+void OptimizerRun::EnforceClearances(double requested, Configuration& singularities)
+{
+  constexpr double Reduction = 0.8;
+  ObjectiveOptions& objective = this->Options.objective;
+  double largest = 1.0;
+  for (const std::vector<double>& factors : objective.clearanceFactors)
+  {
+    largest = std::max(largest, *std::max_element(factors.begin(), factors.end()));
+  }
+  for (;;)
+  {
+    objective.clearance =
+      EnforceClearance(this->Domain, requested, singularities, objective.clearanceFactors);
+    if (objective.clearance >= requested || largest <= 1.0)
+    {
+      return;
+    }
+    // Too little space: the factors are reduced before the clearance is.
+    largest *= Reduction;
+    for (std::vector<double>& factors : objective.clearanceFactors)
+    {
+      for (double& factor : factors)
+      {
+        factor = std::max(1.0, Reduction * factor);
+      }
+    }
+  }
 }
 
 OptimizerEnd OptimizerRun::Minimise(const Progress& progress)

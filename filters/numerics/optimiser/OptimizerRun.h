@@ -34,6 +34,9 @@ public:
 
 private:
   void AddEvent(const std::string& sentence) { this->Result.events.push_back(sentence); }
+  /// Moves singularities away from the boundary and from each other. If there is not enough space,
+  /// reduces the factors of the clearance, and then the clearance.
+  void EnforceClearances(double requested, Configuration& singularities);
   void StartStage(const TrackedConfiguration& tracked, const Progress& progress);
   /// Moves off a stationary point that is a minimum among symmetric configurations only. Returns
   /// whether it did.

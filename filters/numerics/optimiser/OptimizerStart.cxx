@@ -12,16 +12,29 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the vector from the nearest point of the boundary to a point.
-Point OffsetFromBoundary(const PlanarDomain& domain, const Point& point)
+/// The vector from the nearest point of the boundary to a point.
+struct BoundaryOffset
 {
-  Point nearest = Point::Constant(std::numeric_limits<double>::infinity());
-  for (const Loop& loop : domain.loops)
+  Point vector = Point::Constant(std::numeric_limits<double>::infinity());
+  double factor = 1.0; ///< Of the clearance there.
+
+  /// Returns the distance that counts for the clearance.
+  double Distance() const { return this->vector.norm() / this->factor; }
+};
+
+BoundaryOffset OffsetFromBoundary(
+  const PlanarDomain& domain, const ClearanceFactors& factors, const Point& point)
+{
+  BoundaryOffset nearest;
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
+    const Loop& loop = domain.loops[l];
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
-      const Point offset = OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]);
-      nearest = offset.squaredNorm() < nearest.squaredNorm() ? offset : nearest;
+      const BoundaryOffset offset = {
+        OffsetFromSegment(point, loop[i], loop[(i + 1) % loop.size()]), FactorAt(factors, l, i)
+      };
+      nearest = offset.Distance() < nearest.Distance() ? offset : nearest;
     }
   }
   return nearest;
@@ -31,9 +44,11 @@ Point OffsetFromBoundary(const PlanarDomain& domain, const Point& point)
 class Separation
 {
 public:
-  Separation(const PlanarDomain& domain, const Configuration& configuration)
+  Separation(
+    const PlanarDomain& domain, const ClearanceFactors& factors, const Configuration& configuration)
     : Moved(configuration)
     , Domain(domain)
+    , Factors(factors)
     , BoundaryTolerance(BoundaryReach * domain.Diagonal())
   {
     for (std::size_t i = 0; i < configuration.size(); ++i)
@@ -46,8 +61,8 @@ public:
     }
     for (const std::size_t i : this->Inside)
     {
-      this->MinimumDistance = std::min(
-        this->MinimumDistance, OffsetFromBoundary(domain, configuration[i].position).norm());
+      this->MinimumDistance = std::min(this->MinimumDistance,
+        OffsetFromBoundary(domain, factors, configuration[i].position).Distance());
       for (const std::size_t j : this->Inside)
       {
         const double distance = (configuration[i].position - configuration[j].position).norm();
@@ -92,10 +107,11 @@ private:
     for (const std::size_t i : this->Inside)
     {
       Point& position = this->Moved[i].position;
-      const Point offset = OffsetFromBoundary(this->Domain, position);
-      if (offset.norm() < RequiredFactor * clearance)
+      const BoundaryOffset offset = OffsetFromBoundary(this->Domain, this->Factors, position);
+      if (offset.Distance() < RequiredFactor * clearance)
       {
-        position += (TargetFactor * clearance - offset.norm()) * offset.normalized();
+        position += offset.factor * (TargetFactor * clearance - offset.Distance()) *
+          offset.vector.normalized();
         moved = true;
       }
       for (const std::size_t j : this->Inside)
@@ -117,18 +133,20 @@ private:
 
   Configuration Moved;
   const PlanarDomain& Domain;
+  const ClearanceFactors& Factors;
   double BoundaryTolerance;
   std::vector<std::size_t> Inside;
   double MinimumDistance = std::numeric_limits<double>::infinity();
 };
 
 /// Implements EnforceClearance without regard to symmetries.
-double MoveApart(const PlanarDomain& domain, double clearance, Configuration& configuration)
+double MoveApart(const PlanarDomain& domain, double clearance, const ClearanceFactors& factors,
+  Configuration& configuration)
 {
   // The clearance grows gradually, so that each push is smaller than the present distances: in a
   // sharp corner a single push by the full clearance would cross the opposite side.
   constexpr double Growth = 1.2;
-  Separation separation(domain, configuration);
+  Separation separation(domain, factors, configuration);
   const double minimumDistance = separation.GetMinimumDistance();
   double reached = std::min(clearance, minimumDistance / Separation::RequiredFactor);
   while (reached < clearance)
@@ -144,10 +162,11 @@ double MoveApart(const PlanarDomain& domain, double clearance, Configuration& co
 }
 }
 
-double EnforceClearance(const PlanarDomain& domain, double clearance, Configuration& configuration)
+double EnforceClearance(const PlanarDomain& domain, double clearance, Configuration& configuration,
+  const ClearanceFactors& factors)
 {
   Configuration moved = configuration;
-  const double reached = MoveApart(domain, clearance, moved);
+  const double reached = MoveApart(domain, clearance, factors, moved);
   const auto equal = [](const Configuration& a, const Configuration& b)
   {
     return std::equal(a.begin(), a.end(), b.begin(),
@@ -168,7 +187,7 @@ double EnforceClearance(const PlanarDomain& domain, double clearance, Configurat
     Configuration symmetric = moved;
     symmetry.Project(symmetric);
     moved = symmetric;
-    const double projected = MoveApart(domain, clearance, moved);
+    const double projected = MoveApart(domain, clearance, factors, moved);
     if (projected == clearance && equal(symmetric, moved))
     {
       configuration = symmetric;

@@ -28,6 +28,20 @@ public:
     }
   }
 
+  /// Marks the sides between quads of different regions, after a first Cut. Lines across annuli, which
+  /// Cut adds, then lead through them.
+  void AddWalls(const std::vector<int>& regions)
+  {
+    for (std::size_t side = 0; side < this->Twins.size(); ++side)
+    {
+      const int twin = this->Twins[side];
+      if (twin >= 0 && regions[side / 4] != regions[Index(twin / 4)])
+      {
+        this->Walls[side] = true;
+      }
+    }
+  }
+
   QuadBlocks Cut()
   {
     for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
@@ -210,6 +224,16 @@ private:
 QuadBlocks FindBlocks(const QuadMesh& mesh)
 {
   QuadBlocks blocks = Cutter(mesh).Cut();
+  FindNeighbours(blocks.blocks);
+  return blocks;
+}
+
+QuadBlocks FindBlocks(const QuadMesh& mesh, const std::vector<int>& regions)
+{
+  Cutter cutter(mesh);
+  cutter.Cut();
+  cutter.AddWalls(regions);
+  QuadBlocks blocks = cutter.Cut();
   FindNeighbours(blocks.blocks);
   return blocks;
 }

@@ -19,4 +19,8 @@ struct QuadBlocks
 /// annuli; an annulus is cut by one more line. Every side of a block is therefore a full side of
 /// another block or part of the boundary. The result depends only on the connectivity.
 QuadBlocks FindBlocks(const QuadMesh& mesh);
+
+/// Divides the blocks further, along the lines between quads of different regions. These lines are
+/// closed or end on the boundary.
+QuadBlocks FindBlocks(const QuadMesh& mesh, const std::vector<int>& regions);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "AutomaticConfiguration.h"
+#include "BoundaryLayers.h"
 #include "BoundarySides.h"
+#include "CornerRows.h"
 #include "HolonomyRepair.h"
 #include "PrescribedSizes.h"
 #include "QuadMesher.h"
@@ -54,6 +56,10 @@ struct QuadRequest
   /// (IndexSplit.h).
   bool split = false;
   BlockMerge merge = BlockMerge::None;
+
+  std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
+  double layerRoom = 1.0; ///< Factor of the distance that chosen singularities keep from layers.
+  std::vector<CornerRule> cornerRows; ///< What rows do at corners.
 };
 
 /// Numbers of blocks with each kind of merging, as far as they were computed.
@@ -96,6 +102,7 @@ struct QuadWorkflowResult
   /// valence 2, stretched, inverted or nearly degenerate quads. One sentence each.
   std::vector<std::string> warnings;
   QuadResult quads;
+  std::vector<LayerReport> layers; ///< One for each layer of the request.
   BlockCounts blocks;
   QuadSeconds seconds;
 };

@@ -2,6 +2,7 @@
 
 #include "CleanBlocks.h"
 #include "IndexSplit.h"
+#include "LayerSteps.h"
 #include "MeshForPoints.h"
 #include "MeshRetry.h"
 #include "NodePositions.h"
@@ -10,6 +11,7 @@
 #include "QuadAdvice.h"
 #include "RequestedSingularities.h"
 #include "SizingChoice.h"
+#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -60,12 +62,18 @@ MeshedLayout WithMergedBlocks(
 class Workflow
 {
 public:
-  Workflow(const PlanarDomain& domain, const QuadRequest& request)
+  Workflow(const PlanarDomain& domain, QuadRequest request)
     : Domain(domain)
-    , Request(request)
+    , Request(std::move(request))
+    , Total(this->Request.quadCount)
   {
-    this->MapOptions.corners = request.corners;
-    this->MapOptions.capCorners = request.capCorners;
+    RequireLayers(this->Request.layers, SidesOf(domain, this->Request).names);
+    if (!this->Request.layers.empty() && this->Request.quadSize == 0.0)
+    {
+      this->Request.quadCount = CountBeforeLayers(domain, this->Request);
+    }
+    this->MapOptions.corners = CornersForLayers(domain, this->Request);
+    this->MapOptions.capCorners = this->Request.capCorners;
   }
 
   void Choose(const Progress& progress)
@@ -200,6 +208,10 @@ public:
       }
       this->Result.seconds.clean = this->Clock.Lap();
     }
+    if (!this->Request.layers.empty())
+    {
+      this->AddLayers(meshed, options);
+    }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = meshed.quads.counts.seconds;
     seconds.layout = meshed.quads.layoutSeconds;
@@ -216,6 +228,29 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
+  /// Adds the layers. If a number of quads is requested that the mesh does not have with them, makes
+  /// it again with another number of quads before.
+  void AddLayers(MeshedLayout& meshed, QuadOptions options)
+  {
+    constexpr int MaximumTries = 4;
+    const BoundaryCurves curves(*meshed.layout.map.topology);
+    for (int tries = 1;; ++tries)
+    {
+      const auto before = static_cast<int>(meshed.quads.mesh.quads.size());
+      this->Result.layers = crossfield::AddLayers(meshed.quads, curves, this->Request.layers);
+      const auto total = static_cast<int>(meshed.quads.mesh.quads.size());
+      if (options.quadSize > 0.0 || tries == MaximumTries ||
+        std::abs(static_cast<double>(total) / this->Total - 1.0) <= CountTolerance)
+      {
+        return;
+      }
+      options.quadCount = CorrectCountBeforeLayers(before, total, this->Total);
+      const int separateBlocks = meshed.quads.separateBlocks;
+      meshed.quads = crossfield::MakeQuads(meshed.layout.map, meshed.layout.tMesh, options);
+      meshed.quads.separateBlocks = separateBlocks;
+    }
+  }
+
   QuadOptions OptionsFor(const MeshTopology& topology) const
   {
     QuadOptions options;
@@ -407,7 +442,9 @@ private:
   }
 
   const PlanarDomain& Domain;
-  const QuadRequest& Request;
+  /// The request; with layers, quadCount is the number of quads before they are added.
+  QuadRequest Request;
+  const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
   std::vector<CornerChoice> FirstCorners; ///< Corners of MapOptions before blocks were merged.
   Configuration Started;                  ///< The singularities before they were repaired.

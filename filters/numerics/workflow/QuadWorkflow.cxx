@@ -1,8 +1,9 @@
 #include "QuadWorkflow.h"
 
 #include "CoarseMeshError.h"
+#include "LayerRuns.h"
+#include "LayerSteps.h"
 #include "QuadAdvice.h"
-#include "QuadSteps.h"
 #include "SideSizes.h"
 
 #include <string>
@@ -41,19 +42,19 @@ QuadWorkflowResult MakeQuadMesh(
   QuadWorkflowResult result;
   try
   {
-    result = RunQuadSteps(domain, request, progress);
+    result = RunWithLayers(domain, request, progress);
   }
   catch (const CoarseMeshError& error)
   {
     // Its remedy, a finer mesh, was tried.
     std::vector<Point> kept = request.sides.FixedPlaces();
-    for (const CornerChoice& corner : request.corners)
+    for (const CornerChoice& corner : CornersForLayers(domain, request))
     {
       kept.push_back(corner.position);
     }
     const double length = FindSmoothing(domain, kept,
       [&](const PlanarDomain& smooth)
-      { RunQuadSteps(smooth, WithSideSizes(smooth, given), trial); });
+      { RunWithLayers(smooth, WithSideSizes(smooth, given), trial); });
     throw Error(WithAdvice(
       WithoutRemedy(error.what()), SmoothingAdvice(length, request.singularities.has_value())));
   }
@@ -67,7 +68,7 @@ QuadWorkflowResult MakeQuadMesh(
         {
           QuadRequest other = request;
           other.quadSize = size;
-          return RunQuadSteps(domain, other, trial).quads;
+          return RunWithLayers(domain, other, trial).quads;
         });
     }
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));

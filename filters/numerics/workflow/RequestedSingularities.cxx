@@ -1,8 +1,10 @@
 #include "RequestedSingularities.h"
 
+#include "LayerSteps.h"
 #include "PoincareHopf.h"
 #include "SizingChoice.h"
 
+#include <cmath>
 #include <utility>
 
 namespace crossfield
@@ -11,13 +13,15 @@ AutomaticConfiguration ChooseSingularities(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   AutomaticOptions options;
-  options.proposal.corners = request.corners;
+  options.proposal.corners = CornersForLayers(domain, request);
   if (request.capCorners)
   {
     CapCorners(domain, options);
   }
   options.optimizer.meshSize = request.meshSize;
   options.optimizer.clearance = request.clearance;
+  // A singularity that moved into a layered side would change what rows do there.
+  options.optimizer.keepAll |= !request.layers.empty();
   options.optimizer.pairs = request.pairs;
   options.optimizer.sizes.sizing = request.sizing.value_or(Sizing::Conformal);
   if (!request.sizing)
@@ -32,6 +36,10 @@ AutomaticConfiguration ChooseSingularities(
     options.optimizer.sizes.field = std::move(sizes.field);
     options.quadSize *= sizes.mean;
   }
+  const double quadSize =
+    options.quadSize > 0.0 ? options.quadSize : std::sqrt(domain.Area() / request.quadCount);
+  options.optimizer.clearanceFactors = ClearanceForLayers(domain, request,
+    request.clearance > 0.0 ? request.clearance : ClearanceForQuads(quadSize), quadSize);
   return ChooseConfiguration(domain, options, progress);
 }
 

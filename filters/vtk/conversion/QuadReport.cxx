@@ -123,6 +123,42 @@ void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
+void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldData* data)
+{
+  if (layers.empty())
+  {
+    return;
+  }
+  using Report = crossfield::LayerReport;
+  const auto addNumbers = [&](const char* name, double Report::*value)
+  {
+    ColumnWriting::AddColumn<vtkDoubleArray>(
+      data, name, layers, [value](const Report& layer) { return layer.*value; });
+  };
+  const auto addIntegers = [&](const char* name, int Report::*value)
+  {
+    ColumnWriting::AddColumn<vtkIntArray>(
+      data, name, layers, [value](const Report& layer) { return layer.*value; });
+  };
+  ColumnWriting::AddColumn<vtkStringArray>(
+    data, names::LayerSide, layers, [](const Report& layer) { return layer.name; });
+  addIntegers(names::LayerReplaced, &Report::rowsReplaced);
+  addIntegers(names::LayerRows, &Report::rows);
+  addNumbers(names::LayerFirst, &Report::first);
+  addNumbers(names::LayerThickness, &Report::meanThickness);
+  addNumbers(names::LayerInBounds, &Report::partInBounds);
+  addNumbers(names::LayerGrowth, &Report::largestGrowth);
+  addNumbers(names::LayerRatio, &Report::largestRatio);
+  auto range = ColumnWriting::NewArray<vtkDoubleArray>(
+    data, names::LayerHeightRange, 2, static_cast<vtkIdType>(layers.size()));
+  for (std::size_t i = 0; i < layers.size(); ++i)
+  {
+    const double heights[] = { layers[i].minimumHeight, layers[i].maximumHeight };
+    range->SetTypedTuple(static_cast<vtkIdType>(i), heights);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeQuads(const QuadResult& result)
 {
   std::ostringstream text;

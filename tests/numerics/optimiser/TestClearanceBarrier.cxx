@@ -33,5 +33,24 @@ TEST(ClearanceBarrier, GradientMatchesDifferences)
   positions << 0.5, 0.5, 0.25, 0.7;
   EXPECT_EQ(barrier.Evaluate(positions).energy, 0.0);
 }
+
+/// At an edge with a factor, the barrier is that of a clearance that is larger by the factor.
+TEST(ClearanceBarrier, FactorsEnlargeTheClearance)
+{
+  const PlanarDomain square = Builtin("square");
+  const Configuration one = { { { 0.5, 0.03 }, 1, 0.0 } };
+  ClearanceFactors factors(1, std::vector<double>(square.loops[0].size(), 2.0));
+  const ClearanceBarrier scaled(square, one, 0.01, factors);
+  const ClearanceBarrier plain(square, one, 0.02);
+  Eigen::VectorXd position(2);
+  for (const double height : { 0.021, 0.03, 0.039, 0.05 })
+  {
+    position << 0.5, square.loops[0][0].y() + height;
+    const ClearanceBarrier::Value value = scaled.Evaluate(position);
+    EXPECT_EQ(value.energy, plain.Evaluate(position).energy);
+    EXPECT_EQ(value.gradient, plain.Evaluate(position).gradient);
+    EXPECT_EQ(value.hessian, plain.Evaluate(position).hessian);
+  }
+}
 }
 }

@@ -1,4 +1,5 @@
 #include "DomainQueries.h"
+#include "MakePlanarDomain.h"
 #include "OptimizerStart.h"
 #include "Support.h"
 
@@ -53,6 +54,18 @@ TEST(OptimizerStart, KeepsPositionsThatAreClearOrCannotBe)
   EXPECT_NEAR(
     EnforceClearance(wedge, inradius, configuration), 0.5 * 0.1 * std::sin(Pi / 6.0), 1e-12);
   EXPECT_EQ(configuration[0].position, corner[0].position);
+}
+
+TEST(OptimizerStart, KeepsMoreDistanceWhereTheClearanceHasAFactor)
+{
+  const PlanarDomain square =
+    MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } } });
+  constexpr double Clearance = 0.02;
+  Configuration configuration = { { { 0.5, 0.03 }, 1 }, { { 0.5, 0.96 }, 1 } };
+  EXPECT_EQ(
+    EnforceClearance(square, Clearance, configuration, { { 10.0, 1.0, 1.0, 1.0 } }), Clearance);
+  EXPECT_GE(configuration[0].position.y(), 1.2 * 10.0 * Clearance - 1e-12);
+  EXPECT_EQ(configuration[1].position, Point(0.5, 0.96));
 }
 
 TEST(OptimizerStart, SeparatesSingularities)

@@ -1,0 +1,357 @@
+#include "BoundaryLayers.h"
+
+#include "BandDivision.h"
+#include "BandLines.h"
+#include "Index.h"
+#include "LayerRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace crossfield
+{
+namespace
+{
+/// Ratio of neighbouring heights behind a layer up to which fewer rows than RowsToReplace suffice.
+constexpr double AcceptedStep = 2.25;
+/// Part of the smallest step by which a step of fewer rows may be larger.
+constexpr double SimilarStep = 1.05;
+
+std::string Format(double value)
+{
+  std::ostringstream text;
+  text.precision(2);
+  text << value;
+  return text.str();
+}
+
+std::string CountRows(int rows)
+{
+  return std::to_string(rows) + (rows == 1 ? " row" : " rows");
+}
+
+/// Returns names as "'a', 'b' or 'c'", at most ten of them.
+std::string ListOf(const std::vector<std::string>& names)
+{
+  constexpr std::size_t Most = 10;
+  const std::size_t count = std::min(names.size(), Most);
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += (i == 0                                       ? "'"
+                : i + 1 == count && count == names.size() ? " or '"
+                                                          : ", '") +
+      names[i] + "'";
+  }
+  return text + (names.size() > Most ? " or another side" : "");
+}
+
+/// The rows of a band that are replaced, and those that replace them.
+struct BandPlan
+{
+  std::size_t edge = 0; ///< An edge of mesh.boundary at the band.
+  int rowsReplaced = 0;
+  int rows = 0; ///< 0: as many as the growth needs.
+};
+
+class Layerer
+{
+public:
+  Layerer(LayeredMesh& layered, const BoundaryCurves& curves, double quadSize)
+    : Layered(layered)
+    , Curves(curves)
+    , QuadSize(quadSize)
+  {
+  }
+
+  /// Finds the bands and the rows of them that are replaced.
+  void Plan()
+  {
+    const QuadWalk walk(this->Layered.mesh);
+    int maximumRows = 1;
+    for (const LayerPrescription& prescription : this->Layered.prescriptions)
+    {
+      maximumRows = std::max(maximumRows, 2 * RowsToReplace(prescription.growth));
+    }
+    const std::vector<QuadBand> bands = FindBands(this->Layered, walk, maximumRows);
+    const std::vector<int> walls = walk.OfBoundary();
+    this->Layered.bands.assign(walls.size(), -1);
+    for (std::size_t b = 0; b < bands.size(); ++b)
+    {
+      for (std::size_t e = 0; e < walls.size(); ++e)
+      {
+        const std::vector<int>& row = bands[b].rows[0];
+        if (this->Layered.LayerAt(e) >= 0 &&
+          std::find(row.begin(), row.end(), walls[e]) != row.end())
+        {
+          this->Layered.bands[e] = static_cast<int>(b);
+        }
+      }
+      this->Plans.push_back(this->PlanBand(bands[b], walk));
+    }
+  }
+
+  /// Divides one band after the other.
+  void Divide()
+  {
+    for (std::size_t b = 0; b < this->Plans.size(); ++b)
+    {
+      BandPlan& plan = this->Plans[b];
+      const QuadWalk walk(this->Layered.mesh);
+      const auto edge =
+        std::find(this->Layered.bands.begin(), this->Layered.bands.end(), static_cast<int>(b));
+      const QuadBand band = FindBand(this->Layered, walk,
+        static_cast<std::size_t>(edge - this->Layered.bands.begin()), plan.rowsReplaced);
+      const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
+      const bool isPrescribed = plan.rows > 0;
+      plan.rows = isPrescribed ? plan.rows : lines.RowsNeeded();
+      std::vector<std::vector<QuadPoint>> points = lines.Divide(plan.rows);
+      // Chords of a curved line may grow slightly faster than its lengths.
+      constexpr int MoreRows = 5;
+      for (int more = 0;
+           !isPrescribed && more < MoreRows && lines.LargestGrowth(points) > lines.Growth(); ++more)
+      {
+        points = lines.Divide(++plan.rows);
+      }
+      DivideBand(this->Layered, band, walk, points);
+    }
+  }
+
+  std::vector<LayerReport> Measure() const
+  {
+    std::vector<int> rows;
+    for (const int band : this->Layered.bands)
+    {
+      rows.push_back(band < 0 ? 0 : this->Plans[Index(band)].rows);
+    }
+    std::vector<LayerReport> reports = MeasureLayers(this->Layered, rows);
+    for (std::size_t e = 0; e < rows.size(); ++e)
+    {
+      if (this->Layered.bands[e] >= 0)
+      {
+        int& replaced = reports[Index(this->Layered.LayerAt(e))].rowsReplaced;
+        replaced = std::max(replaced, this->Plans[Index(this->Layered.bands[e])].rowsReplaced);
+      }
+    }
+    return reports;
+  }
+
+private:
+  /// Returns the prescription of the first layered side of a band.
+  const LayerPrescription& PrescriptionOf(const QuadBand& band) const
+  {
+    const auto found =
+      std::find_if(band.layers.begin(), band.layers.end(), [](int layer) { return layer >= 0; });
+    return this->Layered.prescriptions[Index(*found)];
+  }
+
+  BandPlan PlanBand(const QuadBand& band, const QuadWalk& walk) const
+  {
+    int rows = 0;
+    for (const int layer : band.layers)
+    {
+      const int prescribed = layer < 0 ? 0 : this->Layered.prescriptions[Index(layer)].rows;
+      if (prescribed > 0 && rows > 0 && prescribed != rows)
+      {
+        throw Error("The sides '" + this->PrescriptionOf(band).name + "' and '" +
+          this->Layered.prescriptions[Index(layer)].name +
+          "' share the rows of their layers, but have different numbers of them; give equal "
+          "numbers, or end the rows at the corner between them.");
+      }
+      rows = std::max(rows, prescribed);
+    }
+    BandPlan plan =
+      rows > 0 ? this->PlanForRows(band, walk, rows) : this->PlanForGrowth(band, walk);
+    const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
+    this->RequireThinRows(band, lines, plan.rowsReplaced);
+    return plan;
+  }
+
+  /// Throws Error if the first height of a layer is not below that of the rows that it replaces.
+  void RequireThinRows(const QuadBand& band, const BandLines& lines, int rowsReplaced) const
+  {
+    for (const BandLine& line : lines.Lines())
+    {
+      if (line.isLayered && line.first * rowsReplaced >= line.length)
+      {
+        const LayerPrescription& prescription = this->PrescriptionOf(band);
+        throw Error("The first height " + Format(prescription.first) + " of the layer of '" +
+          prescription.name + "' is not below the height " + Format(line.length / rowsReplaced) +
+          " of the quads beside it; give a smaller height, or larger quads.");
+      }
+    }
+  }
+
+  /// Returns the smallest number of rows behind which the step of heights is about the smallest.
+  BandPlan PlanForGrowth(const QuadBand& band, const QuadWalk& walk) const
+  {
+    BandPlan plan;
+    double best = 0.0;
+    std::vector<double> steps;
+    for (int rows = 1; rows <= static_cast<int>(band.rows.size()); ++rows)
+    {
+      const BandLines lines(this->Layered, band, walk, this->Curves, rows);
+      steps.push_back(lines.LargestStep(lines.RowsNeeded()));
+      best = rows == 1 ? steps.back() : std::min(best, steps.back());
+    }
+    const auto similar = std::find_if(
+      steps.begin(), steps.end(), [&](double step) { return step <= SimilarStep * best; });
+    plan.rowsReplaced = static_cast<int>(similar - steps.begin()) + 1;
+    const auto available = static_cast<int>(band.rows.size());
+    const int needed =
+      RowsToReplace(BandLines(this->Layered, band, walk, this->Curves, 1).Growth());
+    if (best > AcceptedStep && available < needed)
+    {
+      const std::string lack = this->DescribeLack(band, walk, needed);
+      if (band.end == BandEnd::Irregular)
+      {
+        throw LackOfRows(lack);
+      }
+      throw Error(lack);
+    }
+    return plan;
+  }
+
+  /// Returns the largest number of rows that a prescribed number of rows can replace.
+  BandPlan PlanForRows(const QuadBand& band, const QuadWalk& walk, int rows) const
+  {
+    BandPlan plan;
+    plan.rows = rows;
+    int needed = 0;
+    for (int replaced = 1; replaced <= static_cast<int>(band.rows.size()); ++replaced)
+    {
+      const BandLines lines(this->Layered, band, walk, this->Curves, replaced);
+      needed = lines.RowsNeeded();
+      if (needed > rows)
+      {
+        break;
+      }
+      plan.rowsReplaced = replaced;
+    }
+    const LayerPrescription& prescription = this->PrescriptionOf(band);
+    if (plan.rowsReplaced == 0)
+    {
+      throw Error("The layer of '" + prescription.name + "' needs " + CountRows(needed) +
+        " to grow from " + Format(prescription.first) + " to the quads beside it, but " +
+        std::to_string(rows) +
+        " are prescribed; give more rows, a larger growth, or smaller quads.");
+    }
+    const BandLines lines(this->Layered, band, walk, this->Curves, plan.rowsReplaced);
+    for (const BandLine& line : lines.Lines())
+    {
+      if (line.isLayered && rows * line.first > line.length)
+      {
+        throw Error("The " + CountRows(rows) + " of the layer of '" + prescription.name +
+          "' are at least " + Format(rows * line.first) + " thick, but only " +
+          Format(line.length) + " beside it can be divided; give fewer rows.");
+      }
+    }
+    return plan;
+  }
+
+  /// Returns a sentence about a band with too few rows.
+  std::string DescribeLack(const QuadBand& band, const QuadWalk& walk, int needed) const
+  {
+    const auto available = static_cast<int>(band.rows.size());
+    const std::string& name = this->PrescriptionOf(band).name;
+    const std::string start = "Only " + CountRows(available) + " beside '" + name + "' " +
+      (available == 1 ? "is" : "are") + " free of ";
+    const std::string place =
+      " near " + Describe(band.place) + ", " + std::to_string(needed) + " are needed; ";
+    switch (band.end)
+    {
+    case BandEnd::Irregular:
+    {
+      // The height of the rows there.
+      const BandLines lines(this->Layered, band, walk, this->Curves, available);
+      double distance = std::numeric_limits<double>::infinity();
+      double height = 0.0;
+      for (std::size_t line = 0; line < lines.Lines().size(); ++line)
+      {
+        const double candidate = (band.place - lines.WallAt(line)).norm();
+        if (lines.Lines()[line].isLayered && candidate < distance)
+        {
+          distance = candidate;
+          height = lines.Lines()[line].length / available;
+        }
+      }
+      return start + "irregular nodes" + place + "move the singularities " +
+        Format((needed - available) * std::max(height, this->QuadSize)) + " away.";
+    }
+    case BandEnd::Boundary:
+      return start + "corners and ends of sides" + place + "use smaller quads.";
+    default:
+      return start + "rows of other layers" + place + "use smaller quads, or a larger growth.";
+    }
+  }
+
+  LayeredMesh& Layered;
+  const BoundaryCurves& Curves;
+  const double QuadSize; ///< As in QuadResult::size.
+  std::vector<BandPlan> Plans;
+};
+}
+
+void RequireLayers(
+  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides)
+{
+  for (std::size_t i = 0; i < layers.size(); ++i)
+  {
+    const LayerPrescription& layer = layers[i];
+    const std::string name = "The layer of '" + layer.name + "'";
+    if (!(layer.first > 0.0) || !std::isfinite(layer.first))
+    {
+      throw Error(
+        name + " has a first height of " + Format(layer.first) + "; give a positive length.");
+    }
+    if (!(layer.growth > 1.0 && layer.growth <= 3.0))
+    {
+      throw Error(name + " has a growth of " + Format(layer.growth) +
+        "; give a number above 1 and at most 3.");
+    }
+    if (layer.rows < 0)
+    {
+      throw Error(name + " has " + std::to_string(layer.rows) +
+        " rows; give a positive number, or 0 for as many as the growth needs.");
+    }
+    if (std::find(sides.begin(), sides.end(), layer.name) == sides.end())
+    {
+      throw Error("There is no side '" + layer.name + "' for a layer; give " + ListOf(sides) + ".");
+    }
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      if (layers[j].name == layer.name)
+      {
+        throw Error("The side '" + layer.name + "' has two layers; give one of them.");
+      }
+    }
+  }
+}
+
+std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
+  const std::vector<LayerPrescription>& prescriptions)
+{
+  RequireLayers(prescriptions, quads.mesh.sideNames);
+  LayeredMesh layered;
+  layered.prescriptions = prescriptions;
+  for (const std::string& name : quads.mesh.sideNames)
+  {
+    const auto found = std::find_if(prescriptions.begin(), prescriptions.end(),
+      [&](const LayerPrescription& layer) { return layer.name == name; });
+    layered.layerOfSide.push_back(
+      found == prescriptions.end() ? -1 : static_cast<int>(found - prescriptions.begin()));
+  }
+  layered.regions.assign(quads.mesh.quads.size(), 0);
+  layered.mesh = std::move(quads.mesh);
+  Layerer layerer(layered, curves, quads.size);
+  layerer.Plan();
+  layerer.Divide();
+  const std::vector<LayerReport> reports = layerer.Measure();
+  quads.mesh = std::move(layered.mesh);
+  quads.blocks = FindBlocks(quads.mesh, layered.regions);
+  quads.quality = MeasureQuads(quads.mesh, quads.size);
+  return reports;
+}
+}

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "Error.h"
+#include "LayerReport.h"
+#include "QuadMesher.h"
+
+namespace crossfield
+{
+/// Thrown if irregular points leave too few rows beside a side for its layer.
+class LackOfRows : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// Throws Error if a prescription has impossible numbers, or is for none of the sides.
+void RequireLayers(
+  const std::vector<LayerPrescription>& layers, const std::vector<std::string>& sides);
+
+/// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
+/// (docs/method.md §16). Points outside the bands, valences and the irregular points stay as they
+/// are. The blocks are divided along the bands.
+///
+/// Throws Error as RequireLayers does, and if the first height of a side is not less than the rows there, or
+/// LackOfRows if too few rows beside it are free of irregular points.
+std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
+  const std::vector<LayerPrescription>& prescriptions);
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "LayeredMesh.h"
+
+#include <array>
+
+namespace crossfield
+{
+/// Measures of the boundary layer of one side (docs/method.md §16.3).
+struct LayerReport
+{
+  std::string name;           ///< Of the side.
+  int rowsReplaced = 0;       ///< K: rows of quads that were replaced.
+  int rows = 0;               ///< N: rows of the layer.
+  double first = 0.0;         ///< Prescribed height of the first row.
+  double minimumHeight = 0.0; ///< Of the first row, normal to the wall.
+  double maximumHeight = 0.0; ///< Of the first row, normal to the wall.
+  double meanThickness = 0.0; ///< Length across all rows.
+  /// Part of the length of the side whose first row deviates at most 5 % from the prescribed height.
+  double partInBounds = 0.0;
+  double largestGrowth = 1.0; ///< Maximum ratio of the heights of neighbouring rows of the layer.
+  /// Maximum ratio of the heights of neighbouring quads across the layer, either way, including the
+  /// first row behind it.
+  double largestRatio = 1.0;
+};
+
+/// Measures the layers of a mesh, of which the edge e of mesh.boundary has rows[e] rows. Heights are
+/// distances from the line through the edge at the wall. Requires that every side of the
+/// prescriptions has an edge.
+std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::vector<int>& rows);
+}

@@ -1,0 +1,168 @@
+#include "LayerSteps.h"
+
+#include "Error.h"
+#include "LayerRows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield
+{
+namespace
+{
+/// The names of the sides along the loops of a domain.
+class NamesAlong
+{
+public:
+  NamesAlong(const PlanarDomain& domain, const QuadRequest& request)
+    : Sides(SidesOf(domain, request))
+    , Arcs(domain.loops.begin(), domain.loops.end())
+    , Along(this->Sides, this->Arcs)
+  {
+  }
+
+  /// Returns the name of a segment of a loop.
+  const std::string& At(std::size_t loop, std::size_t segment) const
+  {
+    const LoopArc& arc = this->Arcs[loop];
+    const double middle = 0.5 * (arc.Start(segment) + arc.Start(segment + 1));
+    return this->Sides.names[static_cast<std::size_t>(this->Along.At(loop, middle))];
+  }
+
+  double LengthOf(std::size_t loop, std::size_t segment) const
+  {
+    return this->Arcs[loop].Start(segment + 1) - this->Arcs[loop].Start(segment);
+  }
+
+private:
+  BoundarySides Sides;
+  std::vector<LoopArc> Arcs;
+  SidesAlong Along;
+};
+
+const LayerPrescription* FindLayer(const QuadRequest& request, const std::string& name)
+{
+  const auto found = std::find_if(request.layers.begin(), request.layers.end(),
+    [&](const LayerPrescription& layer) { return layer.name == name; });
+  return found == request.layers.end() ? nullptr : &*found;
+}
+}
+
+BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request)
+{
+  return request.sides.names.empty() ? NameSides(domain) : request.sides;
+}
+
+std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request)
+{
+  std::vector<CornerChoice> corners = request.corners;
+  if (request.layers.empty() && request.cornerRows.empty())
+  {
+    return corners;
+  }
+  const NamesAlong names(domain, request);
+  const SidesAtCorner sidesAt = [&](const Corner& corner)
+  {
+    const auto loop = static_cast<std::size_t>(corner.loop);
+    const auto vertex = static_cast<std::size_t>(corner.vertex);
+    const std::size_t count = domain.loops[loop].size();
+    return std::vector<std::string>{ names.At(loop, (vertex + count - 1) % count),
+      names.At(loop, vertex) };
+  };
+  const double reach = BoundaryReach * domain.Diagonal();
+  const auto isChosen = [&](const Point& position)
+  {
+    return std::any_of(corners.begin(), corners.end(),
+      [&](const CornerChoice& choice) { return (choice.position - position).norm() <= reach; });
+  };
+  for (const CornerChoice& choice : TreatCorners(domain, request.cornerRows, sidesAt))
+  {
+    if (isChosen(choice.position))
+    {
+      throw Error("The corner at " + Describe(choice.position) +
+        " has both a quarter index and a treatment of rows; give one of them.");
+    }
+    corners.push_back(choice);
+  }
+  for (const Corner& corner : FindCorners(domain.loops))
+  {
+    const std::vector<std::string> sides = sidesAt(corner);
+    if (!isChosen(corner.position) &&
+      std::any_of(sides.begin(), sides.end(),
+        [&](const std::string& side) { return FindLayer(request, side) != nullptr; }))
+    {
+      corners.push_back({ corner.position, QuarterIndexFor(corner, DefaultRows(corner.angle)) });
+    }
+  }
+  return corners;
+}
+
+ClearanceFactors ClearanceForLayers(
+  const PlanarDomain& domain, const QuadRequest& request, double clearance, double quadSize)
+{
+  if (request.layers.empty())
+  {
+    return {};
+  }
+  const NamesAlong names(domain, request);
+  ClearanceFactors factors;
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    factors.emplace_back();
+    for (std::size_t segment = 0; segment < domain.loops[l].size(); ++segment)
+    {
+      const LayerPrescription* layer = FindLayer(request, names.At(l, segment));
+      const double room =
+        layer == nullptr ? 0.0 : request.layerRoom * RowsToReplace(layer->growth) * quadSize;
+      factors.back().push_back(std::max(1.0, room / clearance));
+    }
+  }
+  return factors;
+}
+
+int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
+{
+  std::vector<double> lengths(request.layers.size(), 0.0);
+  const NamesAlong names(domain, request);
+  for (std::size_t l = 0; l < domain.loops.size(); ++l)
+  {
+    for (std::size_t segment = 0; segment < domain.loops[l].size(); ++segment)
+    {
+      if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
+      {
+        lengths[static_cast<std::size_t>(layer - request.layers.data())] +=
+          names.LengthOf(l, segment);
+      }
+    }
+  }
+  // With h the size of quads, K rows of h along a side of length L become N rows: A/h² + Σ L (N −
+  // K)/h quads. N depends on h by a logarithm only.
+  double size = std::sqrt(domain.Area() / request.quadCount);
+  for (int iteration = 0; iteration < 10; ++iteration)
+  {
+    double columns = 0.0;
+    for (std::size_t i = 0; i < request.layers.size(); ++i)
+    {
+      const LayerPrescription& layer = request.layers[i];
+      const int replaced = RowsToReplace(layer.growth);
+      const int rows = layer.rows > 0
+        ? layer.rows
+        : RowsToFill(replaced * size, std::min(layer.first, size), layer.growth);
+      columns += lengths[i] * std::max(0, rows - replaced);
+    }
+    // A x² + columns x = count, x = 1/h.
+    const double area = domain.Area();
+    size = 2.0 * area / (std::sqrt(columns * columns + 4.0 * area * request.quadCount) - columns);
+  }
+  return std::max(1, static_cast<int>(std::lround(domain.Area() / (size * size))));
+}
+
+int CorrectCountBeforeLayers(int before, int total, int requested)
+{
+  // The layers add c √n to n quads.
+  const double root = std::sqrt(static_cast<double>(before));
+  const double c = (total - before) / root;
+  const double corrected = 0.5 * (std::sqrt(c * c + 4.0 * requested) - c);
+  return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
+}
+}

@@ -1,0 +1,33 @@
+"""Boundary layers and treatments of corners in the text form of vtkQuadMesher."""
+from __future__ import annotations
+
+from typing import Mapping, Sequence, Union
+
+from ._run import Error
+
+Layers = Mapping[str, Union[float, Sequence[float]]]
+CornerRows = Mapping[Union[str, Sequence[float]], str]
+
+
+def _name(name: str) -> str:
+    if not name or ";" in name:
+        raise Error("The name '%s' of a side is empty or has a semicolon; rename the side." % name)
+    return name
+
+
+def layers_text(layers: Layers) -> str:
+    """Returns first height, growth and number of rows for each named side."""
+    entries = []
+    for name, values in layers.items():
+        numbers = [values] if isinstance(values, (int, float)) else list(values)
+        entries.append("%s:%s" % (_name(name), ",".join(repr(number) for number in numbers)))
+    return ";".join(entries)
+
+
+def corner_rows_text(rows: CornerRows) -> str:
+    """Returns what rows do at each corner, given by its position, or by the name of a side."""
+    entries = []
+    for where, word in rows.items():
+        place = _name(where) if isinstance(where, str) else ",".join(repr(float(x)) for x in where)
+        entries.append("%s:%s" % (place, word))
+    return ";".join(entries)

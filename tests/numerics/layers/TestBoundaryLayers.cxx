@@ -1,0 +1,325 @@
+// Boundary layers of meshes whose rows are known, and prescriptions that are impossible.
+
+#include "BoundaryLayers.h"
+
+#include "LayerChecks.h"
+#include "LayerRows.h"
+#include "MakePlanarDomain.h"
+#include "QuadWorkflow.h"
+#include "Support.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossfield::test
+{
+namespace
+{
+LayerPrescription Layer(const std::string& name, double first, double growth = 1.2, int rows = 0)
+{
+  LayerPrescription layer;
+  layer.name = name;
+  layer.first = first;
+  layer.growth = growth;
+  layer.rows = rows;
+  return layer;
+}
+
+/// Returns the same layer on all sides of a square.
+std::vector<LayerPrescription> OnFourSides(double first, double growth = 1.2, int rows = 0)
+{
+  std::vector<LayerPrescription> layers;
+  for (const char* name : { "outer0", "outer1", "outer2", "outer3" })
+  {
+    layers.push_back(Layer(name, first, growth, rows));
+  }
+  return layers;
+}
+
+PlanarDomain UnitSquare()
+{
+  return MakePlanarDomain({ { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } } });
+}
+
+QuadRequest SquareRequest(const std::vector<LayerPrescription>& layers)
+{
+  QuadRequest request;
+  request.quadSize = 0.05;
+  request.singularities = Configuration();
+  request.layers = layers;
+  return request;
+}
+
+/// Returns the sorted, distinct values of one coordinate of the points of a mesh.
+std::vector<double> Coordinates(const QuadMesh& mesh, Eigen::Index axis)
+{
+  std::vector<double> values;
+  for (const QuadPoint& point : mesh.points)
+  {
+    values.push_back(point.place[axis]);
+  }
+  std::sort(values.begin(), values.end());
+  std::vector<double> distinct;
+  for (const double value : values)
+  {
+    if (distinct.empty() || value > distinct.back() + 1e-9)
+    {
+      distinct.push_back(value);
+    }
+  }
+  return distinct;
+}
+
+TEST(BoundaryLayers, OfASquareAreGeometricSeries)
+{
+  const double first = 1e-3;
+  const QuadWorkflowResult result = MakeQuadMesh(UnitSquare(), SquareRequest(OnFourSides(first)));
+  ASSERT_EQ(result.layers.size(), 4U);
+  const LayerReport& report = result.layers[0];
+  const double thickness = 0.05 * report.rowsReplaced;
+  EXPECT_EQ(report.rows, RowsToFill(thickness, first, 1.2));
+  EXPECT_NEAR(report.meanThickness, thickness, 1e-9);
+  EXPECT_NEAR(report.minimumHeight, first, 1e-9);
+  EXPECT_NEAR(report.maximumHeight, first, 1e-9);
+  EXPECT_EQ(report.partInBounds, 1.0);
+  EXPECT_LE(report.largestGrowth, 1.2);
+  EXPECT_LE(report.largestRatio, 1.25);
+  EXPECT_NEAR(result.quads.quality.jacobian.min, 1.0, 1e-9);
+  // The points are a tensor product of the same series on all four sides.
+  const std::vector<double> ends = RowEnds(thickness, first, report.rows);
+  for (const Eigen::Index axis : { 0, 1 })
+  {
+    const std::vector<double> values = Coordinates(result.quads.mesh, axis);
+    const int between = 20 - 2 * report.rowsReplaced;
+    ASSERT_EQ(static_cast<int>(values.size()), 2 * report.rows + between + 1);
+    for (std::size_t row = 0; row < ends.size(); ++row)
+    {
+      EXPECT_NEAR(values[row + 1], ends[row], 1e-9) << row;
+      EXPECT_NEAR(values[values.size() - 2 - row], 1.0 - ends[row], 1e-9) << row;
+    }
+  }
+  // One block in the middle, one for each band, and one for each crossing.
+  EXPECT_EQ(result.quads.blocks.blocks.size(), 9U);
+  ExpectSoundBlocks(result.quads);
+}
+
+TEST(BoundaryLayers, OfARingAreCircles)
+{
+  const PlanarDomain ring = MakePlanarDomain({ RegularPolygon(256), RegularPolygon(256, 0.4) });
+  QuadRequest request;
+  request.quadSize = 0.05;
+  request.layers = { Layer("hole0", 1e-4), Layer("outer0", 1e-3, 1.3) };
+  for (const Sizing sizing : { Sizing::Conformal, Sizing::Uniform })
+  {
+    request.sizing = sizing;
+    const QuadWorkflowResult result = MakeQuadMesh(ring, request);
+    ASSERT_EQ(result.layers.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      EXPECT_EQ(result.layers[i].name, request.layers[i].name);
+      EXPECT_EQ(result.layers[i].partInBounds, 1.0);
+      EXPECT_LE(result.layers[i].largestGrowth, request.layers[i].growth);
+    }
+    // Three annuli, cut along the same line.
+    EXPECT_EQ(result.quads.blocks.blocks.size(), 3U);
+    ExpectSoundBlocks(result.quads);
+    EXPECT_GE(result.quads.quality.jacobian.min, 0.99);
+  }
+}
+
+TEST(BoundaryLayers, PrescribedNumberOfRows)
+{
+  for (const int rows : { 20, 23, 30, 60 })
+  {
+    const QuadWorkflowResult result =
+      MakeQuadMesh(UnitSquare(), SquareRequest(OnFourSides(1e-3, 1.25, rows)));
+    const LayerReport& report = result.layers[0];
+    EXPECT_EQ(report.rows, rows);
+    EXPECT_NEAR(report.minimumHeight, 1e-3, 1e-9);
+    EXPECT_NEAR(report.maximumHeight, 1e-3, 1e-9);
+    EXPECT_LE(report.largestGrowth, 1.25 + 1e-9);
+    EXPECT_GE(report.rowsReplaced, 1);
+  }
+}
+
+TEST(BoundaryLayers, NothingMovesOutsideTheBand)
+{
+  const PlanarDomain domain = MakePlanarDomain({ RegularPolygon(128) });
+  QuadRequest request;
+  request.quadSize = 0.06;
+  request.singularities = OnCircle(4, 0.45, 0.3, 1, 0.0);
+  const QuadWorkflowResult plain = MakeQuadMesh(domain, request);
+  request.layers = { Layer("outer0", 1e-3) };
+  const QuadWorkflowResult layered = MakeQuadMesh(domain, request);
+  const LayerReport& report = layered.layers[0];
+  const int columns = static_cast<int>(plain.quads.mesh.boundary.size());
+  EXPECT_EQ(layered.quads.mesh.boundary.size(), plain.quads.mesh.boundary.size());
+  EXPECT_EQ(layered.quads.mesh.quads.size(),
+    plain.quads.mesh.quads.size() +
+      static_cast<std::size_t>(columns * (report.rows - report.rowsReplaced)));
+  // All points of the plain mesh are there, except those of the inner lines of the band.
+  int same = 0;
+  for (const QuadPoint& point : plain.quads.mesh.points)
+  {
+    same += std::any_of(layered.quads.mesh.points.begin(), layered.quads.mesh.points.end(),
+              [&](const QuadPoint& other)
+              { return other.place == point.place && other.valence == point.valence; })
+      ? 1
+      : 0;
+  }
+  EXPECT_EQ(
+    same, static_cast<int>(plain.quads.mesh.points.size()) - columns * (report.rowsReplaced - 1));
+  ExpectSoundBlocks(layered.quads);
+}
+
+TEST(BoundaryLayers, NumberOfQuadsIncludesTheRows)
+{
+  const PlanarDomain ring = MakePlanarDomain({ RegularPolygon(256), RegularPolygon(256, 0.4) });
+  QuadRequest request;
+  request.quadCount = 5000;
+  request.layers = { Layer("hole0", 1e-4) };
+  const QuadWorkflowResult result = MakeQuadMesh(ring, request);
+  EXPECT_NEAR(static_cast<double>(result.quads.mesh.quads.size()), 5000.0, 250.0);
+  EXPECT_TRUE(result.warnings.empty());
+}
+
+TEST(BoundaryLayers, ChosenSingularitiesLeaveRoom)
+{
+  Loop hole = RegularPolygon(64, 0.2, Point(0.1, 0.0));
+  const PlanarDomain domain =
+    MakePlanarDomain({ { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } }, hole });
+  QuadRequest request;
+  request.quadSize = 0.06;
+  // As chosen without a layer, they leave too few rows, and the message says so.
+  request.singularities = MakeQuadMesh(domain, request).singularities;
+  request.layers = { Layer("hole0", 1e-3) };
+  std::string message;
+  try
+  {
+    MakeQuadMesh(domain, request);
+  }
+  catch (const LackOfRows& error)
+  {
+    message = error.what();
+  }
+  for (const char* part :
+    { "beside 'hole0'", "free of irregular nodes", "are needed", "move the singularities" })
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+  // Both remedies work.
+  const std::string before = "move the singularities ";
+  const double away = std::stod(message.substr(message.find(before) + before.size()));
+  QuadRequest moved = request;
+  for (Singularity& singularity : *moved.singularities)
+  {
+    singularity.position += away * (singularity.position - Point(0.1, 0.0)).normalized();
+  }
+  EXPECT_NO_THROW(MakeQuadMesh(domain, moved)) << away;
+  EXPECT_NE(message.find("or leave them out"), std::string::npos) << message;
+  request.singularities.reset();
+  const QuadWorkflowResult result = MakeQuadMesh(domain, request);
+  EXPECT_GE(result.layers[0].partInBounds, 0.95);
+  EXPECT_LE(result.layers[0].largestRatio, 2.5);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+}
+
+/// Returns a profile of sharp trailing edge (NACA 0012), from the trailing edge over the upper side.
+Loop Profile(int pieces)
+{
+  Loop loop;
+  const auto thickness = [](double x)
+  {
+    return 0.6 *
+      (0.2969 * std::sqrt(x) - 0.126 * x - 0.3516 * x * x + 0.2843 * x * x * x -
+        0.1036 * x * x * x * x);
+  };
+  for (int i = 0; i < 2 * pieces; ++i)
+  {
+    const double x = 0.5 * (1.0 + std::cos(Pi * i / pieces));
+    loop.emplace_back(x, i == 0 ? 0.0 : i <= pieces ? thickness(x) : -thickness(x));
+  }
+  return loop;
+}
+
+/// Returns a far field with a round front and a straight outlet.
+Loop FarField(double radius)
+{
+  Loop loop;
+  for (int i = 0; i <= 90; ++i)
+  {
+    const double angle = 0.5 * Pi + Pi * i / 90.0;
+    loop.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  for (int i = 1; i <= 30; ++i)
+  {
+    loop.emplace_back(radius * i / 30.0, -radius);
+  }
+  for (int i = 30; i > 0; --i)
+  {
+    loop.emplace_back(radius * i / 30.0, radius);
+  }
+  return loop;
+}
+
+TEST(BoundaryLayers, OfAProfileGiveACGrid)
+{
+  const PlanarDomain domain = MakePlanarDomain({ FarField(10.0), Profile(80) });
+  QuadRequest request;
+  request.quadCount = 10000;
+  request.sizing = Sizing::Conformal;
+  request.layers = { Layer("hole0", 1e-4) };
+  const QuadWorkflowResult result = MakeQuadMesh(domain, request);
+  EXPECT_TRUE(result.singularities.empty());
+  const auto edge = std::find_if(result.corners.begin(), result.corners.end(),
+    [](const CornerChoice& corner) { return corner.position == Point(1.0, 0.0); });
+  ASSERT_NE(edge, result.corners.end());
+  EXPECT_EQ(edge->quarterIndex, -2);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_GE(result.quads.quality.jacobian.min, 0.90);
+  const LayerReport& report = result.layers[0];
+  EXPECT_EQ(report.partInBounds, 1.0);
+  EXPECT_LE(report.largestGrowth, 1.2);
+  EXPECT_LE(report.largestRatio, 2.0);
+  ExpectSoundBlocks(result.quads);
+  // The wake: the row along the line behind the trailing edge becomes higher with the distance.
+  double last = 0.0;
+  for (const QuadPoint& point : result.quads.mesh.points)
+  {
+    if (point.place.x() > 1.0 && std::abs(point.place.y()) < 0.02)
+    {
+      last = std::max(last, point.place.x());
+    }
+  }
+  EXPECT_NEAR(last, 10.0, 1e-9);
+}
+
+TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
+{
+  const PlanarDomain square = UnitSquare();
+  const auto refuses =
+    [&](const std::vector<LayerPrescription>& layers, const std::vector<std::string>& parts)
+  { return Refuses([&] { MakeQuadMesh(square, SquareRequest(layers)); }, parts); };
+  EXPECT_TRUE(refuses(
+    { Layer("wall", 1e-3) }, { "no side 'wall'", "'outer0', 'outer1', 'outer2' or 'outer3'" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", 0.0) }, { "first height of 0", "positive" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", -1.0) }, { "first height of -1" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.0) }, { "growth of 1", "above 1" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 5.0) }, { "growth of 5", "at most 3" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", 1e-3, 1.2, -2) }, { "-2 rows" }));
+  EXPECT_TRUE(
+    refuses({ Layer("outer0", 1e-3), Layer("outer0", 1e-4) }, { "'outer0' has two layers" }));
+  EXPECT_TRUE(
+    refuses({ Layer("outer0", 0.2) }, { "first height 0.2", "is not below the height 0.05" }));
+  EXPECT_TRUE(
+    refuses({ Layer("outer0", 1e-3, 1.2, 3) }, { "needs 14 rows", "but 3 are prescribed" }));
+  EXPECT_TRUE(refuses({ Layer("outer0", 1e-2, 1.2, 1000) }, { "at least 10 thick", "fewer rows" }));
+  // Too few quads between two sides.
+  QuadRequest narrow = SquareRequest(OnFourSides(1e-3, 1.05));
+  narrow.quadSize = 0.25;
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, narrow); }, { "use smaller quads" }));
+  narrow.quadSize = 1.0;
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, narrow); }, { "use smaller quads" }));
+}
+}
+}
