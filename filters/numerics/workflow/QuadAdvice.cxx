@@ -143,8 +143,9 @@ double FindSmoothing(const PlanarDomain& domain, const std::vector<CornerChoice>
 std::string CountInverted(const QuadQuality& quality)
 {
   const bool one = quality.inverted == 1;
-  return std::to_string(quality.inverted) + (one ? " quad is inverted near " :
-    " quads are inverted, the worst near ") + Describe(quality.where);
+  return std::to_string(quality.inverted) +
+    (one ? " quad is inverted near " : " quads are inverted, the worst near ") +
+    Describe(quality.where);
 }
 
 std::string DescribeInverted(const QuadQuality& quality, const std::optional<SmallerSize>& smaller)
