@@ -73,7 +73,7 @@ std::vector<std::vector<double>> PartsOf(
     }
     if (!startsAtEnd && parts.size() - 1 > first) // a closed curve that does not start at a corner
     {
-      parts[first].insert(parts[first].end(), parts.back().begin(), parts.back().end());
+      parts[first].insert(parts[first].begin(), parts.back().begin(), parts.back().end());
       parts.pop_back();
     }
   }
@@ -258,6 +258,42 @@ TEST(PrescribedSides, ProgressionsAreGeometric)
       }
     }
   }
+}
+
+TEST(PrescribedSides, ProgressionsOfRandomPartsAreGeometric)
+{
+  Random random(9);
+  int graded = 0;
+  for (int run = 0; run < 30; ++run)
+  {
+    SCOPED_TRACE(run);
+    const PlanarDomain domain = RandomPart(random);
+    QuadRequest request;
+    request.sides = NameSides(domain, RandomNames(random, domain, 3));
+    request.quadCount = random.Integer(300, 900);
+    Progression progression;
+    progression.ratio = std::exp(random.Uniform(-1.2, 1.2));
+    const int side = random.Integer(0, static_cast<int>(request.sides.names.size()) - 1);
+    request.prescribed = { Graded(side, progression) };
+    QuadResult quads;
+    try
+    {
+      quads = MakeQuadMesh(domain, request).quads;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("closed curve"), std::string::npos);
+      continue;
+    }
+    EXPECT_EQ(quads.quality.inverted, 0);
+    for (const std::vector<double>& part : PartsOf(quads.mesh, domain, request.sides, side))
+    {
+      const double expected = part.size() > 1 ? progression.ratio : 1.0;
+      EXPECT_NEAR(part.back() / part.front(), expected, 1e-6 * expected);
+    }
+    ++graded;
+  }
+  EXPECT_GT(graded, 15);
 }
 
 TEST(PrescribedSides, LengthsOfFirstAndLastEdgeAreMet)
