@@ -1,9 +1,11 @@
 #include "SizingChoice.h"
 
 #include "OptimizerReport.h"
+#include "SizeSearch.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -14,25 +16,38 @@ namespace
 /// Part of the attainable minimum scaled Jacobian from which a mesh needs no improvement.
 constexpr double GoodShape = 0.8;
 
-/// What a mesh lacks: quads that are not inverted, shape, uniform sizes, in this order.
+/// What a mesh lacks: quads that are not inverted, their number, shape, uniform sizes, in this order.
 struct Shortfall
 {
   int inverted;
+  double count; ///< Excess of the relative error of the number of quads.
   double shape; ///< Missing part of the minimum scaled Jacobian.
   double sizes; ///< Excess of the variation of sizes.
 
+  Shortfall(const QuadResult& quads, const QuadOptions& options)
+    : Shortfall(quads.quality)
+  {
+    if (options.quadSize == 0.0)
+    {
+      const auto size = static_cast<double>(quads.mesh.quads.size());
+      this->count = std::max(0.0, std::abs(size / options.quadCount - 1.0) - CountTolerance);
+    }
+  }
+
+  bool IsGood() const { return this->inverted == 0 && this->shape == 0.0 && this->sizes == 0.0; }
+  bool IsBelow(const Shortfall& other) const
+  {
+    return std::tie(this->inverted, this->count, this->shape, this->sizes) <
+      std::tie(other.inverted, other.count, other.shape, other.sizes);
+  }
+
+private:
   explicit Shortfall(const QuadQuality& quality)
     : inverted(quality.inverted)
+    , count(0.0)
     , shape(std::max(0.0, GoodShape - quality.jacobian.min / quality.bound))
     , sizes(std::max(0.0, quality.variation - GoodVariation))
   {
-  }
-
-  bool Any() const { return this->inverted > 0 || this->shape > 0.0 || this->sizes > 0.0; }
-  bool IsBelow(const Shortfall& other) const
-  {
-    return std::tie(this->inverted, this->shape, this->sizes) <
-      std::tie(other.inverted, other.shape, other.sizes);
   }
 };
 }
@@ -44,18 +59,18 @@ std::vector<std::string> ChooseSizing(
   // one is tried where larger ones cost shape.
   constexpr std::array<double, 3> SizeParts = { 0.5, 0.2, 0.05 };
   const double variation = meshed.quads.quality.variation;
-  Shortfall best(meshed.quads.quality);
+  Shortfall best(meshed.quads, options);
   bool isChanged = false;
   const QuadOptions given = options;
   const TMesh tMesh = meshed.quads.tMesh;
-  for (std::size_t i = 0; i < SizeParts.size() && (i == 0 ? best.Any() : best.shape > 0.0); ++i)
+  for (std::size_t i = 0; i < SizeParts.size() && (i == 0 ? !best.IsGood() : best.shape > 0.0); ++i)
   {
     QuadOptions other = given;
     other.sizes.sizing = Sizing::Uniform;
     other.sizePart = SizeParts[i];
     const double done = static_cast<double>(i) / SizeParts.size();
     QuadResult uniform = MakeQuads(meshed.layout.map, tMesh, other, progress.Part(done, 1.0));
-    const Shortfall shortfall(uniform.quality);
+    const Shortfall shortfall(uniform, other);
     if (shortfall.IsBelow(best))
     {
       best = shortfall;
