@@ -10,7 +10,6 @@
 #include "PoincareHopf.h"
 #include "QuadAdvice.h"
 #include "RequestedSingularities.h"
-#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -188,7 +187,8 @@ public:
     }
     if (!this->Request.layers.empty())
     {
-      this->AddLayers(meshed, options);
+      this->Result.layers = AddLayersForCount(
+        this->Request, this->Total, meshed.layout.map, meshed.layout.tMesh, options, meshed.quads);
     }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = meshed.quads.counts.seconds;
@@ -206,29 +206,6 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
-  /// Adds the layers. If a number of quads is requested that the mesh does not have with them, makes
-  /// it again with another number of quads before.
-  void AddLayers(MeshedLayout& meshed, QuadOptions options)
-  {
-    constexpr int MaximumTries = 4;
-    const BoundaryCurves curves(*meshed.layout.map.topology);
-    for (int tries = 1;; ++tries)
-    {
-      const auto before = static_cast<int>(meshed.quads.mesh.quads.size());
-      this->Result.layers = crossfield::AddLayers(meshed.quads, curves, this->Request.layers);
-      const auto total = static_cast<int>(meshed.quads.mesh.quads.size());
-      if (options.quadSize > 0.0 || tries == MaximumTries ||
-        std::abs(static_cast<double>(total) / this->Total - 1.0) <= CountTolerance)
-      {
-        return;
-      }
-      options.quadCount = CorrectCountBeforeLayers(before, total, this->Total);
-      const int separateBlocks = meshed.quads.separateBlocks;
-      meshed.quads = crossfield::MakeQuads(meshed.layout.map, meshed.layout.tMesh, options);
-      meshed.quads.separateBlocks = separateBlocks;
-    }
-  }
-
   QuadOptions OptionsFor(const MeshTopology& topology) const
   {
     QuadOptions options;
@@ -255,7 +232,8 @@ private:
     options.map = this->MapOptions;
     options.meshSize = this->Request.meshSize;
     options.quads = quads;
-    const bool isPattern = !this->Request.singularities &&
+    // The singularities of a pattern are close to holes, and layers need room.
+    const bool isPattern = !this->Request.singularities && this->Request.layers.empty() &&
       StartFromPattern(this->Domain, this->Request, meshed, options, progress.Part(0.0, 0.2));
     CleanBlocksResult clean =
       CleanBlocks(this->Domain, std::move(meshed), options, progress.Part(0.2, 1.0));
