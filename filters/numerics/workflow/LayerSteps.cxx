@@ -183,7 +183,19 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
   for (int tries = 1;; ++tries)
   {
     const auto before = static_cast<int>(quads.mesh.quads.size());
-    const std::vector<LayerReport> layers = AddLayers(quads, curves, request.layers);
+    std::vector<LayerReport> layers;
+    try
+    {
+      layers = AddLayers(quads, curves, request.layers);
+    }
+    catch (const Error&)
+    {
+      if (best)
+      {
+        break; // fewer and larger quads leave no room
+      }
+      throw;
+    }
     const auto after = static_cast<int>(quads.mesh.quads.size());
     const double error =
       options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);
