@@ -178,38 +178,40 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
   const BoundaryCurves curves(*map.topology);
   const int separateBlocks = quads.separateBlocks;
   std::optional<QuadResult> best;
+  int bestCount = options.quadCount;
   std::vector<LayerReport> reports;
   double smallest = 0.0;
   for (int tries = 1;; ++tries)
   {
-    const auto before = static_cast<int>(quads.mesh.quads.size());
-    std::vector<LayerReport> layers;
     try
     {
-      layers = AddLayers(quads, curves, request.layers);
-    }
-    catch (const Error&)
-    {
-      if (best)
+      const auto before = static_cast<int>(quads.mesh.quads.size());
+      const std::vector<LayerReport> layers = AddLayers(quads, curves, request.layers);
+      const auto after = static_cast<int>(quads.mesh.quads.size());
+      const double error =
+        options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);
+      if (!best || error < smallest)
       {
-        break; // fewer and larger quads leave no room
+        best = std::move(quads);
+        bestCount = options.quadCount;
+        smallest = error;
+        reports = layers;
       }
-      throw;
+      options.quadCount = CorrectCount(before, after, total);
     }
-    const auto after = static_cast<int>(quads.mesh.quads.size());
-    const double error =
-      options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);
-    if (!best || error < smallest)
+    catch (const LackOfRows&)
     {
-      best = std::move(quads);
-      smallest = error;
-      reports = layers;
+      if (!best)
+      {
+        throw;
+      }
+      // Larger quads leave too little room; halfway to those that did not.
+      options.quadCount = (options.quadCount + bestCount) / 2;
     }
-    if (error <= CountTolerance || tries == MaximumTries)
+    if (smallest <= CountTolerance || tries == MaximumTries)
     {
       break;
     }
-    options.quadCount = CorrectCount(before, after, total);
     quads = MakeQuads(map, tMesh, options);
   }
   quads = std::move(*best);
