@@ -33,9 +33,16 @@ double EndSlope(double h0, double h1, double d0, double d1)
   return d0 * d1 <= 0.0 && std::abs(slope) > 3.0 * std::abs(d0) ? 3.0 * d0 : slope;
 }
 
-/// Returns the derivatives of one coordinate at all points.
-std::vector<double> MonotoneSlopes(
-  const std::vector<double>& chords, const std::vector<double>& values)
+/// Returns the derivative of the parabola through three points at the one between them.
+double ParabolaSlope(double h0, double h1, double d0, double d1)
+{
+  return (h1 * d0 + h0 * d1) / (h0 + h1);
+}
+
+/// Returns the derivatives of one coordinate at all points; without `monotone` those of parabolas
+/// through three points each.
+std::vector<double> SlopesOf(
+  const std::vector<double>& chords, const std::vector<double>& values, bool monotone)
 {
   const std::size_t pieces = chords.size();
   std::vector<double> secants;
@@ -47,13 +54,20 @@ std::vector<double> MonotoneSlopes(
   {
     return { secants[0], secants[0] };
   }
-  std::vector<double> slopes = { EndSlope(chords[0], chords[1], secants[0], secants[1]) };
+  const auto atEnd = [&](std::size_t end, std::size_t next)
+  {
+    const double h0 = chords[end];
+    const double h1 = chords[next];
+    return monotone ? EndSlope(h0, h1, secants[end], secants[next])
+                    : ((2.0 * h0 + h1) * secants[end] - h0 * secants[next]) / (h0 + h1);
+  };
+  std::vector<double> slopes = { atEnd(0, 1) };
   for (std::size_t i = 1; i < pieces; ++i)
   {
-    slopes.push_back(InnerSlope(chords[i - 1], chords[i], secants[i - 1], secants[i]));
+    slopes.push_back((monotone ? InnerSlope : ParabolaSlope)(
+      chords[i - 1], chords[i], secants[i - 1], secants[i]));
   }
-  slopes.push_back(
-    EndSlope(chords[pieces - 1], chords[pieces - 2], secants[pieces - 1], secants[pieces - 2]));
+  slopes.push_back(atEnd(pieces - 1, pieces - 2));
   return slopes;
 }
 }
@@ -72,8 +86,8 @@ MonotoneCurve::MonotoneCurve(const std::vector<Point>& points, const std::option
   {
     this->Chords.push_back((points[i + 1] - points[i]).norm());
   }
-  const std::array<std::vector<double>, 2> slopes = { MonotoneSlopes(this->Chords, coordinates[0]),
-    MonotoneSlopes(this->Chords, coordinates[1]) };
+  const std::array<std::vector<double>, 2> slopes = { SlopesOf(this->Chords, coordinates[0], true),
+    SlopesOf(this->Chords, coordinates[1], false) };
   const Point across(-along.y(), along.x());
   for (std::size_t i = 0; i < points.size(); ++i)
   {

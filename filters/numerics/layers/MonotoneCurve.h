@@ -7,10 +7,11 @@
 
 namespace crossfield
 {
-/// A smooth curve through points, which does not overshoot between them: cubic Hermite
-/// interpolation with the monotone derivatives of Fritsch and Butland over the length of the
-/// polyline, for the coordinates along and across the line from the first point to the last one
-/// (docs/method.md §16.2). The curve is therefore the same in every position of the plane.
+/// A smooth curve through points: cubic Hermite interpolation over the length of the polyline, in
+/// coordinates along and across the line from the first point to the last one (docs/method.md
+/// §16.2). The curve is therefore the same in every position of the plane. Along the line, the
+/// derivatives are the monotone ones of Fritsch and Butland, so the curve does not turn back; across
+/// it, those of parabolas, so neighbouring curves differ smoothly.
 class MonotoneCurve
 {
 public:

@@ -61,10 +61,22 @@ QuadWorkflowResult RunWithRoom(
   {
     try
     {
-      return RunQuadSteps(domain, tried, progress);
+      QuadWorkflowResult result = RunQuadSteps(domain, tried, progress);
+      if (tried.merge != request.merge)
+      {
+        result.events.push_back(
+          "Blocks were not merged, because that leaves too few rows for the layers.");
+      }
+      return result;
     }
     catch (const LackOfRows& error)
     {
+      if (tried.merge == BlockMerge::Clean)
+      {
+        tried.merge = BlockMerge::None;
+        --tries;
+        continue;
+      }
       if (request.singularities)
       {
         throw LackOfRows(WithAdvice(error.what(), ", or leave them out, and others are chosen"));

@@ -2,9 +2,12 @@
 
 #include "Error.h"
 #include "LayerRows.h"
+#include "SizeSearch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace crossfield
 {
@@ -45,6 +48,17 @@ const LayerPrescription* FindLayer(const QuadRequest& request, const std::string
   const auto found = std::find_if(request.layers.begin(), request.layers.end(),
     [&](const LayerPrescription& layer) { return layer.name == name; });
   return found == request.layers.end() ? nullptr : &*found;
+}
+
+/// Corrects the number of quads before layers are added, with which there were `after` quads instead
+/// of `total`.
+int CorrectCount(int before, int after, int total)
+{
+  // The layers add c √n to n quads.
+  const double root = std::sqrt(static_cast<double>(before));
+  const double c = (after - before) / root;
+  const double corrected = 0.5 * (std::sqrt(c * c + 4.0 * total) - c);
+  return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
 }
 }
 
@@ -157,12 +171,51 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
   return std::max(1, static_cast<int>(std::lround(domain.Area() / (size * size))));
 }
 
-int CorrectCountBeforeLayers(int before, int total, int requested)
+std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total,
+  const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
 {
-  // The layers add c √n to n quads.
-  const double root = std::sqrt(static_cast<double>(before));
-  const double c = (total - before) / root;
-  const double corrected = 0.5 * (std::sqrt(c * c + 4.0 * requested) - c);
-  return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
+  constexpr int MaximumTries = 5;
+  const BoundaryCurves curves(*map.topology);
+  const int separateBlocks = quads.separateBlocks;
+  std::optional<QuadResult> best;
+  int bestCount = options.quadCount;
+  std::vector<LayerReport> reports;
+  double smallest = 0.0;
+  for (int tries = 1;; ++tries)
+  {
+    try
+    {
+      const auto before = static_cast<int>(quads.mesh.quads.size());
+      const std::vector<LayerReport> layers = AddLayers(quads, curves, request.layers);
+      const auto after = static_cast<int>(quads.mesh.quads.size());
+      const double error =
+        options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);
+      if (!best || error < smallest)
+      {
+        best = std::move(quads);
+        bestCount = options.quadCount;
+        smallest = error;
+        reports = layers;
+      }
+      options.quadCount = CorrectCount(before, after, total);
+    }
+    catch (const LackOfRows&)
+    {
+      if (!best)
+      {
+        throw;
+      }
+      // Larger quads leave too little room; halfway to those that did not.
+      options.quadCount = (options.quadCount + bestCount) / 2;
+    }
+    if (smallest <= CountTolerance || tries == MaximumTries)
+    {
+      break;
+    }
+    quads = MakeQuads(map, tMesh, options);
+  }
+  quads = std::move(*best);
+  quads.separateBlocks = separateBlocks;
+  return reports;
 }
 }

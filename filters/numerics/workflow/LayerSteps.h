@@ -21,6 +21,9 @@ ClearanceFactors ClearanceForLayers(
 /// requested afterwards.
 int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Corrects such a number, with which there were `total` quads instead of `requested` ones.
-int CorrectCountBeforeLayers(int before, int total, int requested);
+/// Adds the layers of a request to the quads of a layout, as AddLayers does. If a number of quads is
+/// requested that the mesh does not have with them, makes it again with other numbers before, and
+/// takes the one that comes nearest to `total`.
+std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total,
+  const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads);
 }

@@ -107,6 +107,11 @@ struct QuadWorkflowResult
   QuadSeconds seconds;
 };
 
+/// Returns whether sizes may become uniform (SizingChoice.h): no sizing is requested, singularities
+/// are chosen, and neither layers nor progressions of sides prescribe sizes. Layers need the shapes of
+/// conformal sizes: each row is as far from a rectangle as the quads that it divides.
+bool IsSizingFree(const QuadRequest& request);
+
 /// Returns whether a mesh has the requested number of quads within CountTolerance, or none was
 /// requested.
 bool HasRequestedCount(const QuadRequest& request, const QuadResult& quads);

@@ -11,7 +11,6 @@
 #include "QuadAdvice.h"
 #include "RequestedSingularities.h"
 #include "SizingChoice.h"
-#include "SizeSearch.h"
 #include "Stopwatch.h"
 #include "TMeshPatches.h"
 
@@ -187,9 +186,7 @@ public:
     const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
     meshed.quads = crossfield::MakeQuads(
       meshed.layout.map, meshed.layout.tMesh, options, making.Part(0.0, 0.5));
-    const bool isGraded = std::any_of(this->Request.prescribed.begin(),
-      this->Request.prescribed.end(), [](const SidePrescription& one) { return one.isGraded; });
-    if (!this->Request.sizing && !this->Request.singularities && !isGraded)
+    if (IsSizingFree(this->Request))
     {
       this->AddEvents(ChooseSizing(meshed, options, making.Part(0.5, 1.0)));
     }
@@ -210,7 +207,8 @@ public:
     }
     if (!this->Request.layers.empty())
     {
-      this->AddLayers(meshed, options);
+      this->Result.layers = AddLayersForCount(
+        this->Request, this->Total, meshed.layout.map, meshed.layout.tMesh, options, meshed.quads);
     }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = meshed.quads.counts.seconds;
@@ -228,29 +226,6 @@ public:
   QuadWorkflowResult TakeResult() { return std::move(this->Result); }
 
 private:
-  /// Adds the layers. If a number of quads is requested that the mesh does not have with them, makes
-  /// it again with another number of quads before.
-  void AddLayers(MeshedLayout& meshed, QuadOptions options)
-  {
-    constexpr int MaximumTries = 4;
-    const BoundaryCurves curves(*meshed.layout.map.topology);
-    for (int tries = 1;; ++tries)
-    {
-      const auto before = static_cast<int>(meshed.quads.mesh.quads.size());
-      this->Result.layers = crossfield::AddLayers(meshed.quads, curves, this->Request.layers);
-      const auto total = static_cast<int>(meshed.quads.mesh.quads.size());
-      if (options.quadSize > 0.0 || tries == MaximumTries ||
-        std::abs(static_cast<double>(total) / this->Total - 1.0) <= CountTolerance)
-      {
-        return;
-      }
-      options.quadCount = CorrectCountBeforeLayers(before, total, this->Total);
-      const int separateBlocks = meshed.quads.separateBlocks;
-      meshed.quads = crossfield::MakeQuads(meshed.layout.map, meshed.layout.tMesh, options);
-      meshed.quads.separateBlocks = separateBlocks;
-    }
-  }
-
   QuadOptions OptionsFor(const MeshTopology& topology) const
   {
     QuadOptions options;
@@ -278,7 +253,8 @@ private:
     options.meshSize = this->Request.meshSize;
     options.quads = quads;
     this->FirstCorners = this->MapOptions.corners;
-    const bool isPattern = !this->Request.singularities &&
+    // The singularities of a pattern are close to holes, and layers need room.
+    const bool isPattern = !this->Request.singularities && this->Request.layers.empty() &&
       StartFromPattern(this->Domain, this->Request, meshed, options, progress.Part(0.0, 0.2));
     CleanBlocksResult clean =
       CleanBlocks(this->Domain, std::move(meshed), options, progress.Part(0.2, 1.0));

@@ -24,7 +24,7 @@ AutomaticConfiguration ChooseSingularities(
   options.optimizer.keepAll |= !request.layers.empty();
   options.optimizer.pairs = request.pairs;
   options.optimizer.sizes.sizing = request.sizing.value_or(Sizing::Conformal);
-  if (!request.sizing)
+  if (IsSizingFree(request))
   {
     options.acceptedSpread = GoodVariation; // H is the logarithm of sizes
   }

@@ -228,8 +228,8 @@ TEST(LayerProperties, HoldOnRandomParts)
         const LayerReport& report = result.layers[i];
         EXPECT_EQ(report.name, request.layers[i].name);
         EXPECT_GE(report.partInBounds, 0.95) << report.name;
-        // Where bands cross at oblique corners, quads are not the means of the lines beside them.
-        EXPECT_LE(report.largestGrowth, request.layers[i].growth * 1.03) << report.name;
+        // Where bands cross at oblique corners, heights follow the second band.
+        EXPECT_LE(report.largestGrowth, request.layers[i].growth * 1.1) << report.name;
         EXPECT_GE(report.rows, report.rowsReplaced) << report.name;
       }
       const double part = PartWithin(result, request.layers);
