@@ -43,6 +43,15 @@ bool IsInValley(const std::vector<OptimizerStep>& history, double tolerance)
     ValleyGain * (1.0 + std::abs(latest.objective));
 }
 
+/// Returns whether derivatives are so small that the error of the second derivatives, which are those
+/// of a coarser approximation of W, would determine the steps in flat directions. Then the updates of
+/// the Hessian must not be lost.
+bool IsNearMinimum(const std::vector<OptimizerStep>& history)
+{
+  constexpr double SmallGradient = 1.0;
+  return !history.empty() && history.back().gradientNorm < SmallGradient;
+}
+
 /// Returns the combinations of defects that the singularities can change, as orthonormal columns.
 Eigen::MatrixXd ReachableDefects(const Eigen::MatrixXd& gradient)
 {
@@ -211,7 +220,7 @@ OptimizerEnd OptimizerIteration::Run(
   {
     if (current.positions.size() > 0 &&
       (this->Hessian.rows() != current.positions.size() ||
-        objective.Budget().GetSpent() >= this->Renewal))
+        (objective.Budget().GetSpent() >= this->Renewal && !IsNearMinimum(this->history))))
     {
       this->Hessian = objective.Hessian(current, EstimateMultipliers(current));
       this->Renewal = objective.Budget().GetSpent() + objective.HessianCost();
