@@ -102,7 +102,9 @@ class Layers(ProgramTest):
                 (("--corner", "5,0:turn"), "no corner at (5, 0)"),
                 (("--corner", "lid:turn"), "no corner of a side 'lid'"),
                 (("--corner", "300-340:leave"), "no corner with an angle of 300° to 340°"),
-                (("--corner", "4,1:turn", "--corner", "4,1:leave"), "treated in two ways")):
+                (("--corner", "4,1:turn", "--corner", "4,1:leave"), "treated in two ways"),
+                (("--layers", "wall:1e-3", "--count", "inlet:12"),
+                 "12 are prescribed; leave out this number or the layer.")):
             with self.subTest(arguments):
                 self.refuse("quads", step, "-o", "quads.vtu", "--size", "0.2", *arguments, says=(says,))
 

@@ -16,6 +16,17 @@ Eigen::Vector2d InverseSquare(const Point& y)
   return { inverse.x() * inverse.x() - inverse.y() * inverse.y(),
     -2.0 * inverse.x() * inverse.y() };
 }
+
+/// Computes y / |y|² for the offsets y of points from a position.
+void InvertOffsets(
+  const Eigen::ArrayX2d& points, const Point& position, Eigen::ArrayXd& x, Eigen::ArrayXd& y)
+{
+  x = points.col(0) - position.x();
+  y = points.col(1) - position.y();
+  const Eigen::ArrayXd inverse = 1.0 / (x * x + y * y);
+  x *= inverse;
+  y *= inverse;
+}
 }
 
 PositionEnergy::PositionEnergy(std::shared_ptr<const PointPotential> potential)
@@ -171,15 +182,10 @@ void PositionEnergy::AddDerivatives(const PointPotential::Solution& solution, st
   Eigen::MatrixXd atMiddles(middles, periods > 0 ? 2 * count : 0);
   Eigen::ArrayXd x(this->Points.rows());
   Eigen::ArrayXd y(this->Points.rows());
-  Eigen::ArrayXd inverse(this->Points.rows());
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
-    x = this->Points.col(0) - log.position.x();
-    y = this->Points.col(1) - log.position.y();
-    inverse = 1.0 / (x * x + y * y);
-    x *= inverse;
-    y *= inverse;
+    InvertOffsets(this->Points, log.position, x, y);
     value.singleValuedGradient(0, j) += log.strength * (ofTurns * y - ofLogs * x).sum();
     value.singleValuedGradient(1, j) -= log.strength * (ofTurns * x + ofLogs * y).sum();
     if (periods > 0)
@@ -294,15 +300,11 @@ PositionEnergy::Curvature PositionEnergy::Differentiate(
   { result.hessian.block<2, 2>(2 * j, 2 * l) += (Eigen::Matrix2d() << -s, t, t, s).finished(); };
   Eigen::ArrayXd x(this->Points.rows());
   Eigen::ArrayXd y(this->Points.rows());
-  Eigen::ArrayXd inverse(this->Points.rows());
+  Eigen::ArrayXd a(this->Points.rows());
   for (Eigen::Index j = 0; j < count; ++j)
   {
     const LogSource& log = solution.logs[static_cast<std::size_t>(j)];
-    x = this->Points.col(0) - log.position.x();
-    y = this->Points.col(1) - log.position.y();
-    inverse = 1.0 / (x * x + y * y);
-    x *= inverse;
-    y *= inverse;
+    InvertOffsets(this->Points, log.position, x, y);
     for (Eigen::Index h = 0; h < halves; ++h)
     {
       const Eigen::Index start = this->Starts[static_cast<std::size_t>(h)];
@@ -312,10 +314,10 @@ PositionEnergy::Curvature PositionEnergy::Differentiate(
       means(h, 2 * j) = -0.5 * log.strength * (x[start] + x[end]);
       means(h, 2 * j + 1) = -0.5 * log.strength * (y[start] + y[end]);
     }
-    inverse = x * x - y * y; // a
-    x *= -2.0 * y;           // c
-    add(j, j, log.strength * (ofTurns * x + ofLogs * inverse).sum(),
-      log.strength * (ofLogs * x - ofTurns * inverse).sum());
+    a = x * x - y * y;
+    x *= -2.0 * y; // c
+    add(j, j, log.strength * (ofTurns * x + ofLogs * a).sum(),
+      log.strength * (ofLogs * x - ofTurns * a).sum());
     for (Eigen::Index k = 0; k < multipliers.size(); ++k)
     {
       const std::vector<Point>& path = this->Paths[static_cast<std::size_t>(k)];

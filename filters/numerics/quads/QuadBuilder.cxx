@@ -1,6 +1,7 @@
 #include "QuadBuilder.h"
 
 #include "ArcPoints.h"
+#include "ArcPosition.h"
 #include "BoundaryOrder.h"
 #include "ChartWalk.h"
 #include "Error.h"
@@ -84,44 +85,25 @@ private:
     this->Mesh.patch.reserve(quads);
   }
 
-  /// Returns the position at a distance along a half-edge. Its rotation is the direction of the
-  /// half-edge; `position` receives the boundary entry.
-  ChartPlace PlaceOn(int half, double within, int* position = nullptr) const
+  /// Returns the point at a distance along a half-edge.
+  ArcPosition FindOn(int half, double within) const
   {
     const TArc& arc = this->Separatrices.arcs[Index(half / 2)];
-    double remaining = half % 2 == 0 ? within : arc.length - within;
-    const ChartPiece* at = &arc.pieces.front();
-    for (const ChartPiece& piece : arc.pieces)
-    {
-      at = &piece;
-      const double length = (piece.to - piece.from).norm();
-      if (remaining <= length)
-      {
-        break;
-      }
-      remaining -= &piece == &arc.pieces.back() ? 0.0 : length;
-    }
-    const double length = (at->to - at->from).norm();
-    const double fraction = length > 0.0 ? std::clamp(remaining / length, 0.0, 1.0) : 0.0;
-    if (position != nullptr)
-    {
-      *position = at->position;
-    }
-    return { at->triangle, at->from + fraction * (at->to - at->from),
-      (at->direction + (half % 2 == 0 ? 0 : 2)) % 4 };
+    return FindOnArc(arc, half % 2 == 0 ? within : arc.length - within);
+  }
+
+  /// Returns the position at a distance along a half-edge. Its rotation is the direction of the
+  /// half-edge.
+  ChartPlace PlaceOn(int half, double within) const
+  {
+    const ArcPosition at = this->FindOn(half, within);
+    return { at.piece->triangle, at.w, (at.piece->direction + (half % 2 == 0 ? 0 : 2)) % 4 };
   }
 
   CurvePlace CurveOn(int half, double within) const
   {
-    int position = -1;
-    const ChartPlace place = this->PlaceOn(half, within, &position);
-    const MeshTopology& topology = *this->Map.topology;
-    const auto& sides = topology.edges.ofTriangle[Index(place.triangle)];
-    const auto side = static_cast<int>(
-      std::find(sides.begin(), sides.end(), topology.EdgeOfBoundary(position)) - sides.begin());
-    const Point& from = this->Map.At(place.triangle, side);
-    const double length = (this->Map.At(place.triangle, (side + 1) % 3) - from).norm();
-    return this->Curves.Place(position, std::clamp((place.w - from).norm() / length, 0.0, 1.0));
+    const ArcPosition at = this->FindOn(half, within);
+    return FindOnBoundary(this->Map, this->Curves, *at.piece, at.w);
   }
 
   /// Returns the rank by which coincident points take their position: cones and fixed nodes,

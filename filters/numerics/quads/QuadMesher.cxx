@@ -3,12 +3,14 @@
 #include "BoundarySymmetry.h"
 #include "Chords.h"
 #include "Error.h"
+#include "GradedArcs.h"
 #include "MemoryBudget.h"
 #include "PrescribedSides.h"
 #include "QuadBuilder.h"
 #include "QuadSides.h"
 #include "QuadSymmetry.h"
 #include "Quantisation.h"
+#include "SidePlacement.h"
 #include "SizeSearch.h"
 #include "Stopwatch.h"
 
@@ -214,7 +216,8 @@ private:
       return MakeSymmetric(mesh, this->Curves, this->Domain, released);
     };
     int most = symmetriesOf(found);
-    const int possible = CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
+    const int possible =
+      CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
     const double size = found.size;
     std::vector<int> tried = found.counts;
     for (int step = 1; step <= 2 * Steps && most < possible; ++step)

@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "LayerRows.h"
+#include "QuadSides.h"
 #include "SizeSearch.h"
 
 #include <algorithm>
@@ -59,6 +60,27 @@ int CorrectCount(int before, int after, int total)
   const double c = (after - before) / root;
   const double corrected = 0.5 * (std::sqrt(c * c + 4.0 * total) - c);
   return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
+}
+
+/// Throws Error if layers that end on a side have changed its number of edges, which is prescribed.
+void RequireCounts(
+  const QuadRequest& request, const std::vector<SideMeasure>& before, const QuadMesh& mesh)
+{
+  const std::vector<SideMeasure> after = MeasureSides(mesh);
+  const bool isOne = request.layers.size() == 1;
+  for (const SidePrescription& one : request.prescribed)
+  {
+    const auto side = static_cast<std::size_t>(one.side);
+    if (one.count > 0 && after[side].edges != before[side].edges)
+    {
+      throw Error(
+        (isOne ? "With the layer of '" + request.layers[0].name + "'" : "With the layers") +
+        ", side '" + mesh.sideNames[side] + "' has " + std::to_string(after[side].edges) +
+        " edges, but " + std::to_string(one.count) +
+        " are prescribed; leave out this number or the layer" +
+        (isOne ? "." : " that ends on the side."));
+    }
+  }
 }
 }
 
@@ -186,7 +208,9 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
     try
     {
       const auto before = static_cast<int>(quads.mesh.quads.size());
+      const std::vector<SideMeasure> sides = MeasureSides(quads.mesh);
       const std::vector<LayerReport> layers = AddLayers(quads, curves, request.layers);
+      RequireCounts(request, sides, quads.mesh);
       const auto after = static_cast<int>(quads.mesh.quads.size());
       const double error =
         options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);

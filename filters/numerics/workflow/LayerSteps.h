@@ -23,7 +23,8 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Adds the layers of a request to the quads of a layout, as AddLayers does. If a number of quads is
 /// requested that the mesh does not have with them, makes it again with other numbers before, and
-/// takes the one that comes nearest to `total`.
+/// takes the one that comes nearest to `total`. Throws Error as AddLayers does, and if a layer changes
+/// the prescribed number of edges of a side.
 std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total,
   const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads);
 }

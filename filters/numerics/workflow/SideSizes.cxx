@@ -3,7 +3,7 @@
 #include "Error.h"
 #include "MeshForPoints.h"
 #include "P1Interpolation.h"
-#include "PrescribedSides.h"
+#include "PrescriptionCheck.h"
 #include "Segment.h"
 #include "SizeExtension.h"
 

@@ -2,9 +2,11 @@
 
 #include "BoundaryLayers.h"
 
+#include "Index.h"
 #include "LayerChecks.h"
 #include "LayerRows.h"
 #include "MakePlanarDomain.h"
+#include "QuadSides.h"
 #include "QuadWorkflow.h"
 #include "Support.h"
 
@@ -329,6 +331,36 @@ TEST(BoundaryLayers, ImpossiblePrescriptionsAreRefused)
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, narrow); }, { "use smaller quads" }));
   narrow.quadSize = 1.0;
   EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, narrow); }, { "use smaller quads" }));
+}
+
+TEST(BoundaryLayers, PrescribedNumbersOfEdgesHold)
+{
+  const PlanarDomain square = UnitSquare();
+  const auto withCount = [&](const std::vector<LayerPrescription>& layers, const std::string& side)
+  {
+    QuadRequest request = SquareRequest(layers);
+    request.sides = NameSides(square);
+    const std::vector<std::string>& names = request.sides.names;
+    SidePrescription prescription;
+    prescription.side =
+      static_cast<int>(std::find(names.begin(), names.end(), side) - names.begin());
+    prescription.count = 18;
+    request.prescribed = { prescription };
+    return request;
+  };
+  // The layer ends on the sides beside it and adds edges to them, but not to its own side.
+  const std::vector<LayerPrescription> one = { Layer("outer0", 1e-3) };
+  for (const char* name : { "outer0", "outer2" })
+  {
+    const QuadRequest request = withCount(one, name);
+    const QuadWorkflowResult result = MakeQuadMesh(square, request);
+    EXPECT_EQ(MeasureSides(result.quads.mesh)[Index(request.prescribed[0].side)].edges, 18);
+  }
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, withCount(one, "outer1")); },
+    { "With the layer of 'outer0', side 'outer1' has ", " edges, but 18 are prescribed",
+      "leave out this number or the layer." }));
+  EXPECT_TRUE(Refuses([&] { MakeQuadMesh(square, withCount(OnFourSides(1e-3), "outer1")); },
+    { "With the layers, side 'outer1' has ", "the layer that ends on the side." }));
 }
 }
 }

@@ -1,0 +1,77 @@
+#include "GradedArcs.h"
+
+#include "Index.h"
+#include "SideArcs.h"
+
+#include <numeric>
+#include <utility>
+
+namespace crossfield
+{
+GradedArcs::GradedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
+  const BoundarySides& sides, const SidePrescriptions& prescribed, const TMesh& mesh)
+  : Prescribed(prescribed)
+{
+  for (std::size_t i = 0; i < prescribed.size(); ++i)
+  {
+    if (!prescribed[i].isGraded)
+    {
+      continue;
+    }
+    const SideArcs arcs(map, curves, sides, mesh);
+    for (std::vector<int>& part : arcs.PartsOf(prescribed[i].side))
+    {
+      this->Parts.push_back({ {}, { 0.0 }, i });
+      for (const int arc : part)
+      {
+        std::vector<double>& ends = this->Parts.back().ends;
+        ends.push_back(ends.back() + arcs.LengthOf({ arc }));
+      }
+      this->Parts.back().arcs = std::move(part);
+    }
+  }
+}
+
+void GradedArcs::SetTargets(std::vector<double>& targets) const
+{
+  const auto sumOf = [&targets](const Part& part)
+  {
+    return std::accumulate(part.arcs.begin(), part.arcs.end(), 0.0,
+      [&targets](double sum, int arc) { return sum + targets[Index(arc)]; });
+  };
+  std::vector<double> ofSide(this->Prescribed.size(), 0.0);
+  for (const Part& part : this->Parts)
+  {
+    ofSide[part.side] += sumOf(part);
+  }
+  for (const Part& part : this->Parts)
+  {
+    const SidePrescription& one = this->Prescribed[part.side];
+    double count = sumOf(part);
+    count *= one.count > 0 ? one.count / ofSide[part.side] : 1.0;
+    if (one.progression.HasLengths())
+    {
+      count = CountForLengths(part.ends.back(), one.progression);
+    }
+    for (std::size_t i = 0; i < part.arcs.size(); ++i)
+    {
+      const auto within = [&](double length)
+      { return EdgesWithin(length, part.ends.back(), count, one.progression); };
+      targets[Index(part.arcs[i])] = within(part.ends[i + 1]) - within(part.ends[i]);
+    }
+  }
+}
+
+void GradedArcs::SetWeights(QuantisationProblem& problem) const
+{
+  // Arcs across the domain, whose targets are those of the size field, give way to these.
+  constexpr double Preference = 100.0;
+  for (const Part& part : this->Parts)
+  {
+    for (const int arc : part.arcs)
+    {
+      problem.weight[Index(arc)] *= Preference;
+    }
+  }
+}
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "BoundaryCurves.h"
+#include "BoundarySides.h"
+#include "QuantisationProblem.h"
+#include "SidePrescription.h"
+#include "TMesh.h"
+
+#include "SeamlessMap.h"
+
+namespace crossfield
+{
+/// Arcs of a T-mesh along graded sides, with the positions of their ends.
+class GradedArcs
+{
+public:
+  GradedArcs(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
+    const SidePrescriptions& prescribed, const TMesh& mesh);
+
+  /// Replaces the target edge counts of the arcs by those of the progressions, so that the numbers
+  /// of strips follow them, for the same sum along every side or the prescribed one.
+  void SetTargets(std::vector<double>& targets) const;
+  /// Raises the weights of the arcs in a problem.
+  void SetWeights(QuantisationProblem& problem) const;
+
+private:
+  /// A part of a side between corners or ends.
+  struct Part
+  {
+    std::vector<int> arcs;
+    std::vector<double> ends; ///< Lengths along the part, one more than arcs.
+    std::size_t side = 0;     ///< Index in Prescribed.
+  };
+
+  const SidePrescriptions Prescribed;
+  std::vector<Part> Parts;
+};
+}

@@ -1,0 +1,173 @@
+#include "SidePlacement.h"
+
+#include "Index.h"
+#include "QuadSides.h"
+#include "StripGrading.h"
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace crossfield
+{
+namespace
+{
+/// Divides chains of points at those that are fixed. A closed chain without fixed points is one part.
+std::vector<std::vector<int>> PartsBetweenFixed(
+  const QuadMesh& mesh, const std::vector<std::vector<int>>& pieces)
+{
+  const auto isFixed = [&mesh](int point) { return mesh.points[Index(point)].fixed; };
+  std::vector<std::vector<int>> parts;
+  for (std::vector<int> piece : pieces)
+  {
+    const bool isClosed = piece.front() == piece.back();
+    const auto start = std::find_if(piece.begin(), piece.end(), isFixed);
+    if (isClosed && start != piece.end())
+    {
+      piece.pop_back();
+      std::rotate(piece.begin(), start, piece.end());
+      piece.push_back(piece.front());
+    }
+    parts.push_back({ piece.front() });
+    for (std::size_t i = 1; i < piece.size(); ++i)
+    {
+      parts.back().push_back(piece[i]);
+      if (isFixed(piece[i]) && i + 1 < piece.size())
+      {
+        parts.push_back({ piece[i] });
+      }
+    }
+  }
+  return parts;
+}
+
+/// Places the points of one part of a side.
+void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
+  const Progression& progression, QuadMesh& mesh)
+{
+  const auto count = static_cast<int>(part.size()) - 1;
+  const CurvePlace start = mesh.points[Index(part.front())].curve;
+  const double loop = curves.Length(start.loop);
+  const auto forwards = [loop](double length) { return length - loop * std::floor(length / loop); };
+  const bool isClosed = part.front() == part.back();
+  const double length =
+    isClosed ? loop : forwards(mesh.points[Index(part.back())].curve.at - start.at);
+  const std::vector<double> places = DivideLength(length, count, progression);
+  // a closed curve has no end: its points are rotated to where they are on average
+  double shift = 0.0;
+  if (isClosed && !mesh.points[Index(part.front())].fixed)
+  {
+    for (int i = 1; i < count; ++i)
+    {
+      shift +=
+        (forwards(mesh.points[Index(part[Index(i)])].curve.at - start.at) - places[Index(i)]) /
+        count;
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    QuadPoint& point = mesh.points[Index(part[Index(i)])];
+    if (!point.fixed)
+    {
+      point.curve.at = start.at + shift + places[Index(i)];
+      point.curve.at -= loop * std::floor(point.curve.at / loop);
+      point.place = curves.At(point.curve);
+      point.fixed = true;
+    }
+  }
+}
+
+/// Moves the points inside along with points of the boundary that were moved: displacements are
+/// harmonic on the graph of edges, so that quads stay positive where they can.
+void MoveInside(const std::vector<QuadPoint>& before, QuadMesh& mesh)
+{
+  const std::size_t count = mesh.points.size();
+  std::vector<Eigen::Index> unknown(count, -1);
+  Eigen::Index unknowns = 0;
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    if (mesh.points[p].curve.loop < 0)
+    {
+      unknown[p] = unknowns++;
+    }
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(unknowns, 2);
+  for (const std::array<int, 4>& quad : mesh.quads)
+  {
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      // every inner edge has two quads, which add one half-edge each
+      for (const auto& [from, to] : { std::pair(quad[side], quad[(side + 1) % 4]),
+             std::pair(quad[(side + 1) % 4], quad[side]) })
+      {
+        const Eigen::Index row = unknown[Index(from)];
+        if (row < 0)
+        {
+          continue;
+        }
+        entries.emplace_back(row, row, 1.0);
+        if (unknown[Index(to)] >= 0)
+        {
+          entries.emplace_back(row, unknown[Index(to)], -1.0);
+        }
+        else
+        {
+          right.row(row) += (mesh.points[Index(to)].place - before[Index(to)].place).transpose();
+        }
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
+  solver.setTolerance(1e-4); // only a start for the smoothing
+  const Eigen::MatrixX2d moves = solver.solve(right);
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    if (unknown[p] >= 0)
+    {
+      mesh.points[p].place += moves.row(unknown[p]).transpose();
+    }
+  }
+}
+}
+
+void PlaceOnSides(const BoundaryCurves& curves, const SidePrescriptions& prescribed, QuadMesh& mesh)
+{
+  std::vector<const QuadBoundaryEdge*> graded;
+  const std::vector<QuadPoint> before = mesh.points;
+  bool isMoved = false;
+  for (const SidePrescription& one : prescribed)
+  {
+    if (!one.isGraded && one.size <= 0.0)
+    {
+      continue;
+    }
+    const Progression progression = one.isGraded ? one.progression : Progression{};
+    for (const std::vector<int>& part : PartsBetweenFixed(mesh, PiecesOf(mesh, one.side)))
+    {
+      PlacePart(curves, part, progression, mesh);
+      isMoved = true;
+    }
+    for (const QuadBoundaryEdge& edge : mesh.boundary)
+    {
+      if (one.isGraded && edge.side == one.side)
+      {
+        graded.push_back(&edge);
+      }
+    }
+  }
+  if (isMoved)
+  {
+    MoveInside(before, mesh);
+  }
+  if (!graded.empty())
+  {
+    GradeStrips(graded, mesh);
+  }
+}
+}
