@@ -71,10 +71,11 @@ class Quads(unittest.TestCase):
         self.refused("no word end, turn or leave", shape, corners={(1, 1): "stay"})
 
     def test_singularities_and_corners_used_are_outputs_of_the_filter(self):
-        mesh = crossfield.quads("builtin:star", count=300)
+        mesh = crossfield.quads("builtin:star", count=300, sizing="conformal")  # other sizes move the nodes
         mesher = crossfield.vtkQuadMesher()
         mesher.SetInputData(as_domain("builtin:star", None))
         mesher.SetQuadCount(300)
+        mesher.SetSizingToConformal()
         mesher.Update()
         for port, data in ((3, mesh.singularities.data), (4, mesh.singularities.corners)):
             used = mesher.GetOutputDataObject(port)
@@ -302,7 +303,7 @@ class Quads(unittest.TestCase):
         self.refused("leave one out", "builtin:disk", size=0.1, count=100)
         self.refused("number 0 of quads is not positive", "builtin:disk", count=0)
         self.refused("not positive", "builtin:disk", size=-0.1)
-        self.refused("no sizing 'even'; choose conformal, uniform", "builtin:disk", sizing="even")
+        self.refused("no sizing 'even'; choose auto, conformal, uniform", "builtin:disk", sizing="even")
         self.refused("no merge 'all'; choose none, clean, coarse", "builtin:disk", merge="all")
         self.refused("give both or none", "builtin:disk", sizing="field")
         self.refused("give both or none", "builtin:disk", size_array="Length")

@@ -4,9 +4,6 @@
 
 namespace crossfield
 {
-/// Tolerance of angles in radians: smaller differences are rounding errors of the coordinates.
-constexpr double AngleRounding = 1e-9;
-
 /// Distance, relative to the diagonal, within which a point counts as being on a vertex or side of
 /// the boundary; coordinates may have been stored in single precision.
 constexpr double BoundaryReach = 1e-6;

@@ -5,12 +5,38 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
+bool IsLeft(const Point& a, const Point& b)
+{
+  return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+/// Returns the vertex from which the sides of a loop are numbered: the lowest of the leftmost ones,
+/// because users look for the first side there. The order of vertices in a domain is that of its
+/// frame.
+std::size_t FirstVertex(const Loop& loop)
+{
+  return static_cast<std::size_t>(
+    std::min_element(loop.begin(), loop.end(), IsLeft) - loop.begin());
+}
+
+/// Returns the loops in the order in which their sides are numbered, the outer loop first.
+std::vector<std::size_t> OrderOfLoops(const std::vector<Loop>& loops)
+{
+  std::vector<std::size_t> order(loops.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin() + 1, order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return IsLeft(loops[a][FirstVertex(loops[a])], loops[b][FirstVertex(loops[b])]); });
+  return order;
+}
+
 /// Collects pieces and their names.
 class Namer
 {
@@ -18,11 +44,15 @@ public:
   Namer(const PlanarDomain& domain, const SegmentNames& names)
     : Domain(domain)
     , Names(names)
+    , Order(OrderOfLoops(domain.loops))
   {
-    for (const std::vector<std::string>& ofLoop : names)
+    for (const std::size_t l : this->Order)
     {
-      for (const std::string& name : ofLoop)
+      const std::size_t count = domain.loops[l].size();
+      const std::size_t first = FirstVertex(domain.loops[l]);
+      for (std::size_t i = first; i < first + count; ++i)
       {
+        const std::string& name = this->NameOf(l, i % count);
         if (!name.empty() && this->Sides.Find(name) < 0)
         {
           this->Sides.names.push_back(name);
@@ -34,7 +64,7 @@ public:
 
   BoundarySides Run()
   {
-    for (std::size_t l = 0; l < this->Domain.loops.size(); ++l)
+    for (const std::size_t l : this->Order)
     {
       this->AddLoop(l);
     }
@@ -53,8 +83,10 @@ private:
     const Loop& loop = this->Domain.loops[l];
     const std::vector<double> turns = LoopArc(loop).Turns();
     const std::size_t before = this->Sides.starts.size();
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    const std::size_t first = FirstVertex(loop);
+    for (std::size_t step = 0; step < loop.size(); ++step)
     {
+      const std::size_t i = (first + step) % loop.size();
       const std::string& name = this->NameOf(l, i);
       const bool changes = name != this->NameOf(l, (i + loop.size() - 1) % loop.size());
       if (changes || (name.empty() && IsCorner(turns[i])))
@@ -64,7 +96,8 @@ private:
     }
     if (this->Sides.starts.size() == before)
     {
-      this->Sides.starts.push_back({ loop[0], this->SideFor(l, this->NameOf(l, 0)), false });
+      this->Sides.starts.push_back(
+        { loop[first], this->SideFor(l, this->NameOf(l, first)), false });
     }
   }
 
@@ -87,6 +120,7 @@ private:
 
   const PlanarDomain& Domain;
   const SegmentNames& Names;
+  const std::vector<std::size_t> Order; ///< Loops in the order of their names.
   BoundarySides Sides;
   int Outer = 0; ///< Number of the next generated name on the outer loop.
   int Hole = 0;  ///< Number of the next generated name on inner loops.

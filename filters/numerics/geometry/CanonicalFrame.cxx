@@ -1,7 +1,5 @@
 #include "CanonicalFrame.h"
 
-#include "BoundaryCorners.h"
-
 #include <algorithm>
 #include <complex>
 #include <optional>
@@ -49,8 +47,8 @@ std::vector<WeightedVertex> WeighVertices(const std::vector<Loop>& loops, const 
       const Point& before = loop[(i + loop.size() - 1) % loop.size()];
       const Point& after = loop[(i + 1) % loop.size()];
       const Point place = loop[i] - centre;
-      vertices.push_back({ { place.x(), place.y() },
-        0.5 * ((loop[i] - before).norm() + (after - loop[i]).norm()) });
+      vertices.push_back(
+        { { place.x(), place.y() }, 0.5 * ((loop[i] - before).norm() + (after - loop[i]).norm()) });
     }
   }
   return vertices;

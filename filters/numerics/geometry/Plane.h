@@ -14,6 +14,9 @@ using Loop = std::vector<Point>;
 
 constexpr double Pi = 3.14159265358979323846;
 
+/// Tolerance of angles in radians: smaller differences are rounding errors of the coordinates.
+constexpr double AngleRounding = 1e-9;
+
 /// Returns the z component of a × b.
 inline double Cross(const Point& a, const Point& b)
 {

@@ -276,7 +276,7 @@ TriangleMesh DrillHoles(const PlanarDomain& domain, const Configuration& configu
     marks.push_back({ { 0, 0 }, kind, static_cast<int>(i), holes[i].quarterIndex });
   }
 
-  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options, frame), progress,
-    options.vertices, frame);
+  return TriangulateDomain(drilled, marks, MakeSizeField(drilled, meshSize, options, frame),
+    progress, options.vertices, frame);
 }
 }

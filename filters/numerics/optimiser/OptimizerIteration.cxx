@@ -166,7 +166,7 @@ QuadraticStep SolveModel(const OptimizerObjective& objective, const Eigen::Matri
 }
 
 /// Updates the Hessian by the symmetric formula of rank one, which also approximates indefinite
-/// matrices (Nocedal and Wright 2006, §6.2). `change` is that of the gradient of the Lagrangian
+/// matrices (Nocedal and Wright 2006). `change` is that of the gradient of the Lagrangian
 /// without the barrier.
 void UpdateHessian(
   Eigen::MatrixXd& hessian, const Eigen::VectorXd& step, const Eigen::VectorXd& change)

@@ -203,7 +203,9 @@ private:
     // Up to 2.4 % more or less, which is half of CountTolerance in the number of quads.
     constexpr int Steps = 6;
     constexpr double Step = 0.004;
-    if (FindSymmetries(this->Domain).IsTrivial())
+    constexpr long long MaximumQuads = 50000; // each size takes a mesh
+    if (CountQuads(this->Result.tMesh, found.counts) > MaximumQuads ||
+      FindSymmetries(this->Domain).IsTrivial())
     {
       return found;
     }

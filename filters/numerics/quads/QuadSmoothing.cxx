@@ -309,8 +309,8 @@ int SmoothUniform(
     if (coarse.IsSmaller())
     {
       const Eigen::VectorXd before = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
-      SmoothUniform(
-        { coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart, progress.Part(0.0, 0.4));
+      SmoothUniform({ coarse.mesh, coarse.weights, coarse.lattices }, curves, sizePart,
+        progress.Part(0.0, 0.4));
       const Eigen::VectorXd after = released.EnergyOf(coarse.mesh, coarse.weights).Unknowns();
       const std::vector<QuadPoint> start = level.mesh.points;
       released.Displace(level, coarse.Interpolate(curves, after - before));

@@ -184,27 +184,29 @@ public:
     QuadOptions options = this->OptionsFor(*layout.map.topology);
     MeshedLayout meshed{ std::move(layout), {} };
     const Progress making = progress.Part(0.0, clean ? 0.2 : 1.0);
-    meshed.quads = crossfield::MakeQuads(
-      meshed.layout.map, meshed.layout.tMesh, options, making.Part(0.0, 0.5));
-    if (IsSizingFree(this->Request))
-    {
-      this->AddEvents(ChooseSizing(meshed, options, making.Part(0.5, 1.0)));
-    }
+    meshed.quads =
+      crossfield::MakeQuads(meshed.layout.map, meshed.layout.tMesh, options, making.Part(0.0, 0.5));
     this->Result.blocks.none = meshed.quads.separateBlocks;
+    const std::optional<MeshedLayout> start = coarse ? std::make_optional(meshed) : std::nullopt;
     double moved = 0.0;
+    this->Clock.Lap();
     if (clean)
     {
-      this->Clock.Lap();
-      const std::optional<MeshedLayout> merged = coarse
-        ? std::make_optional(WithMergedBlocks(meshed, options, progress.Part(0.2, 0.3)))
-        : std::nullopt;
-      moved = this->Clean(meshed, options, progress.Part(0.3, 0.9));
-      if (merged)
-      {
-        moved = this->Merge(*merged, options, moved, meshed);
-      }
-      this->Result.seconds.clean = this->Clock.Lap();
+      moved = this->Clean(meshed, options, progress.Part(0.2, 0.8));
     }
+    // Whether separatrices meet is decided with the sizes of the map, whose quads show it best.
+    if (IsSizingFree(this->Request))
+    {
+      this->AddEvents(
+        ChooseSizing(meshed, options, clean ? progress.Part(0.8, 0.9) : making.Part(0.5, 1.0)));
+    }
+    const auto blocks = static_cast<int>(meshed.quads.blocks.blocks.size());
+    (clean ? this->Result.blocks.clean : this->Result.blocks.none) = blocks;
+    if (start)
+    {
+      moved = this->Merge(WithMergedBlocks(*start, options), options, moved, meshed);
+    }
+    this->Result.seconds.clean = clean ? this->Clock.Lap() : 0.0;
     if (!this->Request.layers.empty())
     {
       this->Result.layers = AddLayersForCount(
@@ -261,6 +263,7 @@ private:
     meshed = std::move(clean.mesh);
     this->MapOptions = options.map;
     this->Result.blocks.clean = static_cast<int>(meshed.quads.blocks.blocks.size());
+    this->CleanEvent = this->Result.events.size();
     this->AddEvents({ DescribeClean(clean, isPattern, this->Result.blocks) });
     this->Result.singularities = meshed.layout.singularities;
     this->Started = meshed.layout.singularities;
@@ -291,7 +294,7 @@ private:
       this->MapOptions.corners = this->FirstCorners;
       this->Result.singularities = this->Started = clean.layout.singularities;
       this->Describe(clean.layout.map);
-      this->Result.events.back() = "Blocks were merged without moving singularities.";
+      this->Result.events[this->CleanEvent] = "Blocks were merged without moving singularities.";
     }
     this->Result.blocks.coarse = static_cast<int>(clean.quads.blocks.blocks.size());
     return moved;
@@ -423,6 +426,7 @@ private:
   const int Total; ///< Requested number of quads.
   SeamlessMapOptions MapOptions;
   std::vector<CornerChoice> FirstCorners; ///< Corners of MapOptions before blocks were merged.
+  std::size_t CleanEvent = 0;             ///< Index of the event about merged blocks.
   Configuration Started;                  ///< The singularities before they were repaired.
   QuadWorkflowResult Result;
   Stopwatch Clock;

@@ -83,9 +83,11 @@ std::vector<std::string> ChooseSizing(
   {
     return {};
   }
-  return { "Nodes were moved for uniform sizes: the standard deviation of the sizes of quads changed "
-           "from " +
+  return {
+    "Nodes were moved for uniform sizes: the standard deviation of the sizes of quads changed "
+    "from " +
     FormatShort(variation) + " to " + FormatShort(meshed.quads.quality.variation) +
-    " of their mean." };
+    " of their mean."
+  };
 }
 }

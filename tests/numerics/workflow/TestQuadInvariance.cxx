@@ -17,7 +17,8 @@ PlanarDomain Plate(Random& random)
   const double width = random.Uniform(2.0, 3.0);
   const Point second(random.Uniform(0.5, width - 0.5), 0.5);
   std::vector<Loop> loops = { { { 0.0, 0.0 }, { width, 0.0 }, { width, 2.0 }, { 0.0, 1.7 } },
-    RegularPolygon(24, random.Uniform(0.15, 0.3), Point(0.6, 1.2)), RegularPolygon(24, 0.2, second) };
+    RegularPolygon(24, random.Uniform(0.15, 0.3), Point(0.6, 1.2)),
+    RegularPolygon(24, 0.2, second) };
   return MakePlanarDomain(std::move(loops));
 }
 

@@ -25,8 +25,7 @@ bool HasEvent(const QuadWorkflowResult& result)
     [](const std::string& event) { return event.find("uniform sizes: the") != std::string::npos; });
 }
 
-QuadWorkflowResult Mesh(
-  const PlanarDomain& domain, std::optional<Sizing> sizing, int count = 600)
+QuadWorkflowResult Mesh(const PlanarDomain& domain, std::optional<Sizing> sizing, int count = 600)
 {
   QuadRequest request;
   request.quadCount = count;
