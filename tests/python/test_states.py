@@ -25,7 +25,7 @@ with tempfile.TemporaryDirectory(prefix="crossfield-") as directory:
     simple.RenderAllViews()
     kept.keep_sources()
     sources = simple.GetSources()
-    check(len(sources) >= 3, "the state has its sources")
+    check(len(sources) >= 2, "the state has its sources")
     for (name, _), source in sources.items():
         data = servermanager.Fetch(source)
         rows = data.GetNumberOfRows() if data.IsA("vtkTable") else data.GetNumberOfCells()

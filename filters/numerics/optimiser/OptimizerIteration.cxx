@@ -24,13 +24,21 @@ double LargestEntry(const Eigen::VectorXd& values)
 }
 
 /// Criteria for a valley, as around the centre of a disk: derivatives, multiplied by the diagonal,
-/// are below ValleyGradient, and the last ValleySteps steps lowered the objective by less than
-/// ValleyGain of its value in total. Differences between meshes change W by more.
-constexpr double ValleyGradient = 1e-2;
+/// are below `gradient`, and the last ValleySteps steps lowered the objective by less than `gain` of
+/// its value in total. Differences between meshes change W by more.
+struct ValleyLimits
+{
+  double gradient;
+  double gain;
+};
+constexpr ValleyLimits Free = { 1e-2, 1e-8 };
+/// Where singularities are held by the clearance: two that attract each other turn around each other
+/// along a circle, on which the curvatures of W and of the barrier cancel up to the error of the mesh.
+constexpr ValleyLimits Held = { 0.1, 3e-5 };
 constexpr std::size_t ValleySteps = 10;
-constexpr double ValleyGain = 1e-8;
 
-bool IsInValley(const std::vector<OptimizerStep>& history, double tolerance)
+bool IsInValley(
+  const std::vector<OptimizerStep>& history, const ValleyLimits& limits, double tolerance)
 {
   if (history.size() <= ValleySteps)
   {
@@ -38,17 +46,21 @@ bool IsInValley(const std::vector<OptimizerStep>& history, double tolerance)
   }
   const OptimizerStep& latest = history.back();
   const OptimizerStep& before = history[history.size() - 1 - ValleySteps];
-  return latest.gradientNorm <= ValleyGradient && latest.holonomyDefect <= tolerance &&
+  return latest.gradientNorm <= limits.gradient && latest.holonomyDefect <= tolerance &&
     std::abs(before.objective - latest.objective) <=
-    ValleyGain * (1.0 + std::abs(latest.objective));
+    limits.gain * (1.0 + std::abs(latest.objective));
 }
+
+/// Number of steps after which the Hessian is not computed again: a run that takes this long follows a
+/// valley, along which updates are more accurate.
+constexpr int LastRenewal = 60;
 
 /// Returns whether derivatives are so small that the error of the second derivatives, which are those
 /// of a coarser approximation of W, would determine the steps in flat directions. Then the updates of
 /// the Hessian must not be lost.
 bool IsNearMinimum(const std::vector<OptimizerStep>& history)
 {
-  constexpr double SmallGradient = 1.0;
+  constexpr double SmallGradient = 0.02;
   return !history.empty() && history.back().gradientNorm < SmallGradient;
 }
 
@@ -113,7 +125,7 @@ QuadraticStep SolveModel(const OptimizerObjective& objective, const Eigen::Matri
 {
   constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
   constexpr double SufficientFraction = 0.5;
-  constexpr double FirstShift = 0.05;
+  constexpr double FirstShift = 1e-3;
   constexpr double LargestShift = 1e3;
   constexpr double ShiftGrowth = 4.0;
   Eigen::MatrixXd matrix = hessian + current.barrier.hessian + current.barrier.negativeHessian;
@@ -220,7 +232,8 @@ OptimizerEnd OptimizerIteration::Run(
   {
     if (current.positions.size() > 0 &&
       (this->Hessian.rows() != current.positions.size() ||
-        (objective.Budget().GetSpent() >= this->Renewal && !IsNearMinimum(this->history))))
+        (objective.Budget().GetSpent() >= this->Renewal && this->iterations < LastRenewal &&
+          !IsNearMinimum(this->history))))
     {
       this->Hessian = objective.Hessian(current, EstimateMultipliers(current));
       this->Renewal = objective.Budget().GetSpent() + objective.HessianCost();
@@ -241,7 +254,8 @@ OptimizerEnd OptimizerIteration::Run(
       this->history.push_back(latest);
     }
     if ((residual <= this->tolerance && defect <= this->tolerance) ||
-      IsInValley(this->history, this->tolerance))
+      IsInValley(
+        this->history, current.barrier.energy > 0.0 ? Held : Free, this->tolerance))
     {
       return OptimizerEnd::Converged;
     }

@@ -100,6 +100,7 @@ const Configuration& DesignSession::Choose(
     quads.capCorners = request.options.map.capCorners;
     quads.meshSize = request.meshSize;
     quads.quadSize = request.quadSize;
+    quads.sizing = crossfield::Sizing::Conformal; // as the quads of the design
     this->Chosen = crossfield::ChooseSingularities(this->Domain.Get(), quads, progress);
   }
   return this->Chosen->singularities;

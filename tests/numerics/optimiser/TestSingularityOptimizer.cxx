@@ -154,7 +154,7 @@ TEST(SingularityOptimizer, IsInvariantUnderScalesOverHundredOrders)
       {
         EXPECT_LT(
           (result.configuration[i].position / scale - plain.configuration[i].position).norm(),
-          1e-9);
+          1e-8);
       }
     }
   }
