@@ -254,8 +254,7 @@ OptimizerEnd OptimizerIteration::Run(
       this->history.push_back(latest);
     }
     if ((residual <= this->tolerance && defect <= this->tolerance) ||
-      IsInValley(
-        this->history, current.barrier.energy > 0.0 ? Held : Free, this->tolerance))
+      IsInValley(this->history, current.barrier.energy > 0.0 ? Held : Free, this->tolerance))
     {
       return OptimizerEnd::Converged;
     }
