@@ -108,8 +108,8 @@ mesh is accepted only if it has fewer blocks and its quads are as good as before
 If no mesh fulfils this, you get the mesh without merging. An event in the report gives the largest move, and `blocks_by_merge` the numbers
 of blocks. Singularities given with `-s` are moved as well.
 
-`--merge coarse`, or `--coarse` for short, merges separatrices without moving singularities. It accepts a worst quad that is half as
-good.
+`--merge coarse`, or `--coarse` for short, starts from the result of `clean` and merges the separatrices that remain without moving
+singularities. It accepts a worst quad that is half as good, and takes as long as `clean`.
 
 Table: number of blocks, and minimum scaled Jacobian of about 1,000 quads, with each kind of merging.
 

@@ -24,8 +24,10 @@ struct Shortfall
   double shape; ///< Missing part of the minimum scaled Jacobian.
   double sizes; ///< Excess of the variation of sizes.
 
-  Shortfall(const QuadResult& quads, const QuadOptions& options)
-    : Shortfall(quads.quality)
+  /// `bound` is the attainable minimum scaled Jacobian of the mesh with conformal sizes: nodes that
+  /// move along the boundary may lower it, which is no merit.
+  Shortfall(const QuadResult& quads, const QuadOptions& options, double bound)
+    : Shortfall(quads.quality, std::max(bound, quads.quality.bound))
   {
     if (options.quadSize == 0.0)
     {
@@ -42,10 +44,10 @@ struct Shortfall
   }
 
 private:
-  explicit Shortfall(const QuadQuality& quality)
+  Shortfall(const QuadQuality& quality, double bound)
     : inverted(quality.inverted)
     , count(0.0)
-    , shape(std::max(0.0, GoodShape - quality.jacobian.min / quality.bound))
+    , shape(std::max(0.0, GoodShape - quality.jacobian.min / bound))
     , sizes(std::max(0.0, quality.variation - GoodVariation))
   {
   }
@@ -59,7 +61,8 @@ std::vector<std::string> ChooseSizing(
   // one is tried where larger ones cost shape.
   constexpr std::array<double, 3> SizeParts = { 0.5, 0.2, 0.05 };
   const double variation = meshed.quads.quality.variation;
-  Shortfall best(meshed.quads, options);
+  const double bound = meshed.quads.quality.bound;
+  Shortfall best(meshed.quads, options, bound);
   bool isChanged = false;
   const QuadOptions given = options;
   const TMesh tMesh = meshed.quads.tMesh;
@@ -70,7 +73,7 @@ std::vector<std::string> ChooseSizing(
     other.sizePart = SizeParts[i];
     const double done = static_cast<double>(i) / SizeParts.size();
     QuadResult uniform = MakeQuads(meshed.layout.map, tMesh, other, progress.Part(done, 1.0));
-    const Shortfall shortfall(uniform, other);
+    const Shortfall shortfall(uniform, other, bound);
     if (shortfall.IsBelow(best))
     {
       best = shortfall;
