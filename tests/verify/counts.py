@@ -14,7 +14,8 @@ def check_counts(data, mesh, boundary, indices, given, report):
     report.equal("EulerCharacteristic", data.value("EulerCharacteristic"), mesh.euler_characteristic())
     required = data.value("RequiredInteriorQuarters")
     stated = data.value("Valence"), data.value("TangentTurning")
-    rounding = len(boundary.angle) * 2.0 ** -50
+    # Vertices on curves in a turned frame are rounded by several units in the last place.
+    rounding = 10.0 * (len(boundary.angle) * 2.0 ** -50)
 
     def count(fixed, quarters):
         rotation = boundary.angle[fixed] - 0.5 * np.pi * quarters[fixed]
