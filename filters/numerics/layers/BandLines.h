@@ -28,7 +28,7 @@ public:
   const Point& WallAt(std::size_t line) const { return this->Walls[line]; }
   /// Returns the number of rows with which no line grows faster than its layers allow.
   int RowsNeeded() const;
-  /// Returns the maximum ratio of the row behind the band to the last of so many new rows, or its
+  /// Returns the maximum ratio of the row behind the band to the last of `rows` new rows, or its
   /// inverse, over the columns at layered sides.
   double LargestStep(int rows) const;
   /// Returns the new inner points of all lines for a number of rows.

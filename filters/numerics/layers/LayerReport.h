@@ -24,8 +24,8 @@ struct LayerReport
   double largestRatio = 1.0;
 };
 
-/// Measures the layers of a mesh, of which the edge e of mesh.boundary has rows[e] rows. Heights are
-/// distances from the line through the edge at the wall. Requires that every side of the
+/// Measures the layers of a mesh. rows[e] is the number of rows beside edge e of mesh.boundary.
+/// Heights are distances from the line through the edge at the wall. Requires that every side of the
 /// prescriptions has an edge.
 std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::vector<int>& rows);
 }

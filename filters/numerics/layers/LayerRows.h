@@ -12,7 +12,7 @@ int RowsToFill(double length, double first, double growth);
 /// It is below 1 if N a > S. Requires positive lengths and S > a.
 double GrowthToFill(double length, double first, int rows);
 
-/// Returns the ends of the rows, as lengths from the wall: N numbers, the last of which is `length`.
+/// Returns the ends of the rows, as lengths from the wall: N numbers; the last one is `length`.
 std::vector<double> RowEnds(double length, double first, int rows);
 
 /// Returns the number of rows of equal height that rows growing by `growth` may replace, so that
