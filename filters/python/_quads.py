@@ -188,7 +188,7 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
 
     domain, singularities, corners
                    as for `solve`, without holes; without singularities they are chosen for the domain, and
-                   report["events"] lists the decisions. `corners` may also be a dictionary that says what
+                   report["events"] lists the decisions. `corners` may also be a dictionary that sets what
                    rows of quads do, as {(1, 0): "leave", "wall": "turn"}: "end" on the next side, "turn" around
                    the corner, or "leave" it along a grid line; keys are positions, names of sides for all of
                    their corners, or ranges of angles in degrees as "200-300"

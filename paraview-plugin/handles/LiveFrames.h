@@ -3,7 +3,7 @@
  * @brief   updates and draws a view while a handle is dragged
  *
  * With the built-in server, filters and view are updated and drawn directly. The client's proxies
- * are not told: they would collect the ranges of all arrays and refresh the lists of arrays in
+ * are not notified: they would collect the ranges of all arrays and refresh the lists of arrays in
  * panels after each update, which takes as long as the frame itself. They are updated when the
  * handle is released. On a remote server, this goes through the proxies.
  */

@@ -99,7 +99,7 @@ bool PromisesMore(const ProposedConfiguration& start, const OptimizerResult& min
 
 /// Returns whether a start is so far above the energy of a result that its own run would use up the
 /// solves before it reaches it: by more than one core energy, 2π, for each singularity.
-bool IsHopeless(const ProposedConfiguration& start, const OptimizerResult& result)
+bool IsFarAbove(const ProposedConfiguration& start, const OptimizerResult& result)
 {
   return start.energy >
     result.rankingEnergy + 2.0 * Pi * static_cast<double>(start.singularities.size());
@@ -226,7 +226,7 @@ AutomaticConfiguration ChooseConfiguration(
   {
     if (i > 0 &&
       (HasConvergedWithoutDefect(best.optimum) ? !PromisesMore(starts[i], best.optimum)
-                                               : IsHopeless(starts[i], best.optimum)))
+                                               : IsFarAbove(starts[i], best.optimum)))
     {
       continue;
     }
