@@ -40,8 +40,7 @@ bool IsAlarm(pqPipelineSource* source, int port)
 {
   if (vtkAlgorithm* algorithm = AlgorithmOf(source->getProxy()))
   {
-    vtkDataArray* alarm =
-      algorithm->GetOutputDataObject(port)->GetFieldData()->GetArray("Alarm");
+    vtkDataArray* alarm = algorithm->GetOutputDataObject(port)->GetFieldData()->GetArray("Alarm");
     return alarm && alarm->GetTuple1(0) > 0;
   }
   const vtkPVDataInformation* data =
