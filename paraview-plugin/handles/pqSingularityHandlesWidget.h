@@ -16,7 +16,8 @@
  *
  * A proxy that fits its default rows to a domain has the hint <RowsFitDomain property="Domain"/> of
  * the group, with the name of the input. The rows of its last update are shown while the domain is
- * connected and the property has its default, and a note in the panel reports whether there is a domain.
+ * connected and the property has its default, and a note in the panel reports whether there is a
+ * domain.
  *
  * A proxy whose rows are not in the plane z = 0 reports their plane in an information property with
  * the function `Plane`: nine numbers, the origin and the two axes of its coordinates.

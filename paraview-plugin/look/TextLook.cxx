@@ -69,7 +69,8 @@ Colour PlainColour(pqDataRepresentation* representation)
 
 /**
  * Paints now and after each update of a proxy, during the lifetime of the representation. With the
- * built-in server it observes the algorithm, since the client is not notified of updates during a drag.
+ * built-in server it observes the algorithm, since the client is not notified of updates during a
+ * drag.
  */
 class Painter final : public QObject
 {
