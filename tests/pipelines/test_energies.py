@@ -205,8 +205,8 @@ class Optimize(EnergiesTest):
 
     def test_parts_have_the_energy_of_finer_meshes(self):
         # Default size, 1/40 of the diagonal, which finer meshes and their boundaries refer to.
-        for name, size in (("plate3", 3.60555), ("bracket", 2.82843), ("elbow", 0.141421),
-                           ("tjunction", 0.180278)):
+        for name, size in (("plate3", 3.60555), ("bracket", 2.82843), ("elbow", 0.141421), ("tjunction", 0.180278),
+                           ("naca_blunt", 0.270416)):
             with self.subTest(name):
                 part = PARTS / f"{name}.vtp"
                 best = self.report("optimize", part, "-o", "best.csv")["renormalized_energy_after"]

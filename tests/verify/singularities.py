@@ -75,7 +75,8 @@ def find(mesh, field, indices, boundary):
 
 def give_to_boundary(data, mesh, boundary, found):
     """Assigns singularities in triangles beside a vertex of a boundary singularity to the boundary.
-    The file states their positions."""
+    The file states their positions. A triangle may have a part of an index of 2 or more, and the vertex
+    the remainder."""
     for x, y, z, quarter in data.field.get("PointSingularities", np.zeros((0, 4))):
         distance = np.linalg.norm(data.points[boundary.vertex] - [x, y, z], axis=1)
         vertex = boundary.vertex[distance.argmin()]
@@ -84,7 +85,7 @@ def give_to_boundary(data, mesh, boundary, found):
         touching = (mesh.triangles == vertex).any(axis=1)
         reach = 2.0 * np.linalg.norm(mesh.points[mesh.triangles[touching]] - mesh.points[vertex], axis=2).max()
         for singularity in found:
-            if (singularity.quarter == quarter and
+            if (0 < np.sign(quarter) * singularity.quarter <= abs(quarter) and
                     np.linalg.norm(singularity.position - mesh.points[vertex]) <= reach):
                 singularity.inside = False
 
