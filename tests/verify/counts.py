@@ -14,8 +14,10 @@ def check_counts(data, mesh, boundary, indices, given, report):
     report.equal("EulerCharacteristic", data.value("EulerCharacteristic"), mesh.euler_characteristic())
     required = data.value("RequiredInteriorQuarters")
     stated = data.value("Valence"), data.value("TangentTurning")
-    # Vertices on curves in a turned frame are rounded by several units in the last place.
-    rounding = 10.0 * (len(boundary.angle) * 2.0 ** -50)
+    # Vertices that meshing adds to a side are off it by rounding to 2^-46 of the extent (docs/method.md
+    # §10.7), which turns the edges at its ends; along the side the turns cancel.
+    shortest = np.linalg.norm(mesh.points[mesh.lines[:, 1]] - mesh.points[mesh.lines[:, 0]], axis=1).min()
+    rounding = len(boundary.angle) * 2.0 ** -50 + 2.0 ** -46 * mesh.frame.size / shortest
 
     def count(fixed, quarters):
         rotation = boundary.angle[fixed] - 0.5 * np.pi * quarters[fixed]

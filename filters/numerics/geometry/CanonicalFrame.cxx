@@ -140,7 +140,7 @@ CanonicalFrame::CanonicalFrame(const std::vector<Loop>& loops)
   }
   this->Origin = centre;
   this->Axis = Point(std::cos(angle), std::sin(angle));
-  this->Quantum = std::ldexp(1.0, std::ilogb(extent) - 43);
+  this->Quantum = std::ldexp(1.0, std::ilogb(extent) - 46);
 }
 
 Point CanonicalFrame::ToFrame(const Point& point) const

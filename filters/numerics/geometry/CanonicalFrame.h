@@ -20,7 +20,7 @@ public:
   explicit CanonicalFrame(const std::vector<Loop>& loops);
 
   /// Returns the coordinates of a point of the plane. If the frame is not turned by quarter turns,
-  /// they are rounded to about 1e-13 of the extent: otherwise rounding errors of the rotation would
+  /// they are rounded to about 1e-14 of the extent: otherwise rounding errors of the rotation would
   /// decide the many ties in the mesh of a symmetric domain.
   Point ToFrame(const Point& point) const;
   std::vector<Loop> ToFrame(const std::vector<Loop>& loops) const;
