@@ -192,6 +192,7 @@ constexpr const char* LayerHeightRange = "LayerHeightRange";
 constexpr const char* LayerInBounds = "LayerInBounds";
 constexpr const char* LayerGrowth = "LayerGrowth";
 constexpr const char* LayerRatio = "LayerRatio";
+constexpr const char* LayerUsualRatio = "LayerUsualRatio";
 constexpr const char* NeighbourBlock = "NeighbourBlock";
 constexpr const char* NeighbourSide = "NeighbourSide";
 constexpr const char* NeighbourOrientation = "NeighbourOrientation";

@@ -4,6 +4,7 @@
 #include "BandLines.h"
 #include "Index.h"
 #include "LayerRows.h"
+#include "QuadSymmetry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -330,8 +331,8 @@ void RequireLayers(
   }
 }
 
-std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions)
+std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
+  const std::vector<LayerPrescription>& prescriptions, QuadResult& quads)
 {
   RequireLayers(prescriptions, quads.mesh.sideNames);
   LayeredMesh layered;
@@ -348,6 +349,8 @@ std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curv
   Layerer layerer(layered, curves, quads.size);
   layerer.Plan();
   layerer.Divide();
+  // Where bands cross, points depend slightly on which is divided first.
+  MakeSymmetric(layered.mesh, curves, domain, quads.smoothing.released);
   const std::vector<LayerReport> reports = layerer.Measure();
   quads.mesh = std::move(layered.mesh);
   quads.blocks = FindBlocks(quads.mesh, layered.regions);

@@ -19,10 +19,11 @@ void RequireLayers(
 
 /// Divides the bands of quads beside sides of a mesh into rows whose heights grow from the wall
 /// (docs/method.md §16). Points outside the bands, valences and the irregular points stay as they
-/// are. The blocks are divided along the bands.
+/// are. The blocks are divided along the bands. `domain` is that of the mesh, whose symmetries the
+/// result keeps.
 ///
 /// Throws Error as RequireLayers does, and if the first height of a side is not less than the rows there, or
 /// LackOfRows if too few rows beside it are free of irregular points.
-std::vector<LayerReport> AddLayers(QuadResult& quads, const BoundaryCurves& curves,
-  const std::vector<LayerPrescription>& prescriptions);
+std::vector<LayerReport> AddLayers(const PlanarDomain& domain, const BoundaryCurves& curves,
+  const std::vector<LayerPrescription>& prescriptions, QuadResult& quads);
 }

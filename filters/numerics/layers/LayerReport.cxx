@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace crossfield
 {
@@ -48,6 +49,18 @@ private:
   const LayeredMesh& Layered;
   const QuadWalk& Walk;
 };
+
+/// Returns the smallest value that at most one of a hundred exceeds.
+double UsualMaximum(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return 1.0;
+  }
+  const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
 }
 
 std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::vector<int>& rows)
@@ -64,6 +77,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
     reports.push_back(report);
   }
   std::vector<double> lengths(reports.size(), 0.0);
+  std::vector<std::vector<double>> ratios(reports.size());
   const std::vector<int> walls = walk.OfBoundary();
   for (std::size_t e = 0; e < walls.size(); ++e)
   {
@@ -90,7 +104,9 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
       const double height = measurer.Height(side);
       if (row > 0)
       {
-        report.largestRatio = std::max({ report.largestRatio, height / last, last / height });
+        const double ratio = std::max(height / last, last / height);
+        report.largestRatio = std::max(report.largestRatio, ratio);
+        ratios[layer].push_back(ratio);
       }
       if (row > 0 && row < rows[e])
       {
@@ -104,6 +120,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   {
     reports[layer].partInBounds /= lengths[layer];
     reports[layer].meanThickness /= lengths[layer];
+    reports[layer].usualRatio = UsualMaximum(std::move(ratios[layer]));
   }
   return reports;
 }

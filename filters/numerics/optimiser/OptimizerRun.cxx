@@ -131,6 +131,7 @@ OptimizerEnd OptimizerRun::Minimise(const Progress& progress)
       }
       if (end != OptimizerEnd::ChangeRequested)
       {
+        this->ReturnToSaddle();
         return end;
       }
     }

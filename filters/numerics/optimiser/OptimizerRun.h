@@ -4,6 +4,7 @@
 #include "OptimizerResult.h"
 #include "Progress.h"
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -41,6 +42,8 @@ private:
   /// Moves off a stationary point that is a minimum among symmetric configurations only. Returns
   /// whether it did.
   bool LeaveSaddle();
+  /// Goes back to the symmetric point that LeaveSaddle left, if little was gained since.
+  void ReturnToSaddle();
   /// Restores the symmetry of the start. Changes are made one after the other, and the
   /// singularities move in between; if the configuration is approximately symmetric again after
   /// them, the iteration continues from the nearest symmetric one. Returns whether it does.
@@ -55,6 +58,13 @@ private:
   bool TryChange(const ConfigurationChange& change);
   void AddToFront();
 
+  /// A stationary point among symmetric configurations.
+  struct SymmetricStop
+  {
+    OptimizerStage stage;
+    OptimizerState current;
+  };
+
   const PlanarDomain& Domain;
   int MaximumIterations;
   bool KeepAll;
@@ -63,8 +73,9 @@ private:
   OptimizerStage Stage;
   OptimizerState Current;
   OptimizerIteration Iteration;
-  std::set<std::string> Rejected; ///< Keys of changes that did not lower the energy.
-  BoundaryTargets Targets;        ///< On the present stage.
+  std::optional<SymmetricStop> Saddle; ///< Where LeaveSaddle left the symmetry.
+  std::set<std::string> Rejected;      ///< Keys of changes that did not lower the energy.
+  BoundaryTargets Targets;             ///< On the present stage.
   int BoundaryMoves = 0;
   int FailedAbsorptions = 0;         ///< Since the last change.
   Eigen::VectorXd PreviousPositions; ///< Positions one step ago.

@@ -67,6 +67,24 @@ void Unwrap(const std::vector<CurvePlace>& places, Run& run)
   run.at.back() = run.at.front() + once;
 }
 
+/// Replaces the ideal lengths by equal ones if an ideal edge is too long.
+void ShortenIdeal(Run& run)
+{
+  for (std::size_t i = 1; i < run.ideal.size(); ++i)
+  {
+    if (run.ideal[i] - run.ideal[i - 1] > 0.8 * LongestPartOfLoop * run.loop)
+    {
+      const double length = run.ideal.back() - run.ideal.front();
+      for (std::size_t j = 1; j + 1 < run.ideal.size(); ++j)
+      {
+        run.ideal[j] = run.ideal.front() +
+          length * static_cast<double>(j) / static_cast<double>(run.ideal.size() - 1);
+      }
+      return;
+    }
+  }
+}
+
 /// Follows the boundary from a point to the next fixed point, or back to it.
 Run FollowFrom(
   int start, const std::vector<Step>& steps, const QuadMesh& mesh, const BoundaryCurves& curves)
@@ -89,6 +107,7 @@ Run FollowFrom(
     run.ideal.push_back(
       run.at.front() + (run.at.back() - run.at.front()) * target / targets.back());
   }
+  ShortenIdeal(run);
   return run;
 }
 
@@ -122,6 +141,7 @@ void Spread(Run& run)
     }
   }
 }
+
 }
 
 double LengthAlong(const CurvePlace& from, const CurvePlace& to, double loop)
@@ -129,6 +149,18 @@ double LengthAlong(const CurvePlace& from, const CurvePlace& to, double loop)
   constexpr double Shift = 0.2;
   const double length = to.at - from.at;
   return length - loop * std::floor(length / loop + Shift);
+}
+
+bool HasLongEdges(const QuadMesh& mesh, const BoundaryCurves& curves, double part)
+{
+  return std::any_of(mesh.boundary.begin(), mesh.boundary.end(),
+    [&](const QuadBoundaryEdge& edge)
+    {
+      const CurvePlace& from = mesh.points[Index(edge.points[0])].curve;
+      const CurvePlace& to = mesh.points[Index(edge.points[1])].curve;
+      const double loop = curves.Length(from.loop);
+      return from.loop == to.loop && LengthAlong(from, to, loop) > part * loop;
+    });
 }
 
 void OrderOnBoundary(QuadMesh& mesh, const BoundaryCurves& curves, double shortest)

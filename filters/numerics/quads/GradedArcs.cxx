@@ -14,7 +14,7 @@ GradedArcs::GradedArcs(const SeamlessMap& map, const BoundaryCurves& curves,
 {
   for (std::size_t i = 0; i < prescribed.size(); ++i)
   {
-    if (!prescribed[i].isGraded)
+    if (!prescribed[i].isGraded && prescribed[i].count == 0 && prescribed[i].size <= 0.0)
     {
       continue;
     }
@@ -47,8 +47,17 @@ void GradedArcs::SetTargets(std::vector<double>& targets) const
   for (const Part& part : this->Parts)
   {
     const SidePrescription& one = this->Prescribed[part.side];
-    double count = sumOf(part);
-    count *= one.count > 0 ? one.count / ofSide[part.side] : 1.0;
+    const double factor = one.count > 0 ? one.count / ofSide[part.side] : 1.0;
+    if (!one.isGraded)
+    {
+      for (std::size_t i = 0; i < part.arcs.size(); ++i)
+      {
+        double& target = targets[Index(part.arcs[i])];
+        target = one.count > 0 ? factor * target : (part.ends[i + 1] - part.ends[i]) / one.size;
+      }
+      continue;
+    }
+    double count = factor * sumOf(part);
     if (one.progression.HasLengths())
     {
       count = CountForLengths(part.ends.back(), one.progression);

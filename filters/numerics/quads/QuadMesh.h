@@ -13,7 +13,10 @@ struct QuadPoint
 {
   Point place = Point::Zero(); ///< Position in the plane.
   CurvePlace curve;            ///< Position on the boundary, if the point is there.
-  bool fixed = false;   ///< Set for corners of the boundary, ends of sides and singularities.
+  /// Set for corners of the boundary, ends of sides, singularities, and points that PlaceOnSides moved.
+  bool fixed = false;
+  /// Set for points that divide a closed side as prescribed and may turn along it together.
+  bool turns = false;
   int cone = -1;        ///< Index in SeamlessMap::cones, −1 if it is none.
   int quarterIndex = 0; ///< Requested quarter index: that of the cone, else 0.
   double scale =

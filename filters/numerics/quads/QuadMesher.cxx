@@ -81,11 +81,7 @@ public:
         found = std::move(best);
       }
     }
-    if (!given)
-    {
-      found = this->FindSymmetric(std::move(found));
-    }
-    SetCounts(std::move(found), this->Result);
+    SetCounts(this->FindSymmetric(std::move(found)), this->Result);
   }
 
   void Build(QuadResult& result) const
@@ -200,8 +196,8 @@ private:
   /// mirror line, and other sizes avoid this.
   EdgeCounts FindSymmetric(EdgeCounts found) const
   {
-    // Up to 2.4 % more or less, which is half of CountTolerance in the number of quads.
-    constexpr int Steps = 6;
+    // Up to 4.8 % more or less, about CountTolerance in the number of quads and the same beyond it.
+    constexpr int Steps = 12;
     constexpr double Step = 0.004;
     constexpr long long MaximumQuads = 50000; // each size takes a mesh
     if (CountQuads(this->Result.tMesh, found.counts) > MaximumQuads ||
@@ -217,6 +213,14 @@ private:
       QuadMesh mesh = meshOf(counts);
       return MakeSymmetric(mesh, this->Curves, this->Domain, released);
     };
+    const double wanted = this->Options.quadSize > 0.0
+      ? static_cast<double>(CountQuads(this->Result.tMesh, found.counts))
+      : this->Options.quadCount;
+    const auto errorOf = [&](const EdgeCounts& counts)
+    {
+      return std::abs(
+        static_cast<double>(CountQuads(this->Result.tMesh, counts.counts)) / wanted - 1.0);
+    };
     int most = symmetriesOf(found);
     const int possible =
       CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
@@ -226,7 +230,7 @@ private:
     {
       const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
       EdgeCounts counts = this->QuantiseFor(factor * size, SearchEffort::Quick);
-      if (counts.counts == tried || this->CountError(counts) > CountTolerance)
+      if (counts.counts == tried || errorOf(counts) > CountTolerance)
       {
         continue;
       }

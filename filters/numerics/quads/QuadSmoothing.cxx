@@ -58,7 +58,10 @@ public:
     QuadEnergy energy = this->EnergyOf(level.mesh, level.weights);
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
-    if (!(energy.MinimumDeterminant(unknowns) > 0.0))
+    // Around a loop with few edges one of them might become so long that its chord crosses the hole.
+    constexpr double LongPart = 0.25;
+    if (!(energy.MinimumDeterminant(unknowns) > 0.0) ||
+      HasLongEdges(level.mesh, this->Curves, LongPart))
     {
       energy.HoldOrderOnBoundary();
     }
@@ -339,7 +342,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
   const Rank rankAtStart = RankOf(mesh);
-  if (rankAtStart.inverted > 0)
+  if (rankAtStart.inverted > 0 || HasLongEdges(mesh, curves, 0.9 * LongestPartOfLoop))
   {
     // Points that nearly coincide on the boundary would hardly move apart while quads untangle.
     constexpr double Shortest = 0.1;

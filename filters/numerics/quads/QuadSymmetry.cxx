@@ -126,12 +126,12 @@ public:
 private:
   bool IsFixed(const QuadPoint& point) const
   {
-    return point.fixed && !(this->Released && point.curve.loop < 0);
+    return point.fixed && !point.turns && !(this->Released && point.curve.loop < 0);
   }
 
   bool Fits(const QuadPoint& point, const QuadPoint& image, const Point& place) const
   {
-    return point.quarterIndex == image.quarterIndex &&
+    return point.quarterIndex == image.quarterIndex && point.turns == image.turns &&
       (point.curve.loop < 0) == (image.curve.loop < 0) &&
       this->IsFixed(point) == this->IsFixed(image) &&
       (!this->IsFixed(point) || (image.place - place).norm() <= this->Reach);

@@ -57,8 +57,9 @@ void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
     isClosed ? loop : forwards(mesh.points[Index(part.back())].curve.at - start.at);
   const std::vector<double> places = DivideLength(length, count, progression);
   // a closed curve has no end: its points are rotated to where they are on average
+  const bool turns = isClosed && !mesh.points[Index(part.front())].fixed;
   double shift = 0.0;
-  if (isClosed && !mesh.points[Index(part.front())].fixed)
+  if (turns)
   {
     for (int i = 1; i < count; ++i)
     {
@@ -76,6 +77,7 @@ void PlacePart(const BoundaryCurves& curves, const std::vector<int>& part,
       point.curve.at -= loop * std::floor(point.curve.at / loop);
       point.place = curves.At(point.curve);
       point.fixed = true;
+      point.turns = turns;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "QuadAdvice.h"
 #include "QuadSteps.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -12,13 +13,15 @@ namespace crossfield
 {
 namespace
 {
-/// Runs the steps without singularities if layers are requested and a domain with inner loops needs
-/// none: around a profile that gives a C-grid or an O-grid, which layers need. Returns nothing if
-/// that fails.
+/// Runs the steps without singularities if layers or sizes of sides are requested and a domain with
+/// inner loops needs none: around a profile that gives a C-grid or an O-grid. Returns nothing if that
+/// fails.
 std::optional<QuadWorkflowResult> RunWithoutSingularities(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
-  if (request.singularities || request.layers.empty() || domain.loops.size() < 2)
+  const bool isSized = std::any_of(request.prescribed.begin(), request.prescribed.end(),
+    [](const SidePrescription& one) { return one.size > 0.0; });
+  if (request.singularities || (request.layers.empty() && !isSized) || domain.loops.size() < 2)
   {
     return std::nullopt;
   }
@@ -37,7 +40,7 @@ std::optional<QuadWorkflowResult> RunWithoutSingularities(
   {
     QuadWorkflowResult result = RunQuadSteps(domain, without, progress);
     result.events.insert(
-      result.events.begin(), "The grid lines around the layers need no singularities.");
+      result.events.begin(), "The grid lines around the inner loops need no singularities.");
     return result.quads.quality.inverted == 0 ? std::make_optional(std::move(result))
                                               : std::nullopt;
   }

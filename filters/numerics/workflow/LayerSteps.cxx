@@ -62,26 +62,63 @@ int CorrectCount(int before, int after, int total)
   return std::max(1, static_cast<int>(std::lround(corrected * corrected)));
 }
 
-/// Throws Error if layers that end on a side have changed its number of edges, which is prescribed.
-void RequireCounts(
-  const QuadRequest& request, const std::vector<SideMeasure>& before, const QuadMesh& mesh)
+/// Numbers of edges of sides, which increase where layers end on the sides.
+class CountsWithLayers
 {
-  const std::vector<SideMeasure> after = MeasureSides(mesh);
-  const bool isOne = request.layers.size() == 1;
-  for (const SidePrescription& one : request.prescribed)
+public:
+  CountsWithLayers(const QuadRequest& request)
+    : Request(request)
   {
-    const auto side = static_cast<std::size_t>(one.side);
-    if (one.count > 0 && after[side].edges != before[side].edges)
+  }
+
+  /// Compares the numbers of edges with the requested ones. Where they differ, corrects the numbers
+  /// that are prescribed before layers are added, with which there were `before`.
+  void Compare(
+    const std::vector<SideMeasure>& before, const QuadMesh& mesh, SidePrescriptions& corrected)
+  {
+    const std::vector<SideMeasure> after = MeasureSides(mesh);
+    this->Difference.clear();
+    for (std::size_t i = 0; i < this->Request.prescribed.size(); ++i)
     {
-      throw Error(
-        (isOne ? "With the layer of '" + request.layers[0].name + "'" : "With the layers") +
-        ", side '" + mesh.sideNames[side] + "' has " + std::to_string(after[side].edges) +
-        " edges, but " + std::to_string(one.count) +
-        " are prescribed; leave out this number or the layer" +
-        (isOne ? "." : " that ends on the side."));
+      const SidePrescription& one = this->Request.prescribed[i];
+      const auto side = static_cast<std::size_t>(one.side);
+      if (one.count == 0 || after[side].edges == one.count)
+      {
+        continue;
+      }
+      this->Difference = this->Describe(mesh.sideNames[side], after[side].edges, one.count);
+      corrected[i].count = one.count - (after[side].edges - before[side].edges);
+      if (corrected[i].count <= 0)
+      {
+        throw Error(this->Difference);
+      }
     }
   }
-}
+
+  bool AreRight() const { return this->Difference.empty(); }
+  /// Throws Error if the numbers of edges differ from the requested ones.
+  void Require() const
+  {
+    if (!this->AreRight())
+    {
+      throw Error(this->Difference);
+    }
+  }
+
+private:
+  std::string Describe(const std::string& side, int edges, int prescribed) const
+  {
+    const bool isOne = this->Request.layers.size() == 1;
+    return (isOne ? "With the layer of '" + this->Request.layers[0].name + "'"
+                  : std::string("With the layers")) +
+      ", side '" + side + "' has " + std::to_string(edges) + " edges, but " +
+      std::to_string(prescribed) + " are prescribed; leave out this number or the layer" +
+      (isOne ? "." : " that ends on the side.");
+  }
+
+  const QuadRequest& Request;
+  std::string Difference; ///< A sentence, empty if there is none.
+};
 }
 
 BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request)
@@ -133,8 +170,8 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
   return corners;
 }
 
-ClearanceFactors ClearanceForLayers(
-  const PlanarDomain& domain, const QuadRequest& request, double clearance, double quadSize)
+ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadRequest& request,
+  double clearance, const SizeFunction& quadSize)
 {
   if (request.layers.empty())
   {
@@ -145,11 +182,15 @@ ClearanceFactors ClearanceForLayers(
   for (std::size_t l = 0; l < domain.loops.size(); ++l)
   {
     factors.emplace_back();
-    for (std::size_t segment = 0; segment < domain.loops[l].size(); ++segment)
+    const Loop& loop = domain.loops[l];
+    for (std::size_t segment = 0; segment < loop.size(); ++segment)
     {
-      const LayerPrescription* layer = FindLayer(request, names.At(l, segment));
-      const double room =
-        layer == nullptr ? 0.0 : request.layerRoom * RowsToReplace(layer->growth) * quadSize;
+      double room = 0.0;
+      if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
+      {
+        const Point middle = 0.5 * (loop[segment] + loop[(segment + 1) % loop.size()]);
+        room = request.layerRoom * RowsToReplace(layer->growth) * quadSize(middle);
+      }
       factors.back().push_back(std::max(1.0, room / clearance));
     }
   }
@@ -193,12 +234,13 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
   return std::max(1, static_cast<int>(std::lround(domain.Area() / (size * size))));
 }
 
-std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total,
-  const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
+std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
+  int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
 {
-  constexpr int MaximumTries = 5;
+  constexpr int MaximumTries = 8;
   const BoundaryCurves curves(*map.topology);
   const int separateBlocks = quads.separateBlocks;
+  CountsWithLayers sideCounts(request);
   std::optional<QuadResult> best;
   int bestCount = options.quadCount;
   std::vector<LayerReport> reports;
@@ -209,12 +251,12 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
     {
       const auto before = static_cast<int>(quads.mesh.quads.size());
       const std::vector<SideMeasure> sides = MeasureSides(quads.mesh);
-      const std::vector<LayerReport> layers = AddLayers(quads, curves, request.layers);
-      RequireCounts(request, sides, quads.mesh);
+      const std::vector<LayerReport> layers = AddLayers(domain, curves, request.layers, quads);
+      sideCounts.Compare(sides, quads.mesh, options.prescribed);
       const auto after = static_cast<int>(quads.mesh.quads.size());
       const double error =
         options.quadSize > 0.0 ? 0.0 : std::abs(static_cast<double>(after) / total - 1.0);
-      if (!best || error < smallest)
+      if (sideCounts.AreRight() && (!best || error < smallest))
       {
         best = std::move(quads);
         bestCount = options.quadCount;
@@ -227,16 +269,30 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
     {
       if (!best)
       {
+        sideCounts.Require();
         throw;
       }
       // Larger quads leave too little room; halfway to those that did not.
       options.quadCount = (options.quadCount + bestCount) / 2;
     }
-    if (smallest <= CountTolerance || tries == MaximumTries)
+    if ((best && smallest <= CountTolerance) || tries == MaximumTries)
     {
       break;
     }
-    quads = MakeQuads(map, tMesh, options);
+    try
+    {
+      quads = MakeQuads(map, tMesh, options);
+    }
+    catch (const Error&)
+    {
+      // The corrected numbers of edges contradict each other.
+      sideCounts.Require();
+      throw;
+    }
+  }
+  if (!best)
+  {
+    sideCounts.Require();
   }
   quads = std::move(*best);
   quads.separateBlocks = separateBlocks;

@@ -12,19 +12,19 @@ BoundarySides SidesOf(const PlanarDomain& domain, const QuadRequest& request);
 std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const QuadRequest& request);
 
 /// Returns the factors of a clearance with which chosen singularities leave the bands of the layers
-/// free, for quads of a size; none if there are no layers. QuadRequest::layerRoom is a factor of the
-/// distance.
-ClearanceFactors ClearanceForLayers(
-  const PlanarDomain& domain, const QuadRequest& request, double clearance, double quadSize);
+/// free, for quads of given side lengths at the boundary; none if there are no layers.
+/// QuadRequest::layerRoom is a factor of the distance.
+ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadRequest& request,
+  double clearance, const SizeFunction& quadSize);
 
 /// Returns the number of quads before layers are added, with which there are about as many quads as
 /// requested afterwards.
 int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request);
 
-/// Adds the layers of a request to the quads of a layout, as AddLayers does. If a number of quads is
-/// requested that the mesh does not have with them, makes it again with other numbers before, and
-/// takes the one that comes nearest to `total`. Throws Error as AddLayers does, and if a layer changes
-/// the prescribed number of edges of a side.
-std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total,
-  const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads);
+/// Adds the layers of a request to the quads of a layout, as AddLayers does. If a number of quads or
+/// of edges of a side is requested that the mesh does not have with them, makes it again with other
+/// numbers before, and takes the one that comes nearest to `total`. Throws Error as AddLayers does,
+/// and if a side does not get its number of edges.
+std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
+  int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads);
 }

@@ -209,8 +209,8 @@ public:
     this->Result.seconds.clean = clean ? this->Clock.Lap() : 0.0;
     if (!this->Request.layers.empty())
     {
-      this->Result.layers = AddLayersForCount(
-        this->Request, this->Total, meshed.layout.map, meshed.layout.tMesh, options, meshed.quads);
+      this->Result.layers = AddLayersForCount(this->Domain, this->Request, this->Total,
+        meshed.layout.map, meshed.layout.tMesh, options, meshed.quads);
     }
     QuadSeconds& seconds = this->Result.seconds;
     seconds.integers = meshed.quads.counts.seconds;

@@ -38,8 +38,10 @@ AutomaticConfiguration ChooseSingularities(
   }
   const double quadSize =
     options.quadSize > 0.0 ? options.quadSize : std::sqrt(domain.Area() / request.quadCount);
+  const SizeFunction& relative = options.optimizer.sizes.field;
   options.optimizer.clearanceFactors = ClearanceForLayers(domain, request,
-    request.clearance > 0.0 ? request.clearance : ClearanceForQuads(quadSize), quadSize);
+    request.clearance > 0.0 ? request.clearance : ClearanceForQuads(quadSize),
+    [&](const Point& place) { return relative ? quadSize * relative(place) : quadSize; });
   return ChooseConfiguration(domain, options, progress);
 }
 
