@@ -199,6 +199,10 @@ private:
     // Up to 4.8 % more or less, about CountTolerance in the number of quads and the same beyond it.
     constexpr int Steps = 12;
     constexpr double Step = 0.004;
+    // Between the targets of two arcs of a strip with equal weights, all counts are equally good, and
+    // the errors of the triangles decide. Longer arcs have the preference in half of the trials: 10 %
+    // of the difference of lengths exceeds these errors.
+    constexpr double Preference = 0.1;
     constexpr long long MaximumQuads = 50000; // each size takes a mesh
     if (CountQuads(this->Result.tMesh, found.counts) > MaximumQuads ||
       FindSymmetries(this->Domain).IsTrivial())
@@ -226,21 +230,29 @@ private:
       CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
     const double size = found.size;
     std::vector<int> tried = found.counts;
-    for (int step = 1; step <= 2 * Steps && most < possible; ++step)
+    for (int step = 0; step <= 2 * Steps && most < possible; ++step)
     {
       const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
-      EdgeCounts counts = this->QuantiseFor(factor * size, SearchEffort::Quick);
-      if (counts.counts == tried || errorOf(counts) > CountTolerance)
+      for (const bool decided : { true, false })
       {
-        continue;
-      }
-      tried = counts.counts;
-      counts.size = factor * size;
-      const int symmetries = symmetriesOf(counts);
-      if (symmetries > most)
-      {
-        most = symmetries;
-        found = std::move(counts);
+        QuantisationProblem problem = this->ProblemFor(factor * size);
+        for (std::size_t a = 0; decided && a < problem.Count(); ++a)
+        {
+          problem.weight[a] *= std::pow(problem.target[a], Preference);
+        }
+        EdgeCounts counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
+        if (counts.counts == tried || errorOf(counts) > CountTolerance)
+        {
+          continue;
+        }
+        tried = counts.counts;
+        counts.size = factor * size;
+        const int symmetries = symmetriesOf(counts);
+        if (symmetries > most)
+        {
+          most = symmetries;
+          found = std::move(counts);
+        }
       }
     }
     return found;

@@ -74,25 +74,84 @@ double Asymmetry(const QuadMesh& mesh, const Point& signs)
   return largest;
 }
 
-TEST(QuadInvariance, SymmetricDomainsGiveSymmetricQuads)
+/// A square with one hole in its middle, or with one in each quarter.
+PlanarDomain SquareWithHoles(bool four)
 {
   const Loop square = { { -1.0, -1.0 }, { 1.0, -1.0 }, { 1.0, 1.0 }, { -1.0, 1.0 } };
-  std::vector<Loop> fourHoles = { square };
-  for (const Point& corner : square)
+  std::vector<Loop> loops = { square };
+  if (!four)
   {
-    fourHoles.push_back(RegularPolygon(32, 0.2, 0.5 * corner));
+    loops.push_back(RegularPolygon(32, 0.4));
   }
-  for (const std::vector<Loop>& loops : { { square, RegularPolygon(32, 0.4) }, fourHoles })
+  for (std::size_t i = 0; four && i < 4; ++i)
+  {
+    loops.push_back(RegularPolygon(32, 0.2, 0.5 * square[i]));
+  }
+  return MakePlanarDomain(std::move(loops));
+}
+
+void ExpectSymmetric(const PlanarDomain& domain, const QuadRequest& request)
+{
+  const QuadWorkflowResult result = MakeQuadMesh(domain, request);
+  EXPECT_EQ(result.quads.quality.inverted, 0);
+  EXPECT_LT(Asymmetry(result.quads.mesh, Point(1.0, -1.0)), 1e-9);
+  EXPECT_LT(Asymmetry(result.quads.mesh, Point(-1.0, 1.0)), 1e-9);
+}
+
+TEST(QuadInvariance, SymmetricDomainsGiveSymmetricQuads)
+{
+  for (const bool four : { false, true })
   {
     for (const std::optional<Sizing> sizing : { std::optional<Sizing>(), { Sizing::Conformal } })
     {
       QuadRequest request;
       request.quadCount = 600;
       request.sizing = sizing;
-      const QuadWorkflowResult result = MakeQuadMesh(MakePlanarDomain(loops), request);
-      EXPECT_LT(Asymmetry(result.quads.mesh, Point(1.0, -1.0)), 1e-9);
-      EXPECT_LT(Asymmetry(result.quads.mesh, Point(-1.0, 1.0)), 1e-9);
+      ExpectSymmetric(SquareWithHoles(four), request);
+      request.quadSize = 0.08;
+      ExpectSymmetric(SquareWithHoles(four), request);
     }
+  }
+}
+
+TEST(QuadInvariance, SymmetricPrescriptionsGiveSymmetricQuads)
+{
+  for (const bool four : { false, true })
+  {
+    const PlanarDomain domain = SquareWithHoles(four);
+    SegmentNames names;
+    for (const Loop& loop : domain.loops)
+    {
+      names.emplace_back(loop.size(), names.empty() ? "wall" : "hole");
+    }
+    QuadRequest request;
+    request.sides = NameSides(domain, names);
+    request.quadCount = 3000;
+    // With four holes and uniform sizes, no symmetric counts have 5 % more or fewer quads.
+    const std::vector<Sizing> sizings = four
+      ? std::vector<Sizing>{ Sizing::Conformal }
+      : std::vector<Sizing>{ Sizing::Conformal, Sizing::Uniform };
+    for (const Sizing sizing : sizings)
+    {
+      QuadRequest other = request;
+      other.sizing = sizing;
+      other.layers.resize(1);
+      other.layers[0].name = "hole";
+      other.layers[0].first = 2e-3;
+      ExpectSymmetric(domain, other);
+      SidePrescription count;
+      count.side = request.sides.Find("hole");
+      count.count = 96;
+      other.prescribed = { count };
+      ExpectSymmetric(domain, other);
+      other.layers.clear();
+      ExpectSymmetric(domain, other);
+    }
+    SidePrescription size;
+    size.side = request.sides.Find("hole");
+    size.size = 0.03;
+    request.prescribed = { size };
+    ExpectSymmetric(domain, request);
   }
 }
 }
