@@ -40,7 +40,7 @@ double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& p
 OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
   const PlanarDomain& domain, const Configuration& configuration, const ObjectiveOptions& options)
   : Points(std::move(potential))
-  , Energy(std::make_shared<const PositionEnergy>(Points))
+  , Positions(std::make_shared<const PositionEnergy>(Points))
   , Domain(domain)
   , Started(configuration)
   , Length(domain.Diagonal())
@@ -75,7 +75,7 @@ OptimizerObjective OptimizerObjective::WithoutSymmetry() const
 std::size_t OptimizerObjective::EvaluationCost() const
 {
   return SolvesOfEvaluation(this->Points->GetProblem().Topology().mesh.points.size(), this->Count(),
-    static_cast<std::size_t>(this->Energy->PointCount()));
+    static_cast<std::size_t>(this->Positions->PointCount()));
 }
 
 std::size_t OptimizerObjective::HessianCost() const
@@ -126,7 +126,8 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   OptimizerState result;
   result.positions = this->PositionsOf(moved);
   const Eigen::VectorXd& positions = result.positions;
-  const auto [solution, value] = this->Energy->Evaluate(moved);
+  const PositionEnergy::Value evaluated = this->Positions->Evaluate(moved);
+  const RenormalizedEnergyValue& value = evaluated.renormalized;
   this->Solves->Spend(this->EvaluationCost());
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
@@ -134,7 +135,7 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
     Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), positions.size());
   if (this->Sizes)
   {
-    const SizeUniformity::Value uniformity = this->Sizes->Evaluate(*this->Points, solution);
+    const SizeUniformity::Value uniformity = this->Sizes->Evaluate(*this->Points, evaluated.solution);
     result.energy += UniformityWeight * uniformity.energy;
     result.sizeSpread = uniformity.Spread();
     gradient += UniformityWeight * uniformity.gradient;
@@ -164,7 +165,7 @@ Eigen::MatrixXd OptimizerObjective::Hessian(
   const Configuration moved = this->At(current.positions);
   this->Solves->Spend(this->HessianCost());
   const PositionEnergy::Curvature curvature =
-    this->Energy->Differentiate(moved, this->Symmetry.defects.transpose() * multipliers);
+    this->Positions->Differentiate(moved, this->Symmetry.defects.transpose() * multipliers);
   Eigen::MatrixXd hessian = curvature.hessian;
   if (this->Sizes)
   {

@@ -106,6 +106,7 @@ public:
   /// Returns the clearance in units of the diagonal.
   double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
   const PointPotential& Potential() const { return *this->Points; }
+  const std::shared_ptr<const PositionEnergy>& Energy() const { return this->Positions; }
   SolveBudget& Budget() const { return *this->Solves; }
   /// Returns what an evaluation costs.
   std::size_t EvaluationCost() const;
@@ -120,7 +121,7 @@ private:
   Eigen::VectorXd PositionsOf(const Configuration& configuration) const;
 
   std::shared_ptr<const PointPotential> Points;
-  std::shared_ptr<const PositionEnergy> Energy;
+  std::shared_ptr<const PositionEnergy> Positions;
   PlanarDomain Domain;
   Configuration Started;
   double Length;

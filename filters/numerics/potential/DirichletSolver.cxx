@@ -48,7 +48,7 @@ Eigen::MatrixXd DirichletSolver::SumAroundIslands(const Eigen::MatrixXd& sources
   return sums;
 }
 
-Eigen::VectorXd DirichletSolver::Harmonic(const Eigen::VectorXd& x) const
+Eigen::MatrixXd DirichletSolver::Harmonic(const Eigen::MatrixXd& x) const
 {
   // No period is unknown, so which of them the problem has makes no difference.
   return x +

@@ -20,10 +20,11 @@ public:
 
   /// Returns the potential with the values of x at the vertices of outer and inner loops and at
   /// periods, and with no source elsewhere. x is zero at the vertices inside.
-  Eigen::VectorXd Harmonic(const Eigen::VectorXd& x) const;
+  /// Any number of columns.
+  Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& x) const;
 
   /// Returns the sources of Harmonic(x).
-  Eigen::VectorXd HarmonicSources(const Eigen::VectorXd& x) const
+  Eigen::MatrixXd HarmonicSources(const Eigen::MatrixXd& x) const
   {
     return this->Factor.GetOperator().Apply(this->Harmonic(x));
   }
