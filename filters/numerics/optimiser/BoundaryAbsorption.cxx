@@ -197,7 +197,7 @@ bool IsAbsorptionDue(const OptimizerStage& stage, const OptimizerState& current,
 }
 
 std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
-  const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
+  const OptimizerState& current, std::set<std::string>& rejected, BoundaryTargets& targets,
   bool several)
 {
   if (StoppedSingularities(stage, current).empty())
@@ -206,22 +206,30 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
   }
   CandidateEnergies energies(stage, current);
   std::vector<Absorption> due = DueAbsorptions(stage, current, rejected, &energies, targets);
+  BoundaryVertices boundary(stage);
+  const auto with = [&](const Absorption& absorption)
+  {
+    const int quarters = stage.placed.interior[absorption.interior].quarterIndex;
+    return CandidateEnergies::Changes{ { energies.Inside(absorption.interior), -quarters },
+      { energies.At(boundary, absorption.vertex), quarters } };
+  };
+  due.erase(std::remove_if(due.begin(), due.end(),
+              [&](const Absorption& absorption)
+              {
+                const bool isPossible = energies.CanAlignAfter(with(absorption));
+                if (!isPossible)
+                {
+                  rejected.insert(absorption.key);
+                }
+                return !isPossible;
+              }),
+    due.end());
   if (due.empty())
   {
     return std::nullopt;
   }
   ConfigurationChange change;
   change.tracked = stage.At(current.positions);
-  BoundaryVertices boundary(stage);
-  CandidateEnergies::Changes absorbed;
-  const auto with = [&](const Absorption& absorption)
-  {
-    CandidateEnergies::Changes changes = absorbed;
-    const int quarters = stage.placed.interior[absorption.interior].quarterIndex;
-    changes.push_back({ energies.Inside(absorption.interior), -quarters });
-    changes.push_back({ energies.At(boundary, absorption.vertex), quarters });
-    return changes;
-  };
   due.resize(several ? due.size() : 1);
   if (due.size() > 1)
   {
@@ -245,7 +253,7 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
       }
       // The energy of one alone differs from its energy together with the previous ones.
       const double energy = energies.After(with(due[n]));
-      if (!(energy < lowest))
+      if (!(energy < lowest) || !energies.CanAlignAfter(with(due[n])))
       {
         continue;
       }
@@ -254,7 +262,10 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
     }
     const std::size_t rows = change.tracked.singularities.size();
     places.push_back(place);
-    absorbed = with(due[n]);
+    if (due.size() > 1)
+    {
+      energies.Accept(with(due[n]));
+    }
     change.events.push_back(Absorb(due[n], boundary, change.tracked));
     const bool isErased = change.tracked.singularities.size() < rows;
     for (std::size_t other = n + 1; other < due.size(); ++other)

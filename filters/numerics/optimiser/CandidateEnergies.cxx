@@ -1,6 +1,7 @@
 #include "CandidateEnergies.h"
 
 #include "DomainQueries.h"
+#include "PoincareHopf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,8 @@ namespace crossfield
 {
 CandidateEnergies::CandidateEnergies(const OptimizerStage& stage, const OptimizerState& current)
   : Stage(stage)
-  , Interior(stage.objective->At(current.positions))
+  , Start(stage.objective->At(current.positions))
+  , Interior(Start)
   , Energies(stage.objective->Energy(), Interior)
 {
   stage.objective->Budget().Spend(stage.objective->EvaluationCost());
@@ -26,7 +28,7 @@ CandidateEnergies::Place CandidateEnergies::At(
 std::vector<CandidateEnergies::Place> CandidateEnergies::Around(
   const BoundaryVertices& boundary, std::size_t vertex) const
 {
-  constexpr int Steps = 2;
+  constexpr int Steps = 1;
   std::vector<Place> places = { this->At(boundary, vertex) };
   for (const std::vector<std::size_t>* neighbours : { &boundary.next, &boundary.previous })
   {
@@ -48,39 +50,69 @@ void CandidateEnergies::Prepare(const std::vector<Place>& places)
   this->Stage.objective->Budget().Spend((added + PlacesPerSolve - 1) / PlacesPerSolve);
 }
 
-double CandidateEnergies::After(const Changes& changes)
+std::optional<Configuration> CandidateEnergies::InteriorAfter(const Changes& changes) const
 {
   const PlanarDomain& domain = this->Stage.potential->GetDomain();
-  std::vector<Place> places;
   Configuration interior = this->Interior;
   for (const StrengthChanges::Change& change : changes)
   {
-    places.push_back(change.place);
     if (change.place.vertex >= 0)
     {
       continue;
     }
     const auto present = std::find_if(interior.begin(), interior.end(),
       [&](const Singularity& other) { return other.position == change.place.position; });
-    if (present == interior.end())
+    if (present != interior.end())
     {
-      const double minimum = 1e-6 * domain.Diagonal(); // as in PointPotential::RequireSolvable
-      if (!(SignedDistance(change.place.position, domain) > minimum) ||
-        RowAt(interior, change.place.position, minimum) < interior.size())
+      present->quarterIndex += change.quarters;
+      if (present->quarterIndex == 0)
       {
-        return std::numeric_limits<double>::infinity();
+        interior.erase(present);
       }
-      interior.push_back({ change.place.position, change.quarters, 0.0 });
+      continue;
     }
-    else if (present->quarterIndex += change.quarters; present->quarterIndex == 0)
+    const double minimum = 1e-6 * domain.Diagonal(); // as in PointPotential::RequireSolvable
+    if (!(SignedDistance(change.place.position, domain) > minimum) ||
+      RowAt(interior, change.place.position, minimum) < interior.size())
     {
-      interior.erase(present);
+      return std::nullopt;
     }
+    interior.push_back({ change.place.position, change.quarters, 0.0 });
+  }
+  return interior;
+}
+
+double CandidateEnergies::After(const Changes& changes)
+{
+  const std::optional<Configuration> interior = this->InteriorAfter(changes);
+  if (!interior)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  std::vector<Place> places;
+  for (const StrengthChanges::Change& change : changes)
+  {
+    places.push_back(change.place);
   }
   this->Prepare(places);
   const StrengthChanges::Value value = this->Energies.Evaluate(changes);
-  const double radius = CoreRadius(domain);
+  const double radius = CoreRadius(this->Stage.potential->GetDomain());
   return value.energy - value.logarithmCoefficient * std::log(radius) +
-    CoreOverlapEnergy(interior, radius);
+    CoreOverlapEnergy(*interior, radius);
+}
+
+bool CandidateEnergies::CanAlignAfter(const Changes& changes)
+{
+  const std::optional<Configuration> interior = this->InteriorAfter(changes);
+  const Eigen::Index loops = this->Stage.potential->GetPeriodBasis().cols();
+  return interior &&
+    (2 * static_cast<Eigen::Index>(interior->size()) >= loops ||
+      this->Energies.Evaluate(changes).largestDefect < NoticeableDefect);
+}
+
+void CandidateEnergies::Accept(const Changes& changes)
+{
+  this->Interior = *this->InteriorAfter(changes);
+  this->Energies.Accept(changes);
 }
 }

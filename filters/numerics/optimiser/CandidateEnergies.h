@@ -4,6 +4,7 @@
 #include "StageBoundary.h"
 #include "StrengthChanges.h"
 
+#include <optional>
 #include <vector>
 
 namespace crossfield
@@ -20,7 +21,7 @@ public:
   CandidateEnergies(const OptimizerStage& stage, const OptimizerState& current);
 
   /// Returns the place of interior singularity i of the stage.
-  Place Inside(std::size_t i) const { return { this->Interior[i].position, -1 }; }
+  Place Inside(std::size_t i) const { return { this->Start[i].position, -1 }; }
   /// Returns the place of a boundary vertex.
   Place At(const BoundaryVertices& boundary, std::size_t vertex) const;
   /// Returns a boundary vertex and its neighbours: those at which a walk along the boundary that
@@ -33,9 +34,19 @@ public:
   /// Returns the energy after changes; infinity if a singularity would be added outside the domain or
   /// where there is one already.
   double After(const Changes& changes);
+  /// Returns whether the inner loops can be aligned after changes: whether enough coordinates of
+  /// singularities inside are left for the holonomy conditions, or the defects vanish where they are.
+  bool CanAlignAfter(const Changes& changes);
+  /// Makes the changed configuration the present one.
+  void Accept(const Changes& changes);
 
 private:
+  /// Returns the singularities inside after changes, or nothing if one would be outside the domain or
+  /// where there is one already.
+  std::optional<Configuration> InteriorAfter(const Changes& changes) const;
+
   const OptimizerStage& Stage;
+  Configuration Start; ///< Singularities inside at the start, and now.
   Configuration Interior;
   StrengthChanges Energies;
 };

@@ -230,8 +230,7 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
   const BoundaryVertices boundary(stage);
   const double reach = VertexReach(stage);
   CandidateEnergies energies(stage, current);
-  CandidateEnergies::Changes moves;
-  double lowest = energies.After(moves);
+  double lowest = energies.After({});
   const auto isFixed = [&](std::size_t row)
   {
     const Point& position = tracked.singularities[row].position;
@@ -262,10 +261,8 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
     const int quarters = tracked.singularities[row].quarterIndex;
     const auto moved = [&](std::size_t v)
     {
-      CandidateEnergies::Changes changes = moves;
-      changes.push_back({ energies.At(boundary, start), -quarters });
-      changes.push_back({ energies.At(boundary, v), quarters });
-      return changes;
+      return CandidateEnergies::Changes{ { energies.At(boundary, start), -quarters },
+        { energies.At(boundary, v), quarters } };
     };
     const auto energyAt = [&](std::size_t v)
     {
@@ -292,7 +289,7 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
     else
     {
       lowest = found.energy;
-      moves = moved(found.vertex);
+      energies.Accept(moved(found.vertex));
       tracked.singularities[row].position = boundary.vertices[found.vertex].position;
       change.key = change.events.empty() ? key : change.key;
       change.events.push_back(Capitalised(tracked.Name(row)) + " moved along the boundary to " +

@@ -19,21 +19,14 @@ Point PositionOf(const Eigen::VectorXd& positions, std::size_t i)
   return positions.segment<2>(2 * static_cast<Eigen::Index>(i));
 }
 
-/// Returns the length of the boundary edge nearest to a point.
-double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& point)
+std::vector<SegmentSearch::Segment> EdgesOf(const std::vector<BoundaryHalf>& halves)
 {
-  double nearest = std::numeric_limits<double>::infinity();
-  double length = 0.0;
-  for (const BoundaryHalf& half : halves)
+  std::vector<SegmentSearch::Segment> edges;
+  for (std::size_t h = 0; h < halves.size(); h += 2)
   {
-    const double distance = OffsetFromSegment(point, half.from, half.to).norm();
-    if (distance < nearest)
-    {
-      nearest = distance;
-      length = 2.0 * (half.to - half.from).norm();
-    }
+    edges.push_back({ halves[h].from, halves[h + 1].to });
   }
-  return length;
+  return edges;
 }
 }
 
@@ -42,6 +35,8 @@ OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> pot
   : Points(std::move(potential))
   , Positions(std::make_shared<const PositionEnergy>(Points))
   , Domain(domain)
+  , Sides(domain)
+  , Edges(EdgesOf(this->Points->GetHalves()))
   , Started(configuration)
   , Length(domain.Diagonal())
   , Solves(options.budget)
@@ -190,7 +185,7 @@ Eigen::MatrixXd OptimizerObjective::Hessian(
 
 double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& positions, std::size_t i) const
 {
-  return SignedDistance(this->Length * PositionOf(positions, i), this->Domain) / this->Length;
+  return this->Sides.SignedDistance(this->Length * PositionOf(positions, i)) / this->Length;
 }
 
 Eigen::VectorXd OptimizerObjective::Clearances(const Eigen::VectorXd& positions) const
@@ -257,9 +252,9 @@ bool OptimizerObjective::NeedsFinerMesh(const Eigen::VectorXd& positions) const
 {
   for (std::size_t i = 0; i < this->Started.size(); ++i)
   {
-    const Point position = this->Length * PositionOf(positions, i);
-    if (NearestEdgeLength(this->Points->GetHalves(), position) >
-      this->Length * this->BoundaryDistance(positions, i))
+    const SegmentSearch::Segment& edge =
+      this->Edges.At(this->Edges.Find(this->Length * PositionOf(positions, i)).segment);
+    if ((edge[1] - edge[0]).norm() > this->Length * this->BoundaryDistance(positions, i))
     {
       return true;
     }

@@ -3,6 +3,7 @@
 #include "ClearanceBarrier.h"
 #include "OptimizerSymmetry.h"
 #include "PositionEnergy.h"
+#include "SegmentSearch.h"
 #include "SizeUniformity.h"
 #include "SolveBudget.h"
 
@@ -123,6 +124,8 @@ private:
   std::shared_ptr<const PointPotential> Points;
   std::shared_ptr<const PositionEnergy> Positions;
   PlanarDomain Domain;
+  SegmentSearch Sides; ///< Sides of the domain.
+  SegmentSearch Edges; ///< Edges of the mesh on the boundary.
   Configuration Started;
   double Length;
   std::shared_ptr<SolveBudget> Solves;

@@ -1,7 +1,5 @@
 #include "EdgePotential.h"
 
-#include "ConformingPhase.h"
-
 namespace crossfield
 {
 Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
@@ -12,7 +10,7 @@ Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
   for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
   {
     phases.col(column) =
-      ConformingPhase(this->Potential.GetOperator(), fluxes.col(column)).Get();
+      ConformingPhase(this->Potential.GetOperator(), this->Steps, fluxes.col(column)).Get();
   }
   Eigen::MatrixXd sources = this->Dirichlet.HarmonicSources(phases);
   const Eigen::MatrixXd& constants = this->Dirichlet.IslandSources();

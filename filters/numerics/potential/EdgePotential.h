@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ConformingPhase.h"
 #include "PotentialSolver.h"
 
 namespace crossfield
@@ -18,6 +19,7 @@ public:
   explicit EdgePotential(const PotentialSolver& potential)
     : Potential(potential)
     , Dirichlet(potential.GetDirichlet())
+    , Steps(potential.GetOperator())
   {
   }
 
@@ -34,5 +36,6 @@ public:
 private:
   const PotentialSolver& Potential;
   const DirichletSolver& Dirichlet;
+  ConformingPhase::Steps Steps;
 };
 }

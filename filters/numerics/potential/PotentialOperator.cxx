@@ -104,17 +104,7 @@ Eigen::MatrixXd PotentialOperator::Gradient(const Eigen::MatrixXd& potentials) c
   return gradient;
 }
 
-Eigen::MatrixXd PotentialOperator::Apply(const Eigen::MatrixXd& potentials) const
-{
-  Eigen::MatrixXd sources(this->Rows(), potentials.cols());
-  for (Eigen::Index column = 0; column < potentials.cols(); ++column)
-  {
-    sources.col(column) = this->ApplyTo(potentials.col(column));
-  }
-  return sources;
-}
-
-Eigen::VectorXd PotentialOperator::ApplyTo(const Eigen::VectorXd& potential) const
+Eigen::VectorXd PotentialOperator::Apply(const Eigen::VectorXd& potential) const
 {
   const Eigen::Matrix2Xd gradient = this->Gradient(potential);
   Eigen::VectorXd sources = Eigen::VectorXd::Zero(this->Rows());

@@ -66,13 +66,10 @@ public:
   /// column of `potentials`.
   Eigen::MatrixXd Gradient(const Eigen::MatrixXd& potentials) const;
 
-  /// Returns the matrix times (Ψ, q): the sources of potentials, a column each.
-  Eigen::MatrixXd Apply(const Eigen::MatrixXd& potentials) const;
+  /// Returns the matrix times (Ψ, q): the sources of a potential.
+  Eigen::VectorXd Apply(const Eigen::VectorXd& potential) const;
 
 private:
-  /// Implements Apply for one column.
-  Eigen::VectorXd ApplyTo(const Eigen::VectorXd& potential) const;
-
   SharedTopology Topology;
   Eigen::Index IslandCount;
   std::vector<LoopStrip> Strips;

@@ -20,16 +20,6 @@ double InteractionFactor(const LogSource& one, const LogSource& other)
 {
   return -0.5 * (one.angle + other.angle);
 }
-
-double LogDistance(const LogSource& one, const LogSource& other)
-{
-  return 0.5 * std::log((one.position - other.position).squaredNorm());
-}
-
-bool AreAtSamePlace(const LogSource& one, const LogSource& other)
-{
-  return one.position == other.position;
-}
 }
 
 StrengthChanges::StrengthChanges(
@@ -43,16 +33,19 @@ StrengthChanges::StrengthChanges(
     this->EntryOf[topology.mesh.boundary[i].vertices[0]] = i;
   }
   PositionEnergy::Value value = this->Energy->Evaluate(configuration, false);
-  this->Base = { value.renormalized.energy, value.renormalized.logarithmCoefficient };
+  this->Coefficient = value.renormalized.logarithmCoefficient;
   this->SingleValued = value.renormalized.singleValuedEnergy;
   this->Logs = value.solution.logs;
   this->Given = std::move(value.flows);
   this->Regular = std::move(value.regular);
   const std::vector<BoundaryHalf>& halves = potential.GetHalves();
   this->Growth.resize(static_cast<Eigen::Index>(halves.size()));
+  const Eigen::MatrixXd& basis = potential.GetPeriodBasis();
+  this->PeriodBasis.resize(this->Growth.size(), basis.cols());
   for (std::size_t h = 0; h < halves.size(); ++h)
   {
     this->Growth[static_cast<Eigen::Index>(h)] = halves[h].growth;
+    this->PeriodBasis.row(static_cast<Eigen::Index>(h)) = basis.row(halves[h].vertex);
   }
   const std::vector<double>& defects = value.solution.holonomyDefect;
   this->Defects = Eigen::Map<const Eigen::VectorXd>(
@@ -85,10 +78,6 @@ StrengthChanges::Column StrengthChanges::MakeColumn(const Place& place) const
   column.mean = std::move(mean);
   // All changes together have no flux, so it makes no difference where the flux of each ends.
   column.flux[0] -= column.flux.sum();
-  for (const LogSource& log : this->Logs)
-  {
-    column.present += AreAtSamePlace(log, column.log) ? log.strength : 0.0;
-  }
   column.defects.resize(this->Defects.size());
   for (Eigen::Index k = 0; k < column.defects.size(); ++k)
   {
@@ -125,13 +114,8 @@ void StrengthChanges::ComputeResponses(const std::vector<Column*>& columns) cons
   const Eigen::MatrixXd solution = potential.Solve(sources, PotentialSolver::Periods::Islands);
   const PeriodResponse& response = potential.GetPeriodResponse();
   const Eigen::Index periods = response.basis.cols();
-  const Eigen::MatrixXd carried = -response.schur * solution.bottomRows(periods);
-  Eigen::MatrixXd basis(this->Growth.size(), periods);
-  for (Eigen::Index h = 0; h < basis.rows(); ++h)
-  {
-    basis.row(h) = response.basis.row(halves[static_cast<std::size_t>(h)].vertex);
-  }
-  const Eigen::MatrixXd correction = DenseProduct(basis, carried);
+  const Eigen::MatrixXd carried = DenseProduct(-response.schur, solution.bottomRows(periods));
+  const Eigen::MatrixXd correction = DenseProduct(this->PeriodBasis, carried);
 
   // 2. On edges.
   const Eigen::MatrixXd atEdges = this->Energy->GetEdgePotential().Solve(fluxes);
@@ -170,80 +154,97 @@ std::size_t StrengthChanges::Prepare(const std::vector<Place>& places)
   return added.size();
 }
 
+StrengthChanges::Sum StrengthChanges::Add(const std::vector<Change>& changes) const
+{
+  Sum sum;
+  sum.column.flux = Eigen::VectorXd::Zero(this->Growth.size());
+  sum.column.mean = sum.column.flux;
+  sum.column.response = sum.column.flux;
+  sum.column.defects = Eigen::VectorXd::Zero(this->Defects.size());
+  std::vector<LogSource> added;
+  for (const Change& change : changes)
+  {
+    const Column& column = this->Columns.at(KeyOf(change.place));
+    const double count = change.quarters;
+    LogSource log = column.log;
+    log.strength *= count;
+    double present = 0.0; // strength of the logarithm that is there already
+    for (const std::vector<LogSource>* others : { &this->Logs, &std::as_const(added) })
+    {
+      for (const LogSource& other : *others)
+      {
+        if (other.position == log.position)
+        {
+          present += other.strength;
+        }
+        else
+        {
+          sum.interaction += InteractionFactor(other, log) * other.strength * log.strength *
+            0.5 * std::log((other.position - log.position).squaredNorm());
+        }
+      }
+    }
+    sum.coefficient += 0.5 * log.angle * log.strength * (log.strength + 2.0 * present);
+    added.push_back(log);
+    sum.column.flux += count * column.flux;
+    sum.column.mean += count * column.mean;
+    sum.column.response += count * column.response;
+    sum.column.defects += count * column.defects;
+  }
+  return sum;
+}
+
+double StrengthChanges::EnergyOf(const Sum& sum) const
+{
+  // W has the terms ½ (s − F) 𝓡(s − F) + L (s − ½F) in fluxes F and means L.
+  return sum.interaction + sum.column.flux.dot(0.5 * sum.column.response - this->Regular) +
+    sum.column.mean.dot(this->Growth - 0.5 * (this->Given.flux + sum.column.flux)) -
+    0.5 * this->Given.mean.dot(sum.column.flux);
+}
+
 StrengthChanges::Value StrengthChanges::Evaluate(const std::vector<Change>& changes) const
 {
-  std::map<const Column*, double> quarters;
-  for (const Change& change : changes)
+  const Sum sum = this->Add(changes);
+  Value value{ this->SingleValued + this->EnergyOf(sum), this->Coefficient + sum.coefficient, 0.0 };
+  if (this->Defects.size() > 0)
   {
-    quarters[&this->Columns.at(KeyOf(change.place))] += change.quarters;
-  }
-  // The order must not depend on addresses.
-  std::vector<std::pair<const Column*, double>> terms;
-  for (const Change& change : changes)
-  {
-    const auto found = quarters.find(&this->Columns.at(KeyOf(change.place)));
-    if (found != quarters.end() && found->second != 0.0)
-    {
-      terms.emplace_back(*found);
-    }
-    if (found != quarters.end())
-    {
-      quarters.erase(found);
-    }
-  }
-
-  // 1. Interaction of the logarithms, and their sums.
-  Value value = this->Base;
-  double energy = this->SingleValued;
-  Eigen::VectorXd flux = Eigen::VectorXd::Zero(this->Growth.size());
-  Eigen::VectorXd mean = flux;
-  Eigen::VectorXd response = flux;
-  Eigen::VectorXd defects = this->Defects;
-  for (std::size_t m = 0; m < terms.size(); ++m)
-  {
-    const auto& [column, count] = terms[m];
-    const double strength = count * column->log.strength;
-    for (const LogSource& log : this->Logs)
-    {
-      energy += AreAtSamePlace(log, column->log)
-        ? 0.0
-        : InteractionFactor(log, column->log) * log.strength * strength *
-          LogDistance(log, column->log);
-    }
-    for (std::size_t n = 0; n < m; ++n)
-    {
-      const LogSource& other = terms[n].first->log;
-      energy += InteractionFactor(other, column->log) * terms[n].second * other.strength *
-        strength * LogDistance(other, column->log);
-    }
-    value.logarithmCoefficient +=
-      0.5 * column->log.angle * strength * (strength + 2.0 * column->present);
-    flux += count * column->flux;
-    mean += count * column->mean;
-    response += count * column->response;
-    defects += count * column->defects;
-  }
-
-  // 2. Boundary integrals; W has the terms ½ (s − F) 𝓡(s − F) + L (s − ½F) in fluxes F and means L.
-  energy += flux.dot(0.5 * response - this->Regular) +
-    mean.dot(this->Growth - 0.5 * this->Given.flux - 0.5 * flux) -
-    0.5 * this->Given.mean.dot(flux);
-
-  // 3. The harmonic field of the defects.
-  const PeriodResponse& periods =
-    this->Energy->GetPotential().GetProblem().potential->GetPeriodResponse();
-  value.energy = energy;
-  if (defects.size() > 0)
-  {
-    for (double& defect : defects)
-    {
-      defect = WrapAngle(defect);
-    }
+    // The harmonic field of the defects.
+    const Eigen::VectorXd defects =
+      (this->Defects + sum.column.defects).unaryExpr([](double defect) { return WrapAngle(defect); });
+    value.largestDefect = defects.lpNorm<Eigen::Infinity>();
+    const PeriodResponse& periods =
+      this->Energy->GetPotential().GetProblem().potential->GetPeriodResponse();
     const Eigen::VectorXd offsets = NearestOffsets(defects, periods.inverse);
     value.energy += 0.25 *
       offsets.dot(
         periods.inverse * offsets + this->Energy->GetEdgePotential().CouplingOfIslands() * offsets);
   }
   return value;
+}
+
+void StrengthChanges::Accept(const std::vector<Change>& changes)
+{
+  const Sum sum = this->Add(changes);
+  this->SingleValued += this->EnergyOf(sum);
+  this->Coefficient += sum.coefficient;
+  this->Given.flux += sum.column.flux;
+  this->Given.mean += sum.column.mean;
+  this->Regular -= sum.column.response;
+  this->Defects += sum.column.defects;
+  for (const Change& change : changes)
+  {
+    LogSource log = this->Columns.at(KeyOf(change.place)).log;
+    log.strength *= change.quarters;
+    const auto present = std::find_if(this->Logs.begin(), this->Logs.end(),
+      [&](const LogSource& other) { return other.position == log.position; });
+    if (present == this->Logs.end())
+    {
+      this->Logs.push_back(log);
+    }
+    else
+    {
+      present->strength += log.strength;
+    }
+  }
 }
 }

@@ -34,6 +34,7 @@ public:
   {
     double energy = 0.0; ///< W with the harmonic field of the holonomy defects.
     double logarithmCoefficient = 0.0;
+    double largestDefect = 0.0; ///< Largest holonomy defect, radians.
   };
 
   StrengthChanges(
@@ -46,6 +47,8 @@ public:
   /// Returns W of the configuration with changed quarter indices, whose changes must add up to zero.
   /// All places must have been prepared.
   Value Evaluate(const std::vector<Change>& changes) const;
+  /// Makes the changed configuration the given one.
+  void Accept(const std::vector<Change>& changes);
 
 private:
   using Key = std::tuple<int, double, double>;
@@ -55,12 +58,22 @@ private:
   struct Column
   {
     LogSource log;
-    double present = 0.0;     ///< Strength of the logarithm that is there already.
     Eigen::VectorXd flux;     ///< Through each half. Adds up to 0: the sum is taken from the first.
     Eigen::VectorXd mean;     ///< On each half.
     Eigen::VectorXd response; ///< 𝓡 flux on each half.
     Eigen::VectorXd defects;  ///< Change of the holonomy defects.
   };
+
+  /// Sum of the columns of changes.
+  struct Sum
+  {
+    double interaction = 0.0; ///< Change of the interaction of the logarithms.
+    double coefficient = 0.0; ///< Change of the logarithm coefficient.
+    Column column;            ///< Without a logarithm.
+  };
+  Sum Add(const std::vector<Change>& changes) const;
+  /// Returns the change of the single-valued W.
+  double EnergyOf(const Sum& sum) const;
 
   /// Returns the logarithm of a place, with its flow.
   Column MakeColumn(const Place& place) const;
@@ -68,14 +81,14 @@ private:
 
   std::shared_ptr<const PositionEnergy> Energy;
   std::map<int, std::size_t> EntryOf; ///< Entry of mesh.boundary that starts at a vertex.
-  std::map<int, double> BoundaryStrength;
   std::vector<LogSource> Logs; ///< Of the given configuration.
   PositionEnergy::Flows Given;
   Eigen::VectorXd Regular; ///< R on each half.
   Eigen::VectorXd Growth;  ///< Growth of the phase along each half.
   Eigen::VectorXd Defects;
-  Value Base;
+  Eigen::MatrixXd PeriodBasis; ///< PointPotential::GetPeriodBasis on each half.
   double SingleValued = 0.0; ///< Single-valued W.
+  double Coefficient = 0.0;  ///< Logarithm coefficient.
   std::array<std::vector<std::vector<Point>>, 2> Paths; ///< Along strips: polygon, curve.
   std::map<Key, Column> Columns;
 };

@@ -242,6 +242,15 @@ TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
     const StrengthChanges::Value actual = changes.Evaluate(change);
     EXPECT_NEAR(actual.energy, expected.energy, 1e-9) << change.size();
     EXPECT_NEAR(actual.logarithmCoefficient, expected.logarithmCoefficient, 1e-10);
+    EXPECT_NEAR(actual.largestDefect,
+      std::max(
+        std::abs(expected.holonomyDefect[0]), std::abs(expected.holonomyDefect[1])),
+      1e-9);
+    // The same in two parts, one after the other.
+    StrengthChanges parts = changes;
+    const auto half = change.begin() + static_cast<std::ptrdiff_t>(change.size() / 2);
+    parts.Accept({ change.begin(), half });
+    EXPECT_NEAR(parts.Evaluate({ half, change.end() }).energy, expected.energy, 1e-9);
     lowest = std::min(lowest, expected.energy);
     highest = std::max(highest, expected.energy);
   }
