@@ -106,7 +106,7 @@ bool CandidateEnergies::CanAlignAfter(const Changes& changes)
   const std::optional<Configuration> interior = this->InteriorAfter(changes);
   const Eigen::Index loops = this->Stage.potential->GetPeriodBasis().cols();
   return interior &&
-    (2 * static_cast<Eigen::Index>(interior->size()) >= loops ||
+    (static_cast<Eigen::Index>(interior->size()) >= loops ||
       this->Energies.Evaluate(changes).largestDefect < NoticeableDefect);
 }
 

@@ -34,8 +34,9 @@ public:
   /// Returns the energy after changes; infinity if a singularity would be added outside the domain or
   /// where there is one already.
   double After(const Changes& changes);
-  /// Returns whether the inner loops can be aligned after changes: whether enough coordinates of
-  /// singularities inside are left for the holonomy conditions, or the defects vanish where they are.
+  /// Returns whether the inner loops can be aligned after changes: whether as many singularities as
+  /// inner loops are left inside, twice as many coordinates as holonomy conditions, because some of
+  /// them are held by the clearance; or whether the defects vanish where they are.
   bool CanAlignAfter(const Changes& changes);
   /// Makes the changed configuration the present one.
   void Accept(const Changes& changes);
