@@ -54,9 +54,7 @@ SegmentSearch::SegmentSearch(const PlanarDomain& domain)
 SegmentSearch::Nearest SegmentSearch::Find(const Point& point) const
 {
   const auto toBox = [&point](const Group& group)
-  {
-    return (point - group.upper).cwiseMax(group.lower - point).cwiseMax(0.0).squaredNorm();
-  };
+  { return (point - group.upper).cwiseMax(group.lower - point).cwiseMax(0.0).squaredNorm(); };
   Nearest nearest{ this->Segments.size(), std::numeric_limits<double>::infinity() };
   const auto search = [&](const Group& group)
   {

@@ -88,9 +88,9 @@ std::vector<CandidateEnergies::Place> FirstPlaces(const OptimizerStage& stage,
   const CandidateEnergies& energies)
 {
   std::vector<CandidateEnergies::Place> places = { energies.Inside(i) };
-  const std::size_t nearest = NearestAllowedVertex(boundary,
-    stage.objective->LengthUnit() * current.PositionOf(i), VertexReach(stage),
-    stage.placed.interior[i].quarterIndex);
+  const std::size_t nearest =
+    NearestAllowedVertex(boundary, stage.objective->LengthUnit() * current.PositionOf(i),
+      VertexReach(stage), stage.placed.interior[i].quarterIndex);
   if (nearest < boundary.vertices.size())
   {
     const auto around = energies.Around(boundary, nearest);
@@ -149,8 +149,8 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     const Point unit = current.PositionOf(i);
     const Point position = stage.objective->LengthUnit() * unit;
     const VertexEnergy target = isKnown(i) ? targets.found.at(i).target
-      : energies != nullptr ? FindTarget(stage, boundary, current, i, *energies)
-                            : VertexEnergy{ NearestVertex(boundary, position), 0.0 };
+      : energies != nullptr                ? FindTarget(stage, boundary, current, i, *energies)
+                                           : VertexEnergy{ NearestVertex(boundary, position), 0.0 };
     if (energies != nullptr && !isKnown(i))
     {
       targets.found.insert_or_assign(i, BoundaryTargets::Found{ unit, target });

@@ -130,7 +130,8 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
     Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), positions.size());
   if (this->Sizes)
   {
-    const SizeUniformity::Value uniformity = this->Sizes->Evaluate(*this->Points, evaluated.solution);
+    const SizeUniformity::Value uniformity =
+      this->Sizes->Evaluate(*this->Points, evaluated.solution);
     result.energy += UniformityWeight * uniformity.energy;
     result.sizeSpread = uniformity.Spread();
     gradient += UniformityWeight * uniformity.gradient;

@@ -42,8 +42,8 @@ private:
   PotentialFactor Factor;
   std::vector<int> Prescribed; ///< Rows of the vertices of outer and inner loops, and of periods.
   Eigen::SparseMatrix<double> Columns; ///< The columns of the operator for these rows.
-  Eigen::MatrixXd OfIslands; ///< See IslandSources.
-  Eigen::MatrixXd Coupling;  ///< See IslandCoupling.
+  Eigen::MatrixXd OfIslands;           ///< See IslandSources.
+  Eigen::MatrixXd Coupling;            ///< See IslandCoupling.
   Eigen::LLT<Eigen::MatrixXd> CouplingFactor;
 };
 }

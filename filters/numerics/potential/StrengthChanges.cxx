@@ -48,8 +48,8 @@ StrengthChanges::StrengthChanges(
     this->PeriodBasis.row(static_cast<Eigen::Index>(h)) = basis.row(halves[h].vertex);
   }
   const std::vector<double>& defects = value.solution.holonomyDefect;
-  this->Defects = Eigen::Map<const Eigen::VectorXd>(
-    defects.data(), static_cast<Eigen::Index>(defects.size()));
+  this->Defects =
+    Eigen::Map<const Eigen::VectorXd>(defects.data(), static_cast<Eigen::Index>(defects.size()));
   for (Eigen::Index k = 0; k < this->Defects.size(); ++k)
   {
     this->Paths[0].push_back(potential.StripPath(k, false));
@@ -179,8 +179,8 @@ StrengthChanges::Sum StrengthChanges::Add(const std::vector<Change>& changes) co
         }
         else
         {
-          sum.interaction += InteractionFactor(other, log) * other.strength * log.strength *
-            0.5 * std::log((other.position - log.position).squaredNorm());
+          sum.interaction += InteractionFactor(other, log) * other.strength * log.strength * 0.5 *
+            std::log((other.position - log.position).squaredNorm());
         }
       }
     }
@@ -209,8 +209,8 @@ StrengthChanges::Value StrengthChanges::Evaluate(const std::vector<Change>& chan
   if (this->Defects.size() > 0)
   {
     // The harmonic field of the defects.
-    const Eigen::VectorXd defects =
-      (this->Defects + sum.column.defects).unaryExpr([](double defect) { return WrapAngle(defect); });
+    const Eigen::VectorXd defects = (this->Defects + sum.column.defects)
+                                      .unaryExpr([](double defect) { return WrapAngle(defect); });
     value.largestDefect = defects.lpNorm<Eigen::Infinity>();
     const PeriodResponse& periods =
       this->Energy->GetPotential().GetProblem().potential->GetPeriodResponse();

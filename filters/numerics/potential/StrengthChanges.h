@@ -37,8 +37,7 @@ public:
     double largestDefect = 0.0; ///< Largest holonomy defect, radians.
   };
 
-  StrengthChanges(
-    std::shared_ptr<const PositionEnergy> energy, const Configuration& configuration);
+  StrengthChanges(std::shared_ptr<const PositionEnergy> energy, const Configuration& configuration);
 
   /// Computes the responses for places that have none yet. Returns their number.
   std::size_t Prepare(const std::vector<Place>& places);
@@ -81,14 +80,14 @@ private:
 
   std::shared_ptr<const PositionEnergy> Energy;
   std::map<int, std::size_t> EntryOf; ///< Entry of mesh.boundary that starts at a vertex.
-  std::vector<LogSource> Logs; ///< Of the given configuration.
+  std::vector<LogSource> Logs;        ///< Of the given configuration.
   PositionEnergy::Flows Given;
   Eigen::VectorXd Regular; ///< R on each half.
   Eigen::VectorXd Growth;  ///< Growth of the phase along each half.
   Eigen::VectorXd Defects;
   Eigen::MatrixXd PeriodBasis; ///< PointPotential::GetPeriodBasis on each half.
-  double SingleValued = 0.0; ///< Single-valued W.
-  double Coefficient = 0.0;  ///< Logarithm coefficient.
+  double SingleValued = 0.0;   ///< Single-valued W.
+  double Coefficient = 0.0;    ///< Logarithm coefficient.
   std::array<std::vector<std::vector<Point>>, 2> Paths; ///< Along strips: polygon, curve.
   std::map<Key, Column> Columns;
 };

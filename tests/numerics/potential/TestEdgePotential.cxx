@@ -67,7 +67,8 @@ TEST(EdgePotential, IsSymmetricAndHasMoreEnergyThanThePotentialAtVertices)
   const EdgePotential edges(solver);
   const Eigen::VectorXd fluxes = FluxesOn(*topology);
   const Eigen::VectorXd others = fluxes.reverse();
-  EXPECT_NEAR(others.dot(edges.Solve(fluxes).col(0)), fluxes.dot(edges.Solve(others).col(0)), 1e-10);
+  EXPECT_NEAR(
+    others.dot(edges.Solve(fluxes).col(0)), fluxes.dot(edges.Solve(others).col(0)), 1e-10);
 
   // Dividing the flux of an edge equally between its ends is exact for functions that are linear on
   // edges.

@@ -177,10 +177,10 @@ TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
   const auto energy = std::make_shared<const PositionEnergy>(
     std::make_shared<const PointPotential>(PotentialWith(solver, -1, 0)));
   const Loop outer = topology.AlignedLoops()[0];
-  const Point curve = *std::max_element(outer.begin(), outer.end(),
-    [](const Point& a, const Point& b) { return a.x() < b.x(); });
-  const Point top = *std::max_element(outer.begin(), outer.end(),
-    [](const Point& a, const Point& b) { return a.y() < b.y(); });
+  const Point curve = *std::max_element(
+    outer.begin(), outer.end(), [](const Point& a, const Point& b) { return a.x() < b.x(); });
+  const Point top = *std::max_element(
+    outer.begin(), outer.end(), [](const Point& a, const Point& b) { return a.y() < b.y(); });
   const Point corner(0.3, -0.1);
 
   // Quarter indices at the curve, at another point of it, and at the corner; singularities inside.
@@ -200,8 +200,9 @@ TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
   split.push_back({ { 0.6, -0.4 }, 1, 0.0 });
   StrengthChanges changes(energy, Singularities);
   const auto inside = [](const Point& position) { return StrengthChanges::Place{ position, -1 }; };
-  const auto at = [&](const Point& position)
-  { return StrengthChanges::Place{ position, VertexAt(topology, position) }; };
+  const auto at = [&](const Point& position) {
+    return StrengthChanges::Place{ position, VertexAt(topology, position) };
+  };
   const std::vector<std::pair<Case, std::vector<StrengthChanges::Change>>> cases = {
     { { -1, 0, 0, Singularities }, {} },
     { { -2, 0, 0, without }, { { inside(Singularities[4].position), 1 }, { at(curve), -1 } } },
@@ -243,9 +244,7 @@ TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
     EXPECT_NEAR(actual.energy, expected.energy, 1e-9) << change.size();
     EXPECT_NEAR(actual.logarithmCoefficient, expected.logarithmCoefficient, 1e-10);
     EXPECT_NEAR(actual.largestDefect,
-      std::max(
-        std::abs(expected.holonomyDefect[0]), std::abs(expected.holonomyDefect[1])),
-      1e-9);
+      std::max(std::abs(expected.holonomyDefect[0]), std::abs(expected.holonomyDefect[1])), 1e-9);
     // The same in two parts, one after the other.
     StrengthChanges parts = changes;
     const auto half = change.begin() + static_cast<std::ptrdiff_t>(change.size() / 2);
