@@ -214,6 +214,12 @@ AutomaticConfiguration ChooseConfiguration(
   AutomaticOptions minimum = options;
   minimum.optimizer.clearance = fits ? 0.0 : clearance;
   minimum.optimizer.clearanceFactors = {};
+  if (fits)
+  {
+    // The run that follows converges to the tolerance.
+    constexpr double DecidingTolerance = 1e-3;
+    minimum.optimizer.tolerance = std::max(DecidingTolerance, options.optimizer.tolerance);
+  }
   minimum.optimizer.quadSize = ResolveQuadSize(domain, options);
   minimum.optimizer.sizes = {};
   minimum.optimizer.pairs = 0;

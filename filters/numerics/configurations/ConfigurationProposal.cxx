@@ -38,13 +38,15 @@ OptimizerResult Optimize(const PlanarDomain& domain, const ProposedConfiguration
 /// Improves a proposal by a few steps of the optimiser and by the symmetry of the domain, unless
 /// given singularities must keep their positions, and computes its energies. `lowest`: the lowest
 /// energy of the others. A start that would have to lower its energy by more than one core energy,
-/// 2π, for each singularity to reach it is not improved.
+/// 2π, for each of at most 48 singularities to reach it is not improved.
 void Evaluate(const PlanarDomain& domain, const SymmetryGroup& symmetries,
   const ProposalOptions& options, double coreRadius, double lowest, const Progress& progress,
   ProposedConfiguration& proposal)
 {
-  const double maximumStart =
-    lowest + 2.0 * Pi * static_cast<double>(proposal.singularities.size());
+  // Many singularities are slow to improve, and another start has found their places.
+  constexpr std::size_t ManySingularities = 48;
+  const double maximumStart = lowest +
+    2.0 * Pi * static_cast<double>(std::min(proposal.singularities.size(), ManySingularities));
 
   const bool isFree = options.given.empty() && !options.cancelFlatCorners;
   constexpr int Steps = 8; // usually most of the decrease

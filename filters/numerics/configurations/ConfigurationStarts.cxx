@@ -173,9 +173,18 @@ std::vector<ProposedConfiguration> FindStarts(
   if (!options.cancelFlatCorners)
   {
     constexpr std::size_t FewestHoles = 2;
-    if (const std::vector<RoundHole> holes = FindRoundHoles(domain); holes.size() >= FewestHoles)
+    // The field has less than 150 triangles for each of more holes, and does not resolve them.
+    constexpr std::size_t MostHolesOfField = 32;
+    const std::vector<RoundHole> holes = FindRoundHoles(domain);
+    if (holes.size() >= FewestHoles)
     {
       collection.AddPattern(holes);
+    }
+    if (holes.size() > MostHolesOfField && holes.size() + 1 == domain.loops.size() &&
+      !options.chooseCorners)
+    {
+      collection.Add({}, options.corners, "spread");
+      return collection.Release();
     }
     const FieldConfigurationOptions reading{ options.cornerAngle, options.corners };
     const CoarseField coarse = SolveCoarseField(domain, reading, progress);

@@ -24,7 +24,8 @@ PerforatedEnergy ComputePerforatedEnergy(
   const PotentialOperator& laplacian = problem.potential->GetOperator();
   const DirichletSolver& dirichlet = problem.potential->GetDirichlet();
   const EdgePhases linearPhases = LinearEdgePhases(problem);
-  ConformingPhase phase(laplacian, linearPhases.end - linearPhases.start);
+  const ConformingPhase::Steps steps(laplacian);
+  ConformingPhase phase(laplacian, steps, linearPhases.end - linearPhases.start);
   if (topology->LoopCount(BoundaryKind::Inner) > 0)
   {
     phase.ShiftInnerLoops(linear.carriedPhase);

@@ -10,10 +10,6 @@
 
 namespace crossfield
 {
-namespace
-{
-/// Returns the contribution of a segment to the winding number around a point: 1 if it crosses the
-/// ray to the right of the point upwards, −1 if downwards, otherwise 0.
 int RayCrossing(const Point& point, const Point& from, const Point& to)
 {
   const bool below = from.y() <= point.y();
@@ -23,7 +19,6 @@ int RayCrossing(const Point& point, const Point& from, const Point& to)
   }
   const double side = Cross(to - from, point - from);
   return below ? (side > 0.0 ? 1 : 0) : (side < 0.0 ? -1 : 0);
-}
 }
 
 double SignedDistance(const Point& point, const PlanarDomain& domain)

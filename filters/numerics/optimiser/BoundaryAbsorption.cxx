@@ -1,5 +1,6 @@
 #include "BoundaryAbsorption.h"
 
+#include "CandidateEnergies.h"
 #include "OptimizerReport.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr double CornerReach = 20.0;
 /// lowest energy on the way down from the nearest one, or one that already has a singularity; only
 /// vertices whose angle allows the index.
 VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& boundary,
-  const OptimizerState& current, std::size_t i)
+  const OptimizerState& current, std::size_t i, CandidateEnergies& energies)
 {
   const int quarters = stage.placed.interior[i].quarterIndex;
   const Point position = stage.objective->LengthUnit() * current.PositionOf(i);
@@ -39,11 +40,14 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
       target = v;
     }
   }
-  const TrackedConfiguration tracked = stage.At(current.positions);
   const auto energyAt = [&](std::size_t v)
   {
-    return stage.CoreEnergyOf(
-      MovedToVertex(tracked, stage.placed.rows[i], boundary, v).singularities);
+    if (!energies.IsPrepared(energies.At(boundary, v)))
+    {
+      energies.Prepare(energies.Around(boundary, v));
+    }
+    return energies.After(
+      { { energies.Inside(i), -quarters }, { energies.At(boundary, v), quarters } });
   };
   if (reduction > 0.0)
   {
@@ -64,7 +68,7 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
   }
   // Singularities on the boundary attract those of opposite sign, and may hold equal ones,
   // except on loops within reach, which are too small for a map with both in one vertex.
-  for (const Singularity& other : tracked.singularities)
+  for (const Singularity& other : stage.tracked.singularities)
   {
     const std::size_t v = (other.position - position).norm() <= vertexReach
       ? boundary.At(other.position)
@@ -78,19 +82,38 @@ VertexEnergy FindTarget(const OptimizerStage& stage, const BoundaryVertices& bou
   return lowest;
 }
 
+/// Returns the places where FindTarget needs energies first.
+std::vector<CandidateEnergies::Place> FirstPlaces(const OptimizerStage& stage,
+  const BoundaryVertices& boundary, const OptimizerState& current, std::size_t i,
+  const CandidateEnergies& energies)
+{
+  std::vector<CandidateEnergies::Place> places = { energies.Inside(i) };
+  const std::size_t nearest =
+    NearestAllowedVertex(boundary, stage.objective->LengthUnit() * current.PositionOf(i),
+      VertexReach(stage), stage.placed.interior[i].quarterIndex);
+  if (nearest < boundary.vertices.size())
+  {
+    const auto around = energies.Around(boundary, nearest);
+    places.insert(places.end(), around.begin(), around.end());
+  }
+  return places;
+}
+
 /// A stopped singularity and the boundary vertex that would absorb it.
 struct Absorption
 {
-  std::size_t row = 0; ///< Of the tracked singularities.
+  std::size_t interior = 0; ///< Number among the interior singularities.
+  std::size_t row = 0;      ///< Of the tracked singularities.
   std::size_t vertex = 0;
   std::string key;
   double energy = 0.0; ///< With this singularity absorbed.
 };
 
 /// Returns the stopped singularities towards whose vertex W decreases, without rejected ones. Where
-/// the vertex is not known yet, it is found with `finds`, otherwise the nearest vertex stands for it.
+/// the vertex is not known yet, it is found with `energies`; if they are null, the nearest vertex
+/// stands for it.
 std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const OptimizerState& current,
-  const std::set<std::string>& rejected, bool finds, BoundaryTargets& targets)
+  const std::set<std::string>& rejected, CandidateEnergies* energies, BoundaryTargets& targets)
 {
   // Relative to the clearance; the vertices that are compared are spread over several clearances.
   constexpr double SamePlace = 0.2;
@@ -101,17 +124,34 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     return due;
   }
   const BoundaryVertices boundary(stage);
+  const auto isKnown = [&](std::size_t i)
+  {
+    const auto known = targets.found.find(i);
+    return known != targets.found.end() &&
+      (known->second.from - current.PositionOf(i)).norm() <
+      SamePlace * stage.objective->Clearance();
+  };
+  std::vector<CandidateEnergies::Place> places;
+  for (const std::size_t i : stopped)
+  {
+    if (energies != nullptr && !isKnown(i))
+    {
+      const auto first = FirstPlaces(stage, boundary, current, i, *energies);
+      places.insert(places.end(), first.begin(), first.end());
+    }
+  }
+  if (!places.empty())
+  {
+    energies->Prepare(places);
+  }
   for (const std::size_t i : stopped)
   {
     const Point unit = current.PositionOf(i);
     const Point position = stage.objective->LengthUnit() * unit;
-    const auto known = targets.found.find(i);
-    const bool isKnown = known != targets.found.end() &&
-      (known->second.from - unit).norm() < SamePlace * stage.objective->Clearance();
-    const VertexEnergy target = isKnown ? known->second.target
-      : finds                           ? FindTarget(stage, boundary, current, i)
-                                        : VertexEnergy{ NearestVertex(boundary, position), 0.0 };
-    if (finds && !isKnown)
+    const VertexEnergy target = isKnown(i) ? targets.found.at(i).target
+      : energies != nullptr                ? FindTarget(stage, boundary, current, i, *energies)
+                                           : VertexEnergy{ NearestVertex(boundary, position), 0.0 };
+    if (energies != nullptr && !isKnown(i))
     {
       targets.found.insert_or_assign(i, BoundaryTargets::Found{ unit, target });
     }
@@ -126,7 +166,7 @@ std::vector<Absorption> DueAbsorptions(const OptimizerStage& stage, const Optimi
     const std::string key = "in " + std::to_string(row) + " " + Describe(place);
     if (gradient.dot(place - position) <= 0.0 && rejected.count(key) == 0)
     {
-      due.push_back({ row, target.vertex, key, target.energy });
+      due.push_back({ i, row, target.vertex, key, target.energy });
     }
   }
   return due;
@@ -153,33 +193,50 @@ std::string Absorb(
 bool IsAbsorptionDue(const OptimizerStage& stage, const OptimizerState& current,
   const std::set<std::string>& rejected, BoundaryTargets& targets)
 {
-  return !DueAbsorptions(stage, current, rejected, false, targets).empty();
+  return !DueAbsorptions(stage, current, rejected, nullptr, targets).empty();
 }
 
 std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
-  const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
+  const OptimizerState& current, std::set<std::string>& rejected, BoundaryTargets& targets,
   bool several)
 {
-  std::vector<Absorption> due = DueAbsorptions(stage, current, rejected, true, targets);
+  if (StoppedSingularities(stage, current).empty())
+  {
+    return std::nullopt;
+  }
+  CandidateEnergies energies(stage, current);
+  std::vector<Absorption> due = DueAbsorptions(stage, current, rejected, &energies, targets);
+  BoundaryVertices boundary(stage);
+  const auto with = [&](const Absorption& absorption)
+  {
+    const int quarters = stage.placed.interior[absorption.interior].quarterIndex;
+    return CandidateEnergies::Changes{ { energies.Inside(absorption.interior), -quarters },
+      { energies.At(boundary, absorption.vertex), quarters } };
+  };
+  due.erase(std::remove_if(due.begin(), due.end(),
+              [&](const Absorption& absorption)
+              {
+                const bool isPossible = energies.CanAlignAfter(with(absorption));
+                if (!isPossible)
+                {
+                  rejected.insert(absorption.key);
+                }
+                return !isPossible;
+              }),
+    due.end());
   if (due.empty())
   {
     return std::nullopt;
   }
   ConfigurationChange change;
   change.tracked = stage.At(current.positions);
-  BoundaryVertices boundary(stage);
-  const auto energyWith = [&](const Absorption& absorption)
-  {
-    return stage.CoreEnergyOf(
-      MovedToVertex(change.tracked, absorption.row, boundary, absorption.vertex).singularities);
-  };
   due.resize(several ? due.size() : 1);
   if (due.size() > 1)
   {
     std::stable_sort(due.begin(), due.end(),
       [](const Absorption& a, const Absorption& b) { return a.energy < b.energy; });
   }
-  double lowest = due.size() > 1 ? energyWith(due.front()) : 0.0;
+  double lowest = due.size() > 1 ? energies.After(with(due.front())) : 0.0;
   change.key = due.front().key;
   const double nearby = VertexReach(stage);
   std::vector<Point> places; // of absorbed singularities
@@ -195,8 +252,8 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
         continue;
       }
       // The energy of one alone differs from its energy together with the previous ones.
-      const double energy = energyWith(due[n]);
-      if (!(energy < lowest))
+      const double energy = energies.After(with(due[n]));
+      if (!(energy < lowest) || !energies.CanAlignAfter(with(due[n])))
       {
         continue;
       }
@@ -205,6 +262,10 @@ std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
     }
     const std::size_t rows = change.tracked.singularities.size();
     places.push_back(place);
+    if (due.size() > 1)
+    {
+      energies.Accept(with(due[n]));
+    }
     change.events.push_back(Absorb(due[n], boundary, change.tracked));
     const bool isErased = change.tracked.singularities.size() < rows;
     for (std::size_t other = n + 1; other < due.size(); ++other)

@@ -25,9 +25,10 @@ struct BoundaryTargets
 /// energy this lowers most, otherwise of the nearby vertex with the lowest energy; only vertices are
 /// considered whose angle allows the index (BoundaryVertices::Allows). If several singularities have
 /// been stopped, the one that lowers the energy most is absorbed, then with `several` each further
-/// one at some distance that lowers it further: a change costs a mesh, whatever their number.
+/// one at some distance that lowers it further: a change costs a mesh, whatever their number. As many
+/// remain inside as the holonomy conditions of the inner loops need.
 std::optional<ConfigurationChange> FindAbsorption(const OptimizerStage& stage,
-  const OptimizerState& current, const std::set<std::string>& rejected, BoundaryTargets& targets,
+  const OptimizerState& current, std::set<std::string>& rejected, BoundaryTargets& targets,
   bool several);
 
 /// Returns whether FindAbsorption may find a singularity. Costs no solves.

@@ -92,11 +92,12 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
     const double quarters = this->Quarters[i];
     for (const Side& side : this->Sides)
     {
-      const double t = NearestFraction(position, side.from, side.to);
       const Point offset = OffsetFromSegment(position, side.from, side.to);
-      const double d = offset.norm();
-      if (d < 2.0 * side.factor * this->Distance)
+      const double reach = 2.0 * side.factor * this->Distance;
+      if (offset.squaredNorm() < reach * reach)
       {
+        const double t = NearestFraction(position, side.from, side.to);
+        const double d = offset.norm();
         const BarrierValue barrier = EvaluateBarrier(d, side.factor * this->Distance);
         const double factor = RepulsionFactor * quarters * quarters * side.weight;
         const Point normal = offset / d;
@@ -115,9 +116,9 @@ ClearanceBarrier::Value ClearanceBarrier::Evaluate(const Eigen::VectorXd& positi
     {
       const Eigen::Index column = 2 * static_cast<Eigen::Index>(j);
       const Point offset = position - positions.segment<2>(column);
-      const double d = offset.norm();
-      if (d < 2.0 * this->Distance)
+      if (offset.squaredNorm() < 4.0 * this->Distance * this->Distance)
       {
+        const double d = offset.norm();
         const BarrierValue barrier = EvaluateBarrier(d, this->Distance);
         const double product = quarters * this->Quarters[j];
         const double factor = product < 0.0 ? -product : RepulsionFactor * product;

@@ -1,5 +1,6 @@
 #include "ConfigurationChange.h"
 
+#include "CandidateEnergies.h"
 #include "DomainQueries.h"
 #include "OptimizerReport.h"
 #include "PoincareHopf.h"
@@ -126,6 +127,28 @@ std::optional<ConfigurationChange> FindRelease(
   const double clearance = stage.objective->Clearance() * stage.objective->LengthUnit();
   const BoundaryVertices boundary(stage);
   const PlanarDomain& domain = stage.potential->GetDomain();
+  CandidateEnergies energies(stage, current);
+  const double before = stage.CoreEnergy(current);
+  // One that was absorbed was driven to the boundary. It is released only if the energy is lower
+  // where the present mesh resolves it, at one or two default edge lengths: a trial takes up to
+  // fifty times as many solves.
+  const std::array<double, 2> releases = { 10.0 * CoreRadius(domain), 20.0 * CoreRadius(domain) };
+  std::vector<CandidateEnergies::Place> places;
+  for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
+  {
+    const Corner& corner = boundary.vertices[v];
+    const std::size_t row = RowAt(stage.tracked.singularities, corner.position, boundary.reach);
+    if (row < stage.tracked.singularities.size() &&
+      stage.tracked.absorbed.count(stage.tracked.origins[row]) != 0)
+    {
+      places.push_back(energies.At(boundary, v));
+      for (const double away : releases)
+      {
+        places.push_back({ corner.position + away * corner.inward, -1 });
+      }
+    }
+  }
+  bool isPrepared = false;
   for (std::size_t v = 0; v < boundary.vertices.size(); ++v)
   {
     const Corner& corner = boundary.vertices[v];
@@ -171,16 +194,18 @@ std::optional<ConfigurationChange> FindRelease(
         }
         return tracked;
       };
-      // One that was absorbed was driven to the boundary. It is released only if the energy is lower
-      // where the present mesh resolves it, at one or two default edge lengths: a trial takes up to
-      // fifty times as many solves.
-      const auto isLowerAt = [&](double radii)
+      const auto isLowerAt = [&](double away)
       {
-        return stage.CoreEnergyOf(released(radii * CoreRadius(domain)).singularities) <
-          stage.CoreEnergy(current);
+        if (!isPrepared)
+        {
+          energies.Prepare(places);
+          isPrepared = true;
+        }
+        return energies.After({ { energies.At(boundary, v), -quarters },
+                 { { corner.position + away * corner.inward, -1 }, quarters } }) < before;
       };
-      if (change.tracked.absorbed.count(change.tracked.origins[row]) != 0 && !isLowerAt(10.0) &&
-        !isLowerAt(20.0))
+      if (change.tracked.absorbed.count(change.tracked.origins[row]) != 0 &&
+        std::none_of(releases.begin(), releases.end(), isLowerAt))
       {
         rejected.insert(key); // changes elsewhere hardly change it
         continue;
@@ -204,30 +229,57 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
   }
   const BoundaryVertices boundary(stage);
   const double reach = VertexReach(stage);
-  double lowest = stage.CoreEnergyOf(tracked.singularities);
+  CandidateEnergies energies(stage, current);
+  double lowest = energies.After({});
+  const auto isFixed = [&](std::size_t row)
+  {
+    const Point& position = tracked.singularities[row].position;
+    const std::string key = "along " + std::to_string(tracked.origins[row]);
+    return tracked.absorbed.count(tracked.origins[row]) == 0 || rejected.count(key) != 0 ||
+      boundary.At(position) == boundary.vertices.size() || !boundary.IsSmooth(position);
+  };
+  std::vector<CandidateEnergies::Place> places;
+  for (std::size_t row = 0; row < tracked.singularities.size(); ++row)
+  {
+    if (!isFixed(row))
+    {
+      const auto around =
+        energies.Around(boundary, boundary.At(tracked.singularities[row].position));
+      places.insert(places.end(), around.begin(), around.end());
+    }
+  }
+  energies.Prepare(places);
   for (std::size_t row = 0; row < tracked.singularities.size(); ++row)
   {
     const std::string key = "along " + std::to_string(tracked.origins[row]);
     const Point position = tracked.singularities[row].position;
     const std::size_t start = boundary.At(position);
-    if (tracked.absorbed.count(tracked.origins[row]) == 0 || rejected.count(key) != 0 ||
-      start == boundary.vertices.size() || !boundary.IsSmooth(position))
+    if (isFixed(row))
     {
       continue;
     }
+    const int quarters = tracked.singularities[row].quarterIndex;
+    const auto moved = [&](std::size_t v)
+    {
+      return CandidateEnergies::Changes{ { energies.At(boundary, start), -quarters },
+        { energies.At(boundary, v), quarters } };
+    };
     const auto energyAt = [&](std::size_t v)
     {
       const Point& target = boundary.vertices[v].position;
-      const bool isFree = (target - position).norm() <= reach && boundary.IsSmooth(target) &&
+      const bool isFree = (target - position).norm() <= reach && boundary.quarters[v] == 0 &&
+        boundary.IsSmooth(target) &&
         RowAt(tracked.singularities, target, boundary.reach) == tracked.singularities.size() &&
-        boundary.Allows(v, tracked.singularities[row].quarterIndex, start);
+        boundary.Allows(v, quarters, start);
       if (v == start || !isFree)
       {
         return v == start ? lowest : std::numeric_limits<double>::infinity();
       }
-      Configuration moved = tracked.singularities;
-      moved[row].position = target;
-      return stage.CoreEnergyOf(moved);
+      if (!energies.IsPrepared(energies.At(boundary, v)))
+      {
+        energies.Prepare(energies.Around(boundary, v));
+      }
+      return energies.After(moved(v));
     };
     const VertexEnergy found = DescendAlongLoop(boundary, start, energyAt);
     if (found.vertex == start)
@@ -237,6 +289,7 @@ std::optional<ConfigurationChange> FindBoundaryMoves(
     else
     {
       lowest = found.energy;
+      energies.Accept(moved(found.vertex));
       tracked.singularities[row].position = boundary.vertices[found.vertex].position;
       change.key = change.events.empty() ? key : change.key;
       change.events.push_back(Capitalised(tracked.Name(row)) + " moved along the boundary to " +

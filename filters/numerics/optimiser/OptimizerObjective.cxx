@@ -19,29 +19,24 @@ Point PositionOf(const Eigen::VectorXd& positions, std::size_t i)
   return positions.segment<2>(2 * static_cast<Eigen::Index>(i));
 }
 
-/// Returns the length of the boundary edge nearest to a point.
-double NearestEdgeLength(const std::vector<BoundaryHalf>& halves, const Point& point)
+std::vector<SegmentSearch::Segment> EdgesOf(const std::vector<BoundaryHalf>& halves)
 {
-  double nearest = std::numeric_limits<double>::infinity();
-  double length = 0.0;
-  for (const BoundaryHalf& half : halves)
+  std::vector<SegmentSearch::Segment> edges;
+  for (std::size_t h = 0; h < halves.size(); h += 2)
   {
-    const double distance = OffsetFromSegment(point, half.from, half.to).norm();
-    if (distance < nearest)
-    {
-      nearest = distance;
-      length = 2.0 * (half.to - half.from).norm();
-    }
+    edges.push_back({ halves[h].from, halves[h + 1].to });
   }
-  return length;
+  return edges;
 }
 }
 
 OptimizerObjective::OptimizerObjective(std::shared_ptr<const PointPotential> potential,
   const PlanarDomain& domain, const Configuration& configuration, const ObjectiveOptions& options)
   : Points(std::move(potential))
-  , Energy(std::make_shared<const PositionEnergy>(Points))
+  , Positions(std::make_shared<const PositionEnergy>(Points))
   , Domain(domain)
+  , Sides(domain)
+  , Edges(EdgesOf(this->Points->GetHalves()))
   , Started(configuration)
   , Length(domain.Diagonal())
   , Solves(options.budget)
@@ -75,7 +70,7 @@ OptimizerObjective OptimizerObjective::WithoutSymmetry() const
 std::size_t OptimizerObjective::EvaluationCost() const
 {
   return SolvesOfEvaluation(this->Points->GetProblem().Topology().mesh.points.size(), this->Count(),
-    static_cast<std::size_t>(this->Energy->PointCount()));
+    static_cast<std::size_t>(this->Positions->PointCount()));
 }
 
 std::size_t OptimizerObjective::HessianCost() const
@@ -126,7 +121,8 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
   OptimizerState result;
   result.positions = this->PositionsOf(moved);
   const Eigen::VectorXd& positions = result.positions;
-  const auto [solution, value] = this->Energy->Evaluate(moved);
+  const PositionEnergy::Value evaluated = this->Positions->Evaluate(moved);
+  const RenormalizedEnergyValue& value = evaluated.renormalized;
   this->Solves->Spend(this->EvaluationCost());
   result.energy = value.singleValuedEnergy;
   result.fullEnergy = value.energy;
@@ -134,7 +130,8 @@ OptimizerState OptimizerObjective::Evaluate(const Eigen::VectorXd& unprojected) 
     Eigen::Map<const Eigen::VectorXd>(value.singleValuedGradient.data(), positions.size());
   if (this->Sizes)
   {
-    const SizeUniformity::Value uniformity = this->Sizes->Evaluate(*this->Points, solution);
+    const SizeUniformity::Value uniformity =
+      this->Sizes->Evaluate(*this->Points, evaluated.solution);
     result.energy += UniformityWeight * uniformity.energy;
     result.sizeSpread = uniformity.Spread();
     gradient += UniformityWeight * uniformity.gradient;
@@ -164,7 +161,7 @@ Eigen::MatrixXd OptimizerObjective::Hessian(
   const Configuration moved = this->At(current.positions);
   this->Solves->Spend(this->HessianCost());
   const PositionEnergy::Curvature curvature =
-    this->Energy->Differentiate(moved, this->Symmetry.defects.transpose() * multipliers);
+    this->Positions->Differentiate(moved, this->Symmetry.defects.transpose() * multipliers);
   Eigen::MatrixXd hessian = curvature.hessian;
   if (this->Sizes)
   {
@@ -189,7 +186,7 @@ Eigen::MatrixXd OptimizerObjective::Hessian(
 
 double OptimizerObjective::BoundaryDistance(const Eigen::VectorXd& positions, std::size_t i) const
 {
-  return SignedDistance(this->Length * PositionOf(positions, i), this->Domain) / this->Length;
+  return this->Sides.SignedDistance(this->Length * PositionOf(positions, i)) / this->Length;
 }
 
 Eigen::VectorXd OptimizerObjective::Clearances(const Eigen::VectorXd& positions) const
@@ -256,9 +253,9 @@ bool OptimizerObjective::NeedsFinerMesh(const Eigen::VectorXd& positions) const
 {
   for (std::size_t i = 0; i < this->Started.size(); ++i)
   {
-    const Point position = this->Length * PositionOf(positions, i);
-    if (NearestEdgeLength(this->Points->GetHalves(), position) >
-      this->Length * this->BoundaryDistance(positions, i))
+    const SegmentSearch::Segment& edge =
+      this->Edges.At(this->Edges.Find(this->Length * PositionOf(positions, i)).segment);
+    if ((edge[1] - edge[0]).norm() > this->Length * this->BoundaryDistance(positions, i))
     {
       return true;
     }

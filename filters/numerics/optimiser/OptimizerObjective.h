@@ -3,6 +3,7 @@
 #include "ClearanceBarrier.h"
 #include "OptimizerSymmetry.h"
 #include "PositionEnergy.h"
+#include "SegmentSearch.h"
 #include "SizeUniformity.h"
 #include "SolveBudget.h"
 
@@ -106,6 +107,7 @@ public:
   /// Returns the clearance in units of the diagonal.
   double Clearance() const { return this->Barrier.GetDistance() / this->Length; }
   const PointPotential& Potential() const { return *this->Points; }
+  const std::shared_ptr<const PositionEnergy>& Energy() const { return this->Positions; }
   SolveBudget& Budget() const { return *this->Solves; }
   /// Returns what an evaluation costs.
   std::size_t EvaluationCost() const;
@@ -120,8 +122,10 @@ private:
   Eigen::VectorXd PositionsOf(const Configuration& configuration) const;
 
   std::shared_ptr<const PointPotential> Points;
-  std::shared_ptr<const PositionEnergy> Energy;
+  std::shared_ptr<const PositionEnergy> Positions;
   PlanarDomain Domain;
+  SegmentSearch Sides; ///< Sides of the domain.
+  SegmentSearch Edges; ///< Edges of the mesh on the boundary.
   Configuration Started;
   double Length;
   std::shared_ptr<SolveBudget> Solves;

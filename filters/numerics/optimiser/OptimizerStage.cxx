@@ -57,29 +57,6 @@ double OptimizerStage::CoreEnergy(const OptimizerState& state) const
   return this->CoreEnergy(state, CoreRadius(this->potential->GetDomain()));
 }
 
-double OptimizerStage::CoreEnergyOf(const Configuration& configuration) const
-{
-  try
-  {
-    const std::shared_ptr<const PotentialSolver>& solver = this->potential->GetProblem().potential;
-    const PlacedConfiguration other =
-      PlaceConfiguration(solver->GetTopology(), configuration, this->corners);
-    const auto points = std::make_shared<const PointPotential>(this->potential->WithAlignment(
-      AlignWithBoundary(solver->GetTopology(), other.corners, TotalQuarters(other.interior))));
-    points->RequireSolvable(other.interior);
-    this->objective->Budget().Spend(this->objective->EvaluationCost());
-    const RenormalizedEnergyValue value =
-      PositionEnergy(points).Evaluate(other.interior, false).renormalized;
-    const double radius = CoreRadius(this->potential->GetDomain());
-    return value.energy - value.logarithmCoefficient * std::log(radius) +
-      CoreOverlapEnergy(other.interior, radius);
-  }
-  catch (const Error&)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-}
-
 namespace
 {
 /// Returns the size of quads on which a field on a mesh of the default size can be resolved.

@@ -45,9 +45,6 @@ struct OptimizerStage
   double CoreEnergy(const OptimizerState& state, double radius) const;
   /// Returns the same at ρ = 1/400 of the diagonal.
   double CoreEnergy(const OptimizerState& state) const;
-  /// Returns the latter for another configuration on this mesh whose boundary singularities are at
-  /// vertices; infinity if the configuration cannot exist. Needs no factorisation.
-  double CoreEnergyOf(const Configuration& configuration) const;
 };
 
 /// Returns the core radius, which is also the default clearance: 1/400 of the diagonal, a tenth of

@@ -48,7 +48,8 @@ double AlignedDifference(
 Eigen::VectorXd NearestOffsets(const Eigen::VectorXd& defects, const Eigen::MatrixXd& inverse)
 {
   Eigen::VectorXd offsets = defects;
-  double best = offsets.dot(inverse * offsets);
+  Eigen::VectorXd slope = inverse * offsets;
+  double best = offsets.dot(slope);
   for (bool improved = true; improved;)
   {
     improved = false;
@@ -56,14 +57,13 @@ Eigen::VectorXd NearestOffsets(const Eigen::VectorXd& defects, const Eigen::Matr
     {
       for (double step : { 2.0 * Pi, -2.0 * Pi })
       {
-        Eigen::VectorXd trial = offsets;
-        trial[k] += step;
-        const double energy = trial.dot(inverse * trial);
+        const double energy = best + step * (2.0 * slope[k] + step * inverse(k, k));
         // The margin keeps ties from cycling by rounding.
         if (energy < best * (1.0 - 1e-12))
         {
-          offsets = trial;
-          best = energy;
+          offsets[k] += step;
+          slope = inverse * offsets;
+          best = offsets.dot(slope);
           improved = true;
         }
       }

@@ -5,18 +5,24 @@
 
 namespace crossfield
 {
-ConformingPhase::ConformingPhase(const PotentialOperator& laplacian, const Eigen::VectorXd& growth)
-  : Laplacian(laplacian)
-  , Value(Eigen::VectorXd::Zero(laplacian.Rows()))
+ConformingPhase::Steps::Steps(const PotentialOperator& laplacian)
 {
   const std::vector<LoopStrip>& strips = laplacian.GetStrips();
   for (std::size_t k = 0; k < strips.size(); ++k)
   {
     for (const LoopStrip::Step& step : strips[k].steps)
     {
-      this->StepsOf[step.triangle].push_back({ static_cast<Eigen::Index>(k), &step });
+      this->OfTriangle[step.triangle].push_back({ static_cast<Eigen::Index>(k), &step });
     }
   }
+}
+
+ConformingPhase::ConformingPhase(
+  const PotentialOperator& laplacian, const Steps& steps, const Eigen::VectorXd& growth)
+  : Laplacian(laplacian)
+  , StepsOf(steps)
+  , Value(Eigen::VectorXd::Zero(laplacian.Rows()))
+{
   this->SetPeriods(growth);
   for (const BoundaryLoop& loop : laplacian.GetTopology().loops)
   {
@@ -70,9 +76,9 @@ void ConformingPhase::SetPeriods(const Eigen::VectorXd& growth)
 
 double ConformingPhase::Jump(int triangle, int vertex) const
 {
-  const auto found = this->StepsOf.find(triangle);
+  const auto found = this->StepsOf.OfTriangle.find(triangle);
   double jump = 0.0;
-  if (found != this->StepsOf.end())
+  if (found != this->StepsOf.OfTriangle.end())
   {
     const auto& v =
       this->Laplacian.GetTopology().mesh.triangles[static_cast<std::size_t>(triangle)];

@@ -2,7 +2,7 @@
 
 #include "PotentialOperator.h"
 
-#include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -13,10 +13,23 @@ namespace crossfield
 class ConformingPhase
 {
 public:
+  /// Steps of the strips of all periods through each triangle, which are the same for all phases.
+  class Steps
+  {
+  public:
+    explicit Steps(const PotentialOperator& laplacian);
+
+  private:
+    friend class ConformingPhase;
+    std::unordered_map<int, std::vector<std::pair<Eigen::Index, const LoopStrip::Step*>>>
+      OfTriangle;
+  };
+
   /// Sets the boundary values from `growth`, the growth of the phase along every entry of
   /// mesh.boundary, in its direction. On holes it is not read: the growth around a hole is −2π
   /// times its quarter index. The phase is 0 at the first vertex of every loop.
-  ConformingPhase(const PotentialOperator& laplacian, const Eigen::VectorXd& growth);
+  ConformingPhase(
+    const PotentialOperator& laplacian, const Steps& steps, const Eigen::VectorXd& growth);
 
   /// Shifts every inner loop so that φ at the strip's first edge minus φ at its last is as given.
   void ShiftInnerLoops(const Eigen::VectorXd& differences);
@@ -36,7 +49,7 @@ private:
   double Transport(Eigen::Index k) const;
 
   const PotentialOperator& Laplacian;
-  std::map<int, std::vector<std::pair<Eigen::Index, const LoopStrip::Step*>>> StepsOf;
+  const Steps& StepsOf;
   Eigen::VectorXd Value;
 };
 }

@@ -7,6 +7,26 @@ DirichletSolver::DirichletSolver(const PotentialOperator& laplacian)
   , OfIslands(laplacian.Rows(), laplacian.PeriodCount(PotentialOperator::Periods::Islands))
 {
   const MeshTopology& topology = laplacian.GetTopology();
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    if (edge.IsAligned())
+    {
+      this->Prescribed.push_back(edge.vertices[0]);
+    }
+  }
+  for (Eigen::Index k = 0; k < laplacian.PeriodCount(); ++k)
+  {
+    this->Prescribed.push_back(static_cast<int>(laplacian.PeriodRow(k)));
+  }
+  std::vector<Eigen::Triplet<double>> selected;
+  for (std::size_t i = 0; i < this->Prescribed.size(); ++i)
+  {
+    selected.emplace_back(this->Prescribed[i], static_cast<int>(i), 1.0);
+  }
+  Eigen::SparseMatrix<double> selection(
+    laplacian.Rows(), static_cast<Eigen::Index>(this->Prescribed.size()));
+  selection.setFromTriplets(selected.begin(), selected.end());
+  this->Columns = laplacian.Assemble() * selection;
   Eigen::Index k = 0;
   for (const BoundaryLoop& loop : topology.loops)
   {
@@ -48,11 +68,27 @@ Eigen::MatrixXd DirichletSolver::SumAroundIslands(const Eigen::MatrixXd& sources
   return sums;
 }
 
-Eigen::VectorXd DirichletSolver::Harmonic(const Eigen::VectorXd& x) const
+Eigen::MatrixXd DirichletSolver::Harmonic(const Eigen::MatrixXd& x) const
 {
+  Eigen::MatrixXd prescribed(static_cast<Eigen::Index>(this->Prescribed.size()), x.cols());
+  for (Eigen::Index i = 0; i < prescribed.rows(); ++i)
+  {
+    prescribed.row(i) = x.row(this->Prescribed[static_cast<std::size_t>(i)]);
+  }
   // No period is unknown, so which of them the problem has makes no difference.
   return x +
-    this->Factor.Solve(
-      -this->Factor.GetOperator().Apply(x), PotentialOperator::Periods::IslandsAndHoles);
+    this->Factor.Solve(-this->Columns * prescribed, PotentialOperator::Periods::IslandsAndHoles);
+}
+
+Eigen::MatrixXd DirichletSolver::HarmonicSources(const Eigen::MatrixXd& x) const
+{
+  // The operator is symmetric.
+  const Eigen::MatrixXd values = this->Columns.transpose() * this->Harmonic(x);
+  Eigen::MatrixXd sources = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+  {
+    sources.row(this->Prescribed[static_cast<std::size_t>(i)]) = values.row(i);
+  }
+  return sources;
 }
 }

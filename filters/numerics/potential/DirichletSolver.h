@@ -20,13 +20,12 @@ public:
 
   /// Returns the potential with the values of x at the vertices of outer and inner loops and at
   /// periods, and with no source elsewhere. x is zero at the vertices inside.
-  Eigen::VectorXd Harmonic(const Eigen::VectorXd& x) const;
+  /// Any number of columns.
+  Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& x) const;
 
-  /// Returns the sources of Harmonic(x).
-  Eigen::VectorXd HarmonicSources(const Eigen::VectorXd& x) const
-  {
-    return this->Factor.GetOperator().Apply(this->Harmonic(x));
-  }
+  /// Returns the sources of Harmonic(x), which are at the vertices of outer and inner loops and at
+  /// periods, and zero inside.
+  Eigen::MatrixXd HarmonicSources(const Eigen::MatrixXd& x) const;
 
   /// The sources of the harmonic potentials that are 1 on one inner loop and 0 on all other loops:
   /// a column per inner loop.
@@ -41,8 +40,10 @@ public:
 
 private:
   PotentialFactor Factor;
-  Eigen::MatrixXd OfIslands; ///< See IslandSources.
-  Eigen::MatrixXd Coupling;  ///< See IslandCoupling.
+  std::vector<int> Prescribed; ///< Rows of the vertices of outer and inner loops, and of periods.
+  Eigen::SparseMatrix<double> Columns; ///< The columns of the operator for these rows.
+  Eigen::MatrixXd OfIslands;           ///< See IslandSources.
+  Eigen::MatrixXd Coupling;            ///< See IslandCoupling.
   Eigen::LLT<Eigen::MatrixXd> CouplingFactor;
 };
 }

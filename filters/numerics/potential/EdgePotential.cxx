@@ -1,15 +1,18 @@
 #include "EdgePotential.h"
 
-#include "ConformingPhase.h"
-
 namespace crossfield
 {
-Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
+Eigen::MatrixXd EdgePotential::Solve(const Eigen::MatrixXd& fluxes) const
 {
   const MeshTopology& topology = this->Potential.GetTopology();
   // 1. The phase, with the constants on inner loops that make its conjugate single-valued.
-  Eigen::VectorXd sources =
-    this->Dirichlet.HarmonicSources(ConformingPhase(this->Potential.GetOperator(), fluxes).Get());
+  Eigen::MatrixXd phases(this->Potential.Rows(), fluxes.cols());
+  for (Eigen::Index column = 0; column < fluxes.cols(); ++column)
+  {
+    phases.col(column) =
+      ConformingPhase(this->Potential.GetOperator(), this->Steps, fluxes.col(column)).Get();
+  }
+  Eigen::MatrixXd sources = this->Dirichlet.HarmonicSources(phases);
   const Eigen::MatrixXd& constants = this->Dirichlet.IslandSources();
   if (constants.cols() > 0)
   {
@@ -19,7 +22,7 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
 
   // 2. Its conjugate changes by the source of a vertex from one boundary edge to the next, and by
   //    the source of a period along its strip; the potential is minus the conjugate.
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(fluxes.size());
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(fluxes.rows(), fluxes.cols());
   const auto follow = [&](const BoundaryLoop& loop, int first)
   {
     const bool forward = loop.kind ==
@@ -33,8 +36,8 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
     for (std::size_t i = 1; i < count; ++i)
     {
       const std::size_t next = forward ? (here + 1) % count : (here + count - 1) % count;
-      values[loop.edges[next]] =
-        values[loop.edges[here]] - sources[topology.BoundaryAt(loop.edges[next]).vertices[0]];
+      values.row(loop.edges[next]) = values.row(loop.edges[here]) -
+        sources.row(topology.BoundaryAt(loop.edges[next]).vertices[0]);
       here = next;
     }
   };
@@ -47,8 +50,8 @@ Eigen::VectorXd EdgePotential::Solve(const Eigen::VectorXd& fluxes) const
       continue;
     }
     const LoopStrip& strip = this->Potential.GetStrips()[static_cast<std::size_t>(k)];
-    values[strip.lastBoundaryEdge] =
-      values[strip.firstBoundaryEdge] + sources[this->Potential.PeriodRow(k)];
+    values.row(strip.lastBoundaryEdge) =
+      values.row(strip.firstBoundaryEdge) + sources.row(this->Potential.PeriodRow(k));
     follow(loop, strip.lastBoundaryEdge);
     ++k;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ConformingPhase.h"
 #include "PotentialSolver.h"
 
 namespace crossfield
@@ -18,13 +19,14 @@ public:
   explicit EdgePotential(const PotentialSolver& potential)
     : Potential(potential)
     , Dirichlet(potential.GetDirichlet())
+    , Steps(potential.GetOperator())
   {
   }
 
   /// Returns the potential at the midpoints of boundary edges for given fluxes through them, both
-  /// in the order of mesh.boundary. It is single-valued, and 0 on the first edge of the outer loop.
-  /// The fluxes must add up to zero within rounding.
-  Eigen::VectorXd Solve(const Eigen::VectorXd& fluxes) const;
+  /// in the order of mesh.boundary, any number of columns. It is single-valued, and 0 on the first
+  /// edge of the outer loop. The fluxes of a column must add up to zero within rounding.
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& fluxes) const;
 
   /// ∫ ∇φ_k · ∇φ_l, φ_k the harmonic phase that is 1 on inner loop k and 0 on the other loops: an
   /// upper bound of the exact matrix. The inverse of the Schur complement on the periods is a lower
@@ -34,5 +36,6 @@ public:
 private:
   const PotentialSolver& Potential;
   const DirichletSolver& Dirichlet;
+  ConformingPhase::Steps Steps;
 };
 }

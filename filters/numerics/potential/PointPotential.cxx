@@ -60,8 +60,7 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   }
   for (std::size_t m = 0; m < this->BoundaryLogs.size(); ++m)
   {
-    const std::vector<double> turns = this->Turns(m);
-    AddFluxes(this->BoundaryLogs[m], m < this->CurveLogs, turns);
+    this->AddFlow(this->BoundaryLogAt(m));
   }
   for (BoundaryHalf& half : this->Halves)
   {
@@ -69,20 +68,55 @@ PointPotential::PointPotential(std::shared_ptr<const PotentialSolver> solver, Al
   }
 }
 
-void PointPotential::AddFluxes(const LogSource& log, bool onCurve, const std::vector<double>& turns)
+PointPotential::BoundaryLog PointPotential::BoundaryLogAt(std::size_t boundaryLog) const
 {
+  return { this->BoundaryLogs[boundaryLog], this->LogVertices[boundaryLog],
+    boundaryLog < this->CurveLogs };
+}
+
+PointPotential::BoundaryLog PointPotential::QuarterAt(std::size_t entry) const
+{
+  const MeshTopology& topology = this->Problem.Topology();
+  const int vertex = topology.mesh.boundary[entry].vertices[0];
+  if (topology.corners[static_cast<std::size_t>(vertex)])
+  {
+    const double angle = Pi - topology.turning[static_cast<Eigen::Index>(entry)];
+    return { { topology.PointAt(vertex), 2.0 * Pi / angle, angle }, vertex, false };
+  }
+  return { { this->Curve.start[entry], 2.0, Pi }, vertex, true };
+}
+
+PointPotential::LogFlow PointPotential::FlowOf(const BoundaryLog& source) const
+{
+  const auto count = static_cast<Eigen::Index>(this->Halves.size());
+  LogFlow flow{ Eigen::VectorXd(count), Eigen::VectorXd(count) };
+  const LogSource& log = source.log;
+  const std::vector<double> turns = this->Turns(source);
   for (std::size_t h = 0; h < this->Halves.size(); ++h)
   {
-    BoundaryHalf& half = this->Halves[h];
-    const auto [from, to] = this->Ends(h, onCurve);
-    half.logFlux += log.strength * turns[h];
+    const auto [from, to] = this->Ends(h, source.onCurve);
+    const auto row = static_cast<Eigen::Index>(h);
+    flow.flux[row] = log.strength * turns[h];
     // The mean of a logarithm over a half is approximated by the mean of its values at both ends.
     // For points of curves, and along sides on a line through the position of the logarithm, it is
     // integrated exactly.
-    const bool along = onCurve || std::abs(turns[h]) <= AngleRounding;
-    half.logMean += along ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
-                          : 0.5 * (log.Value(half.from) + log.Value(half.to));
-    this->Sources[half.vertex] -= log.strength * turns[h];
+    const bool along = source.onCurve || std::abs(turns[h]) <= AngleRounding;
+    flow.mean[row] = along
+      ? log.strength * LogIntegral(from, to, log.position) / (to - from).norm()
+      : 0.5 * (log.Value(this->Halves[h].from) + log.Value(this->Halves[h].to));
+  }
+  return flow;
+}
+
+void PointPotential::AddFlow(const BoundaryLog& source)
+{
+  const LogFlow flow = this->FlowOf(source);
+  for (std::size_t h = 0; h < this->Halves.size(); ++h)
+  {
+    BoundaryHalf& half = this->Halves[h];
+    half.logFlux += flow.flux[static_cast<Eigen::Index>(h)];
+    half.logMean += flow.mean[static_cast<Eigen::Index>(h)];
+    this->Sources[half.vertex] -= flow.flux[static_cast<Eigen::Index>(h)];
   }
 }
 
@@ -109,9 +143,9 @@ PointPotential PointPotential::WithAlignment(Alignment alignment) const
     double& change = changes[owner.LogVertices[m]];
     if (change != 0.0)
     {
-      LogSource log = owner.BoundaryLogs[m];
-      log.strength = change;
-      result.AddFluxes(log, m < owner.CurveLogs, owner.Turns(m));
+      BoundaryLog source = owner.BoundaryLogAt(m);
+      source.log.strength = change;
+      result.AddFlow(source);
       change = 0.0; // a vertex may have a logarithm in both
     }
   };
@@ -187,17 +221,16 @@ std::array<Point, 2> PointPotential::Ends(std::size_t half, bool onCurve) const
   return { this->Curve.middle[i], this->Curve.start[this->Next[i]] };
 }
 
-std::vector<double> PointPotential::Turns(std::size_t boundaryLog) const
+std::vector<double> PointPotential::Turns(const BoundaryLog& source) const
 {
-  const LogSource& log = this->BoundaryLogs[boundaryLog];
-  const bool onCurve = boundaryLog < this->CurveLogs;
+  const auto& [log, vertex, onCurve] = source;
   std::vector<double> turns;
   double remaining = log.angle;
   double length = 0.0; // of the halves at its vertex
   for (std::size_t h = 0; h < this->Halves.size(); ++h)
   {
     const auto [from, to] = this->Ends(h, onCurve);
-    const bool own = this->Halves[h].vertex == this->LogVertices[boundaryLog];
+    const bool own = this->Halves[h].vertex == vertex;
     turns.push_back(own ? 0.0 : log.Turn(from, to));
     remaining -= turns.back();
     length += own ? (to - from).norm() : 0.0;
@@ -206,7 +239,7 @@ std::vector<double> PointPotential::Turns(std::size_t boundaryLog) const
   // angle that remains. For a corner, what remains is rounding.
   for (std::size_t h = 0; onCurve && h < this->Halves.size(); ++h)
   {
-    if (this->Halves[h].vertex == this->LogVertices[boundaryLog])
+    if (this->Halves[h].vertex == vertex)
     {
       const auto [from, to] = this->Ends(h, onCurve);
       turns[h] = remaining * (to - from).norm() / length;

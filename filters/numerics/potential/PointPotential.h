@@ -57,6 +57,24 @@ public:
   /// Throws the errors of Solve.
   void RequireSolvable(const Configuration& configuration) const;
 
+  /// A logarithm at a vertex of the boundary.
+  struct BoundaryLog
+  {
+    LogSource log;
+    int vertex;
+    bool onCurve; ///< Whether it is centred at the point of the curve, and sees the curve.
+  };
+  /// Returns the logarithm that one quarter of index adds at the vertex where an entry of
+  /// mesh.boundary starts.
+  BoundaryLog QuarterAt(std::size_t entry) const;
+  /// Flux of a logarithm through every half of a boundary edge, and its mean there.
+  struct LogFlow
+  {
+    Eigen::VectorXd flux;
+    Eigen::VectorXd mean;
+  };
+  LogFlow FlowOf(const BoundaryLog& source) const;
+
   /// Returns the potential with other quarter indices at the boundary, on the same mesh: only the
   /// logarithms at vertices whose quarter index differs are added and subtracted, so that the result
   /// equals that of the constructor up to rounding. Throws Error as the constructor does.
@@ -106,14 +124,16 @@ public:
 private:
   /// Finds the logarithms at the boundary.
   void FindBoundaryLogs();
-  /// Adds a logarithm at the boundary to fluxes, means and sources; `turns` as Turns returns them.
-  void AddFluxes(const LogSource& log, bool onCurve, const std::vector<double>& turns);
+  /// Returns a logarithm at the boundary.
+  BoundaryLog BoundaryLogAt(std::size_t boundaryLog) const;
+  /// Adds a logarithm at the boundary to fluxes, means and sources.
+  void AddFlow(const BoundaryLog& source);
   /// Returns the ends of a half, on the polygon or on the curve.
   std::array<Point, 2> Ends(std::size_t half, bool onCurve) const;
   /// Returns the angles at which the position of a logarithm at the boundary sees all halves: a
   /// corner sees those of the polygon, a point of a curve those of the curve. They add up to its
   /// angle.
-  std::vector<double> Turns(std::size_t boundaryLog) const;
+  std::vector<double> Turns(const BoundaryLog& source) const;
 
   PotentialProblem Problem;
   PlanarDomain Domain; ///< Polygons of the mesh.

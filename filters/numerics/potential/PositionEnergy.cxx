@@ -357,9 +357,11 @@ PositionEnergy::Value PositionEnergy::Evaluate(
   PointPotential::Solution& solution = result.solution;
   RenormalizedEnergyValue& value = result.renormalized;
   const std::size_t inside = configuration.size();
-  const Flows flows = this->Solve(configuration, solution);
+  result.flows = this->Solve(configuration, solution);
+  const Flows& flows = result.flows;
   const std::vector<BoundaryHalf>& halves = this->Potential->GetHalves();
-  const Eigen::VectorXd regular = this->RegularOnHalves(solution, flows);
+  result.regular = this->RegularOnHalves(solution, flows);
+  const Eigen::VectorXd& regular = result.regular;
 
   value.singleValuedGradient =
     Eigen::Matrix2Xd::Zero(2, derivatives ? static_cast<Eigen::Index>(inside) : 0);

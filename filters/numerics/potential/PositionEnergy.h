@@ -18,10 +18,19 @@ class PositionEnergy
 public:
   explicit PositionEnergy(std::shared_ptr<const PointPotential> potential);
 
+  /// Sums of all logarithms on the halves of boundary edges.
+  struct Flows
+  {
+    Eigen::VectorXd flux; ///< Flux through each half.
+    Eigen::VectorXd mean; ///< Mean over each half.
+  };
+
   struct Value
   {
     PointPotential::Solution solution;
     RenormalizedEnergyValue renormalized;
+    Flows flows;
+    Eigen::VectorXd regular; ///< R on every half: the mean of both solutions.
   };
 
   /// Solves for a configuration, which must fulfil PointPotential::RequireSolvable, and evaluates W.
@@ -49,14 +58,9 @@ public:
   /// Returns the number of points of the boundary at which logarithms are evaluated.
   Eigen::Index PointCount() const { return this->Points.rows(); }
 
-private:
-  /// Sums of all logarithms on the halves of boundary edges.
-  struct Flows
-  {
-    Eigen::VectorXd flux; ///< Flux through each half.
-    Eigen::VectorXd mean; ///< Mean over each half.
-  };
+  const EdgePotential& GetEdgePotential() const { return this->OnEdges; }
 
+private:
   /// Factors of the derivatives of arg|x − b| and log|x − b| at the points of the boundary.
   struct PointFactors
   {

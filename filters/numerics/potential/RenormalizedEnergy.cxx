@@ -186,12 +186,14 @@ double CoreOverlapEnergy(const Configuration& interior, double radius)
   double energy = 0.0;
   for (std::size_t i = 0; i < interior.size(); ++i)
   {
-    double core = radius;
+    double square = 4.0 * radius * radius; // of the distance
     for (std::size_t j = 0; j < interior.size(); ++j)
     {
-      core =
-        i == j ? core : std::min(core, 0.5 * (interior[i].position - interior[j].position).norm());
+      square = i == j
+        ? square
+        : std::min(square, (interior[i].position - interior[j].position).squaredNorm());
     }
+    const double core = 0.5 * std::sqrt(square);
     const double quarters = interior[i].quarterIndex;
     energy += core < radius ? Pi * quarters * quarters * std::log(radius / core) : 0.0;
   }

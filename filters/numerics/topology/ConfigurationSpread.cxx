@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
@@ -17,22 +18,6 @@ namespace crossfield
 {
 namespace
 {
-/// Returns the radius of the largest disk around a position inside the domain that does not overlap
-/// equal disks around the other singularities.
-double FreeRadius(
-  const Point& place, double clearance, const Configuration& others, std::size_t except)
-{
-  double radius = clearance;
-  for (std::size_t i = 0; i < others.size(); ++i)
-  {
-    if (i != except)
-    {
-      radius = std::min(radius, 0.5 * (others[i].position - place).norm());
-    }
-  }
-  return radius;
-}
-
 /// Candidate positions inside the domain, with their distances to the boundary.
 struct Candidates
 {
@@ -66,24 +51,106 @@ struct Candidates
       }
     }
   }
+};
 
-  /// Returns the candidate with the largest free disk, given the other singularities.
-  std::size_t Best(const Configuration& others, std::size_t except) const
+/// Free disks of the candidates: the largest disks around them inside the domain that do not overlap
+/// equal disks around singularities. The two nearest singularities of every candidate are stored, so
+/// that a move of a singularity changes few of them.
+class FreeDisks
+{
+public:
+  FreeDisks(const Candidates& candidates, const Configuration& singularities)
+    : Places(candidates)
+    , Nearest(candidates.places.size())
+  {
+    for (const Singularity& singularity : singularities)
+    {
+      this->Add(singularity.position);
+    }
+  }
+
+  void Add(const Point& position)
+  {
+    this->Positions.push_back(position);
+    for (std::size_t c = 0; c < this->Nearest.size(); ++c)
+    {
+      this->Insert(c, this->Positions.size() - 1);
+    }
+  }
+
+  void Move(std::size_t singularity, const Point& position)
+  {
+    this->Positions[singularity] = position;
+    for (std::size_t c = 0; c < this->Nearest.size(); ++c)
+    {
+      Two& two = this->Nearest[c];
+      if (two[0].singularity != singularity && two[1].singularity != singularity)
+      {
+        this->Insert(c, singularity);
+        continue;
+      }
+      two = {};
+      for (std::size_t i = 0; i < this->Positions.size(); ++i)
+      {
+        this->Insert(c, i);
+      }
+    }
+  }
+
+  /// Returns the radius of the free disk of a candidate, without regard to one singularity.
+  double Radius(std::size_t candidate, std::size_t except) const
+  {
+    const Two& two = this->Nearest[candidate];
+    const Neighbour& nearest = two[0].singularity == except ? two[1] : two[0];
+    return std::min(this->Places.clearances[candidate], 0.5 * nearest.distance);
+  }
+
+  /// Returns the candidate with the largest free disk, without regard to one singularity.
+  std::size_t Best(std::size_t except) const
   {
     std::size_t best = 0;
     double largest = -1.0;
-    for (std::size_t i = 0; i < this->places.size(); ++i)
+    for (std::size_t c = 0; c < this->Nearest.size(); ++c)
     {
-      const double radius = FreeRadius(this->places[i], this->clearances[i], others, except);
+      const double radius = this->Radius(c, except);
       // The margin above rounding prevents rounding from deciding on symmetric domains.
       if (radius > largest * (1.0 + 1e-9))
       {
-        best = i;
+        best = c;
         largest = radius;
       }
     }
     return best;
   }
+
+private:
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  struct Neighbour
+  {
+    double distance = std::numeric_limits<double>::infinity();
+    std::size_t singularity = None;
+  };
+  using Two = std::array<Neighbour, 2>;
+
+  /// Stores a singularity among the two nearest ones of a candidate if it is.
+  void Insert(std::size_t candidate, std::size_t singularity)
+  {
+    Two& two = this->Nearest[candidate];
+    const double distance = (this->Positions[singularity] - this->Places.places[candidate]).norm();
+    if (distance < two[0].distance)
+    {
+      two[1] = two[0];
+      two[0] = { distance, singularity };
+    }
+    else if (distance < two[1].distance)
+    {
+      two[1] = { distance, singularity };
+    }
+  }
+
+  const Candidates& Places;
+  std::vector<Point> Positions;
+  std::vector<Two> Nearest; ///< Of every candidate.
 };
 
 /// Returns the corners of a loop, starting after one that is not cancelled, so that no pair is
@@ -171,12 +238,14 @@ Configuration SpreadConfiguration(
   {
     throw Error("The domain is too thin to place singularities in it; give them yourself.");
   }
+  FreeDisks disks(candidates, result);
   std::vector<std::size_t> chosen;
   for (int i = 0; i < std::abs(missing); ++i)
   {
     Singularity singularity;
-    chosen.push_back(candidates.Best(result, result.size()));
+    chosen.push_back(disks.Best(result.size()));
     singularity.position = candidates.places[chosen.back()];
+    disks.Add(singularity.position);
     singularity.quarterIndex = missing > 0 ? 1 : -1;
     result.push_back(singularity);
   }
@@ -191,13 +260,13 @@ Configuration SpreadConfiguration(
     moved = false;
     for (std::size_t i = fixed; i < result.size(); ++i)
     {
-      const std::size_t best = candidates.Best(result, i);
+      const std::size_t best = disks.Best(i);
       const std::size_t here = chosen[i - fixed];
-      if (FreeRadius(candidates.places[best], candidates.clearances[best], result, i) >
-        FreeRadius(candidates.places[here], candidates.clearances[here], result, i) * (1.0 + 1e-9))
+      if (disks.Radius(best, i) > disks.Radius(here, i) * (1.0 + 1e-9))
       {
         chosen[i - fixed] = best;
         result[i].position = candidates.places[best];
+        disks.Move(i, result[i].position);
         moved = true;
       }
     }
@@ -213,7 +282,7 @@ std::optional<Point> FindFreePlace(const PlanarDomain& domain, const Configurati
   {
     return std::nullopt;
   }
-  return candidates.places[candidates.Best(others, others.size())];
+  return candidates.places[FreeDisks(candidates, others).Best(others.size())];
 }
 
 void AssignRadii(const PlanarDomain& domain, Configuration& configuration, std::size_t first)

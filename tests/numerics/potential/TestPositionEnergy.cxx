@@ -1,4 +1,4 @@
-#include "PositionEnergy.h"
+#include "StrengthChanges.h"
 
 #include "DrillHoles.h"
 #include "MakePlanarDomain.h"
@@ -153,6 +153,107 @@ TEST(PositionEnergy, IsTheSameAfterAnotherAlignment)
   EXPECT_GT(std::abs(EvaluateRenormalizedEnergy(first, first.Solve(Singularities)).energy -
               expected.energy),
     1e-3);
+}
+
+/// Returns the mesh vertex at a position.
+int VertexAt(const MeshTopology& topology, const Point& position)
+{
+  for (const BoundaryEdge& edge : topology.mesh.boundary)
+  {
+    if ((topology.PointAt(edge.vertices[0]) - position).norm() < 1e-9)
+    {
+      return edge.vertices[0];
+    }
+  }
+  return -1;
+}
+
+/// Moves quarters from the inside to a point of a curve and to a corner, and to other places inside:
+/// the energy is that of the changed configuration.
+TEST(StrengthChanges, HaveTheEnergyOfTheChangedConfiguration)
+{
+  const auto solver = Solver();
+  const MeshTopology& topology = solver->GetTopology();
+  const auto energy = std::make_shared<const PositionEnergy>(
+    std::make_shared<const PointPotential>(PotentialWith(solver, -1, 0)));
+  const Loop outer = topology.AlignedLoops()[0];
+  const Point curve = *std::max_element(
+    outer.begin(), outer.end(), [](const Point& a, const Point& b) { return a.x() < b.x(); });
+  const Point top = *std::max_element(
+    outer.begin(), outer.end(), [](const Point& a, const Point& b) { return a.y() < b.y(); });
+  const Point corner(0.3, -0.1);
+
+  // Quarter indices at the curve, at another point of it, and at the corner; singularities inside.
+  struct Case
+  {
+    int atCurve;
+    int atTop;
+    int atCorner;
+    Configuration inside;
+  };
+  Configuration without = Singularities; // without the last one
+  without.pop_back();
+  Configuration elsewhere = Singularities;
+  elsewhere[4].position = { -0.5, -0.5 };
+  Configuration split = Singularities;
+  split[1].quarterIndex = 1;
+  split.push_back({ { 0.6, -0.4 }, 1, 0.0 });
+  StrengthChanges changes(energy, Singularities);
+  const auto inside = [](const Point& position) { return StrengthChanges::Place{ position, -1 }; };
+  const auto at = [&](const Point& position) {
+    return StrengthChanges::Place{ position, VertexAt(topology, position) };
+  };
+  const std::vector<std::pair<Case, std::vector<StrengthChanges::Change>>> cases = {
+    { { -1, 0, 0, Singularities }, {} },
+    { { -2, 0, 0, without }, { { inside(Singularities[4].position), 1 }, { at(curve), -1 } } },
+    { { 0, -1, 0, Singularities }, { { at(curve), 1 }, { at(top), -1 } } },
+    { { -1, 0, -1, without }, { { inside(Singularities[4].position), 1 }, { at(corner), -1 } } },
+    { { -1, 0, 0, elsewhere },
+      { { inside(Singularities[4].position), 1 }, { inside({ -0.5, -0.5 }), -1 } } },
+    { { -1, 0, 0, split },
+      { { inside(Singularities[1].position), -1 }, { inside({ 0.6, -0.4 }), 1 } } },
+    { { 0, -1, -1, without },
+      { { inside(Singularities[4].position), 1 }, { at(curve), 1 }, { at(corner), -1 },
+        { at(top), -2 }, { at(top), 1 } } },
+  };
+  double lowest = 0.0;
+  double highest = 0.0;
+  for (const auto& [expectedCase, change] : cases)
+  {
+    std::vector<CornerChoice> choices = { { corner, expectedCase.atCorner } };
+    for (const auto& [position, quarters] :
+      { std::make_pair(curve, expectedCase.atCurve), std::make_pair(top, expectedCase.atTop) })
+    {
+      if (quarters != 0)
+      {
+        choices.push_back({ position, quarters });
+      }
+    }
+    const PointPotential changed(
+      solver, AlignWithBoundary(topology, choices, TotalQuarters(expectedCase.inside)));
+    const RenormalizedEnergyValue expected =
+      EvaluateRenormalizedEnergy(changed, changed.Solve(expectedCase.inside));
+    std::vector<StrengthChanges::Place> places;
+    for (const StrengthChanges::Change& one : change)
+    {
+      places.push_back(one.place);
+    }
+    changes.Prepare(places);
+    EXPECT_EQ(changes.Prepare(places), 0U);
+    const StrengthChanges::Value actual = changes.Evaluate(change);
+    EXPECT_NEAR(actual.energy, expected.energy, 1e-9) << change.size();
+    EXPECT_NEAR(actual.logarithmCoefficient, expected.logarithmCoefficient, 1e-10);
+    EXPECT_NEAR(actual.largestDefect,
+      std::max(std::abs(expected.holonomyDefect[0]), std::abs(expected.holonomyDefect[1])), 1e-9);
+    // The same in two parts, one after the other.
+    StrengthChanges parts = changes;
+    const auto half = change.begin() + static_cast<std::ptrdiff_t>(change.size() / 2);
+    parts.Accept({ change.begin(), half });
+    EXPECT_NEAR(parts.Evaluate({ half, change.end() }).energy, expected.energy, 1e-9);
+    lowest = std::min(lowest, expected.energy);
+    highest = std::max(highest, expected.energy);
+  }
+  EXPECT_GT(highest - lowest, 1.0); // the cases differ
 }
 }
 }

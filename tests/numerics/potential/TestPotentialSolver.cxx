@@ -129,7 +129,7 @@ TEST(DirichletSolver, KeepsPrescribedValuesAndPeriodsAndIsHarmonicInside)
   }
   const Eigen::VectorXd solution = dirichlet.Harmonic(prescribed);
   const Eigen::VectorXd sources = laplacian.Apply(solution);
-  EXPECT_EQ(dirichlet.HarmonicSources(prescribed), sources);
+  EXPECT_LT((dirichlet.HarmonicSources(prescribed) - sources).norm(), 1e-12 * sources.norm());
   for (Eigen::Index row = 0; row < prescribed.size(); ++row)
   {
     if (isPrescribed(row))
