@@ -1,0 +1,52 @@
+#include "DrawingFormats.h"
+
+#include "Error.h"
+#include "ReadAerofoil.h"
+#include "ReadDxf.h"
+#include "ReadGeoJson.h"
+#include "ReadMsh.h"
+#include "ReadSvg.h"
+
+namespace crossfield
+{
+DrawingFormat FormatOfEnding(const std::string& ending)
+{
+  if (ending == ".dat")
+  {
+    return DrawingFormat::Aerofoil;
+  }
+  if (ending == ".dxf")
+  {
+    return DrawingFormat::Dxf;
+  }
+  if (ending == ".geojson" || ending == ".json")
+  {
+    return DrawingFormat::GeoJson;
+  }
+  if (ending == ".msh")
+  {
+    return DrawingFormat::Msh;
+  }
+  return ending == ".svg" ? DrawingFormat::Svg : DrawingFormat::None;
+}
+
+Drawing ReadDrawing(DrawingFormat format, std::string_view text, const std::string& file)
+{
+  switch (format)
+  {
+  case DrawingFormat::Aerofoil:
+    return ReadAerofoil(text, file);
+  case DrawingFormat::Dxf:
+    return ReadDxf(text, file);
+  case DrawingFormat::GeoJson:
+    return ReadGeoJson(text, file);
+  case DrawingFormat::Msh:
+    return ReadMsh(text, file);
+  case DrawingFormat::Svg:
+    return ReadSvg(text, file);
+  default:
+    throw Error("The drawing '" + file +
+      "' has an unknown ending; give a .dxf, .svg, .geojson, .msh or .dat file.");
+  }
+}
+}
