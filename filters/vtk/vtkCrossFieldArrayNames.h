@@ -200,6 +200,9 @@ constexpr const char* Curve = "Curve";
 constexpr const char* CurveKind = "CurveKind";
 constexpr const char* CurveOffset = "CurveOffset";
 constexpr const char* CurveValues = "CurveValues";
+// Field data: vtkDrawingReader.
+constexpr const char* DrawingUnit = "DrawingUnit";
+constexpr const char* LargestGap = "LargestGap";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";
