@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iostream>
 #include <map>
+#include <sstream>
 
 namespace
 {
@@ -85,8 +87,22 @@ void ModelFile::ReadStep()
 //------------------------------------------------------------------------------
 void ModelFile::ReadBrep()
 {
+  // Open CASCADE prints errors on standard output, which belongs to the results of the program.
+  const std::ostringstream messages;
+  std::streambuf* const output = std::cout.rdbuf(messages.rdbuf());
   const BRep_Builder builder;
-  if (!BRepTools::Read(this->Model, this->Name.c_str(), builder))
+  bool isRead = false;
+  try
+  {
+    isRead = BRepTools::Read(this->Model, this->Name.c_str(), builder);
+  }
+  catch (...)
+  {
+    std::cout.rdbuf(output);
+    throw;
+  }
+  std::cout.rdbuf(output);
+  if (!isRead)
   {
     Refuse(this->Name);
   }

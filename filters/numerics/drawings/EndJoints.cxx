@@ -4,6 +4,8 @@
 #include "PieceSampling.h"
 #include "PointGrid.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -218,16 +220,25 @@ double EndJoints::ToleranceThatCloses() const
     }
     largest = std::max(largest, nearest);
   }
-  if (!(largest < std::numeric_limits<double>::max()))
+  Eigen::AlignedBox2d box;
+  for (const std::size_t piece : this->Given)
+  {
+    box.extend(this->Pieces[piece].first);
+    box.extend(this->Pieces[piece].last);
+  }
+  // A wider gap is rather a missing part of the boundary.
+  constexpr double WidestGap = 0.02;
+  if (!(largest <= WidestGap * box.diagonal().norm()))
   {
     return 0.0;
   }
   // Rounded up to two digits, as the message shows it.
   std::ostringstream text;
   text.precision(2);
-  text << 1.05 * largest;
+  text << 1.1 * largest;
   const double rounded = std::stod(text.str());
-  return EndJoints(this->Pieces, this->Given, rounded).IsClosed() ? rounded : 0.0;
+  const EndJoints wider(this->Pieces, this->Given, rounded);
+  return wider.IsClosed() && wider.Short == this->Short ? rounded : 0.0;
 }
 
 void EndJoints::ReportOpen(Index end) const

@@ -85,9 +85,13 @@ bool IsAroundLeadingEdge(const std::vector<Point>& points)
     std::adjacent_find(nose, points.end(),
       [&isRight](const Point& a, const Point& b) { return isRight(b, a); }) == points.end();
   constexpr double Near = 0.05;
+  constexpr double Thickest = 0.6; // a list of points of a circle is none
+  const auto isBelow = [](const Point& a, const Point& b) { return a.y() < b.y(); };
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), isBelow);
   return falls && rises && chord > 0.0 && nose != points.begin() && nose + 1 != points.end() &&
     tail->x() - points.front().x() < Near * chord && tail->x() - points.back().x() < Near * chord &&
-    (points.front() - points.back()).norm() < 2.0 * Near * chord;
+    (points.front() - points.back()).norm() < 2.0 * Near * chord &&
+    highest->y() - lowest->y() < Thickest * chord;
 }
 
 /// Returns the points from the trailing edge around the profile; nothing if it is no aerofoil.
