@@ -124,7 +124,11 @@ TEST_F(DrawingReader, NurbsValuesHaveKnotsAndWeights)
 
 TEST_F(DrawingReader, ReportsUnitAndGap)
 {
-  vtkPolyData* output = this->Read(Stadium(1e-5));
+  this->Set(Stadium(1e-5));
+  const FilterChecks::MessageRecorder messages(this->Reader);
+  this->Reader->Update();
+  EXPECT_EQ(messages.warnings.size(), 1U);
+  vtkPolyData* output = this->Reader->GetOutput();
   auto* unit =
     vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(names::DrawingUnit));
   ASSERT_NE(unit, nullptr);
