@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
+#include <ios>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -42,6 +44,23 @@ const UnitNames* FindUnit(std::string text)
   const auto found = Units.find(text);
   return found == Units.end() ? nullptr : &found->second;
 }
+
+/** Drops what Open CASCADE prints on standard output, which belongs to the results of the program. */
+class QuietOutput
+{
+public:
+  QuietOutput()
+    : Original(std::cout.rdbuf(this->Dropped.rdbuf()))
+  {
+  }
+  ~QuietOutput() { std::cout.rdbuf(this->Original); }
+  QuietOutput(const QuietOutput&) = delete;
+  QuietOutput& operator=(const QuietOutput&) = delete;
+
+private:
+  std::ostringstream Dropped;
+  std::streambuf* Original;
+};
 
 [[noreturn]] void Refuse(const std::string& file)
 {
@@ -87,22 +106,16 @@ void ModelFile::ReadStep()
 //------------------------------------------------------------------------------
 void ModelFile::ReadBrep()
 {
-  // Open CASCADE prints errors on standard output, which belongs to the results of the program.
-  const std::ostringstream messages;
-  std::streambuf* const output = std::cout.rdbuf(messages.rdbuf());
+  // Open CASCADE searches for words beyond the end of a file for ever, unless the stream throws.
+  std::ifstream stream(this->Name, std::ios::binary);
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  const QuietOutput quiet;
   const BRep_Builder builder;
-  bool isRead = false;
   try
   {
-    isRead = BRepTools::Read(this->Model, this->Name.c_str(), builder);
+    BRepTools::Read(this->Model, stream, builder);
   }
-  catch (...)
-  {
-    std::cout.rdbuf(output);
-    throw;
-  }
-  std::cout.rdbuf(output);
-  if (!isRead)
+  catch (const std::ios::failure&)
   {
     Refuse(this->Name);
   }
