@@ -101,17 +101,15 @@ def test_drawings():
     with open(geojson, "w", encoding="utf-8") as file:
         json.dump({"type": "Polygon", "coordinates": [SQUARE[:, :2].tolist()]}, file)
     for name in (msh, geojson):
-        report = crossfield.solve(name, PAIR).report
-        check(report["drawing"]["largest_gap"] == 0.0, "the report of a drawing")
-        check_equal({key: value for key, value in report.items() if key != "drawing"},
-                    {key: value for key, value in expected.items() if key != "drawing"}, "a drawing")
+        check_equal(crossfield.solve(name, PAIR).report, expected, "a drawing")
+        check(crossfield.read(name).GetFieldData().GetArray("LargestGap").GetValue(0) == 0.0, "its largest gap")
     sides = crossfield.read(msh).GetCellData().GetAbstractArray("Side")
     check(sorted(sides.GetValue(i) for i in range(4)) == ["", "", "", "south"], "names of a .msh file")
 
     open_svg = os.path.join(FOLDER, "open.svg")
     with open(open_svg, "w", encoding="utf-8") as file:
         file.write("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1V1H0V0.01'/></svg>")
-    expect_error("is open at (0, -0.01)", crossfield.read, open_svg)
+    expect_error("is open at (0, ", crossfield.read, open_svg)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         check(crossfield.read(open_svg, join_tolerance=0.02).GetNumberOfLines() == 4, "a closed gap")
