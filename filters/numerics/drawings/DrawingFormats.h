@@ -21,6 +21,6 @@ enum class DrawingFormat
 /// Returns the format of an ending in lower case with its dot.
 DrawingFormat FormatOfEnding(const std::string& ending);
 
-/// Reads a drawing. `file` is its name in messages. Throws Error if the text is not of the format.
+/// Reads a drawing. `file` is its name in messages. Names and messages are UTF-8 (TextEncoding.h). Throws Error if the text is not of the format.
 Drawing ReadDrawing(DrawingFormat format, std::string_view text, const std::string& file);
 }

@@ -147,6 +147,11 @@ std::vector<DxfObject> SplitDxf(std::string_view text, const std::string& file)
     throw Error(
       "The file '" + file + "' is a binary drawing of AutoCAD; export it as ASCII DXF instead.");
   }
+  if (text.find('\0') != std::string_view::npos)
+  {
+    throw Error(
+      "The file '" + file + "' has bytes that are no text; export it as ASCII DXF again.");
+  }
   std::vector<DxfObject> objects;
   std::vector<DxfGroup> groups;
   bool hasEnd = false;

@@ -1,6 +1,7 @@
 #include "MshStream.h"
 
 #include "Error.h"
+#include "TextEncoding.h"
 
 #include <algorithm>
 #include <charconv>
@@ -89,7 +90,7 @@ int MshStream::TextInteger()
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
   {
-    this->Refuse("has '" + std::string(word.substr(0, 20)) + "' in place of an integer");
+    this->Refuse("has '" + ToUtf8(word.substr(0, 20)) + "' in place of an integer");
   }
   return value;
 }
@@ -111,7 +112,7 @@ std::size_t MshStream::Count()
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
   if (result.ec != std::errc() || result.ptr != word.data() + word.size())
   {
-    this->Refuse("has '" + std::string(word.substr(0, 20)) + "' in place of a number of objects");
+    this->Refuse("has '" + ToUtf8(word.substr(0, 20)) + "' in place of a number of objects");
   }
   return value;
 }
@@ -129,7 +130,7 @@ double MshStream::Number()
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
     if (result.ec != std::errc() || result.ptr != word.data() + word.size())
     {
-      this->Refuse("has '" + std::string(word.substr(0, 20)) + "' in place of a number");
+      this->Refuse("has '" + ToUtf8(word.substr(0, 20)) + "' in place of a number");
     }
   }
   if (!std::isfinite(value))

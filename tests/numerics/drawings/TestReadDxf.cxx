@@ -1,6 +1,7 @@
 #include "ReadDxf.h"
 
 #include "DrawingChecks.h"
+#include "DrawingFormats.h"
 #include "Support.h"
 
 namespace crossfield::test
@@ -15,6 +16,18 @@ Drawing Read(const std::vector<std::string>& entities, const std::vector<std::st
 const std::vector<std::string> Square = { "LINE 8 wall 10 0 20 0 11 2 21 0",
   "LINE 8 wall 10 2 20 0 11 2 21 2", "LINE 8 inlet 10 2 20 2 11 0 21 2",
   "LINE 8 0 10 0 20 2 11 0 21 0" };
+
+TEST(ReadDxf, ReadsFilesOfWindows)
+{
+  std::string text = "\xEF\xBB\xBF" + DxfText(Square);
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
+  {
+    text.insert(at, "\r");
+  }
+  const Drawing drawing = ReadDrawing(DrawingFormat::Dxf, text, "part.dxf");
+  EXPECT_EQ(drawing.pieces.size(), 4U);
+  EXPECT_EQ(drawing.pieces[0].name, "wall");
+}
 
 TEST(ReadDxf, LayersAreNamesExceptLayer0)
 {
@@ -194,6 +207,7 @@ TEST(ReadDxf, RefusesOtherFiles)
   refuses("AutoCAD Binary DXF\r\n", "ASCII DXF");
   refuses("AC1027", "ASCII DXF");
   refuses("", "EOF");
+  refuses(std::string("0\n\0", 3), "no text");
   refuses("hello\nworld\n", "Line 1");
   const std::string good = DxfText(Square);
   refuses(good.substr(0, good.size() / 2), "part.dxf");

@@ -162,6 +162,7 @@ TEST(ReadMsh, RefusesOtherFiles)
   refuses(nodes + "1 15 2 1 1 1\n$EndElements\n", "no boundary");
   refuses(nodes + "1 1 2 1", "ends too early");
   refuses(nodes + "1 1 x 1 1 1 2\n", "'x'");
+  refuses(nodes + "1 1 " + std::string(1, '\0') + "5 1\n", "' 5' in place of an integer");
   for (const std::string& text : { Binary22(), Binary41(), Ascii41 })
   {
     for (std::size_t size = 0; size + 20 < text.size(); size += 7)
