@@ -2,6 +2,7 @@
 
 #include "CurvePieces.h"
 #include "Error.h"
+#include "TextEncoding.h"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -219,7 +220,7 @@ crossfield::Drawing DrawLargestFace(const ModelFile& model)
   {
     const std::string origin = "edge " + std::to_string(drawing.pieces.size() + 1) + " of the face";
     drawing.pieces.push_back(conversion.Convert(edge, origin));
-    drawing.pieces.back().name = model.NameOf(edge);
+    drawing.pieces.back().name = crossfield::ToUtf8(model.NameOf(edge));
     drawing.pieces.back().origin = origin;
   }
   if (count > 1)
