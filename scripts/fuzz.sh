@@ -23,7 +23,7 @@ fuzz() {
 }
 
 fuzz configuration build-checked/bin/fuzzConfiguration
-for format in vtp vtu vtk stl obj ply csv points.vtp points.csv; do
+for format in vtp vtu vtk stl obj ply csv dat dxf svg geojson msh points.vtp points.csv; do
   fuzz $format build-checked/bin/fuzzReader --format=$format
 done
 exit $status

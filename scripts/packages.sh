@@ -28,6 +28,8 @@ packages=(
   ccache cmake g++ ninja-build
   # Numerics: meshes, matrices, integers, network flows, sparse Cholesky factorisation.
   libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev
+  # Drawings: XML, and models. Without Open CASCADE the build leaves out .step and .brep files.
+  libexpat1-dev libocct-data-exchange-dev libocct-modeling-algorithms-dev
   # The program.
   libcli11-dev libdeflate-dev nlohmann-json3-dev
   # ParaView with its VTK and Python; Xvfb is the screen on which pictures are drawn.

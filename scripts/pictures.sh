@@ -20,6 +20,7 @@ draw() {
 
 draw docs_pictures.py --folder "$folder"
 python=$("$crossfield" --paths | sed -n 's/^python: //p')
+xvfb-run -a pvpython scripts/pictures/drawings.py "$crossfield" docs/drawings
 PYTHONPATH=$python /usr/bin/python3 scripts/pictures/glossary.py docs/glossary
 
 build=$(dirname "$(dirname "$(command -v "$crossfield")")")

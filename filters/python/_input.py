@@ -18,7 +18,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridRead
 
 from . import names
 from ._run import Error, Pipeline
-from .vtkCrossFieldFilters import vtkPlanarDomainReader, vtkPlanarDomainSource, vtkSingularitySource
+from .vtkCrossFieldFilters import (
+    vtkDrawingReader, vtkPlanarDomainReader, vtkPlanarDomainSource, vtkSingularitySource)
 
 Path = Union[str, "os.PathLike[str]"]
 #: One loop, several loops, a data set, a file, or "builtin:NAME".
@@ -88,40 +89,10 @@ def _loops(loops: Any) -> vtkPolyData:
     return result
 
 
-def _read_gmsh(path: str) -> vtkPolyData:
-    """Reads a Gmsh mesh with meshio: its triangles and quadrilaterals, or else its lines."""
-    try:
-        import meshio
-    except ImportError:
-        raise Error(
-            "The file '%s' is a mesh of Gmsh, which is read with the Python package meshio; install "
-            "it (Debian package python3-meshio), or convert the file where it is installed with "
-            "`python3 -c \"import meshio; meshio.write('%s', meshio.read('%s'))\"`."
-            % (path, os.path.splitext(path)[0] + ".vtu", path)) from None
-    try:
-        mesh = meshio.read(path)
-    except (Exception, SystemExit) as error:  # meshio raises errors of many types
-        raise Error("The file '%s' cannot be read by meshio (%s); check it." % (path, error)) from None
-    cells: dict[str, list[np.ndarray]] = {"line": [], "triangle": [], "quad": []}
-    for block in mesh.cells:
-        if block.type in cells:
-            cells[block.type].extend(np.asarray(block.data))
-        elif block.type != "vertex":
-            raise Error("The mesh '%s' has cells of type %s; give boundary lines or a mesh of "
-                        "triangles or quadrilaterals." % (path, block.type))
-    result = vtkPolyData()
-    result.SetPoints(_points(np.asarray(mesh.points, dtype=float)))
-    surfaces = cells["triangle"] + cells["quad"]
-    if surfaces:
-        result.SetPolys(_cells(surfaces))
-    elif cells["line"]:
-        result.SetLines(_cells(cells["line"]))
-    return result
-
-
-def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
+def read(path: Path, join_tolerance: Optional[float] = None) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     """Reads a domain from a file: .vtp .vtu .vtk .stl .obj .ply, .csv with the points of loops, an
-    aerofoil .dat, or a .msh of Gmsh if meshio is installed. "builtin:NAME" is a built-in domain.
+    aerofoil .dat, or a drawing: .dxf .svg .geojson .msh .step .brep, whose open ends are joined within
+    `join_tolerance`, by default 1e-5 of its diagonal. "builtin:NAME" is a built-in domain.
 
     Raises Error if there is no such file or domain, or the file cannot be read or holds no cells.
     """
@@ -131,17 +102,20 @@ def read(path: Path) -> Union[vtkPolyData, vtkUnstructuredGrid]:
     if not os.path.isfile(path):
         raise Error("There is no file '%s'; check the name of the domain." % path)
     ending = os.path.splitext(path)[1].lower()
+    if vtkDrawingReader.CanReadFile(path):
+        drawing = vtkDrawingReader()
+        drawing.SetFileName(path)
+        drawing.SetJoinTolerance(join_tolerance or 0.0)
+        return Pipeline().update_one(drawing).GetOutput()
     if ending in (".csv", ".dat"):
         reader = vtkPlanarDomainReader()
         reader.SetFileName(path)
         return Pipeline().update_one(reader).GetOutput()
-    if ending == ".msh":
-        data = _read_gmsh(path)
-    elif ending in _READERS:
+    if ending in _READERS:
         data = _read_with(_READERS[ending], path)
     else:
-        raise Error("The file '%s' has an unknown ending; give one of %s, .csv, .dat or .msh."
-                    % (path, ", ".join(_READERS)))
+        raise Error("The file '%s' has an unknown ending; give one of %s, .csv, .dat, .dxf, .svg, "
+                    ".geojson, .msh, .step or .brep." % (path, ", ".join(_READERS)))
     if not isinstance(data, vtkDataSet) or data.GetNumberOfCells() == 0:
         raise Error(
             "The file '%s' holds no cells; give boundary lines or a triangle mesh." % path)

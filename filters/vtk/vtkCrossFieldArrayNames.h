@@ -196,6 +196,14 @@ constexpr const char* LayerUsualRatio = "LayerUsualRatio";
 constexpr const char* NeighbourBlock = "NeighbourBlock";
 constexpr const char* NeighbourSide = "NeighbourSide";
 constexpr const char* NeighbourOrientation = "NeighbourOrientation";
+// Cells and field data of domains with curves: CurveConversion.h.
+constexpr const char* Curve = "Curve";
+constexpr const char* CurveKind = "CurveKind";
+constexpr const char* CurveOffset = "CurveOffset";
+constexpr const char* CurveValues = "CurveValues";
+// Field data: vtkDrawingReader.
+constexpr const char* DrawingUnit = "DrawingUnit";
+constexpr const char* LargestGap = "LargestGap";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";

@@ -120,9 +120,10 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 22> Rules = { {
+constexpr std::array<Rule, 23> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
+  { "DrawingReader", 0, ShowOutline },
   { "SingularitySource", 0, Look::ShowSingularities, Look::SetSingularityColours },
   { "SingularityHandles", 0, Look::ShowSingularities, Look::SetSingularityColours },
   { "ConfigurationProposal", 0, Look::ShowSingularities, Look::SetSingularityColours },

@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkStringArray.h"
 
 #include <CLI/CLI.hpp>
 
@@ -71,6 +72,11 @@ void BoundaryOptions::AddTo(CLI::App& command)
     .add_option("--smooth-boundary", this->smoothing,
       "smooth ragged boundaries: waves below this length, positive; default: no smoothing")
     ->check(NumberCheck::Positive());
+  command
+    .add_option("--join-tolerance", this->joinTolerance,
+      "join open ends of the curves of a drawing within this distance, positive; default: 1e-5 of "
+      "the drawing's diagonal")
+    ->check(NumberCheck::Positive());
 }
 
 namespace BoundaryInput
@@ -79,7 +85,8 @@ vtkSmartPointer<vtkAlgorithm> Open(
   const std::string& name, double size, const BoundaryOptions& options)
 {
   auto simplifier = vtkSmartPointer<vtkBoundarySimplifier>::New();
-  simplifier->SetInputConnection(DomainReader::Open(name, size)->GetOutputPort());
+  simplifier->SetInputConnection(
+    DomainReader::Open(name, size, options.joinTolerance)->GetOutputPort());
   simplifier->SetMeshSize(size);
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
@@ -109,6 +116,11 @@ void Keep(vtkAlgorithm* domain, const std::string& file)
 
 void Print(vtkAlgorithm* domain)
 {
+  vtkFieldData* data = domain->GetOutputDataObject(0)->GetFieldData();
+  if (auto* unit = vtkStringArray::SafeDownCast(data->GetAbstractArray(names::DrawingUnit)))
+  {
+    std::cout << "The unit of the drawing is " << unit->GetValue(0) << ".\n";
+  }
   if (const std::optional<Change> change = ChangeOf(domain))
   {
     std::cout << "The boundary has " << change->after << " of " << change->before

@@ -18,10 +18,11 @@ struct BoundaryOptions
 {
   double thinning = -1.0;                            ///< ThinningLength of vtkBoundarySimplifier.
   double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
+  double joinTolerance = 0.0;                        ///< JoinTolerance of vtkDrawingReader.
   std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
 
-  /** Adds the options --thin-boundary and --smooth-boundary. */
+  /** Adds the options --thin-boundary, --smooth-boundary and --join-tolerance. */
   void AddTo(CLI::App& command);
 };
 
@@ -37,7 +38,7 @@ void Keep(vtkAlgorithm* domain, vtkAlgorithm* points, int port = 0);
 /** Keeps the boundary in place at the points of a file, if one is named. */
 void Keep(vtkAlgorithm* domain, const std::string& file);
 
-/** Prints how the boundary was simplified and which corners merged, if any. */
+/** Prints the unit of a drawing, how the boundary was simplified and which corners merged, if any. */
 void Print(vtkAlgorithm* domain);
 }
 

@@ -3,6 +3,7 @@
 #include "IsolatedReading.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkDrawingReader.h"
 #include "vtkPlanarDomainReader.h"
 #include "vtkPlanarDomainSource.h"
 #include "vtkSingularitySource.h"
@@ -146,6 +147,29 @@ vtkSmartPointer<vtkAlgorithm> OpenLoops(const std::string& file, const std::stri
   return reader;
 }
 
+/** Reads a drawing. Open CASCADE may crash on a damaged model, so models are read in isolation. */
+vtkSmartPointer<vtkAlgorithm> OpenDrawing(
+  const std::string& file, const std::string& ending, double joinTolerance)
+{
+  vtkNew<vtkDrawingReader> reader;
+  reader->SetFileName(file);
+  reader->SetJoinTolerance(joinTolerance);
+  if (ending == ".step" || ending == ".stp" || ending == ".brep")
+  {
+    try
+    {
+      return IsolatedReading::Read(file, reader);
+    }
+    catch (const IsolatedReading::Crash& crash)
+    {
+      throw Error("The model '" + file + "' cannot be read (" + crash.what() +
+        "); export it again as .step or .brep.");
+    }
+  }
+  PipelineRun::Update(reader, "reading");
+  return reader.Get();
+}
+
 bool BeginsWith(const std::string& text, const std::string& part)
 {
   return text.compare(0, part.size(), part) == 0;
@@ -186,11 +210,10 @@ namespace DomainReader
 {
 const char* const Help =
   "domain: boundary loops or a triangle mesh in a .vtp .vtu .vtk .stl .obj .ply file, a .csv file "
-  "with "
-  "the points x,y or x,y,z of loops, an aerofoil .dat, - for standard input, or builtin:NAME (see "
-  "`crossfield domain --help`)";
+  "with the points x,y or x,y,z of loops, an aerofoil .dat, a drawing .dxf .svg .geojson .msh .step "
+  ".brep, - for standard input, or builtin:NAME (see `crossfield domain --help`)";
 
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
+vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength, double joinTolerance)
 {
   const std::string argument = NameOfInput(name);
   const std::string builtin = "builtin:";
@@ -237,22 +260,17 @@ vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength)
     RequireProperties(argument);
     return OpenWith<vtkPLYReader>(argument);
   }
+  if (vtkDrawingReader::CanReadFile(argument.c_str()) != 0)
+  {
+    return OpenDrawing(argument, ending, joinTolerance);
+  }
   if (ending == ".csv" || ending == ".dat")
   {
     return OpenLoops(argument);
   }
-  if (ending == ".msh")
-  {
-    const std::string converted = argument.substr(0, argument.size() - ending.size()) + ".vtu";
-    // The package of Debian has the module, but not the command `meshio convert`.
-    throw Error("The domain '" + argument +
-      "' is a mesh of Gmsh, which the program does not read; convert it "
-      "with `python3 -c \"import meshio; meshio.write('" +
-      converted + "', meshio.read('" + argument +
-      "'))\"` (Debian package python3-meshio) and give '" + converted + "'.");
-  }
   throw Error("The domain '" + argument +
-    "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply, .csv or .dat file.");
+    "' has an unknown ending; give a .vtp, .vtu, .vtk, .stl, .obj, .ply, .csv, .dat, .dxf, .svg, .geojson, .msh, "
+    ".step or .brep file.");
 }
 
 vtkSmartPointer<vtkAlgorithm> OpenPoints(const std::string& name)

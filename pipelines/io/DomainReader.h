@@ -18,12 +18,14 @@ extern const char* const Help;
 
 /**
  * Returns a source or reader for the argument: VTK's readers for .vtp .vtu .vtk .stl .obj .ply,
- * vtkPlanarDomainReader for .csv and .dat, and vtkPlanarDomainSource for builtin:NAME, with curves
- * sampled at `edgeLength` (0: the default). "-" is standard input; the type of data from standard
+ * vtkDrawingReader for drawings and aerofoils, with ends of curves joined within `joinTolerance` (0:
+ * the default), vtkPlanarDomainReader for .csv and other .dat, and vtkPlanarDomainSource for
+ * builtin:NAME, with curves sampled at `edgeLength` (0: the default). "-" is standard input; the type of data from standard
  * input and other pipes follows from their first bytes. Throws PipelineRun::Error for a file that
  * is missing, cannot be read or has no cells, and for an unknown ending.
  */
-vtkSmartPointer<vtkAlgorithm> Open(const std::string& name, double edgeLength);
+vtkSmartPointer<vtkAlgorithm> Open(
+  const std::string& name, double edgeLength, double joinTolerance = 0.0);
 
 /** Returns a source or reader for points with quarter indices: .vtp or .csv; "-" is standard input.
  */

@@ -1,7 +1,5 @@
 #include "IsolatedReading.h"
 
-#include "PipelineRun.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
@@ -132,9 +130,9 @@ std::string DescribeCrash(int status)
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU)
   {
-    return "VTK's reader takes too long on it";
+    return "its reader takes too long on it";
   }
-  return std::string("VTK's reader crashes on it") +
+  return std::string("its reader crashes on it") +
     (signal != 0 ? std::string(": ") + strsignal(signal) : "");
 }
 }
@@ -156,15 +154,15 @@ vtkSmartPointer<vtkAlgorithm> Read(const std::string& file, vtkAlgorithm* reader
   }
   if (child < 0)
   {
-    throw Error("the system cannot start a process to read it");
+    throw Crash("the system cannot start a process to read it");
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) < ChildStatus::Copied)
   {
-    throw Error(DescribeCrash(status));
+    throw Crash(DescribeCrash(status));
   }
   if (WEXITSTATUS(status) == ChildStatus::NoMemory)
   {
-    throw Error("it needs more memory than is available for a file of its size");
+    throw Crash("it needs more memory than is available for a file of its size");
   }
   std::ostringstream words;
   words << std::ifstream(text.Path()).rdbuf();

@@ -1,6 +1,8 @@
 #ifndef IsolatedReading_h
 #define IsolatedReading_h
 
+#include "PipelineRun.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -14,11 +16,18 @@ class vtkAlgorithm;
  */
 namespace IsolatedReading
 {
+/** Failure without an error message of the reader: a crash, or a limit that was reached. */
+class Crash : public PipelineRun::Error
+{
+public:
+  using PipelineRun::Error::Error;
+};
+
 /**
  * Updates the reader of a file in a child process, and returns a source for a copy of its output.
  * Warnings of the reader go to standard error.
  *
- * Throws PipelineRun::Error with the message of the reader, or if the reader crashes, needs more
+ * Throws PipelineRun::Error with the message of the reader, or Crash if the reader crashes, needs more
  * than ten seconds of processor time plus ten for every megabyte of the file, or more memory than
  * the machine has or than a gigabyte plus 1000 times the size of the file, the limit of compression
  * in .vtu and .vtp files.

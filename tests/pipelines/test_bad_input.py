@@ -112,7 +112,7 @@ class Domains(ProgramTest):
 
     def test_gmsh(self):
         (self.folder / "plate.msh").write_text("$MeshFormat\n")
-        self.refuse_solve("plate.msh", says=["meshio.write('plate.vtu', meshio.read('plate.msh'))"])
+        self.refuse_solve("plate.msh", says=["'plate.msh'", "ends too early"])
 
     def test_3d_cells(self):
         self.refuse_text(

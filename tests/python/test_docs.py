@@ -4,7 +4,8 @@
 
 All blocks of the page run in one temporary folder, from top to bottom, as a reader would run them.
 
-- ```csv NAME: the block is written to the file NAME.
+- ```csv NAME, ```svg NAME: the block is written to the file NAME. The files of the folder with the
+  page's name, such as docs/drawings of docs/drawings.md, are there as well, apart from pictures.
 - ```console: every line that begins with `crossfield` or `build/bin/crossfield`, after an optional
   `$ `, runs with PROGRAM; a `\` continues a line. Its exit status must be 0, or that of a comment
   `# exit status 1` at its end; the words in double quotes in the comment must be in its output.
@@ -17,6 +18,7 @@ All links of the page to files must have a target.
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -82,8 +84,12 @@ for target in re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", prose):
 
 blocks = re.findall(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
 with tempfile.TemporaryDirectory(prefix="crossfield-docs-") as directory:
+    own = os.path.splitext(page)[0]
+    for name in os.listdir(own) if os.path.isdir(own) else ():
+        if not name.endswith(".png"):
+            shutil.copy(os.path.join(own, name), directory)
     for language, name, block in blocks:
-        if language == "csv":
+        if language in ("csv", "svg"):
             with open(os.path.join(directory, name), "w", encoding="utf-8") as file:
                 file.write(block)
         elif language == "console":

@@ -3,11 +3,11 @@
 Every form of a domain and of singularities gives the same field, files are read, inputs are not
 changed, and errors and warnings are Python exceptions and warnings of one sentence.
 """
+import json
 import os
 import pathlib
 import sys
 import tempfile
-import types
 import warnings
 
 import numpy as np
@@ -89,55 +89,35 @@ def test_files():
         check(abs(energy / expected - 1) < 1e-6, "the energy of a .%s is %g" % (ending, energy))
 
 
-def test_gmsh():
-    """Replacement of meshio, to test without an installation of it."""
-    name = os.path.join(FOLDER, "square.msh")
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("what the stand-in does not read\n")
-    real = sys.modules.get("meshio")
-    try:
-        sys.modules["meshio"] = None  # importing it fails
-        command = "import meshio; meshio.write('%s', meshio.read('%s'))" % (name[:-4] + ".vtu", name)
-        expect_error(command, crossfield.solve, name)
+def test_drawings():
+    expected = crossfield.solve(SQUARE, PAIR).report
+    corners = ["%g %g" % tuple(place) for place in SQUARE[:, :2]]
+    msh = os.path.join(FOLDER, "square.msh")
+    with open(msh, "w", encoding="utf-8") as file:
+        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 5 \"south\"\n$EndPhysicalNames\n$Nodes\n4\n")
+        file.write("".join("%d %s 0\n" % (i + 1, place) for i, place in enumerate(corners)))
+        file.write("$EndNodes\n$Elements\n3\n1 1 2 5 1 1 2\n2 2 2 0 1 1 2 3\n3 2 2 0 1 1 3 4\n$EndElements\n")
+    geojson = os.path.join(FOLDER, "square.geojson")
+    with open(geojson, "w", encoding="utf-8") as file:
+        json.dump({"type": "Polygon", "coordinates": [SQUARE[:, :2].tolist()]}, file)
+    for name in (msh, geojson):
+        check_equal(crossfield.solve(name, PAIR).report, expected, "a drawing")
+        check(crossfield.read(name).GetFieldData().GetArray("LargestGap").GetValue(0) == 0.0, "its largest gap")
+    sides = crossfield.read(msh).GetCellData().GetAbstractArray("Side")
+    check(sorted(sides.GetValue(i) for i in range(4)) == ["", "", "", "south"], "names of a .msh file")
 
-        block = types.SimpleNamespace
-        points = np.vstack([SQUARE, [(1.0, 1.0)]])
-        outline = block(type="line", data=np.array([(0, 1), (1, 2), (2, 3), (3, 0)]))
-        triangles = block(type="triangle", data=np.array([(0, 1, 4), (1, 2, 4)]))
-        quads = block(type="quad", data=np.array([(0, 4, 2, 3)]))
-        vertex = block(type="vertex", data=np.array([(0,)]))
-        stand_in = types.ModuleType("meshio")
-        sys.modules["meshio"] = stand_in
-        expected = crossfield.solve(SQUARE, PAIR).report
-        for cells in ([vertex, outline], [outline, triangles, quads]):
-            stand_in.read = lambda path: block(points=points, cells=cells)
-            check_equal(crossfield.solve(name, PAIR).report, expected, "a mesh of Gmsh")
-        for cells, word in (([block(type="tetra", data=np.zeros((1, 4)))], "tetra"),
-                            ([vertex], "no cells")):
-            stand_in.read = lambda path: block(points=points, cells=cells)
-            expect_error(word, crossfield.solve, name)
-
-        def refuse(path):
-            raise ValueError("not a mesh")
-        stand_in.read = refuse
-        expect_error("not a mesh", crossfield.solve, name)
-    finally:
-        del sys.modules["meshio"]
-        if real is not None:
-            sys.modules["meshio"] = real
-    try:
-        import meshio
-    except ImportError:
-        print("meshio is not installed: no real file")
-        return
-    nodes = "".join("%d %r %r 0\n" % (i + 1, x, y) for i, (x, y) in enumerate(points.tolist()))
-    elements = "1 15 2 1 1 1\n2 1 2 1 1 1 2\n3 2 2 1 1 1 2 5\n4 2 2 1 1 2 3 5\n5 3 2 1 1 1 5 3 4\n"
-    with open(name, "w", encoding="utf-8") as file:
-        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n%s$EndNodes\n"
-                   "$Elements\n5\n%s$EndElements\n" % (nodes, elements))
-    check_equal(crossfield.solve(name, PAIR).report, expected, "a real mesh of Gmsh")
-    exec(command)  # the suggestion of the messages
-    check_equal(crossfield.solve(name[:-4] + ".vtu", PAIR).report, expected, "a converted mesh")
+    open_svg = os.path.join(FOLDER, "open.svg")
+    with open(open_svg, "w", encoding="utf-8") as file:
+        file.write("<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1V1H0V0.01'/></svg>")
+    expect_error("is open at (0, ", crossfield.read, open_svg)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        check(crossfield.read(open_svg, join_tolerance=0.02).GetNumberOfLines() == 4, "a closed gap")
+    check(len(caught) == 1 and "0.01 wide" in str(caught[0].message), "a warning about a gap")
+    for text in ("", "$MeshFormat\n9 0 8\n"):
+        with open(msh, "w", encoding="utf-8") as file:
+            file.write(text)
+        expect_error("square.msh", crossfield.read, msh)
 
 
 def test_errors():
@@ -204,6 +184,6 @@ def test_warning():
 
 
 with tempfile.TemporaryDirectory() as FOLDER:
-    for test in (test_forms_of_input, test_files, test_gmsh, test_errors, test_input_untouched, test_warning):
+    for test in (test_forms_of_input, test_files, test_drawings, test_errors, test_input_untouched, test_warning):
         test()
         print(test.__name__, "passed")

@@ -25,6 +25,7 @@ PROXIES = {
         "CoreRadius"),
     "PlanarDomainSource": ("sources", "DomainName Radius InnerRadius Width Height EdgeLength"),
     "PlanarDomainReader": ("sources", "FileName"),
+    "DrawingReader": ("sources", "FileName JoinTolerance SamplingAngle"),
     "SingularitySource": ("sources", "Domain Singularities OutputRows FileName UseHandles Handles Plane"),
     "SingularityHandles": ("filters", "Input Domain Singularities OutputRows Plane"),
     "DrillHoles": ("filters", "Input Singularities Mode MeshSize MinimumHoleEdges Gradation"),
@@ -74,7 +75,7 @@ def test_proxies():
             check(part in documentation.GetDescription(), "the help of %s has no %s" % (name, part))
         # Python names come from labels, so a label must be the name with spaces.
         check_equal(prototype.GetXMLLabel(), re.sub("(?<!^)(?=[A-Z])", " ", name), "the label")
-        if name != "PlanarDomainReader":  # which File, Open creates
+        if name not in ("DrawingReader", "PlanarDomainReader"):  # which File, Open creates
             menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
             # A category here would come before menus.xml, and in another order.
             check_equal(menu.GetAttribute("category"), None, "the menu of %s" % name)

@@ -1,0 +1,232 @@
+#include "FaceDrawing.h"
+
+#include "CurvePieces.h"
+#include "Error.h"
+#include "TextEncoding.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
+#include <gp_Pln.hxx>
+
+#include <vector>
+
+namespace
+{
+using crossfield::DomainPlane;
+using crossfield::DrawingPiece;
+using crossfield::Error;
+using crossfield::PlaneCurve;
+using crossfield::Point;
+
+struct PlanarFace
+{
+  TopoDS_Face face;
+  double area = 0.0;
+  gp_Dir normal;
+};
+
+std::vector<PlanarFace> PlanarFaces(const TopoDS_Shape& shape, int& faces)
+{
+  std::vector<PlanarFace> planar;
+  for (TopExp_Explorer explorer(shape, TopAbs_FACE); explorer.More(); explorer.Next())
+  {
+    ++faces;
+    const TopoDS_Face& face = TopoDS::Face(explorer.Current());
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() == GeomAbs_Plane)
+    {
+      GProp_GProps properties;
+      BRepGProp::SurfaceProperties(face, properties);
+      planar.push_back({ face, properties.Mass(), surface.Plane().Axis().Direction() });
+    }
+  }
+  return planar;
+}
+
+/** Returns the largest face. Two sides of a plate are equal and parallel; the first one is used. */
+const PlanarFace& Largest(const std::vector<PlanarFace>& faces, const std::string& file)
+{
+  constexpr double SameArea = 1e-6;
+  constexpr double Parallel = 1e-6; // radians
+  const PlanarFace* largest = &faces.front();
+  for (const PlanarFace& face : faces)
+  {
+    largest = face.area > largest->area * (1.0 + SameArea) ? &face : largest;
+  }
+  int equal = 0;
+  for (const PlanarFace& face : faces)
+  {
+    const bool isSame = face.area > largest->area * (1.0 - SameArea);
+    equal += isSame ? 1 : 0;
+    if (isSame && (equal > 2 || !face.normal.IsParallel(largest->normal, Parallel)))
+    {
+      throw Error("The model '" + file +
+        "' has several planar faces of the same, largest area; give a model of one face.");
+    }
+  }
+  return *largest;
+}
+
+Eigen::Vector3d ToVector(const gp_XYZ& place)
+{
+  return { place.X(), place.Y(), place.Z() };
+}
+
+/** Converts edges to pieces in a plane. */
+class EdgeConversion
+{
+public:
+  explicit EdgeConversion(const DomainPlane& plane)
+    : Plane(plane)
+  {
+    this->Axes.row(0) = plane.DirectionToSpace({ 1.0, 0.0 }).transpose();
+    this->Axes.row(1) = plane.DirectionToSpace({ 0.0, 1.0 }).transpose();
+  }
+
+  DrawingPiece Convert(const TopoDS_Edge& edge, const std::string& origin) const
+  {
+    const BRepAdaptor_Curve curve(edge);
+    const double begin = curve.FirstParameter();
+    const double end = curve.LastParameter();
+    switch (curve.GetType())
+    {
+    case GeomAbs_Line:
+      return crossfield::LinePiece(
+        this->At(curve.Value(begin).XYZ()), this->At(curve.Value(end).XYZ()));
+    case GeomAbs_Circle:
+    {
+      const gp_Circ circle = curve.Circle();
+      return this->Conic(circle.Position(), circle.Radius(), circle.Radius(), begin, end, origin);
+    }
+    case GeomAbs_Ellipse:
+    {
+      const gp_Elips ellipse = curve.Ellipse();
+      return this->Conic(
+        ellipse.Position(), ellipse.MajorRadius(), ellipse.MinorRadius(), begin, end, origin);
+    }
+    default:
+      return this->Spline(edge, origin);
+    }
+  }
+
+private:
+  Point At(const gp_XYZ& place) const { return this->Plane.ToPlane(ToVector(place)); }
+  Point Along(const gp_Dir& direction) const { return this->Axes * ToVector(direction.XYZ()); }
+
+  DrawingPiece Conic(const gp_Ax2& axes, double major, double minor, double begin, double end,
+    const std::string& origin) const
+  {
+    const Point axis = major * this->Along(axes.XDirection());
+    const bool isPositive = crossfield::Cross(axis, this->Along(axes.YDirection())) > 0.0;
+    const double sign = isPositive ? 1.0 : -1.0;
+    return crossfield::EllipsePiece(
+      this->At(axes.Location().XYZ()), axis, minor / major, sign * begin, sign * end, origin);
+  }
+
+  DrawingPiece Spline(const TopoDS_Edge& edge, const std::string& origin) const
+  {
+    double begin = 0.0;
+    double end = 0.0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end); // placed in space
+    const Handle(Geom_TrimmedCurve) part = new Geom_TrimmedCurve(curve, begin, end);
+    const Handle(Geom_BSplineCurve) spline = GeomConvert::CurveToBSplineCurve(part);
+    if (spline->IsPeriodic())
+    {
+      spline->SetNotPeriodic();
+    }
+    std::vector<double> knots;
+    for (int i = 1; i <= spline->NbKnots(); ++i)
+    {
+      knots.insert(knots.end(), static_cast<std::size_t>(spline->Multiplicity(i)), spline->Knot(i));
+    }
+    std::vector<Point> points;
+    std::vector<double> weights;
+    for (int i = 1; i <= spline->NbPoles(); ++i)
+    {
+      points.push_back(this->At(spline->Pole(i).XYZ()));
+      weights.push_back(spline->Weight(i));
+    }
+    return crossfield::NurbsPiece(
+      spline->Degree(), std::move(knots), std::move(points), std::move(weights), origin);
+  }
+
+  const DomainPlane& Plane;
+  Eigen::Matrix<double, 2, 3> Axes;
+};
+
+/** Returns the edges of a face that have a length. */
+std::vector<TopoDS_Edge> EdgesOf(const TopoDS_Face& face)
+{
+  std::vector<TopoDS_Edge> edges;
+  for (TopExp_Explorer explorer(face, TopAbs_EDGE); explorer.More(); explorer.Next())
+  {
+    const TopoDS_Edge& edge = TopoDS::Edge(explorer.Current());
+    if (!BRep_Tool::Degenerated(edge))
+    {
+      edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+/** Returns the plane of points along edges. */
+DomainPlane PlaneOf(const std::vector<TopoDS_Edge>& edges)
+{
+  constexpr int Points = 5;
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(Points * edges.size()));
+  Eigen::Index column = 0;
+  for (const TopoDS_Edge& edge : edges)
+  {
+    const BRepAdaptor_Curve curve(edge);
+    for (int i = 0; i < Points; ++i)
+    {
+      const double part = static_cast<double>(i) / (Points - 1);
+      places.col(column++) = ToVector(
+        curve.Value((1.0 - part) * curve.FirstParameter() + part * curve.LastParameter()).XYZ());
+    }
+  }
+  return DomainPlane::Find(places);
+}
+}
+
+//------------------------------------------------------------------------------
+crossfield::Drawing DrawLargestFace(const ModelFile& model)
+{
+  int count = 0;
+  const std::vector<PlanarFace> faces = PlanarFaces(model.Shape(), count);
+  if (faces.empty())
+  {
+    throw Error("The model '" + model.File() + "' has " +
+      (count == 0 ? std::string("no face") : "no planar face among " + std::to_string(count)) +
+      "; give a model with a planar face.");
+  }
+  const std::vector<TopoDS_Edge> edges = EdgesOf(Largest(faces, model.File()).face);
+  crossfield::Drawing drawing;
+  drawing.unit = model.Unit();
+  drawing.plane = PlaneOf(edges);
+  const EdgeConversion conversion(drawing.plane);
+  for (const TopoDS_Edge& edge : edges)
+  {
+    const std::string origin = "edge " + std::to_string(drawing.pieces.size() + 1) + " of the face";
+    drawing.pieces.push_back(conversion.Convert(edge, origin));
+    drawing.pieces.back().name = crossfield::ToUtf8(model.NameOf(edge));
+    drawing.pieces.back().origin = origin;
+  }
+  if (count > 1)
+  {
+    drawing.warnings.push_back("The largest planar face of '" + model.File() +
+      "' was used; it has " + std::to_string(count) + " faces.");
+  }
+  return drawing;
+}

@@ -1,0 +1,228 @@
+#include "ReadSvg.h"
+
+#include "Error.h"
+#include "SvgPath.h"
+#include "SvgShapes.h"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace crossfield
+{
+namespace
+{
+/// Collects the shapes while Expat reads the document.
+class SvgReader
+{
+public:
+  Drawing Read(std::string_view text, const std::string& file)
+  {
+    const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
+      XML_ParserCreate(nullptr), &XML_ParserFree);
+    XML_SetUserData(parser.get(), this);
+    XML_SetElementHandler(parser.get(), &SvgReader::OnStart, &SvgReader::OnEnd);
+    this->Parser = parser.get();
+    constexpr std::size_t Part = 1 << 20; // Expat's lengths are integers
+    bool isGood = true;
+    for (std::size_t at = 0; isGood && (at < text.size() || at == 0); at += Part)
+    {
+      const std::string_view part = text.substr(at, Part);
+      isGood = XML_Parse(parser.get(), part.data(), static_cast<int>(part.size()),
+                 at + Part >= text.size() ? 1 : 0) != XML_STATUS_ERROR;
+    }
+    if (this->Failure)
+    {
+      std::rethrow_exception(this->Failure);
+    }
+    if (!isGood)
+    {
+      throw Error("Line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + " of '" +
+        file + "' is no valid XML (" + XML_ErrorString(XML_GetErrorCode(parser.get())) +
+        "); save the drawing again.");
+    }
+    if (!this->HasSvg)
+    {
+      throw Error(
+        "The file '" + file + "' is no SVG document; give a drawing with the element svg.");
+    }
+    this->Finish(file);
+    return std::move(this->Result);
+  }
+
+private:
+  /// State inside an element.
+  struct Level
+  {
+    AffineMap map = IdentityMap();
+    std::string name;
+    bool isDrawn = true;
+  };
+
+  // An exception must not pass through Expat, which is C.
+  static void OnStart(void* data, const char* element, const char** attributes)
+  {
+    auto* self = static_cast<SvgReader*>(data);
+    self->Try([&] { self->Start(element, attributes); });
+  }
+  static void OnEnd(void* data, const char*)
+  {
+    auto* self = static_cast<SvgReader*>(data);
+    self->Try([&] { self->Levels.pop_back(); });
+  }
+  template <class Work>
+  void Try(const Work& work)
+  {
+    try
+    {
+      if (!this->Failure)
+      {
+        work();
+      }
+    }
+    catch (const std::exception&)
+    {
+      this->Failure = std::current_exception();
+      XML_StopParser(this->Parser, XML_FALSE);
+    }
+  }
+
+  void Start(const std::string& qualified, const char** pairs)
+  {
+    const std::string element = qualified.substr(qualified.rfind(':') + 1);
+    SvgAttributes attributes;
+    for (; *pairs != nullptr; pairs += 2)
+    {
+      attributes[pairs[0]] = pairs[1];
+    }
+    Level level = this->Levels.empty() ? Level() : this->Levels.back();
+    const std::set<std::string> notDrawn = { "clipPath", "defs", "linearGradient", "marker", "mask",
+      "metadata", "pattern", "radialGradient", "script", "style", "symbol", "title", "desc" };
+    const bool isPrefixed = element != qualified && qualified.rfind("svg:", 0) != 0;
+    level.isDrawn =
+      level.isDrawn && notDrawn.count(element) == 0 && !isPrefixed && IsShown(attributes);
+    if (level.isDrawn)
+    {
+      this->Draw(element, attributes, level);
+    }
+    this->Levels.push_back(std::move(level));
+  }
+
+  static bool IsShown(const SvgAttributes& attributes)
+  {
+    const auto value = [&attributes](const char* name)
+    {
+      const auto found = attributes.find(name);
+      std::string text = found == attributes.end() ? std::string() : found->second;
+      text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+      return text;
+    };
+    return value("display") != "none" && value("visibility") != "hidden" &&
+      value("style").find("display:none") == std::string::npos;
+  }
+
+  void Draw(const std::string& element, const SvgAttributes& attributes, Level& level)
+  {
+    if (const auto transform = attributes.find("transform"); transform != attributes.end())
+    {
+      level.map = Compose(level.map, SvgTransform(transform->second));
+    }
+    if (const auto id = attributes.find("id"); id != attributes.end() && element != "svg")
+    {
+      level.name = id->second;
+    }
+    if (element == "svg" && this->Levels.empty())
+    {
+      this->HasSvg = true;
+      this->ReadUnit(attributes);
+    }
+    else if (IsSvgShape(element))
+    {
+      this->AddShape(element, attributes, level);
+    }
+    else if (element != "g" && element != "a" && element != "switch")
+    {
+      ++this->Ignored[element];
+      level.isDrawn = false;
+    }
+  }
+
+  void ReadUnit(const SvgAttributes& attributes)
+  {
+    const auto width = attributes.find("width");
+    const auto box = attributes.find("viewBox");
+    if (width == attributes.end() || box == attributes.end())
+    {
+      return;
+    }
+    const std::vector<double> view = SvgNumbers(box->second);
+    const double millimetres = SvgMillimetres(width->second);
+    if (view.size() != 4 || !(view[2] > 0.0) || !(millimetres > 0.0))
+    {
+      return;
+    }
+    const double unit = millimetres / view[2];
+    std::ostringstream text;
+    text << unit << " mm";
+    // Sizes are written with few digits.
+    this->Result.unit = std::abs(unit - 1.0) < 1e-4 ? "mm" : text.str();
+  }
+
+  void AddShape(const std::string& element, const SvgAttributes& attributes, const Level& level)
+  {
+    AffineMap upward = IdentityMap();
+    upward(1, 1) = -1.0;
+    const std::string origin = "the " + element + " of line " +
+      std::to_string(XML_GetCurrentLineNumber(this->Parser)) +
+      (level.name.empty() ? "" : " ('" + level.name + "')");
+    for (DrawingPiece& piece : SvgShape(element, attributes))
+    {
+      piece.origin = origin;
+      piece.name = level.name;
+      Transform(Compose(upward, level.map), piece);
+      this->Result.pieces.push_back(std::move(piece));
+    }
+  }
+
+  void Finish(const std::string& file)
+  {
+    if (this->Result.pieces.empty())
+    {
+      throw Error(
+        "The file '" + file + "' has no visible shapes; draw the boundary of the domain.");
+    }
+    std::string ignored;
+    for (const auto& [element, count] : this->Ignored)
+    {
+      ignored += (ignored.empty() ? "" : ", ") + std::to_string(count) + " " + element;
+    }
+    if (!ignored.empty())
+    {
+      this->Result.warnings.push_back(
+        "Elements of '" + file + "' that are no shapes were left out: " + ignored + ".");
+    }
+  }
+
+  XML_Parser Parser = nullptr;
+  std::exception_ptr Failure;
+  bool HasSvg = false;
+  std::vector<Level> Levels;
+  std::map<std::string, std::size_t> Ignored;
+  Drawing Result;
+};
+}
+
+Drawing ReadSvg(std::string_view text, const std::string& file)
+{
+  return SvgReader().Read(text, file);
+}
+}

@@ -1,0 +1,62 @@
+#include "DrawingConversion.h"
+
+#include "ColumnWriting.h"
+#include "CurveConversion.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+namespace names = vtkCrossFieldArrayNames;
+
+namespace DrawingConversion
+{
+//------------------------------------------------------------------------------
+void WriteOutline(const crossfield::Drawing& drawing, const crossfield::DrawingOutline& outline,
+  vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  std::vector<std::string> sides;
+  CurveConversion::CellCurves curves;
+  curves.curves = outline.curves;
+  bool hasNames = false;
+  for (const crossfield::OutlineLoop& loop : outline.loops)
+  {
+    const vtkIdType first = points->GetNumberOfPoints();
+    const auto count = static_cast<vtkIdType>(loop.points.size());
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const auto index = static_cast<std::size_t>(i);
+      points->InsertNextPoint(drawing.plane.ToSpace(loop.points[index]).data());
+      lines->InsertNextCell({ first + i, first + (i + 1) % count });
+      const crossfield::OutlineSegment& segment = loop.segments[index];
+      sides.push_back(segment.name);
+      curves.ofCell.push_back(segment.curve);
+      hasNames = hasNames || !segment.name.empty();
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  if (hasNames)
+  {
+    ColumnWriting::AddColumn<vtkStringArray>(
+      output->GetCellData(), names::Side, sides, [](const std::string& name) { return name; });
+  }
+  if (!curves.curves.empty())
+  {
+    CurveConversion::AddCurves(curves, output);
+  }
+  if (!drawing.unit.empty())
+  {
+    ColumnWriting::AddText(output->GetFieldData(), names::DrawingUnit, drawing.unit);
+  }
+  ColumnWriting::AddNumbers(output->GetFieldData(), names::LargestGap, { outline.largestGap });
+}
+}

@@ -1,0 +1,100 @@
+#include "vtkDrawingReader.h"
+
+#include "CadLibrary.h"
+#include "DrawingConversion.h"
+#include "DrawingFormats.h"
+#include "DrawingOutline.h"
+#include "Error.h"
+#include "FilterRun.h"
+#include "PointTable.h"
+#include "ReadAerofoil.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <vtksys/SystemTools.hxx>
+
+vtkStandardNewMacro(vtkDrawingReader);
+
+namespace
+{
+using crossfield::DrawingFormat;
+
+std::string EndingOf(const std::string& file)
+{
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+}
+
+crossfield::Drawing ReadFile(const std::string& file)
+{
+  if (!vtksys::SystemTools::FileExists(file, true))
+  {
+    throw crossfield::Error("There is no file '" + file + "'; check the name of the drawing.");
+  }
+  if (CadLibrary::IsCad(EndingOf(file)))
+  {
+    return CadLibrary::Read(file);
+  }
+  const DrawingFormat format = crossfield::FormatOfEnding(EndingOf(file));
+  return crossfield::ReadDrawing(format, PointTable::ReadFile(file), file);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkDrawingReader::vtkDrawingReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+int vtkDrawingReader::CanReadFile(const char* fileName)
+{
+  if (fileName == nullptr || !vtksys::SystemTools::FileExists(fileName, true))
+  {
+    return 0;
+  }
+  const std::string ending = EndingOf(fileName);
+  const DrawingFormat format = crossfield::FormatOfEnding(ending);
+  if (format == DrawingFormat::Aerofoil)
+  {
+    return crossfield::IsAerofoil(PointTable::ReadFile(fileName)) ? 1 : 0;
+  }
+  return format != DrawingFormat::None || CadLibrary::IsCad(ending) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDrawingReader::CanReadCad()
+{
+  return CadLibrary::IsAvailable();
+}
+
+//------------------------------------------------------------------------------
+int vtkDrawingReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  return FilterRun::Run(this, this->ErrorCode,
+    [&](const crossfield::Progress& progress)
+    {
+      const crossfield::Drawing drawing = ReadFile(this->FileName);
+      constexpr double ReadShare = 0.5;
+      progress.Report(ReadShare);
+      const crossfield::DrawingOutline outline = crossfield::TraceOutline(
+        drawing, this->JoinTolerance, this->SamplingAngle * crossfield::Pi / 180.0);
+      DrawingConversion::WriteOutline(drawing, outline, vtkPolyData::GetData(outputVector));
+      for (const std::string& warning : outline.warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkDrawingReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "JoinTolerance: " << this->JoinTolerance << "\n";
+  os << indent << "SamplingAngle: " << this->SamplingAngle << "\n";
+}

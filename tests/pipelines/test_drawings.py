@@ -1,0 +1,203 @@
+"""Drawings as domains: the same plate in every format, units, names, gaps, and damaged files."""
+
+import json
+import pathlib
+import random
+import subprocess
+import time
+import unittest
+
+import drawing_files
+from drawing_files import circle, dxf, line, plate
+from program import PROGRAM, SENTENCE, ProgramTest
+from test_damaged_files import damage
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data" / "drawings"
+HAS_MODELS = subprocess.run([PROGRAM, "check", str(DATA / "plate.brep")], capture_output=True, check=False,
+                            text=True).stderr.find("built without Open CASCADE") < 0
+
+
+class Drawings(ProgramTest):
+    def write(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def check(self, name, *options):
+        """Returns the exit status, the report and what is printed on standard error."""
+        result = subprocess.run([PROGRAM, "check", str(name), *options, "--json", "-"], cwd=self.folder, timeout=60,
+                                capture_output=True, check=False, text=True, errors="replace")
+        return result.returncode, json.loads(result.stdout) if result.stdout else None, result.stderr
+
+    def accept(self, name, loops, *options):
+        """Expects a domain with so many loops; returns the report and the warnings."""
+        status, report, printed = self.check(name, *options)
+        self.assertIn(status, (0, 1), printed)
+        self.assertEqual(report["euler_characteristic"], 2 - loops, name)
+        return report, printed
+
+    def refuse_text(self, name, content, *parts):
+        self.write(name, content)
+        status, report, printed = self.check(name)
+        self.assertEqual((status, report), (2, None), printed)
+        sentence = printed.splitlines()[-1] + "\n"
+        self.assertRegex(sentence, SENTENCE)
+        for part in parts:
+            self.assertIn(part, sentence)
+
+    def test_the_plate_in_every_format(self):
+        files = {"a.dxf": drawing_files.plate_dxf(), "a.svg": drawing_files.SVG, "a.geojson": drawing_files.GEOJSON,
+                 "a.msh": drawing_files.msh22(), "b.msh": drawing_files.msh41(),
+                 "c.msh": drawing_files.msh22_binary()}
+        for name, content in files.items():
+            with self.subTest(name):
+                report, printed = self.accept(self.write(name, content), 2)
+                self.assertEqual(printed.count("Warning"), 0, printed)
+                self.assertEqual(report["drawing"]["largest_gap"], 0.0)
+                unit = {"dxf": "mm", "svg": "mm", "geojson": "degree"}.get(name[2:])
+                self.assertEqual(report["drawing"].get("unit"), unit)
+
+    def test_names_are_sides(self):
+        for name, content in (("a.dxf", drawing_files.plate_dxf()), ("a.svg", drawing_files.SVG),
+                              ("a.msh", drawing_files.msh22())):
+            self.write(name, content)
+            report = json.loads(self.run_program("quads", name, "-o", "q.vtu", "--quads", "200", "--count", "hole:16",
+                                                 "--json", "-").stdout)
+            sides = {side["name"]: side["edges"] for side in report["sides"]}
+            self.assertEqual((sorted(sides), sides["hole"]), (["hole", "wall"], 16))
+
+    def test_aerofoils(self):
+        for name, content in (("blunt.dat", drawing_files.naca()), ("sharp.dat", drawing_files.naca(blunt=False))):
+            report, _ = self.accept(self.write(name, content), 1)
+            self.assertIn("drawing", report)
+            self.assertEqual(len(report["corners"]), 2 if name == "blunt.dat" else 1)
+        # Plain loops are still read as loops.
+        report, _ = self.accept(self.write("square.dat", "square\n0 0\n1 0\n1 1\n0 1\n"), 1)
+        self.assertNotIn("drawing", report)
+
+    def test_far_from_the_origin(self):
+        for shift in (1e6, 1e9, -1e9):
+            report, printed = self.accept(self.write("far.dxf", drawing_files.plate_dxf(shift)), 2)
+            self.assertEqual(len(report["corners"]), 4)
+            self.assertNotIn("Warning", printed)
+
+    def test_gaps(self):
+        rows = plate()
+        rows[0] = line((0, 0), (3.999, 0))
+        self.refuse_text("gap.dxf", dxf(rows), "open at (3.999, 0)", "join tolerance to 0.0011")
+        _, printed = self.accept("gap.dxf", 2, "--join-tolerance", "0.0011")
+        self.assertIn("0.001 wide", printed)
+        rows[0] = line((0, 0), (3.99999, 0))
+        self.accept(self.write("gap.dxf", dxf(rows)), 2)  # within the default
+
+    def test_warnings(self):
+        rows = plate() + plate()[:2] + [("TEXT", 8, "wall", 10, 0, 20, 0, 1, "words")]
+        _, printed = self.accept(self.write("twice.dxf", dxf(rows)), 2)
+        self.assertIn("1 TEXT", printed)
+        self.assertIn("2 pieces of the drawing were left out", printed)
+
+    def test_drawings_that_are_no_domain(self):
+        cases = {
+            "open": (plate()[1:], "is open at", "missing part"),
+            "junction": (plate() + [line((0, 0), (1, 0.2))], "ore than two curves"),
+            "stub": (plate() + [line((2, 0), (2, 1))], "ends on the LINE"),
+            "apart": (plate() + [circle((9, 9), 1)], "outer"),
+            "crossing": (plate()[:4] + [circle((0, 1), 0.5)], ""),
+            "touching": (plate()[:4] + [circle((0.5, 1), 0.5)], ""),
+            "nothing": ([("TEXT", 10, 0, 20, 0, 1, "x")], "1 TEXT"),
+            "space": ([("LINE", 10, 0, 20, 0, 30, 0, 11, 1, 21, 0, 31, 1)], "z ranges"),
+        }
+        for name, (rows, *parts) in cases.items():
+            with self.subTest(name):
+                self.refuse_text(name + ".dxf", dxf(rows), *parts)
+        self.refuse_text("two.geojson", json.dumps({"type": "MultiPolygon", "coordinates": 2 * [
+            json.loads(drawing_files.GEOJSON)["coordinates"]]}), "2 polygons")
+        for ending in ("dxf", "svg", "geojson", "msh", "step", "brep"):
+            for text in ("", "this is no drawing\n"):
+                with self.subTest(f"{text!r} as .{ending}"):
+                    self.refuse_text("words." + ending, text)
+
+    def damage_all(self, name, content, copies=30):
+        """Expects a domain or one sentence for each damaged copy, and no crash."""
+        random_numbers = random.Random(name)
+        content = content if isinstance(content, bytes) else content.encode()
+        self.accept(self.write(name, content), 2 if "naca" not in name else 1)
+        for copy in range(copies):
+            damaged = damage(content, random_numbers)
+            for _ in range(copy % 3):
+                damaged = damage(damaged, random_numbers) if damaged else damaged
+            self.write(name, damaged)
+            started = time.monotonic()
+            status, report, printed = self.check(name)
+            self.assertIn(status, (0, 1, 2), (copy, printed))
+            if status == 2:
+                self.assertIsNone(report)
+                self.assertRegex(printed.splitlines()[-1] + "\n", SENTENCE, (copy, printed))
+            self.assertLess(time.monotonic() - started, 30.0)
+
+    def test_damaged_dxf(self):
+        rows = plate()[:4] + [
+            ("INSERT", 8, "hole", 2, "round", 10, 1, 20, 1),
+            ("LWPOLYLINE", 8, "a", 90, 2, 70, 1, 10, 2.5, 20, 1, 42, 1, 10, 3, 20, 1, 42, 1),
+            ("SPLINE", 8, "b", 70, 1, 71, 3, 74, 4, 11, 2.2, 21, 0.5, 11, 2, 21, 0.7, 11, 1.8, 21, 0.5, 11, 2, 21, 0.3)]
+        blocks = [("BLOCK", 2, "round", 10, 0, 20, 0), circle((0, 0), 0.5, "0"), ("ENDBLK",)]
+        content = dxf(rows, 4, blocks)
+        status, report, _ = self.check(self.write("all.dxf", content))
+        self.assertEqual((status, report["euler_characteristic"]), (1, -2))
+        random_numbers = random.Random(5)
+        for _ in range(40):
+            self.write("all.dxf", damage(content.encode(), random_numbers))
+            status, _, printed = self.check("all.dxf")
+            self.assertIn(status, (0, 1, 2), printed)
+            if status == 2:
+                self.assertRegex(printed.splitlines()[-1] + "\n", SENTENCE)
+
+    def test_damaged_svg(self):
+        self.damage_all("plate.svg", drawing_files.SVG)
+
+    def test_damaged_geojson(self):
+        self.damage_all("plate.geojson", drawing_files.GEOJSON)
+
+    def test_damaged_msh(self):
+        self.damage_all("plate22.msh", drawing_files.msh22())
+        self.damage_all("plate41.msh", drawing_files.msh41())
+        self.damage_all("binary.msh", drawing_files.msh22_binary())
+
+    def test_damaged_aerofoil(self):
+        self.damage_all("naca.dat", drawing_files.naca(20))
+
+    @unittest.skipUnless(HAS_MODELS, "built without Open CASCADE")
+    def test_damaged_models(self):
+        for name in ("plate.step", "plate.brep"):
+            content = (DATA / name).read_bytes()
+            self.write("good." + name, content)
+            random_numbers = random.Random(name)
+            for _ in range(30):
+                self.write(name, damage(content, random_numbers))
+                status, _, printed = self.check(name)
+                self.assertIn(status, (0, 1, 2), printed)
+                if status == 2:
+                    self.assertRegex(printed.splitlines()[-1] + "\n", SENTENCE)
+
+    @unittest.skipUnless(HAS_MODELS, "built without Open CASCADE")
+    def test_models(self):
+        for name in ("plate.step", "plate.brep", "tilted.step", "solid.step"):
+            with self.subTest(name):
+                report, printed = self.accept(DATA / name, 3)
+                self.assertEqual(report["drawing"].get("unit"), "mm" if name.endswith("step") else None)
+                self.assertEqual("largest planar face" in printed, name == "solid.step")
+        content = (DATA / "plate.step").read_text()
+        metres = content.replace("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)")
+        self.assertNotEqual(metres, content)
+        report, _ = self.accept(self.write("metres.step", metres), 3)
+        self.assertEqual(report["drawing"]["unit"], "m")
+
+    def test_files_of_other_programs(self):
+        report, printed = self.accept(DATA / "ezdxf.dxf", 5)
+        self.assertEqual(report["drawing"]["unit"], "mm")
+        self.assertIn("MTEXT", printed)
+        for name in ("gmsh22.msh", "gmsh41.msh", "gmsh41_binary.msh"):
+            report, _ = self.accept(DATA / name, 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
