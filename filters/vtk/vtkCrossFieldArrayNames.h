@@ -195,6 +195,11 @@ constexpr const char* LayerRatio = "LayerRatio";
 constexpr const char* NeighbourBlock = "NeighbourBlock";
 constexpr const char* NeighbourSide = "NeighbourSide";
 constexpr const char* NeighbourOrientation = "NeighbourOrientation";
+// Cells and field data of domains with curves: CurveConversion.h.
+constexpr const char* Curve = "Curve";
+constexpr const char* CurveKind = "CurveKind";
+constexpr const char* CurveOffset = "CurveOffset";
+constexpr const char* CurveValues = "CurveValues";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";
