@@ -200,6 +200,16 @@ constexpr const char* Curve = "Curve";
 constexpr const char* CurveKind = "CurveKind";
 constexpr const char* CurveOffset = "CurveOffset";
 constexpr const char* CurveValues = "CurveValues";
+// Field data of curves in quad meshes: vtkQuadMesher, vtkQuadsToHigherOrder.
+constexpr const char* CurveSides = "CurveSides";
+constexpr const char* CurveEdges = "CurveEdges";
+constexpr const char* CurveMoved = "CurveMoved";
+constexpr const char* CurveSagitta = "CurveSagitta";
+constexpr const char* Order = "Order";
+constexpr const char* JacobianRatio = "JacobianRatio";
+constexpr const char* JacobianRatioMin = "JacobianRatioMin";
+constexpr const char* CurvedRows = "CurvedRows";
+constexpr const char* CurvedInverted = "CurvedInverted";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";

@@ -20,6 +20,7 @@ struct BoundaryOptions
   double smoothing = 0.0;                            ///< SmoothingLength of vtkBoundarySimplifier.
   std::string names;                                 ///< SideNameArray of vtkBoundarySimplifier.
   std::vector<std::pair<std::string, double>> sizes; ///< AddSideSize of vtkBoundarySimplifier.
+  std::string curves;                                ///< Curves of vtkBoundarySimplifier.
 
   /** Adds the options --thin-boundary and --smooth-boundary. */
   void AddTo(CLI::App& command);

@@ -197,7 +197,7 @@ std::vector<LayerReport> AddLayersForCount(const QuadRequest& request, int total
   const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
 {
   constexpr int MaximumTries = 5;
-  const BoundaryCurves curves(*map.topology);
+  const BoundaryCurves curves(*map.topology, options.curves);
   const int separateBlocks = quads.separateBlocks;
   std::optional<QuadResult> best;
   int bestCount = options.quadCount;
