@@ -97,6 +97,13 @@ void ShowQuads(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
+void ShowCurvedQuads(vtkSMProxy* shown)
+{
+  ShowQuads(shown);
+  Set(shown, "NonlinearSubdivisionLevel", 3); // one level draws each half of an edge straight
+}
+
+//------------------------------------------------------------------------------
 void SetBlockColours(vtkSMProxy* shown)
 {
   Look::SetColourMap(shown, "BlockId", Look::PaleColours());
@@ -120,7 +127,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 22> Rules = { {
+constexpr std::array<Rule, 23> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "SingularitySource", 0, Look::ShowSingularities, Look::SetSingularityColours },
@@ -143,6 +150,7 @@ constexpr std::array<Rule, 22> Rules = { {
   { "QuadMesher", 5, Hide<ShowOutline> },
   { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
   { "QuadMesher", 7, Hide<ShowLines> },
+  { "QuadsToHigherOrder", 0, ShowCurvedQuads, SetBlockColours },
 } };
 
 /** Output that is a text for the view. */

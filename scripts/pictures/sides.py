@@ -118,4 +118,5 @@ def main(program, folder):
             draw(quads, os.path.join(folder, name + ".png"))
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

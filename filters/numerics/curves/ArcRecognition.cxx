@@ -15,8 +15,8 @@ namespace crossfield
 namespace
 {
 constexpr std::size_t FewestPoints = 5;
-/// Distance of points from their circle, relative to the extent: coordinates in single precision
-/// have errors of 6e-8.
+/// Distance of points from their circle, relative to the diagonal of the loop, because coordinates in
+/// single precision have errors of 6e-8. The domain may be much larger than a profile in it.
 constexpr double LargestResidual = 1e-7;
 /// The same, relative to the smallest sagitta: other smooth curves deviate more from their circles of
 /// curvature, because their curvature changes.
@@ -26,9 +26,9 @@ constexpr double SmallestTurn = Pi / 6.0;
 class ArcFinder
 {
 public:
-  ArcFinder(const Loop& loop, double extent, double cornerAngle)
+  ArcFinder(const Loop& loop, double cornerAngle)
     : Vertices(loop)
-    , Extent(extent)
+    , Extent(BoundingDiagonal({ loop }))
   {
     for (std::size_t i = 0; i < loop.size(); ++i)
     {
@@ -183,8 +183,8 @@ private:
 };
 }
 
-std::vector<RecognisedArc> FindArcs(const Loop& loop, double extent, double cornerAngle)
+std::vector<RecognisedArc> FindArcs(const Loop& loop, double cornerAngle)
 {
-  return ArcFinder(loop, extent, cornerAngle).Find();
+  return ArcFinder(loop, cornerAngle).Find();
 }
 }

@@ -170,11 +170,10 @@ public:
 
   void FindArcs()
   {
-    const double extent = this->Domain.Diagonal();
     for (std::size_t l = 0; l < this->Domain.loops.size(); ++l)
     {
       const std::size_t count = this->Domain.loops[l].size();
-      for (const RecognisedArc& arc : crossfield::FindArcs(this->Domain.loops[l], extent))
+      for (const RecognisedArc& arc : crossfield::FindArcs(this->Domain.loops[l]))
       {
         bool isFree = true;
         for (std::size_t i = 0; i < arc.count; ++i)

@@ -100,17 +100,33 @@ double CurvedLoops::Nearest(const LoopArc& arc, std::size_t loop, const Point& p
   {
     return nearest;
   }
-  const auto [side, fraction] = arc.SideAt(nearest);
-  const Segment& segment = this->Segments[loop][side];
-  const double extent = segment.parameters.to - segment.parameters.from;
-  if (segment.curve < 0 || extent == 0.0)
+  const std::vector<Segment>& segments = this->Segments[loop];
+  auto [side, fraction] = arc.SideAt(nearest);
+  double last = 0.0; // the direction in which the segment before was left
+  for (;;)
   {
-    return nearest;
+    const Segment& segment = segments[side];
+    const double extent = segment.parameters.to - segment.parameters.from;
+    if (segment.curve < 0 || extent == 0.0)
+    {
+      return arc.Start(side) + fraction * (arc.Start(side + 1) - arc.Start(side));
+    }
+    const double from = segment.parameters.from;
+    const double parameter =
+      this->Evaluators[Index(segment.curve)].NearestFrom(place, from + fraction * extent);
+    const double found = (parameter - from) / extent;
+    const std::size_t next =
+      found < 0.0 ? (side + segments.size() - 1) % segments.size() : (side + 1) % segments.size();
+    const bool continues = found < 0.0 ? !segment.startsCurve : !segments[next].startsCurve;
+    const double direction = found < 0.0 ? -1.0 : 1.0;
+    if ((found >= 0.0 && found <= 1.0) || !continues || direction == -last)
+    {
+      return arc.Start(side) +
+        std::clamp(found, 0.0, 1.0) * (arc.Start(side + 1) - arc.Start(side));
+    }
+    fraction = found < 0.0 ? 1.0 : 0.0;
+    side = next;
+    last = direction;
   }
-  const double from = segment.parameters.from;
-  const double parameter =
-    this->Evaluators[Index(segment.curve)].NearestFrom(place, from + fraction * extent);
-  const double found = std::clamp((parameter - from) / extent, 0.0, 1.0);
-  return arc.Start(side) + found * (arc.Start(side + 1) - arc.Start(side));
 }
 }
