@@ -33,31 +33,6 @@ void RequireNurbs(const PlaneCurve& curve)
       "match, or weights that are not positive; correct the drawing.");
   }
 }
-
-/// Returns the local minima of a sequence of distances, best first, at most three.
-std::vector<std::size_t> BestSamples(const std::vector<double>& distances, bool isClosed)
-{
-  const std::size_t count = distances.size();
-  std::vector<std::size_t> minima;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double before = i > 0 ? distances[i - 1]
-      : isClosed                ? distances[count - 1]
-                                : std::numeric_limits<double>::infinity();
-    const double after = i + 1 < count ? distances[i + 1]
-      : isClosed                       ? distances[0]
-                                       : std::numeric_limits<double>::infinity();
-    if (distances[i] <= before && distances[i] <= after)
-    {
-      minima.push_back(i);
-    }
-  }
-  const std::size_t kept = std::min<std::size_t>(3, minima.size());
-  std::partial_sort(minima.begin(), minima.begin() + static_cast<std::ptrdiff_t>(kept),
-    minima.end(), [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
-  minima.resize(kept);
-  return minima;
-}
 }
 
 CurveEvaluator::CurveEvaluator(PlaneCurve curve)
@@ -87,6 +62,7 @@ CurveEvaluator::CurveEvaluator(PlaneCurve curve)
     this->Samples.pop_back(); // the first sample again
     this->Parameters.pop_back();
   }
+  this->FormBlocks();
 }
 
 void CurveEvaluator::TakeSamples()
@@ -123,6 +99,72 @@ void CurveEvaluator::TakeSamples()
     high = high.cwiseMax(this->Samples.back());
   }
   this->Extent = (high - low).norm();
+}
+
+void CurveEvaluator::FormBlocks()
+{
+  const std::size_t count = this->Samples.size();
+  const auto size = static_cast<std::size_t>(std::sqrt(static_cast<double>(count))) + 1;
+  for (std::size_t first = 0; first < count; first += size)
+  {
+    SampleBlock block;
+    block.first = first;
+    block.end = std::min(first + size, count);
+    for (std::size_t i = block.first; i < block.end; ++i)
+    {
+      block.centre += this->Samples[i] / static_cast<double>(block.end - block.first);
+      this->Spacing =
+        std::max(this->Spacing, (this->Samples[(i + 1) % count] - this->Samples[i]).norm());
+    }
+    for (std::size_t i = block.first; i < block.end; ++i)
+    {
+      block.radius = std::max(block.radius, (this->Samples[i] - block.centre).norm());
+    }
+    this->Blocks.push_back(block);
+  }
+}
+
+std::vector<std::size_t> CurveEvaluator::SamplesNear(const Point& place) const
+{
+  // The nearest point of the curve is within half the spacing of a sample, so that sample is at most
+  // the spacing farther away than the nearest one.
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const SampleBlock& block : this->Blocks)
+  {
+    smallest = std::min(smallest, (block.centre - place).norm() + block.radius);
+  }
+  const auto isNear = [&](const SampleBlock& block)
+  { return (block.centre - place).norm() - block.radius <= smallest + this->Spacing; };
+  const auto distanceOf = [&](std::size_t i) { return (this->Samples[i] - place).norm(); };
+  for (const SampleBlock& block : this->Blocks)
+  {
+    for (std::size_t i = block.first; i < block.end && isNear(block); ++i)
+    {
+      smallest = std::min(smallest, distanceOf(i));
+    }
+  }
+  const std::size_t count = this->Samples.size();
+  std::vector<std::size_t> minima;
+  for (const SampleBlock& block : this->Blocks)
+  {
+    for (std::size_t i = block.first; i < block.end && isNear(block); ++i)
+    {
+      const double distance = distanceOf(i);
+      const bool isFirst = i == 0 && !this->Closed;
+      const bool isLast = i + 1 == count && !this->Closed;
+      if (distance <= smallest + this->Spacing &&
+        (isFirst || distance <= distanceOf((i + count - 1) % count)) &&
+        (isLast || distance <= distanceOf((i + 1) % count)))
+      {
+        minima.push_back(i);
+      }
+    }
+  }
+  const std::size_t kept = std::min<std::size_t>(3, minima.size());
+  std::partial_sort(minima.begin(), minima.begin() + static_cast<std::ptrdiff_t>(kept),
+    minima.end(), [&](std::size_t a, std::size_t b) { return distanceOf(a) < distanceOf(b); });
+  minima.resize(kept);
+  return minima;
 }
 
 double CurveEvaluator::Limit(double parameter) const
@@ -273,15 +315,9 @@ double CurveEvaluator::Nearest(const Point& place) const
     const Point offset = place - this->Data.centre;
     return offset.norm() > 0.0 ? AngleBetween(this->Data.axis, offset) : 0.0;
   }
-  std::vector<double> distances;
-  distances.reserve(this->Samples.size());
-  for (const Point& sample : this->Samples)
-  {
-    distances.push_back((sample - place).squaredNorm());
-  }
   double best = this->Start;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const std::size_t sample : BestSamples(distances, this->Closed))
+  for (const std::size_t sample : this->SamplesNear(place))
   {
     const double found = this->NearestFrom(place, this->Parameters[sample]);
     const double distance = (this->At(found) - place).squaredNorm();

@@ -51,10 +51,22 @@ public:
   double Unwrap(double parameter, double near) const;
 
 private:
+  /// Consecutive samples in a circle.
+  struct SampleBlock
+  {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    Point centre = Point::Zero();
+    double radius = 0.0;
+  };
+
   double Limit(double parameter) const;
   CurveFrame ConicFrame(double parameter) const;
   CurveFrame NurbsFrame(double parameter) const;
   void TakeSamples();
+  void FormBlocks();
+  /// Returns the samples from which the nearest point is searched for, at most three.
+  std::vector<std::size_t> SamplesNear(const Point& place) const;
 
   PlaneCurve Data;
   double Start = 0.0;
@@ -63,6 +75,8 @@ private:
   double Extent = 0.0;            ///< Diagonal of the samples' bounding box.
   std::vector<double> Parameters; ///< Of the samples, increasing.
   std::vector<Point> Samples;
+  std::vector<SampleBlock> Blocks; ///< Of about the square root of the number of samples.
+  double Spacing = 0.0;            ///< Largest distance of consecutive samples.
 };
 
 /// Returns the vector turned by 90° to the left.

@@ -56,6 +56,7 @@ public:
     : Domain(domain)
     , Curves(curves)
     , Limits(limits)
+    , Extent(domain.Diagonal())
     , Arcs(domain.loops.begin(), domain.loops.end())
   {
     for (const PlaneCurve& curve : curves.curves)
@@ -81,7 +82,7 @@ public:
   /// Returns the new position of a point on the boundary, and makes it a vertex.
   Point Keep(const Point& point)
   {
-    const double reach = BoundaryReach * this->Domain.Diagonal();
+    const double reach = BoundaryReach * this->Extent;
     for (std::size_t l = 0; l < this->Arcs.size(); ++l)
     {
       const double at = this->Arcs[l].Find(point, reach);
@@ -183,7 +184,7 @@ private:
       return vertex;
     }
     const Point place = this->EvaluatorOf(l, i).At(this->Ends[l][i].from);
-    return (place - vertex).norm() > OnCurve * this->Domain.Diagonal() ? place : vertex;
+    return (place - vertex).norm() > OnCurve * this->Extent ? place : vertex;
   }
 
   /// Returns the new vertices inside a segment.
@@ -219,6 +220,7 @@ private:
   const PlanarDomain& Domain;
   const CurvesOfSegments& Curves;
   const SamplingLimits& Limits;
+  const double Extent; ///< Diagonal of the domain.
   const std::vector<LoopArc> Arcs;
   std::vector<CurveEvaluator> Evaluators;
   std::vector<std::vector<SegmentParameters>> Ends;    ///< Per loop and segment.
