@@ -16,7 +16,9 @@
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
 #include "vtkQuadMesher.h"
+#include "vtkQuadsToHigherOrder.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -61,6 +63,7 @@ struct QuadsOptions
   bool split = false;
   std::vector<std::string> layers;
   std::vector<std::string> cornerRows;
+  int order = 1;
 };
 
 double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
@@ -72,6 +75,14 @@ double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
 vtkDataSet* Singularities(vtkQuadMesher* mesher)
 {
   return vtkDataSet::SafeDownCast(mesher->GetOutputDataObject(3));
+}
+
+/** Returns whether the boundary of a domain has curves. */
+bool HasCurves(vtkAlgorithm* domain)
+{
+  return vtkDataSet::SafeDownCast(domain->GetOutputDataObject(0))
+           ->GetCellData()
+           ->GetAbstractArray(names::Curve) != nullptr;
 }
 
 /** Returns the data that the report of a mesh is written from. */
@@ -131,6 +142,26 @@ std::string Join(const std::vector<std::string>& entries)
   return text;
 }
 
+/** Prints a line for each curve. */
+void PrintCurves(vtkFieldData* report)
+{
+  auto* sides = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::CurveSides));
+  auto* kinds = vtkStringArray::SafeDownCast(report->GetAbstractArray(names::CurveKind));
+  for (vtkIdType i = 0; sides != nullptr && i < sides->GetNumberOfValues(); ++i)
+  {
+    std::cout << kinds->GetValue(i) << " along '" << sides->GetValue(i)
+              << "': " << report->GetArray(names::CurveEdges)->GetTuple1(i)
+              << " edges, nodes moved by at most "
+              << report->GetArray(names::CurveMoved)->GetTuple1(i) << "\n";
+  }
+  if (vtkDataArray* ratio = report->GetArray(names::JacobianRatioMin))
+  {
+    std::cout << "curved quads of order " << report->GetArray(names::Order)->GetTuple1(0)
+              << ": minimum over maximum of det J at least " << ratio->GetTuple1(0) << ", "
+              << report->GetArray(names::CurvedInverted)->GetTuple1(0) << " inverted\n";
+  }
+}
+
 /** Prints a line for each boundary layer. */
 void PrintLayers(vtkFieldData* report)
 {
@@ -156,6 +187,7 @@ int Mesh(const QuadsOptions& options)
   // 2. Read the domain and the configuration.
   BoundaryOptions boundary = options.boundary;
   boundary.sizes = options.sides.ReadSizes();
+  boundary.curves = options.sides.CurvesText();
   const auto domain = BoundaryInput::Open(options.domain, options.meshSize, boundary);
   vtkNew<vtkQuadMesher> mesher;
   mesher->SetInputConnection(domain->GetOutputPort());
@@ -185,9 +217,22 @@ int Mesh(const QuadsOptions& options)
   }
 
   // 3. Mesh.
+  PipelineRun::Update(domain, "reading");
+  if (!HasCurves(domain)) // a surface with sizes passes the simplification without them
+  {
+    mesher->SetCurves(boundary.curves);
+  }
   PipelineRun::Update(mesher, "meshing");
   const vtkNew<vtkUnstructuredGrid> quads;
   mesher->CopyMesh(quads);
+  if (options.order > 1)
+  {
+    vtkNew<vtkQuadsToHigherOrder> raiser;
+    raiser->SetInputData(quads);
+    raiser->SetOrder(options.order);
+    PipelineRun::Update(raiser, "curving");
+    quads->ShallowCopy(raiser->GetOutput());
+  }
 
   // 4. Write.
   OutputTransaction outputs;
@@ -233,9 +278,12 @@ int Mesh(const QuadsOptions& options)
               << ", minimum scaled Jacobian " << Value(quads, names::ScaledJacobianRange)
               << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
     PrintLayers(quads->GetFieldData());
+    PrintCurves(quads->GetFieldData());
   }
   outputs.Commit();
-  return Value(quads, names::Inverted) > 0.0 ? AnswerIsNo : Done;
+  const bool isInverted = Value(quads, names::Inverted) > 0.0 ||
+    (options.order > 1 && Value(quads, names::CurvedInverted) > 0.0);
+  return isInverted ? AnswerIsNo : Done;
 }
 }
 
@@ -328,6 +376,10 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->type_name("X,Y|ANGLE-ANGLE|NAME:end|turn|leave")
     ->expected(1)
     ->take_all();
+  command
+    ->add_option("--order", options->order,
+      "order of the quads: 1, or 2 or 3 with boundary edges along the curves; default: 1")
+    ->check(CLI::Range(1, 3));
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

@@ -8,12 +8,14 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 from . import names
 from ._configurations import checked
 from ._input import Domain, Singularities, as_configuration, as_domain
+from ._layers import Curves, curves_text
 from ._run import Error, Pipeline
 from .vtkCrossFieldFilters import vtkBoundarySimplifier
 
 
 def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[float] = None,
-             smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0
+             smooth: float = 0.0, keep: Singularities = None, corner_angle: float = 30.0,
+             curves: Optional[Curves] = None
              ) -> tuple[Union[vtkPolyData, vtkUnstructuredGrid], float]:
     """Returns a domain with less detail in its boundary, and the maximum distance that the boundary
     was moved.
@@ -23,6 +25,9 @@ def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[flo
     thin    removes detail below this length; 0: none; default: 0.02 of the size
     smooth  smooths waves below this length; 0: none
     keep    singularities and corners on the boundary, which stays in place there
+
+    curves  curves that sides stand for, as for `quads`: they are fitted before the boundary is simplified, and
+            the domain has them
 
     The program simplifies every domain; the other functions of this package do not.
 
@@ -41,6 +46,8 @@ def simplify(domain: Domain, *, size: Optional[float] = None, thin: Optional[flo
     simplifier.SetThinningLength(-1.0 if thin is None else thin)
     simplifier.SetSmoothingLength(smooth)
     simplifier.SetCornerAngle(corner_angle)
+    if curves is not None:
+        simplifier.SetCurves(curves_text(curves))
     if keep is not None:
         simplifier.SetInputData(1, as_configuration(keep))
     found = pipeline.update(simplifier).GetOutputDataObject(0)

@@ -1,4 +1,4 @@
-"""Boundary layers and treatments of corners in the text form of vtkQuadMesher."""
+"""Boundary layers, treatments of corners and curves in the text form of vtkQuadMesher."""
 from __future__ import annotations
 
 from typing import Mapping, Sequence, Union
@@ -7,6 +7,7 @@ from ._run import Error
 
 Layers = Mapping[str, Union[float, Sequence[float]]]
 CornerRows = Mapping[Union[str, Sequence[float]], str]
+Curves = Union[str, Mapping[str, str]]
 
 
 def _name(name: str) -> str:
@@ -31,3 +32,12 @@ def corner_rows_text(rows: CornerRows) -> str:
         place = _name(where) if isinstance(where, str) else ",".join(repr(float(x)) for x in where)
         entries.append("%s:%s" % (place, word))
     return ";".join(entries)
+
+
+def curves_text(curves: Curves) -> str:
+    """Returns the kind of curve for each named side, or "auto"."""
+    if isinstance(curves, str):
+        if curves != "auto":
+            raise Error("The curves '%s' are neither \"auto\" nor a dictionary of sides; give one of them." % curves)
+        return curves
+    return ";".join("%s:%s" % (_name(name), kind) for name, kind in curves.items())

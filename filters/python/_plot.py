@@ -33,7 +33,8 @@ def _polygons(points: np.ndarray, cells: np.ndarray, colours: np.ndarray) -> vtk
 
 
 def _irregular(mesh: QuadMesh) -> vtkPolyData:
-    inside = np.ones(len(mesh.points), bool)
+    inside = np.zeros(len(mesh.points), bool)
+    inside[mesh.quads] = True  # not the further nodes of curved quads
     inside[mesh.edges] = False
     nodes = np.flatnonzero(inside & (mesh.valence != 4))
     colours = np.where((mesh.valence[nodes] < 4)[:, None], _POSITIVE, _NEGATIVE).astype(np.uint8)

@@ -8,17 +8,17 @@ from typing import Any, Mapping, Optional, Union
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
-    VTK_LINE, VTK_QUAD, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
+    vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
 
 from . import names
 from ._configurations import checked, corner_points
 from ._input import Domain, Singularities, as_configuration, as_domain
-from ._layers import CornerRows, Layers, corner_rows_text, layers_text
+from ._layers import CornerRows, Curves, Layers, corner_rows_text, curves_text, layers_text
 from ._plot import plot_quads
 from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
 from ._run import Error, Pipeline
-from .vtkCrossFieldFilters import vtkQuadMesher
+from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
 
 #: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
 Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, float, float]]
@@ -36,6 +36,8 @@ class QuadMesh:
     points           (n, 3) float
     quads            (q, 4) int, rows of `points`, counter-clockwise
     edges            (b, 2) int, of the boundary, with the domain on the left
+    quad_nodes       (q, (order + 1)²) int, all nodes of each quad in VTK's order, corners first
+    edge_nodes       (b, order + 1) int, all nodes of each edge: both ends, then those between
     boundary_kind    (b,) int: 1 outer loop, 2 inner loop
     boundary_id      (b,) int: number of the loop
     edge_side        (b,) str: name of the side of the boundary that each edge belongs to
@@ -69,10 +71,17 @@ class QuadMesh:
     grid: vtkUnstructuredGrid
     block_data: vtkMultiBlockDataSet
     layout_data: vtkPolyData
+    quad_nodes: np.ndarray
+    edge_nodes: np.ndarray
 
     def __repr__(self) -> str:
         return "<QuadMesh: %d quads in %d blocks, minimum scaled Jacobian %.2f>" % (
             len(self.quads), len(self.blocks), self.report["scaled_jacobian"]["min"])
+
+    @property
+    def order(self) -> int:
+        """The order of the quads, 1 to 3."""
+        return self.edge_nodes.shape[1] - 1
 
     @property
     def sides(self) -> list[str]:
@@ -120,8 +129,11 @@ class QuadMesh:
         except ImportError:
             raise Error("The file '%s' is written with the Python package meshio; install it (Debian package "
                         "python3-meshio), or write a .vtu file." % path) from None
+        if self.order > 2:
+            raise Error("The file '%s' cannot have quads of order 3; write a .vtu file, or use order 2." % path)
         loops = [np.full(len(self.quads), -1), self.boundary_id]
-        mesh = meshio.Mesh(self.points, [("quad", self.quads), ("line", self.edges)],
+        types = ("quad", "line") if self.order == 1 else ("quad9", "line3")
+        mesh = meshio.Mesh(self.points, list(zip(types, (self.quad_nodes, self.edge_nodes))),
                            cell_data={"BoundaryId": loops})
         try:
             mesh.write(path)
@@ -145,24 +157,30 @@ def _points_of_block(grid: Any) -> np.ndarray:
     return places(grid).reshape(rows, columns, 3).transpose(1, 0, 2).copy()
 
 
-def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
+def _mesh_of(pipeline: Pipeline, mesher: vtkQuadMesher, was_chosen: bool, order: int) -> QuadMesh:
     """Returns the outputs of a mesher; the report lists the singularities if they were chosen or moved."""
     grid = vtkUnstructuredGrid()
     mesher.CopyMesh(grid)
+    if order > 1:
+        raiser = pipeline.add(vtkQuadsToHigherOrder())
+        raiser.SetInputData(grid)
+        raiser.SetOrder(order)
+        grid = pipeline.update(raiser).GetOutput()
     blocks, layout = mesher.GetOutputDataObject(1), mesher.GetOutputDataObject(2)
     used = configuration_of(mesher, 3)
-    types = vtk_to_numpy(grid.GetCellTypesArray())
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
-    quads, lines = types == VTK_QUAD, types == VTK_LINE
+    kinds = vtk_to_numpy(grid.GetCellData().GetArray(names.BoundaryKind))
+    quads, lines = kinds == 0, kinds != 0
+    quad_nodes = ids[starts[quads][:, None] + np.arange((order + 1) ** 2)]
+    edge_nodes = ids[starts[lines][:, None] + np.arange(order + 1)]
     side_names = grid.GetCellData().GetAbstractArray(names.Side)
 
     def of(cells: np.ndarray, name: str) -> np.ndarray:
         return vtk_to_numpy(grid.GetCellData().GetArray(name))[cells]
 
     return QuadMesh(
-        points=places(grid), quads=ids[starts[quads][:, None] + np.arange(4)],
-        edges=ids[starts[lines][:, None] + np.arange(2)],
+        points=places(grid), quads=quad_nodes[:, :4].copy(), edges=edge_nodes[:, :2].copy(),
         boundary_kind=of(lines, names.BoundaryKind), boundary_id=of(lines, names.BoundaryId),
         edge_side=np.array([side_names.GetValue(line) for line in np.flatnonzero(lines)], dtype=str),
         valence=copied(grid.GetPointData(), names.Valence),
@@ -172,7 +190,7 @@ def _mesh_of(mesher: vtkQuadMesher, was_chosen: bool) -> QuadMesh:
         layout=chains(places(layout), layout.GetLines()), singularities=used,
         report=report_of("quads", grid, mesher.GetStageSeconds(),
                          singularities=used.data if was_chosen or used.events else None),
-        grid=grid, block_data=blocks, layout_data=layout)
+        grid=grid, block_data=blocks, layout_data=layout, quad_nodes=quad_nodes, edge_nodes=edge_nodes)
 
 
 def quads(domain: Domain, singularities: Singularities = None, *, size: Optional[float] = None,
@@ -183,7 +201,8 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
           clearance: Optional[float] = None, pairs: int = 0, names: Optional[str] = None,
           counts: Optional[Mapping[str, int]] = None, progressions: Optional[Mapping[str, Progression]] = None,
           sizes: Optional[Mapping[str, float]] = None, min_size: Optional[float] = None,
-          max_size: Optional[float] = None, layers: Optional[Layers] = None) -> QuadMesh:
+          max_size: Optional[float] = None, layers: Optional[Layers] = None, curves: Optional[Curves] = None,
+          order: int = 1) -> QuadMesh:
     """Computes an all-quad mesh with exactly the chosen irregular nodes.
 
     domain, singularities, corners
@@ -225,6 +244,9 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     layers         boundary layers, as {"wall": (1e-4, 1.2)}: for each named side the height of the first row,
                    normal to the wall, and optionally the maximum growth from row to row (default: 1.2) and the
                    number of rows; report["layers"] has the measures, and `count` includes the rows
+    curves         curves that sides stand for, as {"hole": "circle"}: "circle", "ellipse", "spline" (cubic through
+                   the points) or "line"; or "auto", which recognises arcs of circles; nodes are then on the curves
+    order          order of the quads, 1 to 3; with 2 and 3, edges of the boundary follow the curves
 
     The singularities and corners used are in `singularities` of the result. Inverted quads are a
     RuntimeWarning, and report["inverted"] counts them.
@@ -240,11 +262,17 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
     >>> mesh = quads([(0, 0), (1, 0), (1, 1), (0, 1)], size=0.05, layers={"outer0": (1e-3, 1.2)})
     >>> [layer["rows"] for layer in mesh.report["layers"]]
     [23]
+    >>> polygon = [(np.cos(a), np.sin(a)) for a in np.linspace(0, 2 * np.pi, 16, endpoint=False)]
+    >>> mesh = quads(polygon, count=100, curves="auto", order=2)
+    >>> bool(np.allclose(np.linalg.norm(mesh.points[mesh.edge_nodes], axis=-1), 1, atol=1e-14))
+    True
     """
     if size is not None and count is not None:
         raise Error("Both the size of the quads and their number are given; leave one out.")
     if count is not None and not count > 0:
         raise Error("The number %s of quads is not positive; give a number, or None." % count)
+    if order not in (1, 2, 3):
+        raise Error("There are no quads of order %s; give 1, 2 or 3." % order)
     if sizing not in _SIZINGS:
         raise Error("There is no sizing '%s'; choose %s." % (sizing, ", ".join(_SIZINGS)))
     if merge not in _MERGES:
@@ -285,8 +313,10 @@ def quads(domain: Domain, singularities: Singularities = None, *, size: Optional
         mesher.SetSingularitiesData(as_configuration(singularities))
     if layers is not None:
         mesher.SetLayers(layers_text(layers))
+    if curves is not None:
+        mesher.SetCurves(curves_text(curves))
     if isinstance(corners, Mapping):
         mesher.SetCornerRows(corner_rows_text(corners))
     elif corners is not None:
         mesher.SetCornersData(corner_points(corners))
-    return _mesh_of(pipeline.update(mesher), was_chosen=singularities is None)
+    return _mesh_of(pipeline, pipeline.update(mesher), singularities is None, order)

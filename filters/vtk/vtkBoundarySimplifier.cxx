@@ -2,11 +2,14 @@
 
 #include "BoundaryCorners.h"
 #include "ColumnWriting.h"
+#include "CurveConversion.h"
+#include "CurveText.h"
 #include "DomainConversion.h"
 #include "DrilledMeshConversion.h"
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "InputCheck.h"
+#include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SmoothBoundary.h"
 #include "ThinBoundary.h"
@@ -121,6 +124,27 @@ void CopyNearestArrays(vtkDataSet* input, vtkPoints* points, vtkPointData* array
   }
 }
 
+/** Returns points to keep with the vertices on curves, which smoothing must not move. */
+std::vector<crossfield::Point> WithPointsOf(const crossfield::CurvedBoundary& boundary,
+  const crossfield::PlanarDomain& domain, std::vector<crossfield::Point> kept)
+{
+  const std::vector<crossfield::LoopArc> arcs(domain.loops.begin(), domain.loops.end());
+  const crossfield::CurvesAlong along(boundary, arcs);
+  for (std::size_t l = 0; l < arcs.size(); ++l)
+  {
+    const std::size_t count = domain.loops[l].size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (along.At(l, 0.5 * (arcs[l].Start(i) + arcs[l].Start(i + 1))) >= 0)
+      {
+        kept.push_back(domain.loops[l][i]);
+        kept.push_back(domain.loops[l][(i + 1) % count]);
+      }
+    }
+  }
+  return kept;
+}
+
 /** Names of the sides of a boundary and the array that they were read from. */
 struct NamedSides
 {
@@ -150,11 +174,11 @@ void ShortenFor(const std::vector<std::pair<std::string, double>>& sizes,
 }
 
 /**
- * Writes one polyline per loop, or per piece of a side, with the arrays of the nearest points of the
- * input.
+ * Writes one polyline per loop, or per piece of a side or a curve, with the arrays of the nearest
+ * points of the input.
  */
-void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named, vtkDataSet* input,
-  vtkDataSet* output)
+void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
+  const crossfield::CurvedBoundary& boundary, vtkDataSet* input, vtkDataSet* output)
 {
   std::vector<crossfield::LoopArc> arcs;
   for (const crossfield::Loop& loop : domain.domain.loops)
@@ -169,6 +193,11 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
     return side < named.sides.given ? named.sides.names[static_cast<std::size_t>(side)]
                                     : std::string();
   };
+  const crossfield::CurvesAlong curvesAlong(boundary, arcs);
+  const auto curveAt = [&](std::size_t loop, std::size_t segment) {
+    return curvesAlong.At(loop, 0.5 * (arcs[loop].Start(segment) + arcs[loop].Start(segment + 1)));
+  };
+  CurveConversion::CellCurves cellCurves{ boundary.curves, {} };
   vtkNew<vtkStringArray> sideNames;
   sideNames->SetName(named.array.c_str());
   vtkNew<vtkPoints> points;
@@ -183,7 +212,8 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
     {
       piece.push_back(points->InsertNextPoint(domain.plane.ToSpace(loop[i]).data()));
       const bool isLast = i + 1 == loop.size();
-      if (isLast || (!named.array.empty() && nameAt(l, i) != nameAt(l, i + 1)))
+      if (isLast || (!named.array.empty() && nameAt(l, i) != nameAt(l, i + 1)) ||
+        curveAt(l, i) != curveAt(l, i + 1))
       {
         piece.push_back(isLast ? first : points->GetNumberOfPoints());
         lines->InsertNextCell(static_cast<vtkIdType>(piece.size()), piece.data());
@@ -191,6 +221,7 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
         {
           sideNames->InsertNextValue(nameAt(l, i));
         }
+        cellCurves.ofCell.push_back(curveAt(l, i));
         piece.clear();
       }
     }
@@ -209,6 +240,11 @@ void WriteLoops(const DomainConversion::Domain& domain, const NamedSides& named,
   if (!named.array.empty())
   {
     output->GetCellData()->AddArray(sideNames);
+  }
+  SegmentCurveConversion::RemoveCurves(output);
+  if (!boundary.IsEmpty())
+  {
+    CurveConversion::AddCurves(cellCurves, output);
   }
 }
 }
@@ -240,9 +276,11 @@ int vtkBoundarySimplifier::RequestData(
     [&](const crossfield::Progress& progress)
     {
       InputCheck::Require(input);
+      const crossfield::CurveRequest request = CurveText::Read(this->Curves);
       const bool isRequested = this->ThinningLength > 0.0 || this->SmoothingLength > 0.0;
       if (DrilledMeshConversion::AsDrilledMesh(input) != nullptr ||
-        (!isRequested && (this->ThinningLength == 0.0 || HasSurfaceWithArrays(input))))
+        (!isRequested &&
+          ((this->ThinningLength == 0.0 && request.IsEmpty()) || HasSurfaceWithArrays(input))))
       {
         PassThrough(input, output);
         return;
@@ -265,6 +303,14 @@ int vtkBoundarySimplifier::RequestData(
         named.sides = SideConversion::ReadSides(input, this->SideNameArray, given);
         const std::vector<crossfield::Point> ends = named.sides.FixedPlaces();
         kept.insert(kept.end(), ends.begin(), ends.end());
+      }
+      const crossfield::CurvesOfSegments curves = crossfield::FindCurves(given.domain,
+        named.array.empty() ? crossfield::NameSides(given.domain) : named.sides, request,
+        SegmentCurveConversion::Read(input, given));
+      const crossfield::CurvedBoundary boundary = crossfield::PiecesOf(given.domain, curves);
+      for (const crossfield::CurveStart& start : boundary.starts)
+      {
+        kept.push_back(start.place);
       }
       progress.Report(0.5);
       const double thinning = this->ThinningLength >= 0.0
@@ -289,17 +335,22 @@ int vtkBoundarySimplifier::RequestData(
       }
       if (this->SmoothingLength > 0.0)
       {
-        crossfield::SimplifiedBoundary smooth =
-          crossfield::SmoothBoundary(simple.domain, this->SmoothingLength, kept, cornerAngle);
+        crossfield::SimplifiedBoundary smooth = crossfield::SmoothBoundary(simple.domain,
+          this->SmoothingLength, WithPointsOf(boundary, simple.domain, kept), cornerAngle);
         simple.domain = smooth.domain;
         moved += smooth.moved;
       }
-      if (simple.domain.loops == given.domain.loops)
+      const bool isChanged = simple.domain.loops != given.domain.loops;
+      if (!isChanged && (request.IsEmpty() || boundary.IsEmpty()))
       {
         PassThrough(input, output);
         return;
       }
-      WriteLoops(simple, named, input, output);
+      WriteLoops(simple, named, boundary, input, output);
+      if (!isChanged)
+      {
+        return;
+      }
       namespace names = vtkCrossFieldArrayNames;
       ColumnWriting::AddNumbers(output->GetFieldData(), names::BoundaryMoved, { moved });
       ColumnWriting::AddIntegers(output->GetFieldData(), names::BoundaryPoints,
@@ -332,4 +383,5 @@ void vtkBoundarySimplifier::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "SideNameArray: " << this->SideNameArray << "\n";
   os << indent << "SideSizes: " << this->SideSizes.size() << "\n";
+  os << indent << "Curves: " << this->Curves << "\n";
 }

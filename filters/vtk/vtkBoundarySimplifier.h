@@ -15,8 +15,8 @@
  *
  * Output port 0 (same type as the input): if something was removed, one closed polyline per loop,
  * in the plane of the domain, with the point arrays of the nearest points of the input; if the
- * boundary has names of sides, one polyline per piece of a side with the array of names. Otherwise
- * the input. Meshes of vtkDrillHoles pass through, and so do, by default, surfaces with point
+ * boundary has names of sides or curves, one polyline per piece with the array of names and the array
+ * `Curve`. Otherwise the input. Meshes of vtkDrillHoles pass through, and so do, by default, surfaces with point
  * arrays. Field data, only if something was removed:
  * - `BoundaryMoved` (double): the maximum distance of a point of the boundary from the new
  *   boundary. After both thinning and smoothing it is the sum of the two distances, an upper bound;
@@ -100,6 +100,19 @@ public:
   void ClearSideSizes();
   ///@}
 
+  ///@{
+  /**
+   * Sets the curves that sides stand for, as for vtkQuadMesher. They are fitted to the boundary before
+   * it is simplified; the output has the array `Curve` of its lines and the field data of the curves
+   * (docs/curves.md). Curves that the domain has already are retained. The boundary is kept where
+   * a curve begins or ends. Default: empty, none.
+   */
+  vtkSetMacro(Curves, std::string);
+  vtkGetMacro(Curves, std::string);
+  ///@}
+  /** Sets the curves; overload for ParaView. */
+  void SetCurves(const char* curves) { this->SetCurves(std::string(curves ? curves : "")); }
+
   /** Adds a connection to port 1, points at which the boundary is kept. */
   void AddKeptConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
 
@@ -120,6 +133,7 @@ private:
   double CornerAngle = 30.0;
   std::string SideNameArray;
   std::vector<std::pair<std::string, double>> SideSizes;
+  std::string Curves;
 };
 
 #endif

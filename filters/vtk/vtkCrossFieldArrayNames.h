@@ -204,6 +204,16 @@ constexpr const char* CurveValues = "CurveValues";
 // Field data: vtkDrawingReader.
 constexpr const char* DrawingUnit = "DrawingUnit";
 constexpr const char* LargestGap = "LargestGap";
+// Field data of curves in quad meshes: vtkQuadMesher, vtkQuadsToHigherOrder.
+constexpr const char* CurveSides = "CurveSides";
+constexpr const char* CurveEdges = "CurveEdges";
+constexpr const char* CurveMoved = "CurveMoved";
+constexpr const char* CurveSagitta = "CurveSagitta";
+constexpr const char* Order = "Order";
+constexpr const char* JacobianRatio = "JacobianRatio";
+constexpr const char* JacobianRatioMin = "JacobianRatioMin";
+constexpr const char* CurvedRows = "CurvedRows";
+constexpr const char* CurvedInverted = "CurvedInverted";
 // Loop table and field data: vtkPoincareHopfCheck.
 constexpr const char* BoundaryLoop = "BoundaryLoop";
 constexpr const char* CornerQuarters = "CornerQuarters";

@@ -89,7 +89,7 @@ private:
     if (design.quads)
     {
       QuadConversion::WriteQuads(*design.quads, plane, this->Quads);
-      QuadConversion::WriteBoundary(design.quads->mesh, plane, this->Boundary);
+      QuadConversion::WriteBoundary(design.quads->mesh, {}, plane, this->Boundary);
       QuadReport::Write(*design.quads, plane, this->Summary->GetFieldData());
     }
   }

@@ -3,6 +3,7 @@
 #include "ColumnWriting.h"
 #include "ConfigurationConversion.h"
 #include "CornerConversion.h"
+#include "CurveText.h"
 #include "DomainConversion.h"
 #include "EnergyConversion.h"
 #include "FilterPorts.h"
@@ -12,6 +13,7 @@
 #include "QuadConversion.h"
 #include "QuadReport.h"
 #include "QuadWorkflow.h"
+#include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "SizeConversion.h"
 #include "ViewText.h"
@@ -75,6 +77,8 @@ int vtkQuadMesher::RequestData(
         this->MakeRequest(domain, singularities, corners, input.plane);
       request.sides = SideConversion::ReadSides(domain, this->SideNameArray, input);
       request.prescribed = SideConversion::ReadPrescriptions(this->Sides, request.sides);
+      request.requestedCurves = CurveText::Read(this->Curves);
+      request.givenCurves = SegmentCurveConversion::Read(domain, input);
       const crossfield::QuadWorkflowResult result =
         crossfield::MakeQuadMesh(input.domain, request, progress);
       for (const std::string& warning : result.warnings)
@@ -141,7 +145,8 @@ void vtkQuadMesher::WriteOutputs(const crossfield::QuadWorkflowResult& result,
     EnergyConversion::WriteEvents(result.events, singularities);
   }
   CornerConversion::WriteChoices(result.corners, plane, vtkPolyData::GetData(outputVector, 4));
-  QuadConversion::WriteBoundary(mesh, plane, vtkPolyData::GetData(outputVector, 5));
+  QuadConversion::WriteBoundary(
+    mesh, result.boundary, plane, vtkPolyData::GetData(outputVector, 5));
   QuadConversion::WriteIrregularNodes(mesh, plane, vtkPolyData::GetData(outputVector, 6));
   QuadConversion::WriteSeparatrices(result.quads, plane, vtkPolyData::GetData(outputVector, 7));
   this->WriteSummary(result, plane, vtkTable::GetData(outputVector, SummaryPort));
@@ -164,6 +169,7 @@ void vtkQuadMesher::WriteSummary(const crossfield::QuadWorkflowResult& result,
   }
   QuadReport::WriteBlockCounts(result.blocks, report);
   QuadReport::WriteLayers(result.layers, report);
+  QuadReport::WriteCurves(result, report);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::HolonomyDefect, result.holonomyDefect);
   ColumnWriting::AddNumbers(report, vtkCrossFieldArrayNames::Moved, { result.moved });
   HolonomyConversion::WriteStretch(result.flattening, report);
@@ -180,6 +186,7 @@ void vtkQuadMesher::CopyMesh(vtkUnstructuredGrid* mesh)
     this->GetOutput(), vtkPolyData::SafeDownCast(this->GetOutputDataObject(5)), mesh);
   mesh->GetFieldData()->DeepCopy(this->GetOutputDataObject(SummaryPort)->GetFieldData());
   mesh->GetFieldData()->RemoveArray(vtkCrossFieldArrayNames::Alarm);
+  SegmentCurveConversion::CopyCurves(vtkPolyData::SafeDownCast(this->GetOutputDataObject(5)), mesh);
 }
 
 //------------------------------------------------------------------------------
@@ -233,6 +240,7 @@ void vtkQuadMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SplitSingularities: " << this->SplitSingularities << "\n";
   os << indent << "Layers: " << this->Layers << "\n";
   os << indent << "CornerRows: " << this->CornerRows << "\n";
+  os << indent << "Curves: " << this->Curves << "\n";
   os << indent << "StageSeconds:";
   for (const double seconds : this->StageSeconds)
   {

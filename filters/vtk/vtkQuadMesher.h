@@ -41,7 +41,9 @@
  * Output 5 (vtkPolyData): a line for every boundary edge with the domain on its left, edge after edge
  * along each loop, with the cell arrays `BoundaryKind` and `BoundaryId` (int), as for vtkDrillHoles,
  * and `Side` (string), the name of its side (see SideNameArray), and the point array `VertexId` (int),
- * the point of output 0.
+ * the point of output 0. If the boundary has curves (see Curves), also with the cell array `Curve` (int),
+ * the curve that its ends are on, −1 without one, and the field data `CurveKind`, `CurveOffset` and
+ * `CurveValues` (docs/curves.md).
  *
  * Output 6 (vtkPolyData): the irregular nodes, as points with `QuarterIndex` (int), 4 − valence, and
  * `Valence` (int). Corners and other boundary nodes are not among them.
@@ -64,6 +66,8 @@
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
+ * `CurveKind`, `CurveSides`, `CurveEdges` and `CurveMoved` (kind, names of the sides, number of edges and
+ * largest distance of a node from the polyline of the domain, per curve),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),
  * `Warnings` (one sentence each).
@@ -323,6 +327,21 @@ public:
   vtkSetMacro(Layers, std::string);
   vtkGetMacro(Layers, std::string);
   ///@}
+  ///@{
+  /**
+   * Sets the curves that sides stand for: entries NAME:circle, NAME:ellipse, NAME:spline or NAME:line
+   * separated by semicolons, and `auto`, which recognises arcs of circles on all other sides. The
+   * curve of a side is fitted to its points, which it may miss by at most 1e-6 of the diagonal of the
+   * domain. Nodes on the boundary are then on the curve, however few points the domain has. Sides that
+   * are not listed have the curves of the cell array `Curve` of the domain's lines, if it exists.
+   * Default: empty, none.
+   */
+  vtkSetMacro(Curves, std::string);
+  vtkGetMacro(Curves, std::string);
+  ///@}
+  /** Sets the curves; overload for ParaView. */
+  void SetCurves(const char* curves) { this->SetCurves(std::string(curves ? curves : "")); }
+
   /** Sets the layers; overload for ParaView. */
   void SetLayers(const char* layers) { this->SetLayers(std::string(layers ? layers : "")); }
 
@@ -393,6 +412,7 @@ private:
   bool SplitSingularities = false;
   std::string Layers;
   std::string CornerRows;
+  std::string Curves;
   double StageSeconds[8] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 };
 

@@ -97,6 +97,13 @@ void ShowQuads(vtkSMProxy* shown)
 }
 
 //------------------------------------------------------------------------------
+void ShowCurvedQuads(vtkSMProxy* shown)
+{
+  ShowQuads(shown);
+  Set(shown, "NonlinearSubdivisionLevel", 3); // one level draws each half of an edge straight
+}
+
+//------------------------------------------------------------------------------
 void SetBlockColours(vtkSMProxy* shown)
 {
   Look::SetColourMap(shown, "BlockId", Look::PaleColours());
@@ -144,6 +151,7 @@ constexpr std::array<Rule, 23> Rules = { {
   { "QuadMesher", 5, Hide<ShowOutline> },
   { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
   { "QuadMesher", 7, Hide<ShowLines> },
+  { "QuadsToHigherOrder", 0, ShowCurvedQuads, SetBlockColours },
 } };
 
 /** Output that is a text for the view. */

@@ -91,6 +91,7 @@ vtkSmartPointer<vtkAlgorithm> Open(
   simplifier->SetThinningLength(options.thinning);
   simplifier->SetSmoothingLength(options.smoothing);
   simplifier->SetSideNameArray(options.names);
+  simplifier->SetCurves(options.curves);
   for (const auto& [side, length] : options.sizes)
   {
     simplifier->AddSideSize(side, length);

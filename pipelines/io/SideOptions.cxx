@@ -39,6 +39,16 @@ void SideOptions::AddTo(CLI::App& command)
     "NAME:[both:]RATIO");
   add("--size-at", this->sizes,
     "length of the edges of a side, met within 20 %, from which sizes grow; repeatable", "NAME:H");
+  add("--curve", this->curves,
+    "curve that a side stands for, on which its nodes are placed: circle, ellipse, spline (cubic "
+    "through its points) or line; repeatable",
+    "NAME:KIND");
+  command
+    .add_option("--curves", this->otherCurves,
+      "auto: recognise arcs of circles on all sides that no --curve names; default: none, except that a "
+      "drawing has its curves")
+    ->check(CLI::IsMember({ "auto" }))
+    ->type_name("WORD");
   command.add_option("--min-size", this->minimumSize, "lower bound of target sizes, positive")
     ->check(NumberCheck::Positive());
   command.add_option("--max-size", this->maximumSize, "upper bound of target sizes, positive")
@@ -60,6 +70,16 @@ std::vector<std::pair<std::string, double>> SideOptions::ReadSizes() const
     }
   }
   return read;
+}
+
+std::string SideOptions::CurvesText() const
+{
+  std::string text = this->otherCurves;
+  for (const std::string& entry : this->curves)
+  {
+    text += (text.empty() ? "" : ";") + entry;
+  }
+  return text;
 }
 
 void SideOptions::SetOn(vtkQuadMesher* mesher) const

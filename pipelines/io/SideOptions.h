@@ -17,13 +17,17 @@ struct SideOptions
   std::vector<std::string> counts;
   std::vector<std::string> progressions;
   std::vector<std::string> sizes;
+  std::vector<std::string> curves; ///< Of --curve.
+  std::string otherCurves;         ///< Of --curves.
   double minimumSize = 0.0;
   double maximumSize = 0.0;
 
-  /** Adds the options --count, --progression, --size-at, --min-size and --max-size. */
+  /** Adds the options --count, --progression, --size-at, --min-size, --max-size, --curve, --curves. */
   void AddTo(CLI::App& command);
   /** Returns the sizes of --size-at that are positive numbers; others are refused by the filter. */
   std::vector<std::pair<std::string, double>> ReadSizes() const;
+  /** Returns the curves in the form of vtkQuadMesher. */
+  std::string CurvesText() const;
   /** Sets the prescriptions of a filter. Throws PipelineRun::Error if one has no name. */
   void SetOn(vtkQuadMesher* mesher) const;
 };

@@ -37,7 +37,8 @@ PROXIES = {
                        "QuadSize QuadCount MeshSize CapCorners"),
     "CrossFieldMap": ("filters", "Input Singularities Corners MeshSize CapCorners RepairHolonomy"),
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
-                   "RepairHolonomy SplitSingularities"),
+                   "RepairHolonomy SplitSingularities Curves"),
+    "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (

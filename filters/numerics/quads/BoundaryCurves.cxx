@@ -6,7 +6,7 @@
 
 namespace crossfield
 {
-BoundaryCurves::BoundaryCurves(const MeshTopology& topology)
+BoundaryCurves::BoundaryCurves(const MeshTopology& topology, const CurvedBoundary& boundary)
   : Topology(topology)
   , LoopAndEdge(topology.mesh.boundary.size(), { -1, 0 })
 {
@@ -30,6 +30,7 @@ BoundaryCurves::BoundaryCurves(const MeshTopology& topology)
     }
     this->Positions.push_back(std::move(positions));
   }
+  this->Curved = CurvedLoops(boundary, this->Arcs);
 }
 
 CurvePlace BoundaryCurves::Place(int boundaryPosition, double fraction) const
@@ -41,17 +42,22 @@ CurvePlace BoundaryCurves::Place(int boundaryPosition, double fraction) const
 
 Point BoundaryCurves::At(const CurvePlace& place) const
 {
-  return this->ArcOf(place.loop).At(place.at);
+  return this->Curved.At(this->ArcOf(place.loop), Index(place.loop), place.at);
 }
 
 CurvePlace BoundaryCurves::Nearest(int loop, const Point& point) const
 {
-  return { loop, this->ArcOf(loop).Nearest(point) };
+  return { loop, this->Curved.Nearest(this->ArcOf(loop), Index(loop), point) };
 }
 
 Point BoundaryCurves::Tangent(const CurvePlace& place) const
 {
-  return this->ArcOf(place.loop).Tangent(place.at);
+  return this->Curved.Derivative(this->ArcOf(place.loop), Index(place.loop), place.at);
+}
+
+int BoundaryCurves::CurveAt(const CurvePlace& place) const
+{
+  return this->Curved.CurveAt(this->ArcOf(place.loop), Index(place.loop), place.at);
 }
 
 std::vector<CurvePlace> BoundaryCurves::Corners() const

@@ -38,14 +38,14 @@ struct PatchLattice
 class QuadBuilder
 {
 public:
-  QuadBuilder(
-    const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts, double size)
+  QuadBuilder(const SeamlessMap& map, const BoundaryCurves& curves, const TMesh& mesh,
+    const std::vector<int>& counts, double size)
     : Map(map)
     , Separatrices(mesh)
     , Counts(counts)
     , Points(mesh, counts)
     , Classes(Index(this->Points.Count()))
-    , Curves(*map.topology)
+    , Curves(curves)
     , Size(size)
   {
     for (const PointLink& link : this->Points.Links())
@@ -392,7 +392,7 @@ private:
   const std::vector<int>& Counts;
   const ArcPoints Points;
   UnionFind Classes;
-  const BoundaryCurves Curves;
+  const BoundaryCurves& Curves;
   const double Size;
   std::vector<int>
     Numbers; ///< Index in the mesh of every class of coincident points, −1 if it has none yet.
@@ -400,9 +400,9 @@ private:
 };
 }
 
-QuadMesh BuildQuads(const SeamlessMap& map, const TMesh& mesh, const std::vector<int>& counts,
-  double size, const BoundarySides& sides)
+QuadMesh BuildQuads(const SeamlessMap& map, const BoundaryCurves& curves, const TMesh& mesh,
+  const std::vector<int>& counts, double size, const BoundarySides& sides)
 {
-  return QuadBuilder(map, mesh, counts, size).Build(sides);
+  return QuadBuilder(map, curves, mesh, counts, size).Build(sides);
 }
 }

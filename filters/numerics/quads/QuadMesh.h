@@ -30,7 +30,8 @@ struct QuadBoundaryEdge
   std::array<int, 2> points{};
   BoundaryKind kind = BoundaryKind::Outer;
   int id = 0;
-  int side = -1; ///< Index in QuadMesh::sideNames, −1 if the boundary has no names.
+  int side = -1;  ///< Index in QuadMesh::sideNames, −1 if the boundary has no names.
+  int curve = -1; ///< Index in CurvedBoundary::curves, −1 if the edge is on a polyline.
 };
 
 /// An all-quad mesh. Quads are counter-clockwise.

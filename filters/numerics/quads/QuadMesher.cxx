@@ -50,11 +50,12 @@ PlanarDomain DomainOf(const MeshTopology& topology)
 class Mesher
 {
 public:
-  Mesher(const SeamlessMap& map, const QuadOptions& options, QuadResult& result)
+  Mesher(const SeamlessMap& map, const BoundaryCurves& curves, const QuadOptions& options,
+    QuadResult& result)
     : Map(map)
     , Options(options)
     , Result(result)
-    , Curves(*map.topology)
+    , Curves(curves)
     , Domain(DomainOf(*map.topology))
     , Lengths(TargetLengths(result.tMesh, options.sizes))
     , Area(AreaOf(result.tMesh))
@@ -90,8 +91,8 @@ public:
     RequireMemory(
       static_cast<double>(CountQuads(result.tMesh, result.counts.counts)) * BytesPerQuad,
       "This number of quads", "use a larger size or fewer quads");
-    result.mesh =
-      BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size, this->Options.sides);
+    result.mesh = BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts,
+      result.size, this->Options.sides);
     SetTargetLengths(result.mesh, this->Options.sizes, this->Area);
     PlaceOnSides(this->Curves, this->Options.prescribed, result.mesh);
     result.layoutSeconds += stopwatch.Lap();
@@ -211,7 +212,7 @@ private:
     }
     const bool released = this->Options.sizes.sizing != Sizing::Conformal;
     const auto meshOf = [&](const EdgeCounts& counts)
-    { return BuildQuads(this->Map, this->Result.tMesh, counts.counts, counts.size); };
+    { return BuildQuads(this->Map, this->Curves, this->Result.tMesh, counts.counts, counts.size); };
     const auto symmetriesOf = [&](const EdgeCounts& counts)
     {
       QuadMesh mesh = meshOf(counts);
@@ -296,8 +297,8 @@ private:
       QuadResult result;
       result.tMesh = this->Result.tMesh;
       SetCounts(this->RefineCounts(coarse, chords), result);
-      result.blocks =
-        FindBlocks(BuildQuads(this->Map, result.tMesh, result.counts.counts, result.size));
+      result.blocks = FindBlocks(
+        BuildQuads(this->Map, this->Curves, result.tMesh, result.counts.counts, result.size));
       results.push_back(std::move(result));
     }
     return results;
@@ -324,7 +325,7 @@ private:
   const SeamlessMap& Map;
   const QuadOptions& Options;
   QuadResult& Result;
-  const BoundaryCurves Curves;
+  const BoundaryCurves& Curves;
   const PlanarDomain Domain;
   const std::vector<double> Lengths; ///< Target counts for size 1.
   const double Area;
@@ -343,9 +344,9 @@ QuadResult MakeQuads(
   }
   QuadResult result;
   result.tMesh = std::move(tMesh);
-  const BoundaryCurves curves(*map.topology);
+  const BoundaryCurves curves(*map.topology, options.curves);
   SplitAtSides(map, curves, options.sides, options.prescribed, result.tMesh);
-  Mesher mesher(map, options, result);
+  Mesher mesher(map, curves, options, result);
   mesher.ComputeCounts(progress.Part(0.0, 0.3));
   mesher.Build(result);
   progress.Report(0.4);

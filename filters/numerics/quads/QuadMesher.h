@@ -22,6 +22,7 @@ struct QuadOptions
   /// unless a side is graded.
   double sizePart = 0.5;
   BoundarySides sides;          ///< Sides of the boundary; none: it has no names.
+  CurvedBoundary curves;        ///< Curves that the boundary nodes are placed on.
   SidePrescriptions prescribed; ///< Counts, progressions and sizes of sides.
   bool smooth = true;           ///< If false, points keep their positions in the map (draft quads).
   /// Uses the fewest blocks that give a good mesh instead of the most accurate sizes.

@@ -63,11 +63,10 @@ void SplitAtSides(const SeamlessMap& map, const BoundaryCurves& curves, const Bo
 
 void NameBoundary(const BoundarySides& sides, const BoundaryCurves& curves, QuadMesh& mesh)
 {
-  if (sides.names.empty())
+  if (!sides.names.empty())
   {
-    return;
+    Chain(mesh.boundary);
   }
-  Chain(mesh.boundary);
   mesh.sideNames = sides.names;
   const SidesAlong along(sides, curves.GetArcs());
   for (QuadBoundaryEdge& edge : mesh.boundary)
@@ -76,7 +75,9 @@ void NameBoundary(const BoundarySides& sides, const BoundaryCurves& curves, Quad
     const CurvePlace& to = mesh.points[Index(edge.points[1])].curve;
     const double loop = curves.Length(from.loop);
     const double length = to.at - from.at - loop * std::floor((to.at - from.at) / loop);
-    edge.side = along.At(Index(from.loop), from.at + 0.5 * length);
+    const CurvePlace middle = { from.loop, from.at + 0.5 * length };
+    edge.side = along.At(Index(middle.loop), middle.at);
+    edge.curve = curves.CurveAt(middle);
   }
 }
 

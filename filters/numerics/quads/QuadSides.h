@@ -15,7 +15,8 @@ namespace crossfield
 void SplitAtSides(const SeamlessMap& map, const BoundaryCurves& curves, const BoundarySides& sides,
   const SidePrescriptions& prescribed, TMesh& mesh);
 
-/// Sorts the boundary edges along their loops and sets the side of each, that of its midpoint.
+/// Sorts the boundary edges along their loops and sets the side and the curve of each, those of its
+/// midpoint. Without names, the order stays and there are no sides.
 void NameBoundary(const BoundarySides& sides, const BoundaryCurves& curves, QuadMesh& mesh);
 
 /// Returns the points along the pieces of a side, each in order with the domain on the left. The

@@ -238,7 +238,7 @@ std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const Qua
   int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
 {
   constexpr int MaximumTries = 8;
-  const BoundaryCurves curves(*map.topology);
+  const BoundaryCurves curves(*map.topology, options.curves);
   const int separateBlocks = quads.separateBlocks;
   CountsWithLayers sideCounts(request);
   std::optional<QuadResult> best;

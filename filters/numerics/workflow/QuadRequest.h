@@ -2,6 +2,7 @@
 
 #include "AutomaticConfiguration.h"
 #include "BoundaryLayers.h"
+#include "BoundaryPieces.h"
 #include "BoundarySides.h"
 #include "CornerRows.h"
 #include "HolonomyRepair.h"
@@ -30,6 +31,9 @@ struct QuadRequest
   std::vector<CornerChoice> corners;          ///< Prescribed quarter indices of corners.
   BoundarySides sides;          ///< Sides of the boundary; if it has no names, those of NameSides.
   SidePrescriptions prescribed; ///< Counts, progressions and sizes of these sides.
+  CurveRequest requestedCurves; ///< Curves declared for sides, and whether arcs are recognised.
+  CurvesOfSegments givenCurves; ///< Curves of the segments of the domain.
+  CurvedBoundary curves;        ///< Set by MakeQuadMesh from the two above (WithCurves).
 
   /// Absent: conformal, and uniform where chosen singularities leave sizes too different
   /// (SizingChoice.h).
@@ -60,6 +64,14 @@ struct QuadRequest
   std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
   double layerRoom = 1.0; ///< Factor of the distance that chosen singularities keep from layers.
   std::vector<CornerRule> cornerRows; ///< What rows do at corners.
+};
+
+/// What quads have of a curve.
+struct CurveReport
+{
+  std::vector<int> sides; ///< Sides of its edges, in QuadMesh::sideNames.
+  int edges = 0;          ///< Boundary edges on the curve.
+  double moved = 0.0;     ///< Largest distance of their nodes from the polyline that was given.
 };
 
 /// Numbers of blocks with each kind of merging, as far as they were computed.
@@ -103,6 +115,8 @@ struct QuadWorkflowResult
   std::vector<std::string> warnings;
   QuadResult quads;
   std::vector<LayerReport> layers; ///< One for each layer of the request.
+  CurvedBoundary boundary;         ///< The curves that boundary nodes are on.
+  std::vector<CurveReport> curves; ///< One for each of these curves.
   BlockCounts blocks;
   QuadSeconds seconds;
 };

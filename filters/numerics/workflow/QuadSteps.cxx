@@ -235,6 +235,7 @@ private:
     options.quadCount = this->Request.quadCount;
     options.sizes.sizing = this->Request.sizing.value_or(Sizing::Conformal);
     options.sides = this->Request.sides;
+    options.curves = this->Request.curves;
     options.prescribed = this->Request.prescribed;
     if (this->Request.sizing == Sizing::Field)
     {

@@ -1,6 +1,7 @@
 #include "QuadWorkflow.h"
 
 #include "CoarseMeshError.h"
+#include "CurveSteps.h"
 #include "LayerRuns.h"
 #include "LayerSteps.h"
 #include "QuadAdvice.h"
@@ -35,8 +36,11 @@ void AddWarnings(const QuadRequest& request, QuadWorkflowResult& result)
 }
 
 QuadWorkflowResult MakeQuadMesh(
-  const PlanarDomain& domain, const QuadRequest& given, const Progress& progress)
+  const PlanarDomain& polygons, const QuadRequest& requested, const Progress& progress)
 {
+  const CurvedRequest curved = WithCurves(polygons, requested);
+  const PlanarDomain& domain = curved.domain;
+  const QuadRequest& given = curved.request;
   const QuadRequest request = WithSideSizes(domain, given);
   const Progress trial = progress.Part(1.0, 1.0);
   QuadWorkflowResult result;
@@ -51,6 +55,10 @@ QuadWorkflowResult MakeQuadMesh(
     for (const CornerChoice& corner : CornersForLayers(domain, request))
     {
       kept.push_back(corner.position);
+    }
+    for (std::size_t l = 0; l < domain.loops.size() && !given.curves.IsEmpty(); ++l)
+    {
+      kept.insert(kept.end(), domain.loops[l].begin(), domain.loops[l].end());
     }
     const double length = FindSmoothing(domain, kept,
       [&](const PlanarDomain& smooth)
@@ -74,6 +82,8 @@ QuadWorkflowResult MakeQuadMesh(
     result.warnings.push_back(DescribeInverted(result.quads.quality, smaller));
   }
   AddWarnings(given, result);
+  result.boundary = given.curves;
+  result.curves = MeasureCurves(polygons, given.curves, result.quads.mesh);
   return result;
 }
 }

@@ -6,7 +6,8 @@ namespace crossfield
 {
 /// Makes the quad mesh of a domain (docs/method.md §14): chooses singularities unless they are
 /// given, caps corners, repairs the holonomy, meshes, solves for the map, traces separatrices, makes
-/// quads and merges blocks. If the map or the separatrices fail with CoarseMeshError, they are tried
+/// quads and merges blocks. Curves of the boundary are sampled first (CurveSteps.h), and boundary
+/// nodes are on them. If the map or the separatrices fail with CoarseMeshError, they are tried
 /// once more on a mesh with edges half as long. Remedies that an error or a warning offers have been
 /// tried (QuadAdvice.h).
 ///

@@ -1,6 +1,8 @@
 #include "QuadConversion.h"
 
 #include "ColumnWriting.h"
+#include "CurveConversion.h"
+#include "SegmentCurveConversion.h"
 #include "SideConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -97,7 +99,8 @@ void WriteQuads(
 }
 
 //------------------------------------------------------------------------------
-void WriteBoundary(const QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output)
+void WriteBoundary(const QuadMesh& mesh, const crossfield::CurvedBoundary& curves,
+  const crossfield::DomainPlane& plane, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -128,6 +131,16 @@ void WriteBoundary(const QuadMesh& mesh, const crossfield::DomainPlane& plane, v
   ColumnWriting::AddIntegers(output->GetCellData(), names::BoundaryId, ids);
   SideConversion::WriteSides(mesh, output->GetCellData());
   ColumnWriting::AddIntegers(output->GetPointData(), names::VertexId, vertices);
+  SegmentCurveConversion::RemoveCurves(output); // those of the domain, which the executive passes
+  if (!curves.IsEmpty())
+  {
+    CurveConversion::CellCurves ofLines{ curves.curves, {} };
+    for (const crossfield::QuadBoundaryEdge& edge : mesh.boundary)
+    {
+      ofLines.ofCell.push_back(edge.curve);
+    }
+    CurveConversion::AddCurves(ofLines, output);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -165,6 +178,10 @@ void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredG
   }
   Prepend(boundary->GetCellData(), names::BoundaryKind, 0, quadCount, to);
   Prepend(boundary->GetCellData(), names::BoundaryId, -1, quadCount, to);
+  if (boundary->GetCellData()->HasArray(names::Curve))
+  {
+    Prepend(boundary->GetCellData(), names::Curve, -1, quadCount, to);
+  }
   vtkNew<vtkStringArray> sides;
   sides->SetName(names::Side);
   sides->SetNumberOfValues(quadCount);

@@ -16,9 +16,9 @@ namespace QuadConversion
 void WriteQuads(const crossfield::QuadResult& result, const crossfield::DomainPlane& plane,
   vtkUnstructuredGrid* output);
 
-/** Writes the boundary edges with the domain on their left. */
-void WriteBoundary(
-  const crossfield::QuadMesh& mesh, const crossfield::DomainPlane& plane, vtkPolyData* output);
+/** Writes the boundary edges with the domain on their left, and their curves. */
+void WriteBoundary(const crossfield::QuadMesh& mesh, const crossfield::CurvedBoundary& curves,
+  const crossfield::DomainPlane& plane, vtkPolyData* output);
 
 /** Writes quads and their boundary edges into one grid; see vtkQuadMesher::CopyMesh. */
 void Combine(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* output);

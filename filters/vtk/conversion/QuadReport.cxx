@@ -160,6 +160,31 @@ void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldDat
 }
 
 //------------------------------------------------------------------------------
+void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* data)
+{
+  if (result.curves.empty())
+  {
+    return;
+  }
+  using Report = crossfield::CurveReport;
+  ColumnWriting::AddColumn<vtkStringArray>(data, names::CurveSides, result.curves,
+    [&result](const Report& curve)
+    {
+      std::string text;
+      for (const int side : curve.sides)
+      {
+        text +=
+          (text.empty() ? "" : ",") + result.quads.mesh.sideNames[static_cast<std::size_t>(side)];
+      }
+      return text;
+    });
+  ColumnWriting::AddColumn<vtkIntArray>(
+    data, names::CurveEdges, result.curves, [](const Report& curve) { return curve.edges; });
+  ColumnWriting::AddColumn<vtkDoubleArray>(
+    data, names::CurveMoved, result.curves, [](const Report& curve) { return curve.moved; });
+}
+
+//------------------------------------------------------------------------------
 std::string DescribeQuads(const QuadResult& result)
 {
   std::ostringstream text;

@@ -21,6 +21,9 @@ void WriteBlockCounts(const crossfield::BlockCounts& counts, vtkFieldData* data)
 /** Writes the measures of layers, one tuple for each; nothing if there are none. */
 void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldData* data);
 
+/** Writes the measures of curves, one tuple for each; nothing if there are none. */
+void WriteCurves(const crossfield::QuadWorkflowResult& result, vtkFieldData* data);
+
 /** Returns, without a full stop, the numbers of quads and blocks and the minimum angle. */
 std::string DescribeQuads(const crossfield::QuadResult& result);
 

@@ -1,24 +1,21 @@
 #include "SideConversion.h"
 
-#include "BoundaryCorners.h"
-#include "CellLoop.h"
 #include "ColumnWriting.h"
 #include "Error.h"
 #include "QuadMesher.h"
 #include "QuadSides.h"
+#include "SegmentCells.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <locale>
-#include <map>
 #include <sstream>
 #include <utility>
 
@@ -55,54 +52,6 @@ public:
 private:
   vtkStringArray* Texts;
   vtkDataArray* Numbers;
-};
-
-/** The smaller and the larger end of a segment. */
-using Segment = std::array<vtkIdType, 2>;
-
-Segment Ends(vtkIdType a, vtkIdType b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
-/** Locates the vertices of a domain by their number. */
-class VertexLocator
-{
-public:
-  explicit VertexLocator(const DomainConversion::Domain& domain)
-    : Plane(domain.plane)
-    , Reach(crossfield::BoundaryReach * domain.domain.Diagonal())
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const crossfield::Loop& loop : domain.domain.loops)
-    {
-      for (const crossfield::Point& point : loop)
-      {
-        points->InsertNextPoint(point.x(), point.y(), 0.0);
-      }
-    }
-    this->Vertices->SetPoints(points);
-    this->Locator->SetDataSet(this->Vertices);
-    this->Locator->BuildLocator();
-  }
-
-  /** Returns the vertex at a point of a data set, −1 if there is none. */
-  vtkIdType Find(vtkDataSet* input, vtkIdType id) const
-  {
-    double place[3];
-    input->GetPoint(id, place);
-    const crossfield::Point point = this->Plane.ToPlane(Eigen::Vector3d(place));
-    const double inPlane[3] = { point.x(), point.y(), 0.0 };
-    double squaredDistance = 0.0;
-    return this->Locator->FindClosestPointWithinRadius(this->Reach, inPlane, squaredDistance);
-  }
-
-private:
-  const crossfield::DomainPlane& Plane;
-  const double Reach;
-  vtkNew<vtkPolyData> Vertices;
-  vtkNew<vtkStaticPointLocator> Locator;
 };
 
 /** Reads the texts of a row. */
@@ -243,33 +192,17 @@ crossfield::BoundarySides ReadSides(
     return crossfield::NameSides(domain.domain);
   }
   const CellNames cellNames(input, array);
-  const VertexLocator vertices(domain);
-  std::map<Segment, std::string> nameOf;
-  CellLoop::ForEachCell(input,
-    [&](vtkIdType cell, int type, const auto& points)
-    {
-      const std::string name =
-        type == VTK_LINE || type == VTK_POLY_LINE ? cellNames.Of(cell) : std::string();
-      for (vtkIdType i = 1; !name.empty() && i < points.Size(); ++i)
-      {
-        nameOf.emplace(
-          Ends(vertices.Find(input, points[i - 1]), vertices.Find(input, points[i])), name);
-      }
-    });
   crossfield::SegmentNames segments;
-  vtkIdType first = 0;
   bool isNamed = false;
-  for (const crossfield::Loop& loop : domain.domain.loops)
+  for (const std::vector<vtkIdType>& cells :
+    SegmentCells::Find(input, domain, [&](vtkIdType cell) { return !cellNames.Of(cell).empty(); }))
   {
-    const auto count = static_cast<vtkIdType>(loop.size());
     segments.emplace_back();
-    for (vtkIdType i = 0; i < count; ++i)
+    for (const vtkIdType cell : cells)
     {
-      const auto found = nameOf.find(Ends(first + i, first + (i + 1) % count));
-      segments.back().push_back(found == nameOf.end() ? std::string() : found->second);
-      isNamed = isNamed || found != nameOf.end();
+      segments.back().push_back(cell < 0 ? std::string() : cellNames.Of(cell));
+      isNamed = isNamed || cell >= 0;
     }
-    first += count;
   }
   if (!isNamed && !requested.empty())
   {

@@ -1,0 +1,64 @@
+#include "SegmentCurveConversion.h"
+
+#include "CurveConversion.h"
+#include "SegmentCells.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+
+namespace
+{
+namespace names = vtkCrossFieldArrayNames;
+
+constexpr const char* FieldNames[] = { names::CurveKind, names::CurveOffset, names::CurveValues };
+}
+
+namespace SegmentCurveConversion
+{
+//------------------------------------------------------------------------------
+crossfield::CurvesOfSegments Read(vtkDataSet* input, const DomainConversion::Domain& domain)
+{
+  CurveConversion::CellCurves read = CurveConversion::ReadCurves(input);
+  crossfield::CurvesOfSegments result;
+  if (read.curves.empty())
+  {
+    return result;
+  }
+  const auto curveOf = [&](vtkIdType cell) { return read.ofCell[static_cast<std::size_t>(cell)]; };
+  for (const std::vector<vtkIdType>& cells :
+    SegmentCells::Find(input, domain, [&](vtkIdType cell) { return curveOf(cell) >= 0; }))
+  {
+    result.ofSegment.emplace_back();
+    for (const vtkIdType cell : cells)
+    {
+      result.ofSegment.back().push_back(cell < 0 ? -1 : curveOf(cell));
+    }
+  }
+  result.curves = std::move(read.curves);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void CopyCurves(vtkDataSet* from, vtkDataSet* to)
+{
+  RemoveCurves(to);
+  for (const char* name : FieldNames)
+  {
+    if (vtkAbstractArray* array = from->GetFieldData()->GetAbstractArray(name))
+    {
+      to->GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void RemoveCurves(vtkDataSet* data)
+{
+  for (const char* name : FieldNames)
+  {
+    data->GetFieldData()->RemoveArray(name);
+  }
+}
+}

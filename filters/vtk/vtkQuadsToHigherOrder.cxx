@@ -1,0 +1,79 @@
+#include "vtkQuadsToHigherOrder.h"
+
+#include "FilterPorts.h"
+#include "FilterRun.h"
+#include "HigherOrderConversion.h"
+#include "InputCheck.h"
+#include "QuadConversion.h"
+#include "SegmentCurveConversion.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkQuadsToHigherOrder);
+
+//------------------------------------------------------------------------------
+vtkQuadsToHigherOrder::vtkQuadsToHigherOrder()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkQuadsToHigherOrder::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return FilterPorts::AcceptMesh(info);
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQuadsToHigherOrder::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkPolyData* boundary = vtkPolyData::GetData(inputVector[1]);
+  return FilterRun::Run(this, this->ErrorCode, input,
+    [&](const crossfield::Progress& progress)
+    {
+      vtkNew<vtkUnstructuredGrid> mesh;
+      InputCheck::Require(input);
+      if (boundary != nullptr && boundary->GetNumberOfCells() > 0)
+      {
+        InputCheck::Require(boundary);
+        HigherOrderConversion::RequireBoundaryOf(input, boundary);
+        QuadConversion::Combine(input, boundary, mesh);
+        SegmentCurveConversion::CopyCurves(boundary, mesh);
+      }
+      else
+      {
+        mesh->ShallowCopy(input);
+      }
+      progress.Report(0.1);
+      const HigherOrderConversion::Quads quads = HigherOrderConversion::ReadQuads(mesh);
+      const crossfield::CurvedQuads curved =
+        crossfield::RaiseOrder(quads.straight, this->Order, progress.Part(0.1, 0.9));
+      if (curved.inverted > 0)
+      {
+        vtkWarningMacro(<< HigherOrderConversion::DescribeInverted(curved));
+      }
+      HigherOrderConversion::WriteQuads(
+        quads, curved, mesh, vtkUnstructuredGrid::GetData(outputVector));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkQuadsToHigherOrder::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Order: " << this->Order << "\n";
+}
