@@ -66,7 +66,7 @@
  * singularities had to move), `Moved` (maximum distance of a node from the position of its
  * singularity that was given or chosen), `HolonomyDefect` (per inner loop, radians),
  * `SideNames`, `SideEdges` and `SideLengths` (name, number of edges and length of each side),
- * `CurveKind`, `CurveSides`, `CurveEdges` and `CurveMoved` (kind, names of the sides, number of edges and
+ * `CurveSides`, `CurveEdges` and `CurveMoved` (names of the sides, number of edges and
  * largest distance of a node from the polyline of the domain, per curve),
  * `PredictedStretch` and `StretchReason` (as for vtkCrossFieldMap), `Events` (decisions made in
  * choosing singularities and merging blocks, and their moves by more than a tenth of a quad, one sentence each),

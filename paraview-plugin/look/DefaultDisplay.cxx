@@ -127,7 +127,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 23> Rules = { {
+constexpr std::array<Rule, 24> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "DrawingReader", 0, ShowOutline },
