@@ -1,6 +1,7 @@
 #include "BoundaryPieces.h"
 
 #include "ArcRecognition.h"
+#include "BoundaryCorners.h"
 #include "CurveEvaluator.h"
 #include "CurveFit.h"
 #include "Error.h"

@@ -178,8 +178,10 @@ private:
       if (line.isLayered && line.first * rowsReplaced >= line.length)
       {
         const LayerPrescription& prescription = this->PrescriptionOf(band);
+        // Normal to the wall, as the first height is.
+        const double height = line.length / rowsReplaced * prescription.first / line.first;
         throw Error("The first height " + Format(prescription.first) + " of the layer of '" +
-          prescription.name + "' is not below the height " + Format(line.length / rowsReplaced) +
+          prescription.name + "' is not below the height " + Format(height) +
           " of the quads beside it; give a smaller height, or larger quads.");
       }
     }

@@ -106,7 +106,7 @@ bool CandidateEnergies::CanAlignAfter(const Changes& changes)
   const std::optional<Configuration> interior = this->InteriorAfter(changes);
   const Eigen::Index loops = this->Stage.potential->GetPeriodBasis().cols();
   // The defects of few loops are small, and the energy of their harmonic fields counts.
-  constexpr Eigen::Index FewLoops = 8;
+  constexpr Eigen::Index FewLoops = 20;
   return interior &&
     (loops <= FewLoops || static_cast<Eigen::Index>(interior->size()) >= loops ||
       this->Energies.Evaluate(changes).largestDefect < NoticeableDefect);
