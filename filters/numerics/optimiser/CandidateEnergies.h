@@ -37,7 +37,7 @@ public:
   /// Returns whether the inner loops can be aligned after changes: whether as many singularities as
   /// inner loops are left inside, twice as many coordinates as holonomy conditions, because some of
   /// them are held by the clearance; or whether the defects vanish where they are. With at most
-  /// eight inner loops the energy of the defects decides.
+  /// twenty inner loops the energy of the defects decides.
   bool CanAlignAfter(const Changes& changes);
   /// Makes the changed configuration the present one.
   void Accept(const Changes& changes);
