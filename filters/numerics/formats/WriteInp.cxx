@@ -119,11 +119,6 @@ void AddChangedNames(
 
 std::string WriteInp(const ExportMesh& mesh)
 {
-  if (mesh.order > 2)
-  {
-    throw Error(
-      "The format .inp has no elements of order 3; use order 2, or write a .msh or .vtu file.");
-  }
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
     throw Error(

@@ -14,7 +14,7 @@ namespace crossfield
 /// Names have letters, digits, - and _, begin with a letter, differ in more than case and have at most 72
 /// characters; a comment at the top lists names that were changed.
 ///
-/// `mesh` is oriented (OrientCells). Throws Error if the order is 3, z is not constant in two dimensions,
+/// `mesh` is oriented (OrientCells) and of order 1 or 2. Throws Error if z is not constant in two dimensions,
 /// and as FindSideFaces does.
 std::string WriteInp(const ExportMesh& mesh);
 }

@@ -19,11 +19,6 @@ constexpr int Hexahedron = 12;
 
 void RequirePossible(const ExportMesh& mesh, const SideFaces& faces)
 {
-  if (mesh.order > 1)
-  {
-    throw Error(
-      "The format .su2 has cells of order 1 only; leave the order out, or write a .msh or .vtu file.");
-  }
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
     throw Error(
