@@ -1,5 +1,5 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu: makes an all-quad mesh with exactly the chosen
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2: makes an all-quad mesh with exactly the chosen
  * irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
@@ -15,6 +15,7 @@
 #include "SideOptions.h"
 #include "SingularityInput.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkQuadMeshWriter.h"
 #include "vtkQuadMesher.h"
 #include "vtkQuadsToHigherOrder.h"
 
@@ -64,6 +65,7 @@ struct QuadsOptions
   std::vector<std::string> layers;
   std::vector<std::string> cornerRows;
   int order = 1;
+  int mshVersion = vtkQuadMeshWriter::Msh41;
 };
 
 double Value(vtkUnstructuredGrid* quads, const char* name, vtkIdType i = 0)
@@ -181,8 +183,10 @@ void PrintLayers(vtkFieldData* report)
 int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
-  OutputFile::RequireWritable({ { options.output, ".vtu" }, { options.blocks, ".vtm" },
-    { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
+  OutputFile::RequireWritable(
+    { { options.output, ".vtu .msh .inp .su2" }, { options.blocks, ".vtm" },
+      { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
+  OutputFile::RequireOrder(options.output, options.order);
 
   // 2. Read the domain and the configuration.
   BoundaryOptions boundary = options.boundary;
@@ -236,7 +240,7 @@ int Mesh(const QuadsOptions& options)
 
   // 4. Write.
   OutputTransaction outputs;
-  OutputFile::WriteIfNamed(quads, options.output, outputs);
+  OutputFile::WriteQuads(quads, options.output, options.mshVersion, outputs);
   OutputFile::WriteIfNamed(mesher->GetOutputDataObject(2), options.layout, outputs);
   if (!options.blocks.empty())
   {
@@ -299,7 +303,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddSingularitiesTo(*command, options->singularities);
   command
     ->add_option("-o,--output", options->output,
-      "write the quads to this .vtu file, or to standard output for -")
+      "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX or .su2 of SU2; "
+      "as .vtu to standard output for -")
     ->required();
   CLI::Option* size = command
                         ->add_option("--size", options->size,
@@ -380,6 +385,13 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--order", options->order,
       "order of the quads: 1, or 2 or 3 with boundary edges along the curves; default: 1")
     ->check(CLI::Range(1, 3));
+  const std::map<std::string, int> versions = { { "2.2", vtkQuadMeshWriter::Msh22 },
+    { "4.1", vtkQuadMeshWriter::Msh41 } };
+  command
+    ->add_option("--msh-version", options->mshVersion,
+      "version of a .msh file: 4.1, or 2.2 for programs such as gmshToFoam; default: 4.1")
+    ->transform(CLI::CheckedTransformer(versions).description("{2.2,4.1}"))
+    ->type_name("WORD");
   AddCornersTo(*command, options->corners);
   AddSaveSingularitiesTo(*command, options->savedSingularities);
   AddJsonTo(*command, options->json);

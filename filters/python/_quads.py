@@ -16,9 +16,9 @@ from ._input import Domain, Singularities, as_configuration, as_domain
 from ._layers import CornerRows, Curves, Layers, corner_rows_text, curves_text, layers_text
 from ._plot import plot_quads
 from ._reports import report_of
-from ._results import Configuration, Corners, chains, configuration_of, copied, places, write_grid
+from ._results import Configuration, Corners, chains, configuration_of, copied, places, replace_file, write_grid
 from ._run import Error, Pipeline
-from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadsToHigherOrder
+from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadMeshWriter, vtkQuadsToHigherOrder
 
 #: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
 Progression = Union[float, tuple[float, float], tuple[str, float], tuple[str, float, float]]
@@ -119,16 +119,27 @@ class QuadMesh:
         return plot_quads(self, file, width)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes `grid` to a .vtu file; other endings (.msh, .inp, .su2) are written by meshio:
-        quads and boundary lines, with the loop of each line."""
-        if os.fspath(path).lower().endswith(".vtu"):
+        """Writes a file in the format of its ending: `grid` as .vtu, or quads and names of sides as .msh
+        (Gmsh), .inp (Abaqus, CalculiX) or .su2. Other endings are written by meshio: quads and boundary
+        lines, with the loop of each line."""
+        ending = os.path.splitext(os.fspath(path))[1].lower()
+        if ending == ".vtu":
             write_grid(self.grid, path)
+            return
+        if ending in (".msh", ".inp", ".su2"):
+            pipeline = Pipeline()
+            writer = vtkQuadMeshWriter()
+            writer.SetInputData(self.grid)
+            writer.SetFileName(os.fspath(path))
+            writer.WriteToOutputStringOn()
+            pipeline.update_one(writer)
+            replace_file(writer.GetOutputString(), path)
             return
         try:
             import meshio
         except ImportError:
             raise Error("The file '%s' is written with the Python package meshio; install it (Debian package "
-                        "python3-meshio), or write a .vtu file." % path) from None
+                        "python3-meshio), or write a .vtu, .msh, .inp or .su2 file." % path) from None
         if self.order > 2:
             raise Error("The file '%s' cannot have quads of order 3; write a .vtu file, or use order 2." % path)
         loops = [np.full(len(self.quads), -1), self.boundary_id]

@@ -3,9 +3,6 @@
 #include "FilterPorts.h"
 #include "FilterRun.h"
 #include "HigherOrderConversion.h"
-#include "InputCheck.h"
-#include "QuadConversion.h"
-#include "SegmentCurveConversion.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -46,20 +43,14 @@ int vtkQuadsToHigherOrder::RequestData(
     [&](const crossfield::Progress& progress)
     {
       vtkNew<vtkUnstructuredGrid> mesh;
-      InputCheck::Require(input);
-      if (boundary != nullptr && boundary->GetNumberOfCells() > 0)
-      {
-        InputCheck::Require(boundary);
-        HigherOrderConversion::RequireBoundaryOf(input, boundary);
-        QuadConversion::Combine(input, boundary, mesh);
-        SegmentCurveConversion::CopyCurves(boundary, mesh);
-      }
-      else
-      {
-        mesh->ShallowCopy(input);
-      }
+      HigherOrderConversion::Join(input, boundary, mesh);
       progress.Report(0.1);
       const HigherOrderConversion::Quads quads = HigherOrderConversion::ReadQuads(mesh);
+      if (this->Order == 1)
+      {
+        vtkUnstructuredGrid::GetData(outputVector)->ShallowCopy(mesh);
+        return;
+      }
       const crossfield::CurvedQuads curved =
         crossfield::RaiseOrder(quads.straight, this->Order, progress.Part(0.1, 0.9));
       if (curved.inverted > 0)

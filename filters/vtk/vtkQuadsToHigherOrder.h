@@ -24,6 +24,8 @@
  *   are curved) and `CurveSagitta` (double, per curve: largest distance of a node from the straight
  *   edge).
  *
+ * With order 1 the output is the input with its boundary edges.
+ *
  * Inverted quads are a warning. The filter fails, with an empty output, if there are other cells, no
  * boundary edges, or curves that are not valid.
  *
@@ -50,8 +52,8 @@ public:
   ///@}
 
   ///@{
-  /** Sets the order of the quads. Default: 2. Range: 2 or 3. */
-  vtkSetClampMacro(Order, int, 2, 3);
+  /** Sets the order of the quads. Default: 2. Range: 1 to 3; 1 only joins quads and boundary edges. */
+  vtkSetClampMacro(Order, int, 1, 3);
   vtkGetMacro(Order, int);
   ///@}
 

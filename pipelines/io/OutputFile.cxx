@@ -4,6 +4,7 @@
 #include "OutputTransaction.h"
 #include "PipelineRun.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkQuadMeshWriter.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -11,12 +12,14 @@
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTimerLog.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLStructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -39,12 +42,29 @@ void RequireMemoryForText(vtkDataObject* data)
   *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may remove the allocation
 }
 
-void RequireWritableFile(const std::string& file, const std::string& ending)
+std::string EndingOf(const std::string& file)
 {
-  if (!ending.empty() &&
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)) != ending)
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+}
+
+/** Returns whether quads are written to a file, or standard output, as .vtu. */
+bool IsVtu(const std::string& file)
+{
+  return file == "-" || EndingOf(file) == ".vtu";
+}
+
+void RequireWritableFile(const std::string& file, const std::string& endings)
+{
+  const std::vector<std::string> possible = vtksys::SystemTools::SplitString(endings, ' ');
+  if (!endings.empty() &&
+    std::find(possible.begin(), possible.end(), EndingOf(file)) == possible.end())
   {
-    throw Error("The output file '" + file + "' must end in " + ending + ".");
+    std::string list = possible[0];
+    for (std::size_t i = 1; i < possible.size(); ++i)
+    {
+      list += (i + 1 == possible.size() ? " or " : ", ") + possible[i];
+    }
+    throw Error("The output file '" + file + "' must end in " + list + ".");
   }
   if (vtksys::SystemTools::FileIsDirectory(file))
   {
@@ -68,16 +88,16 @@ namespace OutputFile
 void RequireWritable(std::initializer_list<Output> outputs)
 {
   std::set<std::string> files;
-  for (const auto& [file, ending] : outputs)
+  for (const auto& [file, endings] : outputs)
   {
     if (file.empty())
     {
       continue;
     }
     // A multiblock is an index file and a folder beside it.
-    if (file != "-" || ending == ".vtm")
+    if (file != "-" || endings == ".vtm")
     {
-      RequireWritableFile(file, ending);
+      RequireWritableFile(file, endings);
     }
     if (!files.insert(file).second)
     {
@@ -108,6 +128,32 @@ void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outp
   writer->SetCompressor(compressor);
   writer->WriteToOutputStringOn(); // VTK 9.1 and 9.2 crash when a stream to a file fails
   RequireMemoryForText(data);
+  PipelineRun::RequireNoError([&writer] { writer->Write(); });
+  outputs.Write(writer->GetOutputString(), file);
+}
+
+void RequireOrder(const std::string& file, int order)
+{
+  const std::string reason = IsVtu(file) ? "" : vtkQuadMeshWriter::ReasonAgainst(file, order);
+  if (!reason.empty())
+  {
+    throw Error(reason);
+  }
+}
+
+void WriteQuads(
+  vtkUnstructuredGrid* quads, const std::string& file, int mshVersion, OutputTransaction& outputs)
+{
+  if (IsVtu(file))
+  {
+    Write(quads, file, outputs);
+    return;
+  }
+  vtkNew<vtkQuadMeshWriter> writer;
+  writer->SetInputDataObject(quads);
+  writer->SetFileName(file);
+  writer->SetMshVersion(mshVersion);
+  writer->WriteToOutputStringOn();
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
   outputs.Write(writer->GetOutputString(), file);
 }

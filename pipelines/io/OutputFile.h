@@ -11,6 +11,7 @@
 
 class OutputTransaction;
 class vtkDataSet;
+class vtkUnstructuredGrid;
 
 /** Writes results as parts of a transaction, which puts all outputs of a command in place or none.
  */
@@ -20,11 +21,11 @@ namespace OutputFile
 struct Output
 {
   std::string file;
-  std::string ending;
+  std::string endings; ///< Possible endings, separated by blanks; empty if all are.
 };
 
 /**
- * Throws PipelineRun::Error unless every file has its ending, its folder can be written, and no two
+ * Throws PipelineRun::Error unless every file has one of its endings, its folder can be written, and no two
  * files are the same. Commands call it before any work.
  */
 void RequireWritable(std::initializer_list<Output> outputs);
@@ -34,6 +35,16 @@ void RequireWritable(std::initializer_list<Output> outputs);
  * binary with zlib: the VTKs of Debian 12 cannot read appended data.
  */
 void Write(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);
+
+/** Throws PipelineRun::Error if a file for WriteQuads cannot have quads of an order. */
+void RequireOrder(const std::string& file, int order);
+
+/**
+ * Writes quads with their boundary edges to a .vtu file, to standard output for "-", or to the format of
+ * another ending with vtkQuadMeshWriter. `mshVersion` is one of its versions.
+ */
+void WriteQuads(
+  vtkUnstructuredGrid* quads, const std::string& file, int mshVersion, OutputTransaction& outputs);
 
 /** Writes the data if a file is named; returns the seconds that this took. */
 double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs);

@@ -251,9 +251,9 @@ class Quads(unittest.TestCase):
         try:
             sys.modules["meshio"] = None
             with self.assertRaisesRegex(crossfield.Error, "python3-meshio"):
-                mesh.write("quads.msh")
+                mesh.write("quads.med")
             sys.modules["meshio"] = fake
-            mesh.write("quads.msh")
+            mesh.write("quads.med")
             with self.assertRaisesRegex(crossfield.Error, "no such format"):
                 mesh.write("quads.nothing")
         finally:
@@ -261,7 +261,7 @@ class Quads(unittest.TestCase):
             if before is not None:
                 sys.modules["meshio"] = before
         [(path, points, cells, data)] = written
-        self.assertEqual((path, points.shape), ("quads.msh", (25, 3)))
+        self.assertEqual((path, points.shape), ("quads.med", (25, 3)))
         self.assertEqual([(name, ids.shape) for name, ids in cells], [("quad", (16, 4)), ("line", (16, 2))])
         self.assertEqual([len(values) for values in data["BoundaryId"]], [16, 16])
 

@@ -4,6 +4,9 @@
 #include "CurveConversion.h"
 #include "DomainConversion.h"
 #include "Error.h"
+#include "InputCheck.h"
+#include "QuadConversion.h"
+#include "SegmentCurveConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -25,34 +28,42 @@ namespace
 using crossfield::CurvedQuads;
 using crossfield::Error;
 
-/**
- * Returns the positions, in a lattice with the first index fastest, of the nodes of a quad in VTK's
- * order: corners, edges from lower to higher index, inside.
- */
-std::vector<std::size_t> LatticeOrder(int order)
+/** Throws Error unless quads and boundary have the arrays of vtkQuadMesher's outputs. */
+void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary)
 {
-  const auto at = [order](int i, int j) { return static_cast<std::size_t>(j * (order + 1) + i); };
-  const int p = order;
-  std::vector<std::size_t> positions = { at(0, 0), at(p, 0), at(p, p), at(0, p) };
-  const auto addEdge = [&](const auto& node)
+  const auto hasCells = [](vtkDataSet* data, const char* name)
+  { return data->GetCellData()->GetAbstractArray(name) != nullptr; };
+  vtkDataArray* vertices = boundary->GetPointData()->GetArray(names::VertexId);
+  const auto isVertex = [&](vtkIdType i)
   {
-    for (int k = 1; k < p; ++k)
-    {
-      positions.push_back(node(k));
-    }
+    const double id = vertices->GetTuple1(i);
+    return id >= 0.0 && id < static_cast<double>(quads->GetNumberOfPoints());
   };
-  addEdge([&](int k) { return at(k, 0); });
-  addEdge([&](int k) { return at(p, k); });
-  addEdge([&](int k) { return at(k, p); });
-  addEdge([&](int k) { return at(0, k); });
-  for (int j = 1; j < p; ++j)
+  bool isValid = vertices != nullptr && vertices->GetNumberOfComponents() == 1 &&
+    boundary->GetNumberOfLines() == boundary->GetNumberOfCells();
+  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfPoints(); ++i)
   {
-    for (int i = 1; i < p; ++i)
-    {
-      positions.push_back(at(i, j));
-    }
+    isValid = isVertex(i);
   }
-  return positions;
+  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfCells(); ++i)
+  {
+    isValid = boundary->GetCellType(i) == VTK_LINE;
+  }
+  for (const char* name : { names::BoundaryKind, names::BoundaryId, names::Side })
+  {
+    isValid = isValid && hasCells(boundary, name);
+  }
+  for (const char* name :
+    { names::BlockId, names::I, names::J, names::ScaledJacobian, names::SizeRatio })
+  {
+    isValid = isValid && hasCells(quads, name);
+  }
+  if (!isValid)
+  {
+    throw Error(
+      "The inputs are not the quads and the boundary of one mesh; connect the outputs Quads "
+      "and Boundary of the same Quad Mesher.");
+  }
 }
 
 /** A new point: the points that it is between, with weights. */
@@ -150,41 +161,45 @@ void WritePointData(
 namespace HigherOrderConversion
 {
 //------------------------------------------------------------------------------
-void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary)
+std::vector<std::size_t> LatticeOrder(int order)
 {
-  const auto hasCells = [](vtkDataSet* data, const char* name)
-  { return data->GetCellData()->GetAbstractArray(name) != nullptr; };
-  vtkDataArray* vertices = boundary->GetPointData()->GetArray(names::VertexId);
-  const auto isVertex = [&](vtkIdType i)
+  const auto at = [order](int i, int j) { return static_cast<std::size_t>(j * (order + 1) + i); };
+  const int p = order;
+  std::vector<std::size_t> positions = { at(0, 0), at(p, 0), at(p, p), at(0, p) };
+  const auto addEdge = [&](const auto& node)
   {
-    const double id = vertices->GetTuple1(i);
-    return id >= 0.0 && id < static_cast<double>(quads->GetNumberOfPoints());
+    for (int k = 1; k < p; ++k)
+    {
+      positions.push_back(node(k));
+    }
   };
-  bool isValid = vertices != nullptr && vertices->GetNumberOfComponents() == 1 &&
-    boundary->GetNumberOfLines() == boundary->GetNumberOfCells();
-  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfPoints(); ++i)
+  addEdge([&](int k) { return at(k, 0); });
+  addEdge([&](int k) { return at(p, k); });
+  addEdge([&](int k) { return at(k, p); });
+  addEdge([&](int k) { return at(0, k); });
+  for (int j = 1; j < p; ++j)
   {
-    isValid = isVertex(i);
+    for (int i = 1; i < p; ++i)
+    {
+      positions.push_back(at(i, j));
+    }
   }
-  for (vtkIdType i = 0; isValid && i < boundary->GetNumberOfCells(); ++i)
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+void Join(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* mesh)
+{
+  InputCheck::Require(quads);
+  if (boundary == nullptr || boundary->GetNumberOfCells() == 0)
   {
-    isValid = boundary->GetCellType(i) == VTK_LINE;
+    mesh->ShallowCopy(quads);
+    return;
   }
-  for (const char* name : { names::BoundaryKind, names::BoundaryId, names::Side })
-  {
-    isValid = isValid && hasCells(boundary, name);
-  }
-  for (const char* name :
-    { names::BlockId, names::I, names::J, names::ScaledJacobian, names::SizeRatio })
-  {
-    isValid = isValid && hasCells(quads, name);
-  }
-  if (!isValid)
-  {
-    throw Error(
-      "The inputs are not the quads and the boundary of one mesh; connect the outputs Quads "
-      "and Boundary of the same Quad Mesher.");
-  }
+  InputCheck::Require(boundary);
+  RequireBoundaryOf(quads, boundary);
+  QuadConversion::Combine(quads, boundary, mesh);
+  SegmentCurveConversion::CopyCurves(boundary, mesh);
 }
 
 //------------------------------------------------------------------------------

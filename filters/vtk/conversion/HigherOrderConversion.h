@@ -24,8 +24,18 @@ struct Quads
   std::vector<vtkIdType> edgeCells; ///< Cell of each boundary edge.
 };
 
-/** Throws crossfield::Error unless quads and boundary have the arrays of vtkQuadMesher's outputs. */
-void RequireBoundaryOf(vtkUnstructuredGrid* quads, vtkPolyData* boundary);
+/**
+ * Returns the positions, in a lattice with the first index fastest, of the nodes of a quad in VTK's
+ * order: corners, edges from lower to higher index, inside.
+ */
+std::vector<std::size_t> LatticeOrder(int order);
+
+/**
+ * Joins the outputs of vtkQuadMesher for quads and boundary, with its curves, to one mesh; without
+ * boundary, or if it is empty, `mesh` is the first input. Throws crossfield::Error if the boundary has not
+ * the arrays of that output, or InputCheck::Require refuses an input.
+ */
+void Join(vtkUnstructuredGrid* quads, vtkPolyData* boundary, vtkUnstructuredGrid* mesh);
 
 /**
  * Reads quads, their boundary edges and curves. Throws crossfield::Error if there are cells that are

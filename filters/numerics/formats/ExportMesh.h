@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace crossfield
+{
+/// A mesh of quads or hexahedra that a solver reads: cells with regions, boundary faces with sides.
+///
+/// The nodes of a cell of order p are a lattice of (p + 1)^dimension points, the first index fastest: of a
+/// quad, the row from corner 0 to corner 1 comes first and the row from corner 3 to corner 2 last; of a
+/// hexahedron, the lattice of the bottom (0, 1, 2, 3) comes first and that of the top (4, 5, 6, 7) last.
+/// Corners have the order of VTK_QUAD and VTK_HEXAHEDRON. Faces, which are edges in two dimensions, are
+/// given by their corners, since their other nodes are those of the cell.
+struct ExportMesh
+{
+  int dimension = 2; ///< 2 for quads, 3 for hexahedra.
+  int order = 1;     ///< 1 to 3; hexahedra 1 or 2.
+  std::vector<Eigen::Vector3d> points;
+  std::vector<int> cells;               ///< Nodes of all cells, one cell after the other.
+  std::vector<int> region;              ///< Per cell, index of its region.
+  std::vector<std::string> regionNames; ///< Different from each other, as are those of sides.
+  std::vector<int> faces; ///< Corners of all boundary faces, 2 or 4 each, in any direction.
+  std::vector<int> side;  ///< Per face, index of its side.
+  std::vector<std::string> sideNames;
+
+  int NodesOfCell() const; ///< (order + 1)^dimension
+  int CornersOfFace() const { return this->dimension == 2 ? 2 : 4; }
+  int CellCount() const { return static_cast<int>(this->region.size()); }
+  int FaceCount() const { return static_cast<int>(this->side.size()); }
+  /// Returns the nodes of a cell.
+  const int* Cell(int cell) const;
+  bool HasConstantHeight() const; ///< Whether all points have the same z.
+};
+
+/// Makes all hexahedra right-handed and, if z is constant, all quads counter-clockwise. Nodes that are
+/// not points of the mesh and orders without a lattice are an Error.
+void OrientCells(ExportMesh& mesh);
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ExportMesh.h"
+
+#include <vector>
+
+namespace crossfield
+{
+/// A boundary face as a part of a cell.
+struct SideFace
+{
+  int cell = 0;
+  int face = 0; ///< Number of the face in the cell (CellLattice.h).
+};
+
+/// Faces of a mesh by side, in their order.
+struct SideFaces
+{
+  std::vector<std::vector<SideFace>> ofSide;
+  std::vector<bool>
+    isInside; ///< Per side, whether there are cells on both sides of one of its faces.
+};
+
+/// Finds the cell of every boundary face. Throws Error if a face belongs to no cell or is given twice, or
+/// if a face with one cell is missing.
+SideFaces FindSideFaces(const ExportMesh& mesh);
+}

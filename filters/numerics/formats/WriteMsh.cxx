@@ -1,0 +1,256 @@
+#include "WriteMsh.h"
+
+#include "CellLattice.h"
+#include "FormatNames.h"
+#include "Index.h"
+#include "MeshNumbering.h"
+#include "MeshText.h"
+#include "SideFaces.h"
+
+#include <array>
+
+namespace crossfield
+{
+namespace
+{
+/// Type of an element by its dimension and order.
+int TypeOf(int dimension, int order)
+{
+  constexpr std::array<std::array<int, 3>, 3> Types = { { { 1, 8, 26 }, { 3, 10, 36 },
+    { 5, 12, 92 } } };
+  return Types[Index(dimension - 1)][Index(order - 1)];
+}
+
+/// The elements of one entity, a side or region.
+struct Entity
+{
+  int dimension = 0;
+  int tag = 0;
+  std::string name;
+  std::vector<int> elements; ///< Nodes of all elements in Gmsh's order.
+  std::size_t nodesOfElement = 0;
+  std::vector<int> nodes; ///< Nodes that belong to no earlier entity.
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();
+  Eigen::Vector3d high = Eigen::Vector3d::Zero();
+
+  std::size_t Count() const { return this->elements.size() / this->nodesOfElement; }
+};
+
+std::vector<Entity> SidesOf(
+  const ExportMesh& mesh, const MeshNumbering& numbering, const std::vector<std::string>& names)
+{
+  const SideFaces faces = FindSideFaces(mesh);
+  const CellLattice lattice(mesh.dimension, mesh.order);
+  const std::vector<int> order = CellLattice(mesh.dimension - 1, mesh.order).GmshOrder();
+  std::vector<std::vector<int>> positions; // per face of a cell
+  for (int face = 0; face < lattice.FaceCount(); ++face)
+  {
+    const std::vector<int> all = lattice.Face(face);
+    positions.emplace_back();
+    for (const int position : order)
+    {
+      positions.back().push_back(all[Index(position)]);
+    }
+  }
+  std::vector<Entity> sides;
+  for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+  {
+    Entity entity;
+    entity.dimension = mesh.dimension - 1;
+    entity.name = names[side];
+    entity.nodesOfElement = order.size();
+    for (const SideFace& face : faces.ofSide[side])
+    {
+      for (const int position : positions[Index(face.face)])
+      {
+        entity.elements.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
+      }
+    }
+    sides.push_back(std::move(entity));
+  }
+  return sides;
+}
+
+std::vector<Entity> RegionsOf(const ExportMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<int>& positions, const std::vector<std::string>& names)
+{
+  std::vector<Entity> regions(mesh.regionNames.size());
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    regions[i].dimension = mesh.dimension;
+    regions[i].name = names[i];
+    regions[i].nodesOfElement = positions.size();
+  }
+  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  {
+    std::vector<int>& elements = regions[Index(mesh.region[Index(cell)])].elements;
+    for (const int position : positions)
+    {
+      elements.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
+    }
+  }
+  return regions;
+}
+
+/// Sets the tags of entities and gives each node to the first one that has it.
+void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vector<Entity>& entities)
+{
+  std::vector<bool> isTaken(numbering.point.size(), false);
+  int tag = 0;
+  for (Entity& entity : entities)
+  {
+    entity.tag = ++tag;
+    bool isFirst = true;
+    for (const int node : entity.elements)
+    {
+      const Eigen::Vector3d& place = mesh.points[Index(numbering.point[Index(node - 1)])];
+      entity.low = isFirst ? place : entity.low.cwiseMin(place).eval();
+      entity.high = isFirst ? place : entity.high.cwiseMax(place).eval();
+      isFirst = false;
+      if (!isTaken[Index(node - 1)])
+      {
+        isTaken[Index(node - 1)] = true;
+        entity.nodes.push_back(node);
+      }
+    }
+  }
+}
+
+void AddPlace(const Eigen::Vector3d& place, MeshText& text)
+{
+  text.Add(place.x()).Add(' ').Add(place.y()).Add(' ').Add(place.z());
+}
+
+void AddNames(const std::vector<Entity>& entities, MeshText& text)
+{
+  text.Add("$PhysicalNames\n").Add(static_cast<int>(entities.size())).Add('\n');
+  for (const Entity& entity : entities)
+  {
+    text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(" \"").Add(entity.name).Add("\"\n");
+  }
+  text.Add("$EndPhysicalNames\n");
+}
+
+void AddBlocks(const std::vector<Entity>& entities, int count, MeshText& text)
+{
+  text.Add(static_cast<int>(entities.size())).Add(' ').Add(count).Add(" 1 ").Add(count).Add('\n');
+}
+
+void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<Entity>& entities, int elements, MeshText& text)
+{
+  std::array<int, 4> counts{}; // per dimension
+  for (const Entity& entity : entities)
+  {
+    ++counts[Index(entity.dimension)];
+  }
+  text.Add("$Entities\n0 ")
+    .Add(counts[1])
+    .Add(' ')
+    .Add(counts[2])
+    .Add(' ')
+    .Add(counts[3])
+    .Add('\n');
+  for (const Entity& entity : entities)
+  {
+    text.Add(entity.tag).Add(' ');
+    AddPlace(entity.low, text);
+    text.Add(' ');
+    AddPlace(entity.high, text);
+    text.Add(" 1 ").Add(entity.tag).Add(" 0\n"); // one physical group, no entities around it
+  }
+  text.Add("$EndEntities\n$Nodes\n");
+  AddBlocks(entities, static_cast<int>(numbering.point.size()), text);
+  for (const Entity& entity : entities)
+  {
+    text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(" 0 ");
+    text.Add(static_cast<int>(entity.nodes.size())).Add('\n');
+    for (const int node : entity.nodes)
+    {
+      text.Add(node).Add('\n');
+    }
+    for (const int node : entity.nodes)
+    {
+      AddPlace(mesh.points[Index(numbering.point[Index(node - 1)])], text);
+      text.Add('\n');
+    }
+  }
+  text.Add("$EndNodes\n$Elements\n");
+  AddBlocks(entities, elements, text);
+  int number = 0;
+  for (const Entity& entity : entities)
+  {
+    text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(' ');
+    text.Add(TypeOf(entity.dimension, mesh.order)).Add(' ');
+    text.Add(static_cast<int>(entity.Count())).Add('\n');
+    for (std::size_t i = 0; i < entity.elements.size(); ++i)
+    {
+      if (i % entity.nodesOfElement == 0)
+      {
+        text.Add(++number);
+      }
+      text.Add(' ').Add(entity.elements[i]);
+      if ((i + 1) % entity.nodesOfElement == 0)
+      {
+        text.Add('\n');
+      }
+    }
+  }
+  text.Add("$EndElements\n");
+}
+
+void AddVersion22(const ExportMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<Entity>& entities, int elements, MeshText& text)
+{
+  text.Add("$Nodes\n").Add(static_cast<int>(numbering.point.size())).Add('\n');
+  for (std::size_t i = 0; i < numbering.point.size(); ++i)
+  {
+    text.Add(static_cast<int>(i) + 1).Add(' ');
+    AddPlace(mesh.points[Index(numbering.point[i])], text);
+    text.Add('\n');
+  }
+  text.Add("$EndNodes\n$Elements\n").Add(elements).Add('\n');
+  int number = 0;
+  for (const Entity& entity : entities)
+  {
+    for (std::size_t i = 0; i < entity.elements.size(); ++i)
+    {
+      if (i % entity.nodesOfElement == 0)
+      {
+        text.Add(++number).Add(' ').Add(TypeOf(entity.dimension, mesh.order)).Add(" 2 ");
+        text.Add(entity.tag).Add(' ').Add(entity.tag);
+      }
+      text.Add(' ').Add(entity.elements[i]);
+      if ((i + 1) % entity.nodesOfElement == 0)
+      {
+        text.Add('\n');
+      }
+    }
+  }
+  text.Add("$EndElements\n");
+}
+}
+
+std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
+{
+  NameRule rule;
+  rule.isPlain = false;
+  rule.longest = 127; // Gmsh's own limit
+  const std::vector<int> positions = CellLattice(mesh.dimension, mesh.order).GmshOrder();
+  const MeshNumbering numbering = NumberNodes(mesh, positions, 1);
+  std::vector<Entity> entities = SidesOf(mesh, numbering, FormatNames(mesh.sideNames, rule));
+  for (Entity& region : RegionsOf(mesh, numbering, positions, FormatNames(mesh.regionNames, rule)))
+  {
+    entities.push_back(std::move(region));
+  }
+  Complete(mesh, numbering, entities);
+  MeshText text;
+  text.Add(version == MshVersion::V41 ? "$MeshFormat\n4.1 0 8\n" : "$MeshFormat\n2.2 0 8\n");
+  text.Add("$EndMeshFormat\n");
+  AddNames(entities, text);
+  const int elements = mesh.CellCount() + mesh.FaceCount();
+  (version == MshVersion::V41 ? AddVersion41 : AddVersion22)(
+    mesh, numbering, entities, elements, text);
+  return text.Take();
+}
+}

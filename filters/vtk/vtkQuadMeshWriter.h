@@ -1,0 +1,99 @@
+/**
+ * @class   vtkQuadMeshWriter
+ * @brief   writes quads with the names of their sides to files of solvers
+ *
+ * The ending of the file gives the format, in any case:
+ * - .msh: Gmsh 4.1 or 2.2 with a physical group for each side and one, domain, for the quads; orders 1 to 3
+ * - .inp: Abaqus and CalculiX, with sets and a surface for each side; CPS4, or CPS8 without the nodes
+ *   inside; orders 1 and 2
+ * - .su2: SU2 with a marker for each side; order 1
+ *
+ * Quads are counter-clockwise and sides have the domain on the left. Nodes count from 1 in the order of
+ * the points that quads use; in .su2 from 0. Coordinates are exact, except that those of .inp have at most 20
+ * characters, which are at least 13 digits. docs/formats.md describes names.
+ *
+ * Input port 0 (vtkUnstructuredGrid): quads and lines of one order, with the string array `Side` on the
+ * lines: vtkQuadMesher::CopyMesh, vtkQuadsToHigherOrder or a .vtu file of `crossfield quads`; or output 0 of
+ * vtkQuadMesher. Input port 1, optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no
+ * lines.
+ *
+ * If the writer fails, it sets an error code, and an old file of this name stays as it is. It fails if the
+ * ending is unknown, the format cannot have the mesh, edges of the boundary are missing, or the file cannot be
+ * written.
+ *
+ * @sa vtkQuadMesher, vtkQuadsToHigherOrder, crossfield::WriteMeshText
+ */
+
+#ifndef vtkQuadMeshWriter_h
+#define vtkQuadMeshWriter_h
+
+#include "vtkCrossFieldFiltersModule.h" // for the export macro
+#include "vtkCrossFieldPortMacro.h"     // for the setters of ports
+#include "vtkWriter.h"
+
+#include <string>
+
+class VTKCROSSFIELDFILTERS_EXPORT vtkQuadMeshWriter : public vtkWriter
+{
+public:
+  static vtkQuadMeshWriter* New();
+  vtkTypeMacro(vtkQuadMeshWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Connects port 1, the boundary edges, or sets it to a data object. */
+  vtkCrossFieldPortMacro(Boundary, 1);
+  ///@}
+
+  ///@{
+  /** Sets the name of the file. Default: empty, which is an error. */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+  /** Sets the name of the file; overload for ParaView. */
+  void SetFileName(const char* fileName)
+  {
+    this->SetFileName(std::string(fileName ? fileName : ""));
+  }
+
+  /** Versions of .msh files. */
+  enum MshVersions
+  {
+    Msh22 = 22,
+    Msh41 = 41
+  };
+  ///@{
+  /** Sets the version of .msh files. Default: Msh41. */
+  vtkSetMacro(MshVersion, int);
+  vtkGetMacro(MshVersion, int);
+  ///@}
+
+  ///@{
+  /** Keeps the text for GetOutputString instead of writing the file. Default: off. */
+  vtkSetMacro(WriteToOutputString, bool);
+  vtkGetMacro(WriteToOutputString, bool);
+  vtkBooleanMacro(WriteToOutputString, bool);
+  const std::string& GetOutputString() const { return this->OutputString; }
+  ///@}
+
+  /** Returns why a file of this name cannot have quads of an order, or an empty text if it can. */
+  static std::string ReasonAgainst(const std::string& fileName, int order);
+
+protected:
+  vtkQuadMeshWriter();
+  ~vtkQuadMeshWriter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+private:
+  vtkQuadMeshWriter(const vtkQuadMeshWriter&) = delete;
+  void operator=(const vtkQuadMeshWriter&) = delete;
+
+  std::string FileName;
+  int MshVersion = Msh41;
+  bool WriteToOutputString = false;
+  std::string OutputString;
+};
+
+#endif
