@@ -45,6 +45,8 @@ if [[ $tests == yes ]]; then
   packages+=(
     # Rules.Format needs this version of clang-format.
     clang-format-14 libbenchmark-dev libgtest-dev
+    # Readers of the files for solvers.
+    calculix-ccx gmsh python3-meshio
     # For parameter studies, which run with mpirun.
     openmpi-bin python3-mpi4py
   )

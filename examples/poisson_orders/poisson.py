@@ -23,7 +23,7 @@ from mpi4py import MPI
 from petsc4py import PETSc
 
 OUTER, INNER = 1.0, 0.4
-QUADS = {1: (300, 1200, 4800), 2: (300, 1200, 4800), 3: (100, 400, 1600)}
+COUNTS = {1: (300, 1200, 4800), 2: (300, 1200, 4800), 3: (100, 400, 1600)}
 
 
 def write_domain(path, radii, points=16):
@@ -79,7 +79,7 @@ def main():
         folder = pathlib.Path(temporary)
         for name, radii in (("disk", [OUTER]), ("ring", [OUTER, INNER])):
             write_domain(folder / "domain.csv", radii)
-            for order, counts in QUADS.items():
+            for order, counts in COUNTS.items():
                 before = None
                 for count in counts:
                     subprocess.run([options.program, "quads", folder / "domain.csv", "-o", folder / "quads.msh", "--quads",

@@ -39,6 +39,7 @@ PROXIES = {
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "RepairHolonomy SplitSingularities Curves"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
+    "QuadMeshWriter": ("writers", "Input FileName MshVersion"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),
     "SingularityOptimizer": (
@@ -76,7 +77,7 @@ def test_proxies():
             check(part in documentation.GetDescription(), "the help of %s has no %s" % (name, part))
         # Python names come from labels, so a label must be the name with spaces.
         check_equal(prototype.GetXMLLabel(), re.sub("(?<!^)(?=[A-Z])", " ", name), "the label")
-        if name not in ("DrawingReader", "PlanarDomainReader"):  # which File, Open creates
+        if name not in ("DrawingReader", "PlanarDomainReader", "QuadMeshWriter"):  # of File, Open and Save Data
             menu = prototype.GetHints().FindNestedElementByName("ShowInMenu")
             # A category here would come before menus.xml, and in another order.
             check_equal(menu.GetAttribute("category"), None, "the menu of %s" % name)

@@ -22,6 +22,21 @@ def test_h_field():
     check(drilled.GetPointData().GetArray("H") is not None, "there is no H on a drilled mesh")
 
 
+def test_save_data_for_solvers():
+    mesher = QuadMesher(Input=PlanarDomainSource(), QuadCount=100, Curves="auto")
+    with tempfile.TemporaryDirectory() as folder:
+        for order, name, begin in ((1, "a.su2", "NDIME= 2\n"), (2, "a.inp", "** "), (3, "a.msh", "$MeshFormat\n4.1 ")):
+            joined = QuadsToHigherOrder(Input=mesher, Boundary=OutputPort(mesher, 5), Order=order)
+            SaveData(os.path.join(folder, name), proxy=joined)
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                text = file.read()
+            check(text.startswith(begin), "the format of %s" % name)
+            check("outer0" in text, "the side in %s" % name)
+        SaveData(os.path.join(folder, "b.msh"), proxy=joined, MshVersion="2.2")
+        with open(os.path.join(folder, "b.msh"), encoding="utf-8") as file:
+            check(file.read().startswith("$MeshFormat\n2.2 "), "the version")
+
+
 def test_layout_designer():
     designer = LayoutDesigner(Input=PlanarDomainSource())
     lines = fetch(designer)
@@ -202,6 +217,6 @@ def test_quad_mesher_outputs():
         check(math.dist(given.GetPoint(i), quads.GetPoint(i)) < 1e-9, "point %d is elsewhere" % i)
 
 
-run_tests(test_h_field, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
+run_tests(test_h_field, test_save_data_for_solvers, test_layout_designer, test_layout_designer_in_a_tilted_plane, test_separatrices,
           test_energies, test_size_arrays, test_quad_mesher_for_a_first_user,
           test_sides, test_quad_mesher_outputs)

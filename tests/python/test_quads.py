@@ -233,6 +233,22 @@ class Quads(unittest.TestCase):
             read = crossfield.read(os.path.join(folder, "quads.vtu"))
             self.assertEqual(read.GetNumberOfCells(), 75 + len(mesh.edges))
 
+    def test_files_for_solvers_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for order, ending in ((1, ".msh"), (2, ".msh"), (3, ".msh"), (2, ".inp"), (1, ".su2")):
+                mesh = crossfield.quads("builtin:l-shape", count=50, order=order)
+                path, expected = os.path.join(folder, "a" + ending), os.path.join(folder, "b" + ending)
+                mesh.write(path)
+                subprocess.run([PROGRAM, "quads", "builtin:l-shape", "--quads", "50", "-o", expected, "--order", str(order)],
+                               check=True, capture_output=True)
+                with open(path, "rb") as written, open(expected, "rb") as by_program:
+                    self.assertEqual(written.read(), by_program.read())
+            self.assertRaisesRegex(crossfield.Error, "order 1 only",
+                                   crossfield.quads("builtin:square", count=9, order=2).write, path)
+            with open(path, "rb") as written, open(expected, "rb") as by_program:
+                self.assertEqual(written.read(), by_program.read(), "the old file")
+            self.assertEqual(len(os.listdir(folder)), 6, "no temporary files")
+
     def test_other_endings_are_written_by_meshio(self):
         mesh, written = crossfield.quads("builtin:square", [], count=16), []
         fake = types.ModuleType("meshio")
