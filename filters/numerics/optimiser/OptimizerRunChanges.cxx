@@ -5,6 +5,7 @@
 #include "BoundaryAbsorption.h"
 #include "Error.h"
 #include "OptimizerCurvature.h"
+#include "OptimizerReport.h"
 #include "OptimizerSymmetry.h"
 
 #include <algorithm>
