@@ -2,7 +2,7 @@
 
 #include "Error.h"
 #include "PieceSampling.h"
-#include "PointGrid.h"
+#include "EndGrid.h"
 
 #include <Eigen/Geometry>
 
@@ -100,7 +100,7 @@ void EndJoints::Join(Index a, Index b)
 void EndJoints::JoinWithin(double tolerance)
 {
   constexpr std::size_t MostPairs = 10000000;
-  PointGrid grid(tolerance);
+  EndGrid grid(tolerance);
   std::vector<std::tuple<double, Index, Index>> pairs;
   for (const Index end : this->OpenEnds())
   {

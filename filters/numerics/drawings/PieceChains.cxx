@@ -3,7 +3,7 @@
 #include "EndJoints.h"
 #include "Error.h"
 #include "PieceSampling.h"
-#include "PointGrid.h"
+#include "EndGrid.h"
 
 #include <Eigen/Geometry>
 
@@ -55,7 +55,7 @@ std::vector<std::size_t> WithoutRepeated(
 {
   // Pieces not much longer than the tolerance would all be in the same place.
   constexpr double ShareOfLength = 0.01;
-  PointGrid grid(tolerance);
+  EndGrid grid(tolerance);
   std::vector<std::size_t> used;
   std::size_t repeated = 0;
   std::string first;

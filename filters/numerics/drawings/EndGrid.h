@@ -11,11 +11,11 @@
 namespace crossfield
 {
 /// Numbers of points in square cells, to find those near a place.
-class PointGrid
+class EndGrid
 {
 public:
   /// `reach` is the size of the cells.
-  explicit PointGrid(double reach)
+  explicit EndGrid(double reach)
     : Reach(reach)
   {
   }
