@@ -1,8 +1,8 @@
 #include "EndJoints.h"
 
+#include "EndGrid.h"
 #include "Error.h"
 #include "PieceSampling.h"
-#include "EndGrid.h"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 #include "PieceChains.h"
 
+#include "EndGrid.h"
 #include "EndJoints.h"
 #include "Error.h"
 #include "PieceSampling.h"
-#include "EndGrid.h"
 
 #include <Eigen/Geometry>
 
