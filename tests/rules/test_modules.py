@@ -7,6 +7,8 @@
 - No two units of the numerics include each other, directly or through other units. A unit is a
   header and the source of the same name.
 - A function is defined in the unit whose header declares it.
+- No two headers have the same name or define classes of the same name: the linker would take the
+  functions of one for those of the other.
 - Tests are in the folder of the module that they test, and every filter has a test.
 """
 
@@ -191,6 +193,14 @@ def cycle(graph):
     return None
 
 
+def repeated_names(files):
+    """Returns the names of headers, and of the classes that they define, that occur more than once."""
+    names = [name for _, name in files]
+    for text in files.values():
+        names += re.findall(r"^(?:class|struct) (\w+)(?: final)?\s*(?::[^;{]*)?\{", text, re.MULTILINE)
+    return sorted({name for name in names if names.count(name) > 1})
+
+
 class Modules(unittest.TestCase):
     def test_finds_a_cycle(self):
         files = {"A.h": '#include "B.h"', "B.cxx": '#include "C.h"', "C.h": '#include "A.h"', "D.h": ""}
@@ -223,6 +233,15 @@ class Modules(unittest.TestCase):
         self.assertEqual(functions(here)[1], {"n::F", "n::C::M"})
         self.assertEqual(misplaced_functions({"A.h": header, "A.cxx": here + there}), [])
         self.assertEqual(misplaced_functions({"A.h": header, "B.cxx": here, "A.cxx": there}), ["B.cxx defines n::F of A.h"])
+
+    def test_finds_a_name_twice(self):
+        one, other = "class Grid\n{\n};\nstruct A;\n", "struct Grid\n  : public B\n{\n};\nstruct A\n{\n};\n"
+        self.assertEqual(repeated_names({("a", "One.h"): one, ("b", "Other.h"): other}), ["Grid"])
+        self.assertEqual(repeated_names({("a", "Same.h"): one, ("b", "Same.h"): ""}), ["Same.h"])
+
+    def test_names_of_headers_and_classes_are_unique(self):
+        files = {(path.parent.name, path.name): path.read_text() for path in NUMERICS.glob("*/*.h")}
+        self.assertEqual(repeated_names(files), [])
 
     def test_each_library_is_used_in_one_module(self):
         modules = libraries_of_the_page((ROOT / "docs" / "architecture.md").read_text())
