@@ -9,7 +9,7 @@ import tempfile
 
 import vtk
 
-from sides import circle, write_domain
+from sides import circle, save_view, write_domain
 
 STEPS = 8  # straight parts of a drawn edge
 
@@ -80,23 +80,7 @@ def draw(path, picture, centre, height, size=(440, 440), outline=None):
     renderer.AddActor(actor_of(*inside, (0.45, 0.45, 0.45), 1))
     renderer.AddActor(actor_of(*edges, (0.1, 0.1, 0.1), 2.5))
     renderer.AddActor(dots)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetSize(*size)
-    window.AddRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(centre[0], centre[1], 0)
-    camera.SetPosition(centre[0], centre[1], 1)
-    camera.SetParallelScale(height / 2)
-    renderer.ResetCameraClippingRange()
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(picture)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save_view(renderer, picture, size, centre, height)
 
 
 def main(program, folder):

@@ -43,6 +43,27 @@ def write_domain(path, loops):
     writer.Write()
 
 
+def save_view(renderer, picture, size, centre, height):
+    """Writes a view along z, around a point, of a height in the plane."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(centre[0], centre[1], 0)
+    camera.SetPosition(centre[0], centre[1], 1)
+    camera.SetParallelScale(height / 2)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
 def draw(path, picture, size=(900, 470)):
     """Draws quads with their boundary edges, coloured by the array Side."""
     reader = vtk.vtkXMLUnstructuredGridReader()
@@ -85,22 +106,9 @@ def draw(path, picture, size=(900, 470)):
             data.GetCellData().SetScalars(colours)
             actor.GetProperty().SetLineWidth(5)
         renderer.AddActor(actor)
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetSize(*size)
-    window.AddRenderer(renderer)
-    renderer.ResetCamera()
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
     bounds = grid.GetBounds()
-    camera.SetParallelScale(1.05 * max((bounds[3] - bounds[2]) / 2, (bounds[1] - bounds[0]) / 2 * size[1] / size[0]))
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(picture)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    height = 1.05 * max(bounds[3] - bounds[2], (bounds[1] - bounds[0]) * size[1] / size[0])
+    save_view(renderer, picture, size, ((bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2), height)
 
 
 def main(program, folder):
