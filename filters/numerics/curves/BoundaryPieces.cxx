@@ -5,10 +5,10 @@
 #include "CurveEvaluator.h"
 #include "CurveFit.h"
 #include "Error.h"
+#include "SplineThrough.h"
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace crossfield
@@ -28,14 +28,6 @@ const char* NameOf(CurveDeclaration::Kind kind)
   default:
     return "line";
   }
-}
-
-std::string Format(double value)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << value;
-  return text.str();
 }
 
 /// Consecutive segments of a loop.
@@ -97,17 +89,8 @@ public:
 
   void Declare(const CurveDeclaration& declaration)
   {
+    RequireSide(this->Sides.names, declaration.side, " for a curve");
     const int side = this->Sides.Find(declaration.side);
-    if (side < 0)
-    {
-      std::string known;
-      for (std::size_t i = 0; i < this->Sides.names.size() && i < 12; ++i)
-      {
-        known += (known.empty() ? "" : ", ") + this->Sides.names[i];
-      }
-      throw Error("The boundary has no side '" + declaration.side + "' for a curve; give one of " +
-        known + (this->Sides.names.size() > 12 ? ", ..." : "") + ".");
-    }
     for (std::size_t l = 0; l < this->Domain.loops.size(); ++l)
     {
       for (const Run& run : this->RunsOf(l, side))
@@ -160,7 +143,7 @@ public:
           if (distance > this->Reach)
           {
             throw Error("Curve " + std::to_string(curve) + " of the domain misses the point " +
-              Describe(point) + " by " + Format(distance) +
+              Describe(point) + " by " + FormatNumber(distance, 2) +
               "; read its drawing again, or remove the cell array 'Curve'.");
           }
         }
@@ -320,7 +303,7 @@ private:
         {
           throw Error("Side '" + declaration.side + "' is no " + NameOf(declaration.kind) +
             ": the nearest one misses the point " + Describe(fitted.back().farthest) + " by " +
-            Format(fitted.back().distance) + ", and " + Format(this->Reach) +
+            FormatNumber(fitted.back().distance, 2) + ", and " + FormatNumber(this->Reach, 2) +
             " is the most; declare another curve for it, or spline.");
         }
       }

@@ -4,7 +4,6 @@
 #include "Index.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,9 +12,6 @@ namespace crossfield
 {
 namespace
 {
-/// Highest degree of a NURBS curve; CAD programs write at most 25.
-constexpr int MaximumDegree = 25;
-
 void RequireNurbs(const PlaneCurve& curve)
 {
   const std::size_t count = curve.points.size();
@@ -69,7 +65,8 @@ void CurveEvaluator::TakeSamples()
 {
   if (this->Data.kind == PlaneCurve::Kind::Nurbs)
   {
-    // So many in each span that a span of the degree, with at most degree − 1 inflections, is seen.
+    // Each span between two knots has several samples between its inflections, of which there are
+    // less than its degree.
     const int perSpan = 2 * (this->Data.degree + 1);
     for (std::size_t k = Index(this->Data.degree); k < this->Data.points.size(); ++k)
     {
@@ -182,75 +179,9 @@ double CurveEvaluator::Limit(double parameter) const
   return std::clamp(parameter - turns * period, this->Start, this->End);
 }
 
-CurveFrame CurveEvaluator::ConicFrame(double parameter) const
-{
-  const Point other = this->Data.ratio * TurnedLeft(this->Data.axis);
-  const double c = std::cos(parameter);
-  const double s = std::sin(parameter);
-  const Point offset = c * this->Data.axis + s * other;
-  return { this->Data.centre + offset, c * other - s * this->Data.axis, -offset };
-}
-
-CurveFrame CurveEvaluator::NurbsFrame(double parameter) const
-{
-  const std::vector<double>& knots = this->Data.knots;
-  const auto degree = Index(this->Data.degree);
-  const std::size_t count = this->Data.points.size();
-  const double t = std::clamp(parameter, this->Start, this->End);
-  // The span [knots[k], knots[k + 1]) of the parameter, the last one that is not empty at the end.
-  const auto after = std::upper_bound(knots.begin() + static_cast<std::ptrdiff_t>(degree),
-    knots.begin() + static_cast<std::ptrdiff_t>(count), t);
-  std::size_t k = static_cast<std::size_t>(after - knots.begin()) - 1;
-  while (knots[k] == knots[k + 1])
-  {
-    --k;
-  }
-  // De Boor's algorithm in homogeneous coordinates. The last two rounds also give the derivatives.
-  std::array<Eigen::Vector3d, MaximumDegree + 1> d;
-  for (std::size_t j = 0; j <= degree; ++j)
-  {
-    const std::size_t i = k - degree + j;
-    const double weight = this->Data.weights[i];
-    d[j] = { weight * this->Data.points[i].x(), weight * this->Data.points[i].y(), weight };
-  }
-  const double span = knots[k + 1] - knots[k];
-  const auto p = static_cast<double>(degree);
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Vector3d second = Eigen::Vector3d::Zero();
-  for (std::size_t round = 1; round <= degree; ++round)
-  {
-    if (round + 1 == degree)
-    {
-      const double left = knots[k + 1] - knots[k - 1];
-      const double right = knots[k + 2] - knots[k];
-      second = p * (p - 1.0) / span *
-        ((d[degree] - d[degree - 1]) / right - (d[degree - 1] - d[degree - 2]) / left);
-    }
-    if (round == degree)
-    {
-      first = p / span * (d[degree] - d[degree - 1]);
-    }
-    for (std::size_t j = degree; j >= round; --j)
-    {
-      const std::size_t i = k - degree + j;
-      const double width = knots[i + degree - round + 1] - knots[i];
-      const double part = (t - knots[i]) / width;
-      d[j] = (1.0 - part) * d[j - 1] + part * d[j];
-    }
-  }
-  const Eigen::Vector3d& h = d[degree];
-  CurveFrame frame;
-  frame.place = h.head<2>() / h.z();
-  frame.first = (first.head<2>() - first.z() * frame.place) / h.z();
-  frame.second =
-    (second.head<2>() - 2.0 * first.z() * frame.first - second.z() * frame.place) / h.z();
-  return frame;
-}
-
 CurveFrame CurveEvaluator::FrameAt(double parameter) const
 {
-  return this->Data.kind == PlaneCurve::Kind::Nurbs ? this->NurbsFrame(this->Limit(parameter))
-                                                    : this->ConicFrame(parameter);
+  return FrameOf(this->Data, this->Limit(parameter));
 }
 
 Point CurveEvaluator::At(double parameter) const

@@ -1,22 +1,12 @@
 #pragma once
 
-#include "PlaneCurve.h"
+#include "CurveFrame.h"
 
 namespace crossfield
 {
-/// Position on a curve with its first two derivatives by the parameter.
-struct CurveFrame
-{
-  Point place = Point::Zero();
-  Point first = Point::Zero();
-  Point second = Point::Zero();
-};
-
-/// Evaluates a curve that is not a line (docs/method.md §17.1).
-///
-/// The parameter of a circle or ellipse is the angle t of centre + cos t · axis + sin t · ratio ·
-/// axis turned by 90°; that of a NURBS curve is the one of its knots. Circles, ellipses and NURBS
-/// curves that end where they start are closed: their parameters are periodic.
+/// Evaluates a curve that is not a line, with the parameter of FrameOf (docs/method.md §17.1).
+/// Circles, ellipses and NURBS curves that end where they start are closed: their parameters are
+/// periodic.
 class CurveEvaluator
 {
 public:
@@ -61,8 +51,6 @@ private:
   };
 
   double Limit(double parameter) const;
-  CurveFrame ConicFrame(double parameter) const;
-  CurveFrame NurbsFrame(double parameter) const;
   void TakeSamples();
   void FormBlocks();
   /// Returns the samples from which the nearest point is searched for, at most three.
@@ -78,10 +66,4 @@ private:
   std::vector<SampleBlock> Blocks; ///< Of about the square root of the number of samples.
   double Spacing = 0.0;            ///< Largest distance of consecutive samples.
 };
-
-/// Returns the vector turned by 90° to the left.
-inline Point TurnedLeft(const Point& vector)
-{
-  return { -vector.y(), vector.x() };
-}
 }

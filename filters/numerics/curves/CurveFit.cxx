@@ -2,14 +2,11 @@
 
 #include "CurveEvaluator.h"
 #include "Error.h"
-#include "Index.h"
 
 #include <Eigen/Dense>
-#include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace crossfield
 {
@@ -253,107 +250,6 @@ PlaneCurve FitEllipse(const std::vector<Point>& points, FitEnds ends)
   PlaneCurve curve = EllipseOf(unknowns);
   curve.centre = frame.centre + frame.scale * curve.centre;
   curve.axis *= frame.scale;
-  return curve;
-}
-
-namespace
-{
-/// Returns the derivatives of the cubic spline through points by the parameter, whose steps are h.
-std::vector<Point> SlopesOf(
-  const std::vector<Point>& points, const std::vector<double>& h, bool isClosed)
-{
-  const std::size_t count = points.size();
-  const std::size_t pieces = h.size();
-  const auto chord = [&](std::size_t i)
-  { return Point((points[(i + 1) % count] - points[i % count]) / h[i % pieces]); };
-  if (!isClosed && count == 2)
-  {
-    return { chord(0), chord(0) };
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX2d right(static_cast<Eigen::Index>(count), 2);
-  const auto add = [&](std::size_t row, std::size_t column, double value)
-  {
-    entries.emplace_back(
-      static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column % count), value);
-  };
-  const auto set = [&](std::size_t row, const Point& value)
-  { right.row(static_cast<Eigen::Index>(row)) = value.transpose(); };
-  for (std::size_t i = isClosed ? 0 : 1; i < (isClosed ? count : count - 1); ++i)
-  {
-    // The second derivative is continuous.
-    const std::size_t before = (i + pieces - 1) % pieces;
-    add(i, i + count - 1, 1.0 / h[before]);
-    add(i, i, 2.0 / h[before] + 2.0 / h[i]);
-    add(i, i + 1, 1.0 / h[i]);
-    set(i, 3.0 * (chord(before) / h[before] + chord(i) / h[i]));
-  }
-  if (!isClosed && count == 3)
-  {
-    // A parabola: the second derivative is the same at both ends of each piece.
-    add(0, 0, 1.0);
-    add(0, 1, 1.0);
-    set(0, 2.0 * chord(0));
-    add(2, 1, 1.0);
-    add(2, 2, 1.0);
-    set(2, 2.0 * chord(1));
-  }
-  else if (!isClosed)
-  {
-    // The third derivative is continuous at the second point, and at the last but one.
-    for (const auto& [row, i] :
-      { std::make_pair(std::size_t(0), std::size_t(0)), std::make_pair(count - 1, count - 3) })
-    {
-      const double a = 1.0 / (h[i] * h[i]);
-      const double b = 1.0 / (h[i + 1] * h[i + 1]);
-      add(row, i, a);
-      add(row, i + 1, a - b);
-      add(row, i + 2, -b);
-      set(row, 2.0 * (a * chord(i) - b * chord(i + 1)));
-    }
-  }
-  Eigen::SparseMatrix<double> matrix(
-    static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
-  const Eigen::MatrixX2d slopes = solver.solve(right);
-  std::vector<Point> result;
-  for (Eigen::Index i = 0; i < slopes.rows(); ++i)
-  {
-    result.emplace_back(slopes(i, 0), slopes(i, 1));
-  }
-  return result;
-}
-}
-
-PlaneCurve SplineThrough(const std::vector<Point>& points, bool isClosed)
-{
-  const std::size_t count = points.size();
-  const std::size_t pieces = isClosed ? count : count - 1;
-  std::vector<double> h;
-  for (std::size_t i = 0; i < pieces; ++i)
-  {
-    h.push_back((points[(i + 1) % count] - points[i]).norm());
-  }
-  const std::vector<Point> slopes = SlopesOf(points, h, isClosed);
-  PlaneCurve curve;
-  curve.kind = PlaneCurve::Kind::Nurbs;
-  curve.degree = 3;
-  curve.points.push_back(points[0]);
-  curve.knots.assign(4, 0.0);
-  double at = 0.0;
-  for (std::size_t i = 0; i < pieces; ++i)
-  {
-    // Bézier points of the piece; every knot is triple.
-    const std::size_t next = (i + 1) % count;
-    curve.points.push_back(points[i] + h[i] / 3.0 * slopes[i]);
-    curve.points.push_back(points[next] - h[i] / 3.0 * slopes[next]);
-    curve.points.push_back(points[next]);
-    at += h[i];
-    curve.knots.insert(curve.knots.end(), 3, at);
-  }
-  curve.knots.push_back(at);
-  curve.weights.assign(curve.points.size(), 1.0);
   return curve;
 }
 }

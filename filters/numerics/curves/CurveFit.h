@@ -18,9 +18,4 @@ PlaneCurve FitCircle(const std::vector<Point>& points, FitEnds ends = FitEnds::F
 /// Returns the ellipse with the smallest sum of squared distances from points. Throws Error if there
 /// are fewer than five points, or no ellipse is near them.
 PlaneCurve FitEllipse(const std::vector<Point>& points, FitEnds ends = FitEnds::Free);
-
-/// Returns the cubic spline through points, parametrised by the length of its chords. A closed one
-/// is periodic and returns to the first point; an open one has no knot at the second and the last but
-/// one point. There must be at least two points, three if it is closed.
-PlaneCurve SplineThrough(const std::vector<Point>& points, bool isClosed);
 }

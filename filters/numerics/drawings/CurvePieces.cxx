@@ -1,5 +1,6 @@
 #include "CurvePieces.h"
 
+#include "CurveFrame.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -104,8 +105,7 @@ DrawingPiece EllipsePiece(const Point& centre, const Point& axis, double ratio, 
 DrawingPiece NurbsPiece(int degree, std::vector<double> knots, std::vector<Point> points,
   std::vector<double> weights, const std::string& origin)
 {
-  constexpr int LargestDegree = 25;
-  Require(degree >= 1 && degree <= LargestDegree, origin, "has a degree that is not 1 to 25");
+  Require(degree >= 1 && degree <= MaximumDegree, origin, "has a degree that is not 1 to 25");
   const auto order = static_cast<std::size_t>(degree) + 1;
   Require(points.size() >= order, origin, "has too few control points");
   Require(knots.size() == points.size() + order, origin,

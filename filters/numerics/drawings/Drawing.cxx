@@ -1,5 +1,6 @@
 #include "Drawing.h"
 
+#include "CurveFrame.h"
 #include "Error.h"
 
 #include <algorithm>
@@ -9,60 +10,13 @@ namespace crossfield
 {
 namespace
 {
-Point Turned(const Point& vector)
-{
-  return { -vector.y(), vector.x() };
-}
-
-/// Evaluates a NURBS curve by de Boor's algorithm in homogeneous coordinates.
-Point NurbsPoint(const PlaneCurve& curve, double parameter)
-{
-  const auto degree = static_cast<std::size_t>(curve.degree);
-  const std::size_t count = curve.points.size();
-  // The last interval that contains the parameter and is not empty.
-  const auto first = curve.knots.begin() + static_cast<long>(degree);
-  const auto last = curve.knots.begin() + static_cast<long>(count);
-  auto above = std::upper_bound(first, last, parameter);
-  above = above == last ? std::lower_bound(first, last, *last) : above;
-  const auto span = static_cast<std::size_t>(std::max(above - 1, first) - curve.knots.begin());
-  std::vector<Eigen::Vector3d> rows;
-  for (std::size_t i = 0; i <= degree; ++i)
-  {
-    const std::size_t k = span - degree + i;
-    // Relative to the first control point, so that large coordinates lose no digits.
-    const Point place = curve.points[k] - curve.points.front();
-    rows.emplace_back(place.x() * curve.weights[k], place.y() * curve.weights[k], curve.weights[k]);
-  }
-  for (std::size_t level = 1; level <= degree; ++level)
-  {
-    for (std::size_t i = degree; i >= level; --i)
-    {
-      const double low = curve.knots[span - degree + i];
-      const double high = curve.knots[span + 1 + i - level];
-      const double part = high > low ? (parameter - low) / (high - low) : 0.0;
-      rows[i] = (1.0 - part) * rows[i - 1] + part * rows[i];
-    }
-  }
-  return curve.points.front() + rows[degree].head<2>() / rows[degree].z();
-}
-
-Point CurvePoint(const PlaneCurve& curve, double parameter)
-{
-  if (curve.kind == PlaneCurve::Kind::Nurbs)
-  {
-    return NurbsPoint(curve, parameter);
-  }
-  return curve.centre +
-    (std::cos(parameter) * curve.axis + std::sin(parameter) * curve.ratio * Turned(curve.axis));
-}
-
 /// Maps a circle or an ellipse. The images of its axes are conjugate semi-diameters u and v; the
 /// axes of the image are at the parameter t0 with tan 2 t0 = 2 u·v / (u² − v²).
 void TransformConic(const AffineMap& map, DrawingPiece& piece)
 {
   const Eigen::Matrix2d linear = map.leftCols<2>();
   const Point u = linear * piece.curve.axis;
-  const Point v = linear * (piece.curve.ratio * Turned(piece.curve.axis));
+  const Point v = linear * (piece.curve.ratio * TurnedLeft(piece.curve.axis));
   // Rounding errors of a similarity.
   constexpr double Rounding = 1e-12;
   const double size = std::max(u.squaredNorm(), v.squaredNorm());
@@ -105,7 +59,7 @@ Point PointAt(const DrawingPiece& piece, double parameter)
     return piece.first +
       (parameter - piece.begin) / (piece.end - piece.begin) * (piece.last - piece.first);
   }
-  return CurvePoint(piece.curve, parameter);
+  return FrameOf(piece.curve, parameter).place;
 }
 
 std::vector<double> SmoothParts(const DrawingPiece& piece)
@@ -148,8 +102,8 @@ DrawingPiece CurvePiece(const PlaneCurve& curve, double begin, double end)
   piece.curve = curve;
   piece.begin = begin;
   piece.end = end;
-  piece.first = CurvePoint(curve, begin);
-  piece.last = CurvePoint(curve, end);
+  piece.first = FrameOf(curve, begin).place;
+  piece.last = FrameOf(curve, end).place;
   return piece;
 }
 

@@ -17,13 +17,6 @@ namespace crossfield
 {
 namespace
 {
-std::string Text(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 /// Returns the distance of a point from a segment.
 double Distance(const Point& point, const Point& first, const Point& last)
 {
@@ -117,7 +110,7 @@ void EndJoints::JoinWithin(double tolerance)
       }
       if (pairs.size() > MostPairs)
       {
-        throw Error("The join tolerance " + Text(tolerance) +
+        throw Error("The join tolerance " + FormatNumber(tolerance) +
           " joins too many ends of curves; set it to less.");
       }
     }
@@ -249,7 +242,7 @@ void EndJoints::ReportOpen(Index end) const
   if (tolerance > 0.0)
   {
     throw Error("The drawing is open at " + Describe(place) + ", an end of " + origin +
-      "; close the gap there, or set the join tolerance to " + Text(tolerance) +
+      "; close the gap there, or set the join tolerance to " + FormatNumber(tolerance) +
       ", which closes all gaps.");
   }
   const long under = this->PieceUnder(end);
@@ -279,13 +272,13 @@ void EndJoints::AddWarnings(std::vector<std::string>& warnings) const
   {
     warnings.push_back("Gaps between the curves of the drawing were closed; the widest of " +
       std::to_string(this->Gaps) + ", at " + Describe(this->WidestPlace) + ", was " +
-      Text(this->Widest) + " wide.");
+      FormatNumber(this->Widest) + " wide.");
   }
   if (this->Short > 0)
   {
     warnings.push_back(std::to_string(this->Short) +
-      " pieces of the drawing that join nothing and are shorter than " + Text(this->Tolerance) +
-      " were left out.");
+      " pieces of the drawing that join nothing and are shorter than " +
+      FormatNumber(this->Tolerance) + " were left out.");
   }
 }
 }

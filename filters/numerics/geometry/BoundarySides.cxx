@@ -1,6 +1,7 @@
 #include "BoundarySides.h"
 
 #include "BoundaryCorners.h"
+#include "Error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,22 @@ std::vector<std::size_t> OrderOfLoops(const std::vector<Loop>& loops)
     [&](std::size_t a, std::size_t b)
     { return IsLeft(loops[a][FirstVertex(loops[a])], loops[b][FirstVertex(loops[b])]); });
   return order;
+}
+
+/// Returns names as "'a', 'b' or 'c'", at most ten of them.
+std::string ListOf(const std::vector<std::string>& names)
+{
+  constexpr std::size_t Most = 10;
+  const std::size_t count = std::min(names.size(), Most);
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += (i == 0                                       ? "'"
+                : i + 1 == count && count == names.size() ? " or '"
+                                                          : ", '") +
+      names[i] + "'";
+  }
+  return text + (names.size() > Most ? " or another side" : "");
 }
 
 /// Collects pieces and their names.
@@ -128,6 +145,16 @@ private:
 }
 
 //------------------------------------------------------------------------------
+void RequireSide(
+  const std::vector<std::string>& names, const std::string& name, const std::string& purpose)
+{
+  if (std::find(names.begin(), names.end(), name) == names.end())
+  {
+    throw Error(
+      "The boundary has no side '" + name + "'" + purpose + "; give " + ListOf(names) + ".");
+  }
+}
+
 int BoundarySides::Find(const std::string& name) const
 {
   const auto found = std::find(this->names.begin(), this->names.end(), name);

@@ -34,6 +34,11 @@ struct BoundarySides
   std::vector<Point> FixedPlaces() const;
 };
 
+/// Throws Error that lists names of sides unless `name` is one of them. `purpose` continues the
+/// sentence, such as " for a layer".
+void RequireSide(
+  const std::vector<std::string>& names, const std::string& name, const std::string& purpose = {});
+
 /// Names of the segments of a domain: per loop, of the segment after each vertex. Empty: no name.
 using SegmentNames = std::vector<std::vector<std::string>>;
 

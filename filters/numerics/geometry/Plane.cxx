@@ -8,9 +8,14 @@ namespace crossfield
 {
 std::string Describe(const Point& point)
 {
+  return "(" + FormatNumber(point.x(), 9) + ", " + FormatNumber(point.y(), 9) + ")";
+}
+
+std::string FormatNumber(double value, int digits)
+{
   std::ostringstream text;
-  text.precision(9);
-  text << "(" << point.x() << ", " << point.y() << ")";
+  text.precision(digits);
+  text << value;
   return text.str();
 }
 

@@ -29,11 +29,20 @@ inline double AngleBetween(const Point& a, const Point& b)
   return std::atan2(Cross(a, b), a.dot(b));
 }
 
+/// Returns the vector turned by 90° to the left.
+inline Point TurnedLeft(const Point& vector)
+{
+  return { -vector.y(), vector.x() };
+}
+
 /// Returns the angle modulo 2π in (−π, π].
 double WrapAngle(double angle);
 
 /// Returns "(x, y)", for messages.
 std::string Describe(const Point& point);
+
+/// Returns a number with at most that many significant digits, for messages.
+std::string FormatNumber(double value, int digits = 6);
 
 /// Returns the area enclosed by a loop, positive if it is counter-clockwise.
 double SignedArea(const Loop& loop);

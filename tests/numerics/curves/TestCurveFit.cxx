@@ -1,4 +1,4 @@
-// Circles, ellipses and splines through points of known curves.
+// Circles and ellipses through points of known curves.
 
 #include "CurveFit.h"
 
@@ -94,54 +94,6 @@ TEST(CurveFit, EllipsesOfExactPoints)
       PointsOn(CurveEvaluator(ellipse), 0.0, trial % 2 == 0 ? 6.0 : 2.5, 24);
     const CurveEvaluator fitted(FitEllipse(points));
     EXPECT_LT(LargestDistance(fitted, PointsOn(CurveEvaluator(ellipse), 0.0, 2.5, 97)), 1e-11);
-  }
-}
-
-TEST(CurveFit, SplinesInterpolateAndConvergeWithOrderFour)
-{
-  PlaneCurve circle;
-  circle.kind = PlaneCurve::Kind::Circle;
-  circle.axis = Point(1.0, 0.0);
-  const CurveEvaluator exact(circle);
-  std::array<std::array<double, 2>, 2> errors{};
-  for (int refinement = 0; refinement < 2; ++refinement)
-  {
-    const int count = 32 << refinement;
-    std::vector<Point> closed;
-    for (int i = 0; i < count; ++i)
-    {
-      closed.push_back(exact.At(2.0 * Pi * i / count));
-    }
-    const std::vector<Point> open = PointsOn(exact, 0.0, 3.0, count);
-    for (const bool isClosed : { true, false })
-    {
-      const std::vector<Point>& points = isClosed ? closed : open;
-      const CurveEvaluator spline(SplineThrough(points, isClosed));
-      EXPECT_EQ(spline.IsClosed(), isClosed);
-      EXPECT_LT(LargestDistance(spline, points), 1e-15);
-      double& error = errors[static_cast<std::size_t>(refinement)][isClosed ? 0 : 1];
-      for (int i = 0; i <= 5000; ++i)
-      {
-        const double t = spline.First() + spline.Period() * i / 5000;
-        error = std::max(error, std::abs(spline.At(t).norm() - 1.0));
-      }
-    }
-  }
-  for (const std::size_t kind : { 0U, 1U })
-  {
-    EXPECT_GT(std::log2(errors[0][kind] / errors[1][kind]), 3.8);
-  }
-  EXPECT_LT(errors[1][0], 3e-7); // a circle of 64 points
-}
-
-TEST(CurveFit, ASplineOfThreePointsIsAParabola)
-{
-  const std::vector<Point> points = { { -1.0, 1.0 }, { 0.0, 0.0 }, { 1.0, 1.0 } };
-  const CurveEvaluator spline(SplineThrough(points, false));
-  for (int i = 0; i <= 20; ++i)
-  {
-    const Point place = spline.At(spline.Last() * i / 20);
-    EXPECT_NEAR(place.y(), place.x() * place.x(), 1e-14);
   }
 }
 
