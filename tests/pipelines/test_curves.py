@@ -109,7 +109,7 @@ class Curves(ProgramTest):
         for arguments, words in (
                 ("--curve hole:circel", "'hole:circel' is not of the form NAME:circle"),
                 ("--curve hole", "'hole' is not of the form"),
-                ("--curve hose:circle", "no side 'hose' for a curve; give one of"),
+                ("--curve hose:circle", "no side 'hose' for a curve; give '"),
                 ("--curve bottom:circle", "Side 'bottom' is declared as circle"),
                 ("--curve bottom:ellipse", "it needs at least five points"),
                 ("--curve hole:circle --curve hole:line", "'hole' has two curves"),

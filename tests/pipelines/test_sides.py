@@ -107,7 +107,7 @@ class Sides(ProgramTest):
                 ("rectangle.vtp", "--count bottom:24 --count left:7 --count right:8", "left:7 and right:8 are sides"),
                 ("plate.vtp", "--count hole:3", "hole:3 fits no mesh of these singularities; give hole:4"),
                 ("plate.vtp", "--count bottom:1", "bottom:1 fits no mesh"),
-                ("plate.vtp", "--count nowhere:3", "no side 'nowhere'; give one of bottom, right, top, left, hole"),
+                ("plate.vtp", "--count nowhere:3", "no side 'nowhere'; give 'bottom', 'right', 'top', 'left' or 'hole'"),
                 ("plate.vtp", "--count hole:2.5", "'2.5' of side 'hole'"),
                 ("plate.vtp", "--count hole:0", "'0' of side 'hole'"),
                 ("plate.vtp", "--count hole:-4", "'-4' of side 'hole'"),

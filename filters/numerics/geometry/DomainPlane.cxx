@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace crossfield
 {
@@ -46,13 +45,6 @@ Vector3d LeastSquaresNormal(const Eigen::Matrix3Xd& points)
   const Eigen::MatrixX3d centred = (points.colwise() - points.rowwise().mean()).transpose();
   const Eigen::JacobiSVD<Eigen::MatrixX3d> decomposition(centred, Eigen::ComputeFullV);
   return decomposition.matrixV().rightCols<1>();
-}
-
-std::string Text(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
 }
 }
 
@@ -98,8 +90,8 @@ DomainPlane DomainPlane::Find(const Eigen::Matrix3Xd& points)
   constexpr auto SinglePrecision = static_cast<double>(std::numeric_limits<float>::epsilon());
   if (deviation > Flatness * plane.Size + SinglePrecision * reach)
   {
-    throw Error("The domain is not planar: its points are up to " + Text(deviation) +
-      " off the nearest plane and its size is " + Text(plane.Size) +
+    throw Error("The domain is not planar: its points are up to " + FormatNumber(deviation) +
+      " off the nearest plane and its size is " + FormatNumber(plane.Size) +
       "; give a domain that lies in one plane.");
   }
   if (!isCoordinatePlane)
@@ -125,8 +117,8 @@ Point DomainPlane::RequireInPlane(const Vector3d& place, const std::string& what
   const double distance = std::abs(this->Normal.dot(place) - this->Offset);
   if (!this->IsHorizontal() && distance > 1e-3 * this->Size)
   {
-    throw Error(what + " at (" + Text(place.x()) + ", " + Text(place.y()) + ", " + Text(place.z()) +
-      ") is " + Text(distance) +
+    throw Error(what + " at (" + FormatNumber(place.x()) + ", " + FormatNumber(place.y()) + ", " +
+      FormatNumber(place.z()) + ") is " + FormatNumber(distance) +
       " off the plane of the domain; give it in that plane, in a .csv file with a column z.");
   }
   return this->ToPlane(place);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace crossfield
 {
@@ -20,33 +19,9 @@ constexpr double AcceptedStep = 2.25;
 /// Part of the smallest step by which a step of fewer rows may be larger.
 constexpr double SimilarStep = 1.05;
 
-std::string Format(double value)
-{
-  std::ostringstream text;
-  text.precision(2);
-  text << value;
-  return text.str();
-}
-
 std::string CountRows(int rows)
 {
   return std::to_string(rows) + (rows == 1 ? " row" : " rows");
-}
-
-/// Returns names as "'a', 'b' or 'c'", at most ten of them.
-std::string ListOf(const std::vector<std::string>& names)
-{
-  constexpr std::size_t Most = 10;
-  const std::size_t count = std::min(names.size(), Most);
-  std::string text;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    text += (i == 0                                       ? "'"
-                : i + 1 == count && count == names.size() ? " or '"
-                                                          : ", '") +
-      names[i] + "'";
-  }
-  return text + (names.size() > Most ? " or another side" : "");
 }
 
 /// The rows of a band that are replaced, and those that replace them.
@@ -180,8 +155,9 @@ private:
         const LayerPrescription& prescription = this->PrescriptionOf(band);
         // Normal to the wall, as the first height is.
         const double height = line.length / rowsReplaced * prescription.first / line.first;
-        throw Error("The first height " + Format(prescription.first) + " of the layer of '" +
-          prescription.name + "' is not below the height " + Format(height) +
+        throw Error("The first height " + FormatNumber(prescription.first, 2) +
+          " of the layer of '" + prescription.name + "' is not below the height " +
+          FormatNumber(height, 2) +
           " of the quads beside it; give a smaller height, or larger quads.");
       }
     }
@@ -237,7 +213,7 @@ private:
     if (plan.rowsReplaced == 0)
     {
       throw Error("The layer of '" + prescription.name + "' needs " + CountRows(needed) +
-        " to grow from " + Format(prescription.first) + " to the quads beside it, but " +
+        " to grow from " + FormatNumber(prescription.first, 2) + " to the quads beside it, but " +
         std::to_string(rows) +
         " are prescribed; give more rows, a larger growth, or smaller quads.");
     }
@@ -247,8 +223,8 @@ private:
       if (line.isLayered && rows * line.first > line.length)
       {
         throw Error("The " + CountRows(rows) + " of the layer of '" + prescription.name +
-          "' are at least " + Format(rows * line.first) + " thick, but only " +
-          Format(line.length) + " beside it can be divided; give fewer rows.");
+          "' are at least " + FormatNumber(rows * line.first, 2) + " thick, but only " +
+          FormatNumber(line.length, 2) + " beside it can be divided; give fewer rows.");
       }
     }
     return plan;
@@ -281,7 +257,7 @@ private:
         }
       }
       return start + "irregular nodes" + place + "move the singularities " +
-        Format((needed - available) * std::max(height, this->QuadSize)) + " away.";
+        FormatNumber((needed - available) * std::max(height, this->QuadSize), 2) + " away.";
     }
     case BandEnd::Boundary:
       return start + "corners and ends of sides" + place + "use smaller quads.";
@@ -306,12 +282,12 @@ void RequireLayers(
     const std::string name = "The layer of '" + layer.name + "'";
     if (!(layer.first > 0.0) || !std::isfinite(layer.first))
     {
-      throw Error(
-        name + " has a first height of " + Format(layer.first) + "; give a positive length.");
+      throw Error(name + " has a first height of " + FormatNumber(layer.first, 2) +
+        "; give a positive length.");
     }
     if (!(layer.growth > 1.0 && layer.growth <= 3.0))
     {
-      throw Error(name + " has a growth of " + Format(layer.growth) +
+      throw Error(name + " has a growth of " + FormatNumber(layer.growth, 2) +
         "; give a number above 1 and at most 3.");
     }
     if (layer.rows < 0)
@@ -319,10 +295,7 @@ void RequireLayers(
       throw Error(name + " has " + std::to_string(layer.rows) +
         " rows; give a positive number, or 0 for as many as the growth needs.");
     }
-    if (std::find(sides.begin(), sides.end(), layer.name) == sides.end())
-    {
-      throw Error("There is no side '" + layer.name + "' for a layer; give " + ListOf(sides) + ".");
-    }
+    RequireSide(sides, layer.name, " for a layer");
     for (std::size_t j = 0; j < i; ++j)
     {
       if (layers[j].name == layer.name)

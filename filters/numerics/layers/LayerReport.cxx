@@ -51,7 +51,7 @@ private:
 };
 
 /// Returns the smallest value that at most one of a hundred exceeds.
-double UsualMaximum(std::vector<double> values)
+double Quantile99(std::vector<double> values)
 {
   if (values.empty())
   {
@@ -120,7 +120,7 @@ std::vector<LayerReport> MeasureLayers(const LayeredMesh& layered, const std::ve
   {
     reports[layer].partInBounds /= lengths[layer];
     reports[layer].meanThickness /= lengths[layer];
-    reports[layer].usualRatio = UsualMaximum(std::move(ratios[layer]));
+    reports[layer].ratio99 = Quantile99(std::move(ratios[layer]));
   }
   return reports;
 }

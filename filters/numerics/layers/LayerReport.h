@@ -22,7 +22,7 @@ struct LayerReport
   /// Maximum ratio of the heights of neighbouring quads across the layer, either way, including the
   /// first row behind it.
   double largestRatio = 1.0;
-  double usualRatio = 1.0; ///< That ratio, exceeded by one of a hundred pairs of neighbours.
+  double ratio99 = 1.0; ///< That ratio, exceeded by one of a hundred pairs of neighbours.
 };
 
 /// Measures the layers of a mesh. rows[e] is the number of rows beside edge e of mesh.boundary.

@@ -57,8 +57,7 @@ public:
         const Point& to = loop[(i + 1) % loop.size()];
         const Point along = to - loop[i];
         corners += IsCorner(TurningAt(loop, i)) ? 1 : 0;
-        this->Sides.push_back(
-          { loop[i], to, Point(-along.y(), along.x()).normalized(), l, start, corners });
+        this->Sides.push_back({ loop[i], to, TurnedLeft(along).normalized(), l, start, corners });
         start += along.norm();
       }
       this->Lengths.push_back(start);

@@ -4,16 +4,12 @@
 #include "HoleRadii.h"
 
 #include <cctype>
-#include <sstream>
 
 namespace crossfield
 {
 std::string FormatShort(double value)
 {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
+  return FormatNumber(value, 4);
 }
 
 std::string Capitalised(std::string sentence)

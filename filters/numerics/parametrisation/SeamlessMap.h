@@ -15,7 +15,7 @@ inline Point TurnByQuarters(const Point& vector, int quarters)
   switch (((quarters % 4) + 4) % 4)
   {
   case 1:
-    return { -vector.y(), vector.x() };
+    return TurnedLeft(vector);
   case 2:
     return { -vector.x(), -vector.y() };
   case 3:

@@ -72,7 +72,7 @@ void ShortenIdeal(Run& run)
 {
   for (std::size_t i = 1; i < run.ideal.size(); ++i)
   {
-    if (run.ideal[i] - run.ideal[i - 1] > 0.8 * LongestPartOfLoop * run.loop)
+    if (run.ideal[i] - run.ideal[i - 1] > LongestPartAtStart * run.loop)
     {
       const double length = run.ideal.back() - run.ideal.front();
       for (std::size_t j = 1; j + 1 < run.ideal.size(); ++j)
@@ -111,15 +111,15 @@ Run FollowFrom(
   return run;
 }
 
-/// Returns whether every edge of a run is at least a part of its ideal length and, with part > 0,
-/// well below LongestPartOfLoop, at which the energy of QuadEnergy is infinite.
+/// Returns whether every edge of a run is at least a part of its ideal length and, with part > 0, at
+/// most LongestPartAtStart.
 bool IsSpread(const Run& run, double part)
 {
   for (std::size_t i = 1; i < run.at.size(); ++i)
   {
     const double length = run.at[i] - run.at[i - 1];
     if (length < part * (run.ideal[i] - run.ideal[i - 1]) ||
-      (part > 0.0 && length > 0.9 * LongestPartOfLoop * run.loop))
+      (part > 0.0 && length > LongestPartAtStart * run.loop))
     {
       return false;
     }

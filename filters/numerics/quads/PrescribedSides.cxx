@@ -6,29 +6,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace crossfield
 {
 namespace
 {
-std::string Number(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// Throws Error unless a first and a last edge fit on a part of a side.
 void RequireRoom(const std::string& name, const Progression& progression, double length)
 {
   const double available = progression.both ? 0.5 * length : length;
   if (progression.first + progression.last > available)
   {
-    throw Error("Edges of lengths " + Number(progression.first) + " and " +
-      Number(progression.last) + " do not fit on side '" + name + "', which has a part of length " +
-      Number(length) + (progression.both ? " for both ends" : "") + "; give smaller lengths.");
+    throw Error("Edges of lengths " + FormatNumber(progression.first) + " and " +
+      FormatNumber(progression.last) + " do not fit on side '" + name +
+      "', which has a part of length " + FormatNumber(length) +
+      (progression.both ? " for both ends" : "") + "; give smaller lengths.");
   }
 }
 
@@ -87,14 +80,14 @@ std::vector<CountSum> PrescribedSums(const SeamlessMap& map, const BoundaryCurve
         RequireRoom(name, one.progression, length);
         const int count = CountForLengths(length, one.progression);
         sums.push_back(SumOf(part, count, count,
-          "the lengths " + Number(one.progression.first) + "," + Number(one.progression.last) +
-            " on " + name));
+          "the lengths " + FormatNumber(one.progression.first) + "," +
+            FormatNumber(one.progression.last) + " on " + name));
       }
       else
       {
         const auto [minimum, maximum] = RangeFor(length, one.size);
         sums.push_back(
-          SumOf(part, minimum, maximum, "the size " + Number(one.size) + " at " + name));
+          SumOf(part, minimum, maximum, "the size " + FormatNumber(one.size) + " at " + name));
       }
     }
   }

@@ -191,7 +191,7 @@ double QuadEnergy::HalfValue(std::size_t half, double epsilon, bool withGradient
         const double byNorm = 2.0 * (1.0 - this->SizePart) * inverse;
         const double byDeterminant = 2.0 * this->SizePart * determinant * inverse - value / root;
         byA[i] += byNorm * a + byDeterminant * Point(b.y(), -b.x());
-        byB[j] += byNorm * b + byDeterminant * Point(-a.y(), a.x());
+        byB[j] += byNorm * b + byDeterminant * TurnedLeft(a);
       }
     }
     if (withGradient)

@@ -75,8 +75,8 @@ public:
     if (!given && !found.optimal)
     {
       EdgeCounts best = this->QuantiseFor(found.size, SearchEffort::Thorough);
-      const double error = this->CountError(best);
-      if (error <= CountTolerance || error <= this->CountError(found))
+      const double error = this->CountError(best, this->Options.quadCount);
+      if (error <= CountTolerance || error <= this->CountError(found, this->Options.quadCount))
       {
         best.size = found.size;
         found = std::move(best);
@@ -221,11 +221,6 @@ private:
     const double wanted = this->Options.quadSize > 0.0
       ? static_cast<double>(CountQuads(this->Result.tMesh, found.counts))
       : this->Options.quadCount;
-    const auto errorOf = [&](const EdgeCounts& counts)
-    {
-      return std::abs(
-        static_cast<double>(CountQuads(this->Result.tMesh, counts.counts)) / wanted - 1.0);
-    };
     int most = symmetriesOf(found);
     const int possible =
       CountPossibleSymmetries(meshOf(found), this->Curves, this->Domain, released);
@@ -234,15 +229,15 @@ private:
     for (int step = 0; step <= 2 * Steps && most < possible; ++step)
     {
       const double factor = 1.0 + (step % 2 == 0 ? -Step : Step) * ((step + 1) / 2);
-      for (const bool decided : { true, false })
+      for (const bool prefersLong : { true, false })
       {
         QuantisationProblem problem = this->ProblemFor(factor * size);
-        for (std::size_t a = 0; decided && a < problem.Count(); ++a)
+        for (std::size_t a = 0; prefersLong && a < problem.Count(); ++a)
         {
           problem.weight[a] *= std::pow(problem.target[a], Preference);
         }
         EdgeCounts counts = Quantise(this->Result.tMesh, problem, SearchEffort::Quick);
-        if (counts.counts == tried || errorOf(counts) > CountTolerance)
+        if (counts.counts == tried || this->CountError(counts, wanted) > CountTolerance)
         {
           continue;
         }
@@ -259,11 +254,11 @@ private:
     return found;
   }
 
-  /// Returns the relative error of the number of quads.
-  double CountError(const EdgeCounts& counts) const
+  /// Returns the relative difference of the number of quads from another one.
+  double CountError(const EdgeCounts& counts, double wanted) const
   {
     const auto count = static_cast<double>(CountQuads(this->Result.tMesh, counts.counts));
-    return std::abs(count / this->Options.quadCount - 1.0);
+    return std::abs(count / wanted - 1.0);
   }
 
   static void SetCounts(EdgeCounts counts, QuadResult& result)

@@ -59,6 +59,7 @@ public:
     QuadDescent descent(energy);
     Eigen::VectorXd unknowns = energy.Unknowns();
     // Around a loop with few edges one of them might become so long that its chord crosses the hole.
+    // Four equal edges, the fewest of a loop, are not too long.
     constexpr double LongPart = 0.25;
     if (!(energy.MinimumDeterminant(unknowns) > 0.0) ||
       HasLongEdges(level.mesh, this->Curves, LongPart))
@@ -342,7 +343,7 @@ SmoothingReport SmoothQuads(QuadMesh& mesh, const QuadBlocks& blocks, const Boun
   const Level level = { mesh, weights, lattices };
   const std::vector<QuadPoint> start = mesh.points;
   const Rank rankAtStart = RankOf(mesh);
-  if (rankAtStart.inverted > 0 || HasLongEdges(mesh, curves, 0.9 * LongestPartOfLoop))
+  if (rankAtStart.inverted > 0 || HasLongEdges(mesh, curves, LongestPartAtStart))
   {
     // Points that nearly coincide on the boundary would hardly move apart while quads untangle.
     constexpr double Shortest = 0.1;

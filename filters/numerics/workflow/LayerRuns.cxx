@@ -52,12 +52,12 @@ std::optional<QuadWorkflowResult> RunWithoutSingularities(
 
 /// Runs the steps with singularities that are chosen unless they are given. Chosen ones move farther
 /// away from layers that have not enough rows.
-QuadWorkflowResult RunWithRoom(
+QuadWorkflowResult RunWithDistance(
   const PlanarDomain& domain, const QuadRequest& request, const Progress& progress)
 {
   // Rows are higher than the quads on average in some places, for example at corners that they turn
   // around.
-  constexpr double MoreRoom = 1.3;
+  constexpr double Farther = 1.3;
   constexpr int MaximumTries = 4;
   QuadRequest tried = request;
   for (int tries = 1;; ++tries)
@@ -90,7 +90,7 @@ QuadWorkflowResult RunWithRoom(
           WithAdvice(WithoutRemedy(error.what()), "; use smaller quads, or a larger growth"));
       }
     }
-    tried.layerRoom *= MoreRoom;
+    tried.layerDistance *= Farther;
   }
 }
 }
@@ -104,7 +104,7 @@ QuadWorkflowResult RunWithLayers(
     RunWithoutSingularities(domain, request, progress.Part(0.0, 0.5));
   if (!without)
   {
-    return RunWithRoom(domain, request, progress);
+    return RunWithDistance(domain, request, progress);
   }
   const auto jacobian = [](const QuadWorkflowResult& result)
   { return result.quads.quality.jacobian.min; };
@@ -114,7 +114,7 @@ QuadWorkflowResult RunWithLayers(
   }
   try
   {
-    QuadWorkflowResult with = RunWithRoom(domain, request, progress.Part(0.5, 1.0));
+    QuadWorkflowResult with = RunWithDistance(domain, request, progress.Part(0.5, 1.0));
     return jacobian(with) > jacobian(*without) ? with : std::move(*without);
   }
   catch (const Error&)

@@ -185,13 +185,13 @@ ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadReques
     const Loop& loop = domain.loops[l];
     for (std::size_t segment = 0; segment < loop.size(); ++segment)
     {
-      double room = 0.0;
+      double distance = 0.0;
       if (const LayerPrescription* layer = FindLayer(request, names.At(l, segment)))
       {
         const Point middle = 0.5 * (loop[segment] + loop[(segment + 1) % loop.size()]);
-        room = request.layerRoom * RowsToReplace(layer->growth) * quadSize(middle);
+        distance = request.layerDistance * RowsToReplace(layer->growth) * quadSize(middle);
       }
-      factors.back().push_back(std::max(1.0, room / clearance));
+      factors.back().push_back(std::max(1.0, distance / clearance));
     }
   }
   return factors;
@@ -237,6 +237,8 @@ int CountBeforeLayers(const PlanarDomain& domain, const QuadRequest& request)
 std::vector<LayerReport> AddLayersForCount(const PlanarDomain& domain, const QuadRequest& request,
   int total, const SeamlessMap& map, const TMesh& tMesh, QuadOptions options, QuadResult& quads)
 {
+  // Corrections of numbers of quads and of edges converge in two or three tries; rounding may take
+  // some more.
   constexpr int MaximumTries = 8;
   const BoundaryCurves curves(*map.topology, options.curves);
   const int separateBlocks = quads.separateBlocks;

@@ -13,7 +13,7 @@ std::vector<CornerChoice> CornersForLayers(const PlanarDomain& domain, const Qua
 
 /// Returns the factors of a clearance with which chosen singularities leave the bands of the layers
 /// free, for quads of given side lengths at the boundary; none if there are no layers.
-/// QuadRequest::layerRoom is a factor of the distance.
+/// QuadRequest::layerDistance is a factor of the distance.
 ClearanceFactors ClearanceForLayers(const PlanarDomain& domain, const QuadRequest& request,
   double clearance, const SizeFunction& quadSize);
 

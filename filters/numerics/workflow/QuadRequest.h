@@ -62,7 +62,8 @@ struct QuadRequest
   BlockMerge merge = BlockMerge::None;
 
   std::vector<LayerPrescription> layers; ///< Boundary layers of sides.
-  double layerRoom = 1.0; ///< Factor of the distance that chosen singularities keep from layers.
+  double layerDistance =
+    1.0; ///< Factor of the distance that chosen singularities keep from layers.
   std::vector<CornerRule> cornerRows; ///< What rows do at corners.
 };
 

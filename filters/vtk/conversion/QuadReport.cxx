@@ -149,7 +149,7 @@ void WriteLayers(const std::vector<crossfield::LayerReport>& layers, vtkFieldDat
   addNumbers(names::LayerInBounds, &Report::partInBounds);
   addNumbers(names::LayerGrowth, &Report::largestGrowth);
   addNumbers(names::LayerRatio, &Report::largestRatio);
-  addNumbers(names::LayerUsualRatio, &Report::usualRatio);
+  addNumbers(names::LayerRatio99, &Report::ratio99);
   auto range = ColumnWriting::NewArray<vtkDoubleArray>(
     data, names::LayerHeightRange, 2, static_cast<vtkIdType>(layers.size()));
   for (std::size_t i = 0; i < layers.size(); ++i)

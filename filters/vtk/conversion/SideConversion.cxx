@@ -219,18 +219,8 @@ crossfield::SidePrescriptions ReadPrescriptions(
   crossfield::SidePrescriptions prescribed;
   for (const std::array<std::string, 4>& row : rows)
   {
+    crossfield::RequireSide(sides.names, row[0]);
     const int side = sides.Find(row[0]);
-    if (side < 0)
-    {
-      constexpr std::size_t Listed = 12;
-      std::string known;
-      for (std::size_t i = 0; i < sides.names.size() && i < Listed; ++i)
-      {
-        known += (known.empty() ? "" : ", ") + sides.names[i];
-      }
-      throw Error("The boundary has no side '" + row[0] + "'; give one of " + known +
-        (sides.names.size() > Listed ? ", ..." : "") + ".");
-    }
     const auto found = std::find_if(prescribed.begin(), prescribed.end(),
       [side](const crossfield::SidePrescription& one) { return one.side == side; });
     if (found != prescribed.end())
