@@ -131,9 +131,7 @@ class QuadMesh:
             writer = vtkQuadMeshWriter()
             writer.SetInputData(self.grid)
             writer.SetFileName(os.fspath(path))
-            writer.WriteToOutputStringOn()
             pipeline.update_one(writer)
-            replace_file(writer.GetOutputString(), path)
             return
         try:
             import meshio

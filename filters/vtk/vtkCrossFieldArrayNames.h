@@ -147,10 +147,17 @@ constexpr const char* Stale = "Stale";
 constexpr const char* Shade = "Shade";
 constexpr const char* ShortestArc = "ShortestArc";
 constexpr const char* MinimumAngle = "MinimumAngle";
+// Field data: vtkExtrudeQuads.
+constexpr const char* SweepAngle = "SweepAngle";
+constexpr const char* SweepEnds = "SweepEnds";
+constexpr const char* SweepHeight = "SweepHeight";
+constexpr const char* SweepLayers = "SweepLayers";
+constexpr const char* Hexahedra = "Hexahedra";
 // Points, cells and field data: vtkQuadMesher.
 constexpr const char* BlockId = "BlockId";
 constexpr const char* I = "I";
 constexpr const char* J = "J";
+constexpr const char* K = "K";
 constexpr const char* ScaledJacobian = "ScaledJacobian";
 constexpr const char* SizeRatio = "SizeRatio";
 constexpr const char* Irregular = "Irregular";

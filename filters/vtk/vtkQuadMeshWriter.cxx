@@ -14,18 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <vtksys/SystemTools.hxx>
-
 vtkStandardNewMacro(vtkQuadMeshWriter);
-
-namespace
-{
-crossfield::MeshFormat FormatOf(const std::string& file)
-{
-  return crossfield::MeshFormatOfEnding(
-    vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)));
-}
-}
 
 //------------------------------------------------------------------------------
 vtkQuadMeshWriter::vtkQuadMeshWriter()
@@ -51,7 +40,7 @@ std::string vtkQuadMeshWriter::ReasonAgainst(const std::string& fileName, int or
 {
   try
   {
-    crossfield::RequireOrder(FormatOf(fileName), order);
+    crossfield::RequireOrder(crossfield::MeshFormatOf(fileName), order);
     return "";
   }
   catch (const crossfield::Error& error)
@@ -66,7 +55,7 @@ void vtkQuadMeshWriter::WriteData()
   auto* input = vtkUnstructuredGrid::SafeDownCast(this->GetInput(0));
   auto* boundary = vtkPolyData::SafeDownCast(
     this->GetNumberOfInputConnections(1) > 0 ? this->GetInput(1) : nullptr);
-  this->OutputString.clear();
+  this->OutputFiles.clear();
   const FilterRun::Outcome outcome = FilterRun::Try(this,
     [&](const crossfield::Progress& progress)
     {
@@ -75,16 +64,17 @@ void vtkQuadMeshWriter::WriteData()
       const auto version =
         this->MshVersion == Msh22 ? crossfield::MshVersion::V22 : crossfield::MshVersion::V41;
       progress.Report(0.1);
-      std::string text = crossfield::WriteMeshText(
-        ExportConversion::ReadMesh(mesh), FormatOf(this->FileName), version);
+      std::vector<crossfield::FileText> files =
+        crossfield::WriteMeshFiles(ExportConversion::ReadMesh(mesh).mesh, this->FileName, version);
       progress.Report(0.8);
-      if (this->WriteToOutputString)
+      for (crossfield::FileText& file : files)
       {
-        this->OutputString = std::move(text);
+        this->OutputFiles.emplace_back(std::move(file.name), std::move(file.text));
       }
-      else
+      if (!this->WriteToOutputString)
       {
-        TextFile::Write(text, this->FileName);
+        TextFile::Write(this->OutputFiles);
+        this->OutputFiles.clear();
       }
     });
   this->SetErrorCode(outcome.errorCode);

@@ -17,11 +17,11 @@
  * vtkQuadMesher. Input port 1, optional: the boundary edges, output 5 of vtkQuadMesher, if port 0 has no
  * lines.
  *
- * If the writer fails, it sets an error code, and an old file of this name stays as it is. It fails if the
+ * If the writer fails, it sets an error code, and old files stay as they are. It fails if the
  * ending is unknown, the format cannot have the mesh, edges of the boundary are missing, or the file cannot be
  * written.
  *
- * @sa vtkQuadMesher, vtkQuadsToHigherOrder, crossfield::WriteMeshText
+ * @sa vtkQuadMesher, vtkQuadsToHigherOrder, crossfield::WriteMeshFiles
  */
 
 #ifndef vtkQuadMeshWriter_h
@@ -32,6 +32,8 @@
 #include "vtkWriter.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 class VTKCROSSFIELDFILTERS_EXPORT vtkQuadMeshWriter : public vtkWriter
 {
@@ -69,12 +71,16 @@ public:
   ///@}
 
   ///@{
-  /** Keeps the text for GetOutputString instead of writing the file. Default: off. */
+  /** Keeps names and contents of the files for GetOutputFiles instead of writing them. Default: off. */
   vtkSetMacro(WriteToOutputString, bool);
   vtkGetMacro(WriteToOutputString, bool);
   vtkBooleanMacro(WriteToOutputString, bool);
-  const std::string& GetOutputString() const { return this->OutputString; }
   ///@}
+  /** Returns names and contents of the files after a run with WriteToOutputString. */
+  const std::vector<std::pair<std::string, std::string>>& GetOutputFiles() const
+  {
+    return this->OutputFiles;
+  }
 
   /** Returns why a file of this name cannot have quads of an order, or an empty text if it can. */
   static std::string ReasonAgainst(const std::string& fileName, int order);
@@ -93,7 +99,7 @@ private:
   std::string FileName;
   int MshVersion = Msh41;
   bool WriteToOutputString = false;
-  std::string OutputString;
+  std::vector<std::pair<std::string, std::string>> OutputFiles;
 };
 
 #endif

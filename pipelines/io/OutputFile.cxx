@@ -155,7 +155,10 @@ void WriteQuads(
   writer->SetMshVersion(mshVersion);
   writer->WriteToOutputStringOn();
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
-  outputs.Write(writer->GetOutputString(), file);
+  for (const auto& [name, text] : writer->GetOutputFiles())
+  {
+    outputs.Write(text, name);
+  }
 }
 
 double WriteIfNamed(vtkDataObject* data, const std::string& file, OutputTransaction& outputs)

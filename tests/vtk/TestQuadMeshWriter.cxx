@@ -121,7 +121,9 @@ TEST_F(QuadMeshWriter, EndingAndVersionGiveTheFormat)
   writer->SetMshVersion(vtkQuadMeshWriter::Msh22);
   writer->WriteToOutputStringOn();
   writer->Write();
-  const std::string& text = writer->GetOutputString();
+  ASSERT_EQ(writer->GetOutputFiles().size(), 1U);
+  EXPECT_EQ(writer->GetOutputFiles()[0].first, "nowhere/a.msh");
+  const std::string& text = writer->GetOutputFiles()[0].second;
   EXPECT_EQ(text.rfind("$MeshFormat\n2.2 0 8\n", 0), 0U);
   for (const char* side : { "1 \"outer0\"", "1 \"outer3\"", "1 \"hole0\"", "2 \"domain\"" })
   {

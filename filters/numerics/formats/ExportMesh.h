@@ -8,6 +8,23 @@
 
 namespace crossfield
 {
+/// A structured block: cells in columns, rows and, in three dimensions, layers.
+struct ExportBlock
+{
+  std::array<int, 3> cells = { 1, 1, 0 }; ///< Numbers of cells; the last is 0 in two dimensions.
+  /// Points at the corners of cells, one more than cells along each direction, the first index fastest.
+  std::vector<int> nodes;
+};
+
+/// The two ends of a mesh that was swept (SweepQuads.h).
+struct SweepEnds
+{
+  int back = -1;           ///< Side at the start of the sweep, −1 if there is none.
+  int front = -1;          ///< Side at its end, −1 if there is none.
+  int layers = 0;          ///< 0 if the mesh was not swept.
+  bool isRotation = false; ///< Whether the sweep was a revolution, not a translation.
+};
+
 /// A mesh of quads or hexahedra that a solver reads: cells with regions, boundary faces with sides.
 ///
 /// The nodes of a cell of order p are a lattice of (p + 1)^dimension points, the first index fastest: of a
@@ -26,6 +43,8 @@ struct ExportMesh
   std::vector<int> faces; ///< Corners of all boundary faces, 2 or 4 each, in any direction.
   std::vector<int> side;  ///< Per face, index of its side.
   std::vector<std::string> sideNames;
+  std::vector<ExportBlock> blocks; ///< Right-handed, of all cells; empty if they are not known.
+  SweepEnds sweep;
 
   int NodesOfCell() const; ///< (order + 1)^dimension
   int CornersOfFace() const { return this->dimension == 2 ? 2 : 4; }

@@ -4,10 +4,26 @@
 #include "WriteInp.h"
 #include "WriteSu2.h"
 
+#include <filesystem>
+
 namespace crossfield
 {
-MeshFormat MeshFormatOfEnding(const std::string& ending)
+namespace
 {
+std::string LowerCase(std::string text)
+{
+  for (char& character : text)
+  {
+    character =
+      character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+  }
+  return text;
+}
+}
+
+MeshFormat MeshFormatOf(const std::string& name)
+{
+  const std::string ending = LowerCase(std::filesystem::path(name).extension().string());
   if (ending == ".inp")
   {
     return MeshFormat::Inp;
@@ -37,18 +53,19 @@ void RequireOrder(MeshFormat format, int order)
   }
 }
 
-std::string WriteMeshText(ExportMesh mesh, MeshFormat format, MshVersion version)
+std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, MshVersion version)
 {
+  const MeshFormat format = MeshFormatOf(name);
   RequireOrder(format, mesh.order);
   OrientCells(mesh);
   switch (format)
   {
   case MeshFormat::Inp:
-    return WriteInp(mesh);
+    return { { name, WriteInp(mesh) } };
   case MeshFormat::Su2:
-    return WriteSu2(mesh);
+    return { { name, WriteSu2(mesh) } };
   default:
-    return WriteMsh(mesh, version);
+    return { { name, WriteMsh(mesh, version) } };
   }
 }
 }

@@ -4,6 +4,7 @@
 #include "WriteMsh.h"
 
 #include <string>
+#include <vector>
 
 namespace crossfield
 {
@@ -16,13 +17,21 @@ enum class MeshFormat
   Su2  ///< .su2
 };
 
-/// Returns the format of an ending in lower case with its dot.
-MeshFormat MeshFormatOfEnding(const std::string& ending);
+/// A file to write: its name, with folders, and its bytes.
+struct FileText
+{
+  std::string name;
+  std::string text;
+};
+
+/// Returns the format that the name of a file or folder asks for: that of its ending, in any case.
+MeshFormat MeshFormatOf(const std::string& name);
 
 /// Throws Error if the format is None or has no cells of an order.
 void RequireOrder(MeshFormat format, int order);
 
-/// Orients the cells of a mesh and returns the text of a file. Throws Error if the format cannot have the
-/// mesh or the mesh is not complete.
-std::string WriteMeshText(ExportMesh mesh, MeshFormat format, MshVersion version = MshVersion::V41);
+/// Orients the cells of a mesh and returns the files that `name` stands for, in the format of its ending.
+/// Throws Error if the format cannot have the mesh or the mesh is not complete.
+std::vector<FileText> WriteMeshFiles(
+  ExportMesh mesh, const std::string& name, MshVersion version = MshVersion::V41);
 }

@@ -1,5 +1,7 @@
 #include "MeshText.h"
 
+#include "Index.h"
+
 #include <array>
 #include <charconv>
 
@@ -56,5 +58,13 @@ MeshText& MeshText::AddShort(double number)
   constexpr int Digits = 6;
   AddNumber(this->Text, number, std::chars_format::general, Digits);
   return *this;
+}
+
+std::string PlaceOf(const ExportMesh& mesh, int point)
+{
+  MeshText text;
+  const Eigen::Vector3d& place = mesh.points[Index(point)];
+  text.Add("(").AddShort(place.x()).Add(", ").AddShort(place.y()).Add(", ").AddShort(place.z());
+  return text.Add(")").Take();
 }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ExportMesh.h"
+
 #include <string>
 #include <string_view>
 
@@ -26,4 +28,7 @@ public:
 private:
   std::string Text;
 };
+
+/// Returns the place of a point for messages.
+std::string PlaceOf(const ExportMesh& mesh, int point);
 }

@@ -88,15 +88,6 @@ private:
   std::vector<std::size_t> Starts;       ///< Per point, the beginning of its bucket.
   std::vector<std::size_t> Faces;        ///< Cell · faces of a cell + face.
 };
-
-std::string PlaceOf(const ExportMesh& mesh, int point)
-{
-  MeshText text;
-  const Eigen::Vector3d& place = mesh.points[Index(point)];
-  text.Add("(").AddShort(place.x()).Add(", ").AddShort(place.y()).Add(", ").AddShort(place.z()).Add(
-    ")");
-  return text.Take();
-}
 }
 
 SideFaces FindSideFaces(const ExportMesh& mesh)
@@ -132,9 +123,12 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   }
   for (std::size_t i = 0; i < buckets.Count(); ++i)
   {
-    if (!hasSide[i] && buckets.Find(buckets.KeyOf(i)).size() == 1)
+    const Key corner = buckets.KeyOf(i);
+    const bool isLine = mesh.dimension == 3 && corner[0] == corner[1] && corner[2] == corner[3];
+    if (!hasSide[i] && !isLine &&
+      buckets.Find(corner).size() == 1) // a prism has a face that is a line
     {
-      throw Error("The " + kind + " of the boundary at " + PlaceOf(mesh, buckets.KeyOf(i)[0]) +
+      throw Error("The " + kind + " of the boundary at " + PlaceOf(mesh, corner[0]) +
         " belongs to no side; give all edges of the boundary.");
     }
   }

@@ -1,16 +1,28 @@
 #include "ExportConversion.h"
 
+#include "CellLattice.h"
+#include "ColumnWriting.h"
 #include "Error.h"
+#include "GatherBlocks.h"
 #include "HigherOrderConversion.h"
+#include "Index.h"
 #include "InputCheck.h"
+#include "SideFaces.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 namespace names = vtkCrossFieldArrayNames;
@@ -19,30 +31,87 @@ namespace
 {
 using crossfield::Error;
 using crossfield::ExportMesh;
+using crossfield::Index;
 
-/** Returns the order of a quad or line by its type and number of points, 0 for other cells. */
-int OrderOf(int type, vtkIdType points)
+/** What a type of cell is. */
+struct CellKind
+{
+  int dimension = 0; ///< 0 for cells that no mesh has.
+  int order = 0;
+};
+
+CellKind KindOf(int type, vtkIdType points)
 {
   switch (type)
   {
-  case VTK_QUAD:
   case VTK_LINE:
-    return 1;
-  case VTK_BIQUADRATIC_QUAD:
+    return { 1, 1 };
   case VTK_QUADRATIC_EDGE:
-    return 2;
-  case VTK_LAGRANGE_QUADRILATERAL:
-    return points == 16 ? 3 : 0;
+    return { 1, 2 };
   case VTK_LAGRANGE_CURVE:
-    return points == 4 ? 3 : 0;
+    return { points == 4 ? 1 : 0, 3 };
+  case VTK_TRIANGLE: // of the boundary of prisms
+  case VTK_QUAD:
+    return { 2, 1 };
+  case VTK_BIQUADRATIC_QUAD:
+    return { 2, 2 };
+  case VTK_LAGRANGE_QUADRILATERAL:
+    return { points == 16 ? 2 : 0, 3 };
+  case VTK_WEDGE:
+  case VTK_HEXAHEDRON:
+    return { 3, 1 };
+  case VTK_TRIQUADRATIC_HEXAHEDRON:
+    return { 3, 2 };
   default:
-    return 0;
+    return {};
   }
 }
 
-bool IsLine(int type)
+/** Corners of a hexahedron that is a prism, as numbers of the points of a VTK_WEDGE. */
+constexpr std::array<vtkIdType, 8> PrismCorners = { 0, 3, 5, 2, 0, 3, 4, 1 };
+
+/** Positions in the lattice (ExportMesh.h) of the nodes of a cell in VTK's order. */
+std::vector<int> LatticeOrder(int dimension, int order)
 {
-  return type == VTK_LINE || type == VTK_QUADRATIC_EDGE || type == VTK_LAGRANGE_CURVE;
+  if (dimension == 2)
+  {
+    std::vector<int> positions;
+    for (const std::size_t position : HigherOrderConversion::LatticeOrder(order))
+    {
+      positions.push_back(static_cast<int>(position));
+    }
+    return positions;
+  }
+  std::vector<int> positions = crossfield::CellLattice(3, order).AbaqusOrder(); // corners, edges
+  if (order == 2)
+  {
+    // Middles of the faces with least and largest first, second and third index, then the middle.
+    positions.insert(positions.end(), { 12, 14, 10, 16, 4, 22, 13 });
+  }
+  return positions;
+}
+
+/** Adds the nodes of a cell of a data set as a lattice. */
+void AddCell(vtkIdList* ids, int type, const std::vector<int>& order, std::vector<int>& cells)
+{
+  const std::size_t first = cells.size();
+  cells.resize(first + order.size());
+  for (std::size_t node = 0; node < order.size(); ++node)
+  {
+    const vtkIdType number = type == VTK_WEDGE ? PrismCorners[node] : static_cast<vtkIdType>(node);
+    cells[first + static_cast<std::size_t>(order[node])] = static_cast<int>(ids->GetId(number));
+  }
+}
+
+/** Adds the corners of a face of a data set. */
+void AddFace(vtkIdList* ids, int corners, std::vector<int>& faces)
+{
+  for (int corner = 0; corner < corners; ++corner)
+  {
+    // A triangle repeats its last corner.
+    const vtkIdType last = ids->GetNumberOfIds() - 1;
+    faces.push_back(static_cast<int>(ids->GetId(std::min<vtkIdType>(corner, last))));
+  }
 }
 
 int SideOf(const std::string& name, std::map<std::string, int>& numbers, ExportMesh& mesh)
@@ -54,15 +123,148 @@ int SideOf(const std::string& name, std::map<std::string, int>& numbers, ExportM
   }
   return side->second;
 }
+
+int DimensionOf(vtkUnstructuredGrid* mesh)
+{
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const int type = mesh->GetCellType(cell);
+    if (type == VTK_HEXAHEDRON || type == VTK_WEDGE || type == VTK_TRIQUADRATIC_HEXAHEDRON)
+    {
+      return 3;
+    }
+  }
+  return 2;
+}
+
+std::vector<crossfield::ExportBlock> ReadBlocks(
+  const ExportConversion::Cells& cells, vtkCellData* data)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const char* name : { names::BlockId, names::I, names::J, names::K })
+  {
+    arrays.push_back(data->GetArray(name));
+    if (arrays.back() == nullptr && (name != names::K || cells.mesh.dimension == 3))
+    {
+      return {};
+    }
+  }
+  std::vector<crossfield::BlockPlace> places;
+  for (const vtkIdType cell : cells.cells)
+  {
+    const auto value = [&](std::size_t array)
+    { return arrays[array] ? static_cast<int>(arrays[array]->GetTuple1(cell)) : 0; };
+    places.push_back({ value(0), { value(1), value(2), value(3) } });
+  }
+  return crossfield::GatherBlocks(cells.mesh, places);
+}
+
+/** Reads which sides are the ends of a sweep. */
+crossfield::SweepEnds ReadSweep(vtkFieldData* data, const std::map<std::string, int>& sides)
+{
+  crossfield::SweepEnds sweep;
+  vtkDataArray* layers = data->GetArray(names::SweepLayers);
+  vtkDataArray* angle = data->GetArray(names::SweepAngle);
+  auto* ends = vtkStringArray::SafeDownCast(data->GetAbstractArray(names::SweepEnds));
+  if (layers == nullptr || layers->GetNumberOfValues() != 1)
+  {
+    return sweep;
+  }
+  sweep.layers = static_cast<int>(layers->GetTuple1(0));
+  sweep.isRotation = angle != nullptr;
+  if (ends != nullptr && ends->GetNumberOfValues() == 2)
+  {
+    const auto find = [&](vtkIdType i)
+    {
+      const auto side = sides.find(ends->GetValue(i));
+      return side == sides.end() ? -1 : side->second;
+    };
+    sweep.back = find(0);
+    sweep.front = find(1);
+  }
+  return sweep;
+}
+
+/** Inserts a hexahedron in VTK's order, or a prism if two of its corners are also those above them. */
+vtkIdType InsertCell(const std::vector<vtkIdType>& ids, int order, vtkUnstructuredGrid* output)
+{
+  const auto size = static_cast<vtkIdType>(ids.size());
+  if (order > 1)
+  {
+    return output->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, size, ids.data());
+  }
+  for (std::size_t edge = 0; edge < 4; ++edge)
+  {
+    const auto base = [&](std::size_t i) { return ids[(edge + i) % 4]; };
+    const auto top = [&](std::size_t i) { return ids[4 + (edge + i) % 4]; };
+    if (base(0) == top(0) && base(1) == top(1))
+    {
+      const std::array<vtkIdType, 6> prism = { base(0), top(3), base(3), base(1), top(2), base(2) };
+      return output->InsertNextCell(VTK_WEDGE, static_cast<vtkIdType>(prism.size()), prism.data());
+    }
+  }
+  return output->InsertNextCell(VTK_HEXAHEDRON, size, ids.data());
+}
+
+/** Inserts a face in VTK's order, a triangle if a node occurs twice. */
+vtkIdType InsertFace(std::vector<vtkIdType> ids, vtkUnstructuredGrid* output)
+{
+  if (ids.size() > 4)
+  {
+    return output->InsertNextCell(
+      VTK_BIQUADRATIC_QUAD, static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    if (ids[i] == ids[(i + 1) % 4])
+    {
+      ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(i));
+      return output->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
+    }
+  }
+  return output->InsertNextCell(VTK_QUAD, 4, ids.data());
+}
+
+/** Sets the arrays that are not those of the quads: layers, and the sides of all faces. */
+void WriteSweptArrays(const crossfield::SweptMesh& swept, vtkUnstructuredGrid* output)
+{
+  const ExportMesh& mesh = swept.mesh;
+  vtkCellData* data = output->GetCellData();
+  const vtkIdType cells = mesh.CellCount();
+  auto layers =
+    ColumnWriting::NewArray<vtkIntArray>(data, names::K, 1, output->GetNumberOfCells(), -1);
+  const auto quads = static_cast<int>(cells / mesh.sweep.layers);
+  vtkNew<vtkStringArray> sides;
+  sides->SetName(names::Side);
+  sides->SetNumberOfValues(output->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    layers->SetValue(cell, static_cast<int>(cell) / quads);
+  }
+  for (int face = 0; face < mesh.FaceCount(); ++face)
+  {
+    sides->SetValue(cells + face, mesh.sideNames[Index(mesh.side[Index(face)])]);
+    for (const char* name : { names::BlockId, names::I, names::J })
+    {
+      if (vtkDataArray* array = data->GetArray(name))
+      {
+        array->SetTuple1(cells + face, -1.0);
+      }
+    }
+  }
+  data->AddArray(sides);
+}
 }
 
 namespace ExportConversion
 {
 //------------------------------------------------------------------------------
-ExportMesh ReadMesh(vtkUnstructuredGrid* mesh)
+Cells ReadMesh(vtkUnstructuredGrid* mesh)
 {
-  ExportMesh result;
+  Cells cells;
+  ExportMesh& result = cells.mesh;
   result.order = 0;
+  result.dimension = DimensionOf(mesh);
   result.regionNames = { "domain" };
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
@@ -71,47 +273,41 @@ ExportMesh ReadMesh(vtkUnstructuredGrid* mesh)
   }
   auto* sides = vtkStringArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray(names::Side));
   std::map<std::string, int> numbers;
-  std::vector<int> lattice; // per node in VTK's order, its position in the lattice
+  std::vector<int> order; // per node in VTK's order, its position in the lattice
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
     const int type = mesh->GetCellType(cell);
     mesh->GetCellPoints(cell, ids);
-    const int order = OrderOf(type, ids->GetNumberOfIds());
-    if (order == 0 || (result.order != 0 && order != result.order))
+    const CellKind kind = KindOf(type, ids->GetNumberOfIds());
+    const bool isCell = kind.dimension == result.dimension && type != VTK_TRIANGLE;
+    const bool isFace = kind.dimension == result.dimension - 1;
+    if ((!isCell && !isFace) || (result.order != 0 && kind.order != result.order))
     {
       throw Error(
         "The mesh has other cells than quads and lines of one order; give the quads of a Quad "
-        "Mesher or of Quads To Higher Order.");
+        "Mesher, of Quads To Higher Order or the hexahedra of Extrude Quads.");
     }
     if (result.order == 0)
     {
-      result.order = order;
-      for (const std::size_t position : HigherOrderConversion::LatticeOrder(order))
-      {
-        lattice.push_back(static_cast<int>(position));
-      }
+      result.order = kind.order;
+      order = LatticeOrder(result.dimension, result.order);
     }
-    if (IsLine(type))
+    if (isCell)
     {
-      if (sides == nullptr)
-      {
-        throw Error(
-          "The boundary edges have no cell array Side of strings; give the quads of a Quad Mesher.");
-      }
-      result.faces.push_back(static_cast<int>(ids->GetId(0)));
-      result.faces.push_back(static_cast<int>(ids->GetId(1)));
-      result.side.push_back(SideOf(sides->GetValue(cell), numbers, result));
+      AddCell(ids, type, order, result.cells);
+      result.region.push_back(0);
+      cells.cells.push_back(cell);
       continue;
     }
-    const std::size_t first = result.cells.size();
-    result.cells.resize(first + lattice.size());
-    for (std::size_t node = 0; node < lattice.size(); ++node)
+    if (sides == nullptr)
     {
-      result.cells[first + static_cast<std::size_t>(lattice[node])] =
-        static_cast<int>(ids->GetId(static_cast<vtkIdType>(node)));
+      throw Error(
+        "The boundary edges have no cell array Side of strings; give the quads of a Quad Mesher.");
     }
-    result.region.push_back(0);
+    AddFace(ids, result.CornersOfFace(), result.faces);
+    result.side.push_back(SideOf(sides->GetValue(cell), numbers, result));
+    cells.faces.push_back(cell);
   }
   if (result.region.empty())
   {
@@ -123,6 +319,90 @@ ExportMesh ReadMesh(vtkUnstructuredGrid* mesh)
       "The quads have no boundary edges; in ParaView, join them with the output Boundary by Quads To "
       "Higher Order, whose Order may be 1.");
   }
-  return result;
+  result.blocks = ReadBlocks(cells, mesh->GetCellData());
+  result.sweep = ReadSweep(mesh->GetFieldData(), numbers);
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstructuredGrid* from,
+  vtkUnstructuredGrid* output)
+{
+  const ExportMesh& mesh = swept.mesh;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  output->SetPoints(points);
+  vtkPointData* pointData = output->GetPointData();
+  pointData->CopyAllocate(from->GetPointData(), static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    pointData->CopyData(
+      from->GetPointData(), swept.pointOf[i], points->InsertNextPoint(mesh.points[i].data()));
+  }
+  vtkCellData* cellData = output->GetCellData();
+  cellData->CopyAllocate(from->GetCellData(), mesh.CellCount() + mesh.FaceCount());
+  const std::vector<int> order = LatticeOrder(3, mesh.order);
+  std::vector<vtkIdType> ids;
+  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  {
+    ids.clear();
+    for (const int position : order)
+    {
+      ids.push_back(mesh.Cell(cell)[position]);
+    }
+    const vtkIdType number = InsertCell(ids, mesh.order, output);
+    cellData->CopyData(from->GetCellData(), quads.cells[Index(swept.cellOf[Index(cell)])], number);
+  }
+  const crossfield::SideFaces faces = crossfield::FindSideFaces(mesh);
+  const crossfield::CellLattice lattice(3, mesh.order);
+  std::vector<std::size_t> next(mesh.sideNames.size(), 0);
+  for (int face = 0; face < mesh.FaceCount(); ++face)
+  {
+    const std::size_t side = Index(mesh.side[Index(face)]);
+    const crossfield::SideFace& part = faces.ofSide[side][next[side]++];
+    const std::vector<int> positions = lattice.Face(part.face);
+    ids.clear();
+    for (const std::size_t position : HigherOrderConversion::LatticeOrder(mesh.order))
+    {
+      ids.push_back(mesh.Cell(part.cell)[positions[position]]);
+    }
+    const vtkIdType number = InsertFace(ids, output);
+    const int parent = swept.faceOf[Index(face)];
+    cellData->CopyData(from->GetCellData(),
+      parent >= 0 ? quads.faces[Index(parent)] : quads.cells[Index(-1 - parent)], number);
+  }
+  WriteSweptArrays(swept, output);
+  vtkFieldData* report = output->GetFieldData();
+  report->ShallowCopy(from->GetFieldData());
+  ColumnWriting::AddIntegers(report, names::SweepLayers, { mesh.sweep.layers });
+  ColumnWriting::AddIntegers(report, names::Hexahedra, { mesh.CellCount() });
+  const auto nameOf = [&](int side) { return side < 0 ? "" : mesh.sideNames[Index(side)]; };
+  ColumnWriting::AddColumn<vtkStringArray>(
+    report, names::SweepEnds, std::vector<int>{ mesh.sweep.back, mesh.sweep.front }, nameOf);
+}
+
+//------------------------------------------------------------------------------
+void WriteBlocks(const ExportMesh& mesh, vtkMultiBlockDataSet* output)
+{
+  output->SetNumberOfBlocks(static_cast<unsigned int>(mesh.blocks.size()));
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+  {
+    const crossfield::ExportBlock& block = mesh.blocks[b];
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const int node : block.nodes)
+    {
+      points->InsertNextPoint(mesh.points[Index(node)].data());
+    }
+    vtkNew<vtkStructuredGrid> grid;
+    grid->SetDimensions(block.cells[0] + 1, block.cells[1] + 1, block.cells[2] + 1);
+    grid->SetPoints(points);
+    ColumnWriting::NewArray<vtkIntArray>(
+      grid->GetCellData(), names::BlockId, 1, grid->GetNumberOfCells(), static_cast<int>(b));
+    const auto number = static_cast<unsigned int>(b);
+    output->SetBlock(number, grid);
+    output->GetMetaData(number)->Set(
+      vtkCompositeDataSet::NAME(), ("block" + std::to_string(b)).c_str());
+  }
 }
 }

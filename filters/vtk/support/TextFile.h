@@ -2,14 +2,16 @@
 #define TextFile_h
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace TextFile
 {
 /**
- * Writes a text to a file, or leaves the old file: the text is first written to a second file in the
- * same folder. Throws crossfield::Error.
+ * Writes files, given by names and contents, or leaves the old ones: all are first written to second files in
+ * the same folders. Throws crossfield::Error.
  */
-void Write(const std::string& text, const std::string& file);
+void Write(const std::vector<std::pair<std::string, std::string>>& files);
 }
 
 #endif

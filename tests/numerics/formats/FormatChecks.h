@@ -2,6 +2,7 @@
 
 #include "ExportMesh.h"
 #include "Index.h"
+#include "MeshFormats.h"
 #include "Support.h"
 
 #include <algorithm>
@@ -13,6 +14,13 @@
 
 namespace crossfield::test
 {
+/// Returns the text of a format that has one file.
+inline std::string Written(
+  const ExportMesh& mesh, const std::string& name, MshVersion version = MshVersion::V41)
+{
+  return WriteMeshFiles(mesh, name, version).at(0).text;
+}
+
 /// Points on a lattice of columns × rows (× 1) cells; cells and faces have random directions.
 class LatticeMesh
 {

@@ -76,7 +76,7 @@ TEST(MeshFormats, NodesInMshAreWhereGmshHasThem)
     {
       const LatticeMesh lattice(dimension, order, 4, 3, 17);
       ReadBack file(lattice);
-      file.ReadMsh(WriteMeshText(lattice.Mesh, MeshFormat::Msh, version));
+      file.ReadMsh(Written(lattice.Mesh, "a.msh", version));
       std::map<std::string, int> counts;
       double area = 0.0;
       double byGreen = 0.0;
@@ -123,7 +123,7 @@ TEST(MeshFormats, InpHasSerendipityElementsSetsAndSurfaces)
   {
     const LatticeMesh lattice(dimension, order, 4, 3, 23);
     ReadBack found(lattice);
-    const std::string text = WriteMeshText(lattice.Mesh, MeshFormat::Inp);
+    const std::string text = Written(lattice.Mesh, "a.inp");
     std::istringstream file(text);
     std::map<int, std::size_t> nodes;
     std::map<int, std::vector<std::size_t>> elements;
@@ -245,7 +245,7 @@ TEST(MeshFormats, Su2HasCellsPointsAndMarkers)
   LatticeMesh lattice(2, 1, 2, 1, 5);
   lattice.Mesh.regionNames = { "domain" };
   lattice.Mesh.region = { 0, 0 };
-  std::istringstream file(WriteMeshText(lattice.Mesh, MeshFormat::Su2));
+  std::istringstream file(Written(lattice.Mesh, "a.su2"));
   ReadBack found(lattice);
   std::vector<std::array<int, 4>> cells;
   std::map<std::string, std::vector<std::array<int, 2>>> markers;
@@ -313,20 +313,20 @@ TEST(MeshFormats, NumbersAreExact)
   lattice.Mesh.points[0].x() = -1.0 / 3.0 * 1e-300;
   lattice.Mesh.points[1].y() = std::nextafter(1.0, 2.0);
   ReadBack file(lattice);
-  file.ReadMsh(WriteMeshText(lattice.Mesh, MeshFormat::Msh)); // finds points by exact coordinates
+  file.ReadMsh(Written(lattice.Mesh, "a.msh")); // finds points by exact coordinates
   EXPECT_EQ(file.Elements.size(), 5U);
-  const std::string text = WriteMeshText(lattice.Mesh, MeshFormat::Inp);
+  const std::string text = Written(lattice.Mesh, "a.inp");
   EXPECT_NE(text.find(" -3.333333333333e-301,"), std::string::npos) << text;
   EXPECT_NE(text.find(" 1.0000000000000002,"), std::string::npos) << text;
 }
 
 TEST(MeshFormats, RefusesWhatAFormatCannotHave)
 {
-  const auto expect = [](const ExportMesh& mesh, MeshFormat format, const std::string& reason)
+  const auto expect = [](const ExportMesh& mesh, const std::string& name, const std::string& reason)
   {
     try
     {
-      WriteMeshText(mesh, format);
+      Written(mesh, name);
       ADD_FAILURE() << "no error: " << reason;
     }
     catch (const Error& error)
@@ -335,30 +335,30 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
     }
   };
   const ExportMesh third = LatticeMesh(2, 3, 2, 2, 1).Mesh;
-  expect(third, MeshFormat::Inp, "no elements of order 3");
-  expect(third, MeshFormat::Su2, "order 1 only");
+  expect(third, "a.inp", "no elements of order 3");
+  expect(third, "a.su2", "order 1 only");
   ExportMesh mesh = LatticeMesh(2, 1, 2, 2, 1).Mesh;
-  expect(mesh, MeshFormat::Su2, "no regions, and this mesh has 2");
+  expect(mesh, "a.su2", "no regions, and this mesh has 2");
   ExportMesh tilted = mesh;
   tilted.points[0].z() += 1.0;
-  expect(tilted, MeshFormat::Inp, "z = const");
+  expect(tilted, "a.inp", "z = const");
   tilted.regionNames.resize(1);
   tilted.region.assign(4, 0);
-  expect(tilted, MeshFormat::Su2, "z = const");
+  expect(tilted, "a.su2", "z = const");
   ExportMesh missing = mesh;
   missing.faces.resize(missing.faces.size() - 2);
   missing.side.pop_back();
-  expect(missing, MeshFormat::Msh, "belongs to no side");
+  expect(missing, "a.msh", "belongs to no side");
   ExportMesh twice = mesh;
   twice.faces.insert(twice.faces.end(), { twice.faces[1], twice.faces[0] });
   twice.side.push_back(1);
-  expect(twice, MeshFormat::Msh, "given twice");
+  expect(twice, "a.msh", "given twice");
   ExportMesh foreign = mesh;
   const CellLattice lattice(2, 1);
   foreign.faces.insert(foreign.faces.end(),
     { mesh.cells[Index(lattice.Corner(0))], mesh.cells[Index(lattice.Corner(2))] });
   foreign.side.push_back(0);
-  expect(foreign, MeshFormat::Msh, "belongs to no cell");
+  expect(foreign, "a.msh", "belongs to no cell");
   ExportMesh inside = mesh;
   inside.regionNames.resize(1);
   inside.region.assign(4, 0);
@@ -371,12 +371,12 @@ TEST(MeshFormats, RefusesWhatAFormatCannotHave)
     }
   }
   inside.side.push_back(0);
-  expect(inside, MeshFormat::Su2, "'bottom' is inside");
+  expect(inside, "a.su2", "'bottom' is inside");
   ExportMesh damaged = mesh;
   damaged.cells[3] = 9;
-  expect(damaged, MeshFormat::Msh, "damaged");
+  expect(damaged, "a.msh", "damaged");
   damaged = mesh;
   damaged.side[0] = 4;
-  expect(damaged, MeshFormat::Msh, "damaged");
+  expect(damaged, "a.msh", "damaged");
 }
 }

@@ -1,0 +1,96 @@
+#include "vtkExtrudeQuads.h"
+
+#include "ColumnWriting.h"
+#include "ExportConversion.h"
+#include "FilterPorts.h"
+#include "FilterRun.h"
+#include "HigherOrderConversion.h"
+#include "vtkCrossFieldArrayNames.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkExtrudeQuads);
+
+namespace names = vtkCrossFieldArrayNames;
+
+//------------------------------------------------------------------------------
+vtkExtrudeQuads::vtkExtrudeQuads()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkExtrudeQuads::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return FilterPorts::AcceptMesh(info);
+  }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkExtrudeQuads::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(
+    vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkMultiBlockDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkExtrudeQuads::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkPolyData* boundary = vtkPolyData::GetData(inputVector[1]);
+  return FilterRun::Run(this, this->ErrorCode, input,
+    [&](const crossfield::Progress& progress)
+    {
+      vtkNew<vtkUnstructuredGrid> mesh;
+      HigherOrderConversion::Join(input, boundary, mesh);
+      const ExportConversion::Cells quads = ExportConversion::ReadMesh(mesh);
+      crossfield::Sweep sweep;
+      sweep.kind =
+        this->Motion == Translation ? crossfield::Sweep::Translation : crossfield::Sweep::Rotation;
+      sweep.layers = this->Layers;
+      sweep.height = this->Height;
+      sweep.angle = this->Angle;
+      sweep.axis = this->Axis;
+      progress.Report(0.2);
+      const crossfield::SweptMesh swept = crossfield::SweepQuads(quads.mesh, sweep);
+      progress.Report(0.6);
+      vtkNew<vtkMultiBlockDataSet> blocks;
+      ExportConversion::WriteBlocks(swept.mesh, blocks);
+      vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+      ExportConversion::WriteSwept(swept, quads, mesh, output);
+      if (this->Motion == Translation)
+      {
+        ColumnWriting::AddNumbers(output->GetFieldData(), names::SweepHeight, { this->Height });
+      }
+      else
+      {
+        ColumnWriting::AddNumbers(output->GetFieldData(), names::SweepAngle, { this->Angle });
+      }
+      vtkMultiBlockDataSet::GetData(outputVector, 1)->ShallowCopy(blocks);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkExtrudeQuads::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Motion: " << this->Motion << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Height: " << this->Height << "\n";
+  os << indent << "Angle: " << this->Angle << "\n";
+  os << indent << "Axis: " << this->Axis << "\n";
+}
