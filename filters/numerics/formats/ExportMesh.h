@@ -8,6 +8,15 @@
 
 namespace crossfield
 {
+/// Two sides whose nodes match one by one under a motion, such as those of a rotor's sector.
+struct PeriodicPair
+{
+  int first = 0; ///< Index of a side.
+  int second = 0;
+  /// Takes points (x, y, z, 1) of the first side to those of the second: a translation or rotation.
+  Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+};
+
 /// A mesh of quads or hexahedra that a solver reads: cells with regions, boundary faces with sides.
 ///
 /// The nodes of a cell of order p are a lattice of (p + 1)^dimension points, the first index fastest: of a
@@ -26,6 +35,7 @@ struct ExportMesh
   std::vector<int> faces; ///< Corners of all boundary faces, 2 or 4 each, in any direction.
   std::vector<int> side;  ///< Per face, index of its side.
   std::vector<std::string> sideNames;
+  std::vector<PeriodicPair> periodic; ///< PeriodicNodes finds the nodes that match.
 
   int NodesOfCell() const; ///< (order + 1)^dimension
   int CornersOfFace() const { return this->dimension == 2 ? 2 : 4; }

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "HigherOrderConversion.h"
 #include "InputCheck.h"
+#include "PeriodicConversion.h"
 #include "vtkCrossFieldArrayNames.h"
 
 #include "vtkCellData.h"
@@ -123,6 +124,7 @@ ExportMesh ReadMesh(vtkUnstructuredGrid* mesh)
       "The quads have no boundary edges; in ParaView, join them with the output Boundary by Quads To "
       "Higher Order, whose Order may be 1.");
   }
+  result.periodic = PeriodicConversion::Read(mesh->GetFieldData(), result.sideNames);
   return result;
 }
 }

@@ -12,7 +12,7 @@ namespace ExportConversion
  * Reads quads and lines of one order: those of vtkQuadMesher::CopyMesh and vtkQuadsToHigherOrder. Lines
  * have their side in the string array `Side`; all cells are one region with the name domain. Throws
  * crossfield::Error if there are no quads or no lines, other cells, several orders, no sides, or a point that is not
- * finite.
+ * finite. Periodic sides are read as PeriodicConversion::Read does.
  */
 crossfield::ExportMesh ReadMesh(vtkUnstructuredGrid* mesh);
 }
