@@ -24,7 +24,10 @@ void RequireValid(const ExportMesh& mesh)
     std::all_of(mesh.cells.begin(), mesh.cells.end(), isPoint) &&
     std::all_of(mesh.faces.begin(), mesh.faces.end(), isPoint) &&
     std::all_of(mesh.region.begin(), mesh.region.end(), isIn(mesh.regionNames)) &&
-    std::all_of(mesh.side.begin(), mesh.side.end(), isIn(mesh.sideNames));
+    std::all_of(mesh.side.begin(), mesh.side.end(), isIn(mesh.sideNames)) &&
+    std::all_of(mesh.periodic.begin(), mesh.periodic.end(),
+      [isSide = isIn(mesh.sideNames)](const PeriodicPair& pair)
+      { return isSide(pair.first) && isSide(pair.second) && pair.first != pair.second; });
   if (!isValid)
   {
     throw Error(

@@ -25,6 +25,15 @@ struct SweepEnds
   bool isRotation = false; ///< Whether the sweep was a revolution, not a translation.
 };
 
+/// Two sides whose nodes match one by one under a motion, such as those of a rotor's sector.
+struct PeriodicPair
+{
+  int first = 0; ///< Index of a side.
+  int second = 0;
+  /// Takes points (x, y, z, 1) of the first side to those of the second: a translation or rotation.
+  Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+};
+
 /// A mesh of quads or hexahedra that a solver reads: cells with regions, boundary faces with sides.
 ///
 /// The nodes of a cell of order p are a lattice of (p + 1)^dimension points, the first index fastest: of a
@@ -45,6 +54,7 @@ struct ExportMesh
   std::vector<std::string> sideNames;
   std::vector<ExportBlock> blocks; ///< Right-handed, of all cells; empty if they are not known.
   SweepEnds sweep;
+  std::vector<PeriodicPair> periodic; ///< PeriodicNodes finds the nodes that match.
 
   int NodesOfCell() const; ///< (order + 1)^dimension
   int CornersOfFace() const { return this->dimension == 2 ? 2 : 4; }

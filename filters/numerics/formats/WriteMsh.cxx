@@ -5,6 +5,7 @@
 #include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
+#include "PeriodicNodes.h"
 #include "SideFaces.h"
 
 #include <array>
@@ -289,6 +290,34 @@ void AddVersion22(const ExportMesh& mesh, const MeshNumbering& numbering,
   }
   text.Add("$EndElements\n");
 }
+
+/// Adds the pairs of periodic sides; the second side is the image of the first, Gmsh's master.
+void AddPeriodic(
+  const ExportMesh& mesh, const MeshNumbering& numbering, MshVersion version, MeshText& text)
+{
+  if (mesh.periodic.empty())
+  {
+    return;
+  }
+  text.Add("$Periodic\n").Add(static_cast<int>(mesh.periodic.size())).Add('\n');
+  for (const PeriodicPair& pair : mesh.periodic)
+  {
+    text.Add(mesh.dimension - 1).Add(' ').Add(pair.second + 1); // tags of sides count from 1
+    text.Add(' ').Add(pair.first + 1).Add(version == MshVersion::V41 ? "\n16" : "\nAffine");
+    for (Eigen::Index i = 0; i < 16; ++i)
+    {
+      text.Add(' ').Add(pair.motion(i / 4, i % 4));
+    }
+    const std::vector<std::array<int, 2>> nodes = PeriodicNodes(mesh, pair);
+    text.Add('\n').Add(static_cast<int>(nodes.size())).Add('\n');
+    for (const auto& [first, second] : nodes)
+    {
+      text.Add(numbering.number[Index(second)]).Add(' ');
+      text.Add(numbering.number[Index(first)]).Add('\n');
+    }
+  }
+  text.Add("$EndPeriodic\n");
+}
 }
 
 std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
@@ -311,6 +340,7 @@ std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
   const int elements = mesh.CellCount() + mesh.FaceCount();
   (version == MshVersion::V41 ? AddVersion41 : AddVersion22)(
     mesh, numbering, entities, elements, text);
+  AddPeriodic(mesh, numbering, version, text);
   return text.Take();
 }
 }

@@ -7,6 +7,7 @@
 #include "HigherOrderConversion.h"
 #include "Index.h"
 #include "InputCheck.h"
+#include "PeriodicConversion.h"
 #include "SideFaces.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -315,6 +316,7 @@ Cells ReadMesh(vtkUnstructuredGrid* mesh)
   }
   result.blocks = ReadBlocks(cells, mesh->GetCellData());
   result.sweep = ReadSweep(mesh->GetFieldData(), numbers);
+  result.periodic = PeriodicConversion::Read(mesh->GetFieldData(), result.sideNames);
   return cells;
 }
 
