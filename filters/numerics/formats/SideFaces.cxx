@@ -12,7 +12,16 @@ namespace crossfield
 {
 namespace
 {
+/// Corners of a face in increasing order, each once; then −1.
 using Key = std::array<int, 4>;
+
+/// Makes a key of the first entries.
+void Sort(Key& key, int count)
+{
+  const auto end = key.begin() + count;
+  std::sort(key.begin(), end);
+  std::fill(std::unique(key.begin(), end), key.end(), -1);
+}
 
 /// The faces of all cells, in buckets by their smallest corner.
 class FaceBuckets
@@ -75,7 +84,7 @@ public:
     {
       key[c] = nodes[corners[c]];
     }
-    std::sort(key.begin(), key.begin() + static_cast<std::ptrdiff_t>(corners.size()));
+    Sort(key, static_cast<int>(corners.size()));
     return key;
   }
 
@@ -104,7 +113,7 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
     Key key{};
     std::copy_n(
       mesh.faces.begin() + static_cast<std::ptrdiff_t>(i) * corners, corners, key.begin());
-    std::sort(key.begin(), key.begin() + corners);
+    Sort(key, corners);
     const std::vector<std::size_t> found = buckets.Find(key);
     const std::size_t side = Index(mesh.side[Index(i)]);
     if (found.empty() || hasSide[found[0]])
@@ -124,7 +133,7 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   for (std::size_t i = 0; i < buckets.Count(); ++i)
   {
     const Key corner = buckets.KeyOf(i);
-    const bool isLine = mesh.dimension == 3 && corner[0] == corner[1] && corner[2] == corner[3];
+    const bool isLine = mesh.dimension == 3 && corner[2] < 0;
     if (!hasSide[i] && !isLine &&
       buckets.Find(corner).size() == 1) // a prism has a face that is a line
     {

@@ -335,6 +335,7 @@ void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstr
     pointData->CopyData(
       from->GetPointData(), swept.pointOf[i], points->InsertNextPoint(mesh.points[i].data()));
   }
+  output->Allocate(mesh.CellCount() + mesh.FaceCount());
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(from->GetCellData(), mesh.CellCount() + mesh.FaceCount());
   const std::vector<int> order = LatticeOrder(3, mesh.order);

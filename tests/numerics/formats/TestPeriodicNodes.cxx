@@ -59,7 +59,7 @@ std::string MessageOf(const ExportMesh& mesh)
 {
   try
   {
-    WriteMeshText(mesh, MeshFormat::Msh);
+    Written(mesh, "a.msh");
   }
   catch (const Error& error)
   {
@@ -79,7 +79,7 @@ TEST(PeriodicNodes, MatchAcrossASectorInMemoryAndInMsh)
     ExpectColumns(lattice, PeriodicNodes(lattice.Mesh, lattice.Mesh.periodic[0]));
     for (const MshVersion version : { MshVersion::V22, MshVersion::V41 })
     {
-      std::istringstream file(WriteMeshText(lattice.Mesh, MeshFormat::Msh, version));
+      std::istringstream file(Written(lattice.Mesh, "a.msh", version));
       std::string word;
       while (file >> word && word != "$Periodic")
       {
