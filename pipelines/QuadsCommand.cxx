@@ -298,8 +298,9 @@ int Mesh(const QuadsOptions& options)
               << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
     if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
     {
-      std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << Value(quads, names::SweepLayers)
-                << " layers\n";
+      const double layers = Value(quads, names::SweepLayers);
+      std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << layers
+                << (layers == 1.0 ? " layer\n" : " layers\n");
     }
     PrintLayers(quads->GetFieldData());
     PrintCurves(quads->GetFieldData());

@@ -9,19 +9,20 @@ from paraview.simple import *
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_QUAD, vtkUnstructuredGrid
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from plate import LENGTH, read_mesh, read_results
+sys.path[:0] = map(str, pathlib.Path(__file__).resolve().parents[:2])
+from calculix import read_mesh, read_results
+from plate import LENGTH
 
 folder, picture = map(pathlib.Path, sys.argv[1:3])
 places, elements = read_mesh((folder / "plate.inp").read_text())
-stresses = {node: stress for node, (_, stress) in read_results(folder / "plate.frd").items()}
+_, _, stresses = read_results(folder / "plate.frd")
 
 grid, points, stress = vtkUnstructuredGrid(), vtkPoints(), vtkDoubleArray()
 points.SetDataTypeToDouble()
 stress.SetName("stress over tension")
-rows = {node: points.InsertNextPoint(*place, 0.0) for node, place in places.items()}
+rows = {node: points.InsertNextPoint(*place) for node, place in places.items()}
 for node in places:
-    stress.InsertNextValue(stresses[node])
+    stress.InsertNextValue(stresses[node][1])
 grid.SetPoints(points)
 grid.GetPointData().SetScalars(stress)
 for nodes in elements:  # CPS8 and VTK have the same order of nodes

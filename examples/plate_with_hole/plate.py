@@ -11,7 +11,11 @@ import json
 import math
 import pathlib
 import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from calculix import pressure_on, run  # noqa: E402
 
 WIDTH, LENGTH, RADIUS = 1.0, 3.0, 0.5  # half of the width and length of the plate
 TENSION = 1.0
@@ -59,34 +63,6 @@ def write_part(path, points):
 """)
 
 
-def pressure_on(text, side, pressure):
-    """Returns rows of *DLOAD for the faces of a *SURFACE. (*DSLOAD has no effect on plane elements in ccx 2.20.)"""
-    rows = text.split(f"*SURFACE, NAME={side}, TYPE=ELEMENT\n")[1].split("*")[0]
-    return "\n".join(f"{row.replace('S', 'P')}, {pressure}" for row in rows.splitlines())
-
-
-def read_mesh(text):
-    """Returns positions by node and the nodes of each element of an .inp file."""
-    def rows(card):
-        return [row.split(",") for row in text.split(card)[1].split("\n", 1)[1].split("*")[0].splitlines()]
-
-    places = {int(node): (float(x), float(y)) for node, x, y, _ in rows("*NODE")}
-    return places, [[int(node) for node in row[1:]] for row in rows("*ELEMENT")]
-
-
-def read_results(path):
-    """Returns positions and stress along y of the nodes in a .frd file of CalculiX."""
-    places, stresses, found = {}, {}, None
-    for line in path.read_text().splitlines():
-        if line.startswith("    2C"):
-            found = places
-        elif line.startswith((" -4", "    3C")):
-            found = stresses if "STRESS" in line else None
-        elif line.startswith(" -1") and found is not None:
-            found[int(line[3:13])] = [float(line[i:i + 12]) for i in range(13, len(line) - 11, 12)]
-    return {node: (places[node][:2], stress[1]) for node, stress in stresses.items()}
-
-
 def solve(program, folder, quads, points, curved):
     """Returns the number of corner nodes of the mesh and Kt."""
     write_part(folder / "part.vtp", points)
@@ -95,10 +71,10 @@ def solve(program, folder, quads, points, curved):
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     mesh = (folder / "plate.inp").read_text()
     (folder / "plate.inp").write_text(mesh + STEP.format(loads=pressure_on(mesh, "top", -TENSION)))
-    subprocess.run(["ccx", "plate"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
-    results = read_results(folder / "plate.frd")
+    places, _, stresses = run(folder, "plate")
     report = json.loads((folder / "report.json").read_text())
-    place, stress = max(results.values(), key=lambda result: result[1])
+    node = max(stresses, key=lambda node: stresses[node][1])
+    place, stress = places[node][:2], stresses[node][1]
     if math.dist(place, (RADIUS, 0.0)) > 1e-3:
         raise SystemExit(f"The largest stress is at {place}, and not at the hole.")
     nodes = report["quads"] + sum(side["edges"] for side in report["sides"]) // 2 + 1  # Euler's formula
