@@ -1,5 +1,6 @@
 #include "GatherBlocks.h"
 
+#include "BlockLattice.h"
 #include "CellLattice.h"
 #include "Index.h"
 
@@ -7,15 +8,6 @@
 
 namespace crossfield
 {
-namespace
-{
-std::size_t NodeOf(const ExportBlock& block, const std::array<int, 3>& index)
-{
-  return Index(index[0]) +
-    Index(block.cells[0] + 1) * (Index(index[1]) + Index(block.cells[1] + 1) * Index(index[2]));
-}
-}
-
 std::vector<ExportBlock> GatherBlocks(const ExportMesh& mesh, const std::vector<BlockPlace>& places)
 {
   const bool isFlat = mesh.dimension == 2;
@@ -60,7 +52,7 @@ std::vector<ExportBlock> GatherBlocks(const ExportMesh& mesh, const std::vector<
       index[0] += corner % 4 == 1 || corner % 4 == 2 ? 1 : 0;
       index[1] += corner % 4 >= 2 ? 1 : 0;
       index[2] += corner >= 4 ? 1 : 0;
-      int& node = block.nodes[NodeOf(block, index)];
+      int& node = block.nodes[BlockPoint(block, index)];
       const int point = mesh.Cell(static_cast<int>(cell))[lattice.Corner(corner)];
       if (node >= 0 && node != point)
       {

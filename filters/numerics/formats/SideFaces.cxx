@@ -134,4 +134,17 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   }
   return result;
 }
+
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
+{
+  for (std::size_t side = 0; side < faces.isInside.size(); ++side)
+  {
+    if (faces.isInside[side])
+    {
+      throw Error("The format " + format + " has sides on the boundary only, and '" +
+        mesh.sideNames[side] + "' is inside; leave it out, or write a .msh or .vtu file.");
+    }
+  }
+}
 }

@@ -2,6 +2,7 @@
 
 #include "ExportMesh.h"
 
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -24,4 +25,8 @@ struct SideFaces
 /// Finds the cell of every boundary face. Throws Error if a face belongs to no cell or is given twice, or
 /// if a face with one cell is missing.
 SideFaces FindSideFaces(const ExportMesh& mesh);
+
+/// Throws Error, which calls the format `format`, if a side is inside.
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
 }
