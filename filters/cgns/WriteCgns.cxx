@@ -4,7 +4,7 @@
 #include "CgnsFile.h"
 #include "Error.h"
 #include "FormatNames.h"
-#include "HdfTimes.h"
+#include "HdfBytes.h"
 #include "Index.h"
 
 #include <cgnslib.h>
@@ -221,7 +221,7 @@ void crossfieldWriteCgns(const ExportMesh& mesh, std::string& bytes, std::string
     CgnsFile file;
     Writer(mesh, file.Number()).Write();
     bytes = file.Take();
-    ClearHdfTimes(bytes);
+    MakeHdfRepeatable(bytes);
   }
   catch (const std::exception& problem)
   {
