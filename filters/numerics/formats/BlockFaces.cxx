@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "Index.h"
 #include "MeshText.h"
+#include "SideFaces.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,8 +13,6 @@ namespace crossfield
 {
 namespace
 {
-using Key = std::array<int, 4>; // corners of a face in ascending order; the last two are 0 for edges
-
 /// How the indices along two rectangles correspond.
 struct Orientation
 {
@@ -141,47 +140,43 @@ private:
     return block.nodes[BlockPoint(block, this->IndexOf(side, point))];
   }
 
-  Key KeyOf(const Side& side, const Place& face) const
+  FaceKey KeyOf(const Side& side, const Place& face) const
   {
-    Key key{};
-    const auto end = key.begin() + (this->IsFlat ? 2 : 4);
-    for (int i = 0; i < static_cast<int>(end - key.begin()); ++i)
+    FaceKey key{};
+    const int corners = this->Mesh.CornersOfFace();
+    for (int i = 0; i < corners; ++i)
     {
       key[Index(i)] = this->Node(side, { face[0] + i % 2, face[1] + i / 2 });
     }
-    std::sort(key.begin(), end);
-    return key;
+    return KeyOfFace(key, corners);
   }
 
-  bool IsCollapsed(const Key& key) const
+  bool IsCollapsed(const FaceKey& key) const
   {
-    const int repeated = static_cast<int>(key[0] == key[1]) + static_cast<int>(key[1] == key[2]) +
-      static_cast<int>(key[2] == key[3]);
-    return this->IsFlat ? key[0] == key[1] : repeated >= 2;
+    return this->IsFlat ? key[0] == key[1] : key[1] == key[3];
   }
 
   /// Finds the partner or the side of the mesh of every face.
   void Match()
   {
-    std::vector<std::pair<Key, int>> names; // of the mesh's boundary faces
+    std::vector<std::pair<FaceKey, int>> names; // of the mesh's boundary faces
     const int corners = this->Mesh.CornersOfFace();
     for (int face = 0; face < this->Mesh.FaceCount(); ++face)
     {
-      Key key{};
+      FaceKey key{};
       std::copy_n(this->Mesh.faces.begin() + static_cast<std::ptrdiff_t>(face) * corners, corners,
         key.begin());
-      std::sort(key.begin(), key.begin() + corners);
-      names.emplace_back(key, this->Mesh.side[Index(face)]);
+      names.emplace_back(KeyOfFace(key, corners), this->Mesh.side[Index(face)]);
     }
     std::sort(names.begin(), names.end());
-    std::vector<std::pair<Key, int>> faces;
+    std::vector<std::pair<FaceKey, int>> faces;
     for (const Side& side : this->Sides)
     {
       for (int row = 0; row < side.size[1]; ++row)
       {
         for (int column = 0; column < side.size[0]; ++column)
         {
-          const Key key = this->KeyOf(side, { column, row });
+          const FaceKey key = this->KeyOf(side, { column, row });
           if (!this->IsCollapsed(key))
           {
             faces.emplace_back(key, At(side, { column, row }));
@@ -193,7 +188,7 @@ private:
     auto name = names.begin();
     for (std::size_t i = 0; i < faces.size();)
     {
-      const Key& key = faces[i].first;
+      const FaceKey& key = faces[i].first;
       std::size_t end = i + 1;
       while (end < faces.size() && faces[end].first == key)
       {
@@ -234,7 +229,7 @@ private:
     }
   }
 
-  std::string PlaceOfKey(const Key& key) const { return "at " + PlaceOf(this->Mesh, key[0]); }
+  std::string PlaceOfKey(const FaceKey& key) const { return "at " + PlaceOf(this->Mesh, key[0]); }
 
   /// Returns the place after the last face of the largest rectangle that begins at a face and whose
   /// faces are all accepted, or `begin` if none is; columns are added first.

@@ -8,6 +8,7 @@
 #include "WritePlot3d.h"
 #include "WriteSu2.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -42,9 +43,18 @@ const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } 
   { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
 
 /// Returns the name of the file beside another that has another ending.
-std::string Beside(const std::string& name, const std::string& ending)
+std::filesystem::path Beside(const std::string& name, const std::string& ending)
 {
-  return std::filesystem::path(name).replace_extension(ending).string();
+  return std::filesystem::path(name).replace_extension(ending);
+}
+
+std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& name)
+{
+  std::filesystem::path geometry = Beside(name, ".geo");
+  std::string file = geometry.filename().string();
+  std::replace(file.begin(), file.end(), ' ', '_'); // names in cases have no blanks
+  geometry.replace_filename(file);
+  return { { name, WriteEnSightCase(file) }, { geometry.string(), WriteEnSightGeometry(mesh) } };
 }
 }
 
@@ -98,17 +108,13 @@ std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, M
   switch (format)
   {
   case MeshFormat::EnSight:
-  {
-    const std::string geometry = Beside(name, ".geo");
-    return { { name, WriteEnSightCase(std::filesystem::path(geometry).filename().string()) },
-      { geometry, WriteEnSightGeometry(mesh) } };
-  }
+    return EnSightFiles(mesh, name);
   case MeshFormat::Exodus:
     return { { name, WriteExodus(mesh) } };
   case MeshFormat::Inp:
     return { { name, WriteInp(mesh) } };
   case MeshFormat::Plot3d:
-    return { { name, WritePlot3d(mesh) }, { Beside(name, ".nmf"), WriteNmf(mesh) } };
+    return { { name, WritePlot3d(mesh) }, { Beside(name, ".nmf").string(), WriteNmf(mesh) } };
   case MeshFormat::Su2:
     return { { name, WriteSu2(mesh) } };
   case MeshFormat::Cgns:

@@ -136,23 +136,23 @@ std::string WriteEnSightGeometry(const ExportMesh& mesh)
     }
     geometry.AddPart(names[region], (isFlat ? "quad" : "hexa") + count, points, positions.size());
   }
-  // The nodes of faces: corners, then the middles of edges.
-  const std::vector<int> ofFace =
-    isFlat ? std::vector<int>{ 0, mesh.order, 1 } : CellLattice(2, mesh.order).AbaqusOrder();
-  const std::size_t nodes = isFlat ? Index(mesh.order + 1) : ofFace.size();
+  // The nodes of a line are in order; those of a quad are corners, then the middles of edges.
+  const std::vector<int> ofFace = isFlat
+    ? (mesh.order == 1 ? std::vector<int>{ 0, 1 } : std::vector<int>{ 0, 1, 2 })
+    : CellLattice(2, mesh.order).AbaqusOrder();
   for (std::size_t side = 0; side < mesh.sideNames.size(); ++side)
   {
     std::vector<int> points;
     for (const SideFace& face : faces.ofSide[side])
     {
       const std::vector<int> places = lattice.Face(face.face);
-      for (std::size_t node = 0; node < nodes; ++node)
+      for (const int node : ofFace)
       {
-        points.push_back(mesh.Cell(face.cell)[places[Index(ofFace[node])]]);
+        points.push_back(mesh.Cell(face.cell)[places[Index(node)]]);
       }
     }
     geometry.AddPart(names[mesh.regionNames.size() + side],
-      (isFlat ? "bar" : "quad") + std::to_string(nodes), points, nodes);
+      (isFlat ? "bar" : "quad") + std::to_string(ofFace.size()), points, ofFace.size());
   }
   return geometry.Take();
 }
