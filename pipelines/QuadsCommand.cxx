@@ -191,7 +191,7 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable(
-    { { options.output, ".vtu .msh .inp .su2" }, { options.blocks, ".vtm" },
+    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk" }, { options.blocks, ".vtm" },
       { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
   OutputFile::RequireOrder(options.output, options.order);
 
@@ -324,7 +324,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddSingularitiesTo(*command, options->singularities);
   command
     ->add_option("-o,--output", options->output,
-      "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX or .su2 of SU2; "
+      "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX, .su2 of SU2, "
+      ".cgns, .xyz of PLOT3D, .ex2 of Exodus, .case of EnSight or legacy .vtk; "
       "as .vtu to standard output for -")
     ->required();
   CLI::Option* size = command

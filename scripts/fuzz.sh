@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes every reader and the numerics for MINUTES each, by default 5. New inputs are stored in
+# Fuzzes every reader, the writers of meshes and the numerics for MINUTES each, by default 5. New inputs are stored in
 # build-checked/tests/fuzz/. Add inputs that fail, whose names are printed, to tests/fuzz/corpus/.
 #
 #   cmake --preset checked && cmake --build --preset checked && scripts/fuzz.sh [MINUTES]
@@ -23,6 +23,7 @@ fuzz() {
 }
 
 fuzz configuration build-checked/bin/fuzzConfiguration
+fuzz formats build-checked/bin/fuzzFormats
 for format in vtp vtu vtk stl obj ply csv dat dxf svg geojson msh points.vtp points.csv; do
   fuzz $format build-checked/bin/fuzzReader --format=$format
 done

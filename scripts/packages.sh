@@ -30,6 +30,8 @@ packages=(
   libcgal-dev libeigen3-dev libglpk-dev liblemon-dev libopenblas-dev libsuitesparse-dev
   # Drawings: XML, and models. Without Open CASCADE the build leaves out .step and .brep files.
   libexpat1-dev libocct-data-exchange-dev libocct-modeling-algorithms-dev
+  # Without CGNS the build leaves out .cgns files.
+  libcgns-dev
   # The program.
   libcli11-dev libdeflate-dev nlohmann-json3-dev
   # ParaView with its VTK and Python; Xvfb is the screen on which pictures are drawn.
@@ -46,7 +48,7 @@ if [[ $tests == yes ]]; then
     # Rules.Format needs this version of clang-format.
     clang-format-14 libbenchmark-dev libgtest-dev
     # Readers of the files for solvers.
-    calculix-ccx gmsh python3-meshio
+    calculix-ccx cgns-convert gmsh python3-meshio
     # For parameter studies, which run with mpirun.
     openmpi-bin python3-mpi4py
   )

@@ -138,25 +138,23 @@ class QuadMesh:
         return plot_quads(self, file, width)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes a file in the format of its ending: `grid` as .vtu, or quads and names of sides as .msh
-        (Gmsh), .inp (Abaqus, CalculiX) or .su2. Other endings are written by meshio: quads and boundary
-        lines, with the loop of each line."""
-        ending = os.path.splitext(os.fspath(path))[1].lower()
-        if ending == ".vtu":
+        """Writes a file in the format of its ending: `grid` as .vtu or .vtk, or quads and names of sides as .msh
+        (Gmsh), .inp (Abaqus, CalculiX), .su2, .cgns, .xyz (PLOT3D), .ex2 (Exodus) or .case (EnSight). Other endings
+        are written by meshio: quads and boundary lines, with the loop of each line."""
+        if os.path.splitext(os.fspath(path))[1].lower() == ".vtu":
             write_grid(self.grid, path)
             return
-        if ending in (".msh", ".inp", ".su2"):
-            pipeline = Pipeline()
+        if vtkQuadMeshWriter.CanWrite(os.fspath(path)):
             writer = vtkQuadMeshWriter()
             writer.SetInputData(self.grid)
             writer.SetFileName(os.fspath(path))
-            pipeline.update_one(writer)
+            Pipeline().update_one(writer)
             return
         try:
             import meshio
         except ImportError:
             raise Error("The file '%s' is written with the Python package meshio; install it (Debian package "
-                        "python3-meshio), or write a .vtu, .msh, .inp or .su2 file." % path) from None
+                        "python3-meshio), or write a .vtu or .msh file." % path) from None
         if self.order > 2:
             raise Error("The file '%s' cannot have quads of order 3; write a .vtu file, or use order 2." % path)
         loops = [np.full(len(self.quads), -1), self.boundary_id]

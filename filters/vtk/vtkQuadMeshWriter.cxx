@@ -1,5 +1,6 @@
 #include "vtkQuadMeshWriter.h"
 
+#include "CgnsLibrary.h"
 #include "Error.h"
 #include "ExportConversion.h"
 #include "FilterPorts.h"
@@ -8,13 +9,54 @@
 #include "MeshFormats.h"
 #include "TextFile.h"
 
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridWriter.h"
+
+#include <utility>
 
 vtkStandardNewMacro(vtkQuadMeshWriter);
+
+namespace
+{
+using crossfield::MeshFormat;
+
+/** Returns the bytes of a file of VTK's legacy format. */
+std::string LegacyBytes(vtkUnstructuredGrid* mesh)
+{
+  vtkNew<vtkUnstructuredGridWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileTypeToBinary(); // in text, numbers have 11 digits only
+  writer->WriteToOutputStringOn();
+  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw crossfield::Error("The .vtk file cannot be written by VTK; write a .vtu file.");
+  }
+  return writer->GetOutputStdString();
+}
+
+std::vector<crossfield::FileText> FilesOf(
+  vtkUnstructuredGrid* mesh, const std::string& name, int mshVersion)
+{
+  const MeshFormat format = crossfield::MeshFormatOf(name);
+  if (format == MeshFormat::Vtk)
+  {
+    return { { name, LegacyBytes(mesh) } };
+  }
+  crossfield::ExportMesh exported = ExportConversion::ReadMesh(mesh).mesh;
+  if (format == MeshFormat::Cgns)
+  {
+    return { { name, CgnsLibrary::Write(std::move(exported)) } };
+  }
+  return crossfield::WriteMeshFiles(std::move(exported), name,
+    mshVersion == vtkQuadMeshWriter::Msh22 ? crossfield::MshVersion::V22
+                                           : crossfield::MshVersion::V41);
+}
+}
 
 //------------------------------------------------------------------------------
 vtkQuadMeshWriter::vtkQuadMeshWriter()
@@ -36,11 +78,22 @@ int vtkQuadMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+bool vtkQuadMeshWriter::CanWrite(const std::string& fileName)
+{
+  return crossfield::MeshFormatOf(fileName) != MeshFormat::None;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkQuadMeshWriter::ReasonAgainst(const std::string& fileName, int order)
 {
   try
   {
-    crossfield::RequireOrder(crossfield::MeshFormatOf(fileName), order);
+    const MeshFormat format = crossfield::MeshFormatOf(fileName);
+    crossfield::RequireOrder(format, order);
+    if (format == MeshFormat::Cgns)
+    {
+      CgnsLibrary::Require();
+    }
     return "";
   }
   catch (const crossfield::Error& error)
@@ -61,11 +114,8 @@ void vtkQuadMeshWriter::WriteData()
     {
       vtkNew<vtkUnstructuredGrid> mesh;
       HigherOrderConversion::Join(input, boundary, mesh);
-      const auto version =
-        this->MshVersion == Msh22 ? crossfield::MshVersion::V22 : crossfield::MshVersion::V41;
       progress.Report(0.1);
-      std::vector<crossfield::FileText> files =
-        crossfield::WriteMeshFiles(ExportConversion::ReadMesh(mesh).mesh, this->FileName, version);
+      std::vector<crossfield::FileText> files = FilesOf(mesh, this->FileName, this->MshVersion);
       progress.Report(0.8);
       for (crossfield::FileText& file : files)
       {

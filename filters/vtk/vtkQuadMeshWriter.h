@@ -1,12 +1,18 @@
 /**
  * @class   vtkQuadMeshWriter
- * @brief   writes quads with the names of their sides to files of solvers
+ * @brief   writes quads or hexahedra with the names of their sides to files of solvers
  *
  * The ending of the file gives the format, in any case:
  * - .msh: Gmsh 4.1 or 2.2 with a physical group for each side and one, domain, for the quads; orders 1 to 3
  * - .inp: Abaqus and CalculiX, with sets and a surface for each side; CPS4, or CPS8 without the nodes
  *   inside; orders 1 and 2
  * - .su2: SU2 with a marker for each side; order 1
+ * - .cgns: structured zones with 1-to-1 connections, families and boundary conditions, if the library was built with
+ *   CGNS; order 1, with the cell arrays `BlockId`, `I`, `J` and in three dimensions `K`
+ * - .xyz: PLOT3D, formatted, with a neutral map file beside it; as .cgns
+ * - .ex2, .exo, .e: Exodus with an element block and a side set for each side; orders 1 and 2
+ * - .case: EnSight Gold with a part for each side, in single precision, with a .geo file beside it; orders 1 and 2
+ * - .vtk: the legacy format of VTK with all arrays; orders 1 to 3
  *
  * Quads are counter-clockwise and sides have the domain on the left. Nodes count from 1 in the order of
  * the points that quads use; in .su2 from 0. Coordinates are exact, except that those of .inp have at most 20
@@ -81,6 +87,9 @@ public:
   {
     return this->OutputFiles;
   }
+
+  /** Returns whether the ending of a file is that of a format. */
+  static bool CanWrite(const std::string& fileName);
 
   /** Returns why a file of this name cannot have quads of an order, or an empty text if it can. */
   static std::string ReasonAgainst(const std::string& fileName, int order);

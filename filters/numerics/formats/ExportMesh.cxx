@@ -95,6 +95,14 @@ void RemoveRepeated(std::vector<int>& nodes)
 void OrientCells(ExportMesh& mesh)
 {
   RequireValid(mesh);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    if (!mesh.points[i].allFinite())
+    {
+      throw Error("Point " + std::to_string(i) +
+        " of the mesh is not finite, so the mesh is damaged; make it again.");
+    }
+  }
   if (mesh.dimension == 2 && !mesh.HasConstantHeight())
   {
     return; // neither side of a quad in space is the front

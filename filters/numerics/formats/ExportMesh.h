@@ -75,6 +75,6 @@ struct ExportMesh
 void RemoveRepeated(std::vector<int>& nodes);
 
 /// Makes all hexahedra right-handed and, if z is constant, all quads counter-clockwise. Nodes that are
-/// not points of the mesh and orders without a lattice are an Error.
+/// not points of the mesh, points that are not finite and orders without a lattice are an Error.
 void OrientCells(ExportMesh& mesh);
 }

@@ -48,13 +48,23 @@ std::string PlainName(const std::string& name)
   return plain.empty() || !IsLetter(plain[0]) ? "side_" + plain : plain;
 }
 
-std::string QuotedName(const std::string& name)
+std::string QuotedName(const std::string& name, bool isPathPart)
 {
   std::string quoted = name;
   for (char& c : quoted)
   {
     const auto code = static_cast<unsigned char>(c);
     c = c == '"' ? '\'' : (code < 0x20U || code == 0x7FU ? ' ' : c);
+  }
+  if (isPathPart)
+  {
+    std::replace(quoted.begin(), quoted.end(), '/', '_');
+    // Blanks at the ends get lost in some readers.
+    const std::size_t first = quoted.find_first_not_of(' ');
+    quoted = first == std::string::npos
+      ? ""
+      : quoted.substr(first, quoted.find_last_not_of(' ') + 1 - first);
+    quoted = quoted.find_first_not_of('.') == std::string::npos ? "side" + quoted : quoted;
   }
   return quoted.empty() ? "side" : quoted;
 }
@@ -82,7 +92,7 @@ std::vector<std::string> FormatNames(const std::vector<std::string>& names, cons
   std::set<std::string> unchanged; // these keep their names, wherever they are in the list
   for (const std::string& name : names)
   {
-    result.push_back(Cut(rule.isPlain ? PlainName(name) : QuotedName(name), rule.longest));
+    result.push_back(Cut(rule.isPlain ? PlainName(name) : QuotedName(name, rule.isPathPart), rule.longest));
     if (result.back() == name && taken.count(KeyOf(name, rule)) == 0)
     {
       unchanged.insert(KeyOf(name, rule));

@@ -1,5 +1,6 @@
 #include "GatherBlocks.h"
 
+#include "BlockLattice.h"
 #include "CellLattice.h"
 #include "Index.h"
 
@@ -9,10 +10,36 @@ namespace crossfield
 {
 namespace
 {
-std::size_t NodeOf(const ExportBlock& block, const std::array<int, 3>& index)
+constexpr int Turns = 4; // a quad can be turned
+
+/// Sets the nodes of a block and returns whether its cells agree. Of prisms, whose corners begin at their edge on
+/// the axis, corner `turn` is at their indices.
+bool Fill(const ExportMesh& mesh, const std::vector<BlockPlace>& places,
+  const std::vector<std::size_t>& cells, int turn, ExportBlock& block)
 {
-  return Index(index[0]) +
-    Index(block.cells[0] + 1) * (Index(index[1]) + Index(block.cells[1] + 1) * Index(index[2]));
+  const CellLattice lattice(mesh.dimension, mesh.order);
+  std::fill(block.nodes.begin(), block.nodes.end(), -1);
+  for (const std::size_t cell : cells)
+  {
+    const int* nodes = mesh.Cell(static_cast<int>(cell));
+    const auto node = [&](int corner) { return nodes[lattice.Corner(corner)]; };
+    const bool isPrism = mesh.dimension == 3 && node(0) == node(4) && node(1) == node(5);
+    for (int corner = 0; corner < (mesh.dimension == 2 ? 4 : 8); ++corner)
+    {
+      std::array<int, 3> index = places[cell].index;
+      index[0] += corner % 4 == 1 || corner % 4 == 2 ? 1 : 0;
+      index[1] += corner % 4 >= 2 ? 1 : 0;
+      index[2] += corner >= 4 ? 1 : 0;
+      int& place = block.nodes[BlockPoint(block, index)];
+      const int turned = isPrism ? (corner + turn) % 4 + corner / 4 * 4 : corner;
+      if (place >= 0 && place != node(turned))
+      {
+        return false;
+      }
+      place = node(turned);
+    }
+  }
+  return std::find(block.nodes.begin(), block.nodes.end(), -1) == block.nodes.end();
 }
 }
 
@@ -50,28 +77,23 @@ std::vector<ExportBlock> GatherBlocks(const ExportMesh& mesh, const std::vector<
     }
     blocks[b].nodes.assign(Index(cells[0] + 1) * Index(cells[1] + 1) * Index(cells[2] + 1), -1);
   }
-  const CellLattice lattice(mesh.dimension, mesh.order);
+  std::vector<std::vector<std::size_t>> cellsOf(blocks.size());
   for (std::size_t cell = 0; cell < places.size(); ++cell)
   {
-    ExportBlock& block = blocks[Index(places[cell].block)];
-    for (int corner = 0; corner < (isFlat ? 4 : 8); ++corner)
+    cellsOf[Index(places[cell].block)].push_back(cell);
+  }
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    int turn = 0;
+    while (turn < Turns && !Fill(mesh, places, cellsOf[b], turn, blocks[b]))
     {
-      std::array<int, 3> index = places[cell].index;
-      index[0] += corner % 4 == 1 || corner % 4 == 2 ? 1 : 0;
-      index[1] += corner % 4 >= 2 ? 1 : 0;
-      index[2] += corner >= 4 ? 1 : 0;
-      int& node = block.nodes[NodeOf(block, index)];
-      const int point = mesh.Cell(static_cast<int>(cell))[lattice.Corner(corner)];
-      if (node >= 0 && node != point)
-      {
-        return {};
-      }
-      node = point;
+      ++turn;
+    }
+    if (turn == Turns)
+    {
+      return {};
     }
   }
-  const auto isComplete = [](const ExportBlock& block)
-  { return std::find(block.nodes.begin(), block.nodes.end(), -1) == block.nodes.end(); };
-  return std::all_of(blocks.begin(), blocks.end(), isComplete) ? blocks
-                                                               : std::vector<ExportBlock>();
+  return blocks;
 }
 }

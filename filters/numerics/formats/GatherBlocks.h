@@ -15,8 +15,9 @@ struct BlockPlace
 };
 
 /// Returns the blocks of a mesh, given the place of each of its cells. Corner 0 of a cell is at its
-/// indices, corner 1 one column further, corner 3 one row further, corner 4 one layer further. Returns none if the
-/// cells of a block do not fill it, or neighbours in a block differ in a shared node.
+/// indices, corner 1 one column further, corner 3 one row further, corner 4 one layer further. Prisms,
+/// whose corners 0 and 1 are also 4 and 5, may be turned by the same number of corners in all of a block. Returns none if
+/// the cells of a block do not fill it, or neighbours in a block differ in a shared node.
 std::vector<ExportBlock> GatherBlocks(
   const ExportMesh& mesh, const std::vector<BlockPlace>& places);
 }

@@ -1,10 +1,16 @@
 #include "MeshFormats.h"
 
+#include "BlockLattice.h"
 #include "Error.h"
+#include "WriteEnSight.h"
+#include "WriteExodus.h"
 #include "WriteInp.h"
+#include "WritePlot3d.h"
 #include "WriteSu2.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace crossfield
 {
@@ -19,51 +25,101 @@ std::string LowerCase(std::string text)
   }
   return text;
 }
+
+const std::map<std::string, MeshFormat> Endings = { { ".cgns", MeshFormat::Cgns },
+  { ".case", MeshFormat::EnSight }, { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus },
+  { ".exo", MeshFormat::Exodus }, { ".inp", MeshFormat::Inp }, { ".msh", MeshFormat::Msh },
+  { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk }, { ".xyz", MeshFormat::Plot3d } };
+
+/// Largest order of each format, and its name in messages.
+struct Limit
+{
+  int order = 1;
+  std::string name;
+};
+const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } },
+  { MeshFormat::EnSight, { 2, ".case" } }, { MeshFormat::Exodus, { 2, ".ex2" } },
+  { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
+  { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
+
+/// Returns the name of the file beside another that has another ending.
+std::filesystem::path Beside(const std::string& name, const std::string& ending)
+{
+  return std::filesystem::path(name).replace_extension(ending);
+}
+
+std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& name)
+{
+  std::filesystem::path geometry = Beside(name, ".geo");
+  std::string file = geometry.filename().string();
+  std::replace(file.begin(), file.end(), ' ', '_'); // names in cases have no blanks
+  geometry.replace_filename(file);
+  return { { name, WriteEnSightCase(file) }, { geometry.string(), WriteEnSightGeometry(mesh) } };
+}
 }
 
 MeshFormat MeshFormatOf(const std::string& name)
 {
   const std::string ending = LowerCase(std::filesystem::path(name).extension().string());
-  if (ending == ".inp")
-  {
-    return MeshFormat::Inp;
-  }
-  if (ending == ".msh")
-  {
-    return MeshFormat::Msh;
-  }
-  return ending == ".su2" ? MeshFormat::Su2 : MeshFormat::None;
+  const auto format = Endings.find(ending);
+  return format == Endings.end() ? MeshFormat::None : format->second;
 }
 
 void RequireOrder(MeshFormat format, int order)
 {
-  if (format == MeshFormat::None)
+  const auto limit = Limits.find(format);
+  if (limit == Limits.end())
   {
-    throw Error("The ending of the file is unknown; give .msh, .inp or .su2.");
+    std::string list;
+    for (const auto& [ending, of] : Endings)
+    {
+      list += (list.empty() ? "" : ", ") + ending;
+    }
+    throw Error("The ending of the file is unknown; give one of " + list + ".");
   }
-  if (format == MeshFormat::Inp && order > 2)
+  if (order > limit->second.order)
   {
-    throw Error(
-      "The format .inp has no elements of order 3; use order 2, or write a .msh or .vtu file.");
+    const bool hasSecond = limit->second.order > 1;
+    throw Error("The format " + limit->second.name +
+      (hasSecond ? " has no elements of order 3; use order 2," : " has cells of order 1 only; leave the order out,") +
+      " or write a .msh or .vtu file.");
   }
-  if (format == MeshFormat::Su2 && order > 1)
+}
+
+void PrepareMesh(ExportMesh& mesh, MeshFormat format)
+{
+  RequireOrder(format, mesh.order);
+  OrientCells(mesh);
+  if (mesh.region.empty())
   {
-    throw Error(
-      "The format .su2 has cells of order 1 only; leave the order out, or write a .msh or .vtu file.");
+    throw Error("The mesh has no cells; give the quads of a Quad Mesher.");
+  }
+  if (format == MeshFormat::Plot3d || format == MeshFormat::Cgns)
+  {
+    RequireBlocks(mesh, Limits.at(format).name);
+    OrientBlocks(mesh);
   }
 }
 
 std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, MshVersion version)
 {
   const MeshFormat format = MeshFormatOf(name);
-  RequireOrder(format, mesh.order);
-  OrientCells(mesh);
+  PrepareMesh(mesh, format);
   switch (format)
   {
+  case MeshFormat::EnSight:
+    return EnSightFiles(mesh, name);
+  case MeshFormat::Exodus:
+    return { { name, WriteExodus(mesh) } };
   case MeshFormat::Inp:
     return { { name, WriteInp(mesh) } };
+  case MeshFormat::Plot3d:
+    return { { name, WritePlot3d(mesh) }, { Beside(name, ".nmf").string(), WriteNmf(mesh) } };
   case MeshFormat::Su2:
     return { { name, WriteSu2(mesh) } };
+  case MeshFormat::Cgns:
+  case MeshFormat::Vtk:
+    throw Error("Other libraries write .cgns and .vtk files; use vtkQuadMeshWriter.");
   default:
     return { { name, WriteMsh(mesh, version) } };
   }

@@ -12,9 +12,14 @@ namespace crossfield
 enum class MeshFormat
 {
   None,
-  Inp, ///< .inp of Abaqus and CalculiX
-  Msh, ///< .msh of Gmsh
-  Su2  ///< .su2
+  Cgns,    ///< .cgns; WriteMeshFiles does not write it
+  EnSight, ///< .case of EnSight Gold
+  Exodus,  ///< .ex2, .exo and .e
+  Inp,     ///< .inp of Abaqus and CalculiX
+  Msh,     ///< .msh of Gmsh
+  Plot3d,  ///< .xyz of PLOT3D, with a neutral map file
+  Su2,     ///< .su2
+  Vtk      ///< .vtk; WriteMeshFiles does not write it
 };
 
 /// A file to write: its name, with folders, and its bytes.
@@ -30,7 +35,11 @@ MeshFormat MeshFormatOf(const std::string& name);
 /// Throws Error if the format is None or has no cells of an order.
 void RequireOrder(MeshFormat format, int order);
 
-/// Orients the cells of a mesh and returns the files that `name` stands for, in the format of its ending.
+/// Orients the cells and blocks of a mesh, as its format requires. Throws Error if the mesh is not
+/// complete, has no cells, or the format cannot have it.
+void PrepareMesh(ExportMesh& mesh, MeshFormat format);
+
+/// Prepares a mesh and returns the files that `name` stands for, in the format of its ending.
 /// Throws Error if the format cannot have the mesh or the mesh is not complete.
 std::vector<FileText> WriteMeshFiles(
   ExportMesh mesh, const std::string& name, MshVersion version = MshVersion::V41);

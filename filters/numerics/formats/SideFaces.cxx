@@ -12,17 +12,6 @@ namespace crossfield
 {
 namespace
 {
-/// Corners of a face in increasing order, each once; then −1.
-using Key = std::array<int, 4>;
-
-/// Makes a key of the first entries.
-void Sort(Key& key, int count)
-{
-  const auto end = key.begin() + count;
-  std::sort(key.begin(), end);
-  std::fill(std::unique(key.begin(), end), key.end(), -1);
-}
-
 /// The faces of all cells, in buckets by their smallest corner.
 class FaceBuckets
 {
@@ -55,7 +44,7 @@ public:
   }
 
   /// Returns the faces with these corners.
-  std::vector<std::size_t> Find(const Key& key) const
+  std::vector<std::size_t> Find(const FaceKey& key) const
   {
     std::vector<std::size_t> found;
     for (std::size_t i = this->Starts[Index(key[0])]; i < this->Starts[Index(key[0]) + 1]; ++i)
@@ -74,18 +63,17 @@ public:
     return { static_cast<int>(i / Index(this->FacesOfCell)), number };
   }
 
-  Key KeyOf(std::size_t i) const
+  FaceKey KeyOf(std::size_t i) const
   {
     const SideFace face = this->FaceOf(i);
     const int* nodes = this->Mesh.Cell(face.cell);
-    Key key{};
+    FaceKey key{};
     const std::vector<int>& corners = this->Corners[Index(face.face)];
     for (std::size_t c = 0; c < corners.size(); ++c)
     {
       key[c] = nodes[corners[c]];
     }
-    Sort(key, static_cast<int>(corners.size()));
-    return key;
+    return KeyOfFace(key, static_cast<int>(corners.size()));
   }
 
   std::size_t Count() const { return this->Faces.size(); }
@@ -99,10 +87,23 @@ private:
 };
 }
 
+FaceKey KeyOfFace(FaceKey corners, int count)
+{
+  if (count == 2)
+  {
+    return { std::min(corners[0], corners[1]), std::max(corners[0], corners[1]), 0, 0 };
+  }
+  std::sort(corners.begin(), corners.end());
+  auto* const last = std::unique(corners.begin(), corners.end());
+  std::fill(last, corners.end(), *(last - 1));
+  return corners;
+}
+
 SideFaces FindSideFaces(const ExportMesh& mesh)
 {
   const FaceBuckets buckets(mesh);
   const std::string kind = mesh.dimension == 2 ? "edge" : "face";
+  const std::string article = mesh.dimension == 2 ? "an " : "a ";
   SideFaces result;
   result.ofSide.resize(mesh.sideNames.size());
   result.isInside.resize(mesh.sideNames.size(), false);
@@ -110,15 +111,15 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   const int corners = mesh.CornersOfFace();
   for (int i = 0; i < mesh.FaceCount(); ++i)
   {
-    Key key{};
+    FaceKey key{};
     std::copy_n(
       mesh.faces.begin() + static_cast<std::ptrdiff_t>(i) * corners, corners, key.begin());
-    Sort(key, corners);
+    key = KeyOfFace(key, corners);
     const std::vector<std::size_t> found = buckets.Find(key);
     const std::size_t side = Index(mesh.side[Index(i)]);
     if (found.empty() || hasSide[found[0]])
     {
-      throw Error("Side '" + mesh.sideNames[side] + "' has an " + kind + " at " +
+      throw Error("Side '" + mesh.sideNames[side] + "' has " + article + kind + " at " +
         PlaceOf(mesh, key[0]) +
         (found.empty() ? " that belongs to no cell" : " that is given twice") +
         "; give the boundary of this mesh.");
@@ -132,8 +133,8 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   }
   for (std::size_t i = 0; i < buckets.Count(); ++i)
   {
-    const Key corner = buckets.KeyOf(i);
-    const bool isLine = mesh.dimension == 3 && corner[2] < 0;
+    const FaceKey corner = buckets.KeyOf(i);
+    const bool isLine = mesh.dimension == 3 && corner[1] == corner[3];
     if (!hasSide[i] && !isLine &&
       buckets.Find(corner).size() == 1) // a prism has a face that is a line
     {
@@ -142,5 +143,18 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
     }
   }
   return result;
+}
+
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
+{
+  for (std::size_t side = 0; side < faces.isInside.size(); ++side)
+  {
+    if (faces.isInside[side])
+    {
+      throw Error("The format " + format + " has sides on the boundary only, and '" +
+        mesh.sideNames[side] + "' is inside; leave it out, or write a .msh or .vtu file.");
+    }
+  }
 }
 }

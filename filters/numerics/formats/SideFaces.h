@@ -2,10 +2,18 @@
 
 #include "ExportMesh.h"
 
+#include <array>
+#include <string>
 #include <vector>
 
 namespace crossfield
 {
+/// Corners of a face in ascending order, each once; the last one is repeated. The last two of an edge are 0.
+using FaceKey = std::array<int, 4>;
+
+/// Returns the key of a face with 2 or 4 corners, of which a triangle has one twice.
+FaceKey KeyOfFace(FaceKey corners, int count);
+
 /// A boundary face as a part of a cell.
 struct SideFace
 {
@@ -24,4 +32,8 @@ struct SideFaces
 /// Finds the cell of every boundary face. Throws Error if a face belongs to no cell or is given twice, or
 /// if a face with one cell is missing.
 SideFaces FindSideFaces(const ExportMesh& mesh);
+
+/// Throws Error, which calls the format `format`, if a side is inside.
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
 }

@@ -35,14 +35,7 @@ void RequirePossible(const ExportMesh& mesh, const SideFaces& faces)
       std::to_string(mesh.regionNames.size()) +
       "; write each to a file of its own, or a .msh file.");
   }
-  for (std::size_t side = 0; side < faces.isInside.size(); ++side)
-  {
-    if (faces.isInside[side])
-    {
-      throw Error("The format .su2 has sides on the boundary only, and '" + mesh.sideNames[side] +
-        "' is inside; leave it out, or write a .msh or .vtu file.");
-    }
-  }
+  RequireNoInnerSides(mesh, faces, ".su2");
 }
 }
 

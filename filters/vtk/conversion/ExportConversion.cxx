@@ -328,6 +328,7 @@ void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstr
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   output->SetPoints(points);
+  output->Allocate(mesh.CellCount() + mesh.FaceCount());
   vtkPointData* pointData = output->GetPointData();
   pointData->CopyAllocate(from->GetPointData(), static_cast<vtkIdType>(mesh.points.size()));
   for (std::size_t i = 0; i < mesh.points.size(); ++i)

@@ -1,26 +1,16 @@
 #include "CadLibrary.h"
 
 #include "Error.h"
+#include "OwnLibrary.h"
 #include "ReadCad.h"
-
-#include <dlfcn.h>
 
 namespace
 {
 /** Returns the function of the library, null if there is no library. */
 ReadCadFunction* Load()
 {
-  static ReadCadFunction* const Function = []() -> ReadCadFunction*
-  {
-    // The library is installed next to this one.
-    Dl_info own{};
-    static const char Here = 0;
-    std::string folder = dladdr(&Here, &own) != 0 ? own.dli_fname : "";
-    folder.erase(folder.rfind('/') == std::string::npos ? 0 : folder.rfind('/') + 1);
-    void* library = dlopen((folder + "libcrossfieldCad.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    return library == nullptr ? nullptr
-                              : reinterpret_cast<ReadCadFunction*>(dlsym(library, ReadCadName));
-  }();
+  static auto* const Function =
+    reinterpret_cast<ReadCadFunction*>(OwnLibrary::Find("libcrossfieldCad.so", ReadCadName));
   return Function;
 }
 }

@@ -1,0 +1,201 @@
+#include "WriteExodus.h"
+
+#include "CellLattice.h"
+#include "FormatNames.h"
+#include "Index.h"
+#include "MeshNumbering.h"
+#include "NetCdf.h"
+#include "SideFaces.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace crossfield
+{
+namespace
+{
+constexpr int NameLength = 32;
+constexpr double Version = 5.1; // of the format, which has names of blocks and sets
+
+/// How the elements of a mesh are called and numbered.
+struct ElementKind
+{
+  std::string type;
+  std::vector<int> positions; ///< Of the nodes in the lattice of a cell.
+  std::vector<int> faces;     ///< Per face of CellLattice, its number in the format.
+};
+
+ElementKind KindOf(const ExportMesh& mesh, bool isPlane)
+{
+  ElementKind kind;
+  kind.positions = CellLattice(mesh.dimension, mesh.order).AbaqusOrder();
+  if (mesh.dimension == 2)
+  {
+    kind.type = isPlane ? "QUAD" : "SHELL";
+    // Sides 1 and 2 of a shell are its faces.
+    kind.faces = isPlane ? std::vector<int>{ 1, 2, 3, 4 } : std::vector<int>{ 3, 4, 5, 6 };
+    if (mesh.order == 2)
+    {
+      kind.positions.push_back(4); // the middle of the 3 × 3 nodes
+    }
+  }
+  else
+  {
+    kind.type = "HEX";
+    kind.faces = { 5, 6, 1, 2, 3, 4 };
+    if (mesh.order == 2)
+    {
+      // The middles of upright edges come before those of the top, in contrast to Abaqus.
+      std::rotate(
+        kind.positions.begin() + 12, kind.positions.begin() + 16, kind.positions.begin() + 20);
+      // The middle, then those of the faces with least and largest third, first and second index.
+      kind.positions.insert(kind.positions.end(), { 13, 4, 22, 12, 14, 10, 16 });
+    }
+  }
+  kind.type += std::to_string(kind.positions.size());
+  return kind;
+}
+
+void AddHeader(NetCdf& file)
+{
+  using Attribute = NetCdf::Attribute;
+  file.AddAttribute({ "api_version", Attribute::Float, {}, Version });
+  file.AddAttribute({ "version", Attribute::Float, {}, Version });
+  file.AddAttribute({ "floating_point_word_size", Attribute::Integer, {}, sizeof(double) });
+  file.AddAttribute({ "file_size", Attribute::Integer, {}, 1 }); // each coordinate has a variable
+  file.AddAttribute({ "maximum_name_length", Attribute::Integer, {}, NameLength });
+  file.AddAttribute({ "int64_status", Attribute::Integer, {}, 0 });
+  file.AddAttribute({ "title", Attribute::Text, "CrossField", 0.0 });
+}
+
+/// Adds status, numbers and names of the blocks or sets, given their sizes. The dimension 0 of an array is that
+/// of records, so those without elements have no arrays, and their status is 0.
+void AddGroups(const std::string& prefix, const std::string& dimensionName, int nameLength,
+  const std::vector<std::string>& names, const std::vector<int>& sizes, NetCdf& file)
+{
+  if (names.empty())
+  {
+    return;
+  }
+  const int dimension = file.AddDimension(dimensionName, static_cast<int>(names.size()));
+  std::vector<int> ids(names.size());
+  std::iota(ids.begin(), ids.end(), 1);
+  std::vector<int> status;
+  for (const int size : sizes)
+  {
+    status.push_back(size > 0 ? 1 : 0);
+  }
+  file.AddIntegers(prefix + "_status", { dimension }, status);
+  file.AddIntegers(
+    prefix + "_prop1", { dimension }, ids, { { "name", NetCdf::Attribute::Text, "ID", 0.0 } });
+  NameRule rule;
+  rule.isPlain = false;
+  rule.longest = NameLength;
+  file.AddTexts(prefix + "_names", { dimension, nameLength }, FormatNames(names, rule));
+}
+
+/// Adds the elements of all blocks and returns the number of each cell.
+std::vector<int> AddBlocks(
+  const ExportMesh& mesh, const ElementKind& kind, const MeshNumbering& numbering, NetCdf& file)
+{
+  std::vector<int> element(mesh.region.size());
+  int next = 1;
+  for (std::size_t region = 0; region < mesh.regionNames.size(); ++region)
+  {
+    const int first = next;
+    std::vector<int> nodes;
+    for (int cell = 0; cell < mesh.CellCount(); ++cell)
+    {
+      if (mesh.region[Index(cell)] != static_cast<int>(region))
+      {
+        continue;
+      }
+      for (const int position : kind.positions)
+      {
+        nodes.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
+      }
+      element[Index(cell)] = next++;
+    }
+    if (next > first)
+    {
+      const std::string number = std::to_string(region + 1);
+      const int inBlock = file.AddDimension("num_el_in_blk" + number, next - first);
+      const int inElement =
+        file.AddDimension("num_nod_per_el" + number, static_cast<int>(kind.positions.size()));
+      file.AddIntegers("connect" + number, { inBlock, inElement }, nodes,
+        { { "elem_type", NetCdf::Attribute::Text, kind.type, 0.0 } });
+    }
+  }
+  return element;
+}
+
+void AddSets(const SideFaces& faces, const ElementKind& kind, const std::vector<int>& element,
+  NetCdf& file)
+{
+  for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
+  {
+    if (faces.ofSide[side].empty())
+    {
+      continue;
+    }
+    const std::string number = std::to_string(side + 1);
+    std::vector<int> elements;
+    std::vector<int> sides;
+    for (const SideFace& face : faces.ofSide[side])
+    {
+      elements.push_back(element[Index(face.cell)]);
+      sides.push_back(kind.faces[Index(face.face)]);
+    }
+    const int inSet = file.AddDimension("num_side_ss" + number, static_cast<int>(sides.size()));
+    file.AddIntegers("elem_ss" + number, { inSet }, elements);
+    file.AddIntegers("side_ss" + number, { inSet }, sides);
+  }
+}
+}
+
+std::string WriteExodus(const ExportMesh& mesh)
+{
+  const SideFaces faces = FindSideFaces(mesh);
+  RequireNoInnerSides(mesh, faces, ".ex2");
+  const bool isPlane = mesh.dimension == 2 && mesh.HasConstantHeight();
+  const int dimension = isPlane ? 2 : 3;
+  const ElementKind kind = KindOf(mesh, isPlane);
+  const MeshNumbering numbering = NumberNodes(mesh, kind.positions, 1);
+  NetCdf file;
+  AddHeader(file);
+  const int nameLength = file.AddDimension("len_name", NameLength + 1);
+  file.AddDimension("len_string", NameLength + 1);
+  const int time = file.AddDimension("time_step", 0);
+  const int axes = file.AddDimension("num_dim", dimension);
+  const int nodes = file.AddDimension("num_nodes", static_cast<int>(numbering.point.size()));
+  file.AddDimension("num_elem", mesh.CellCount());
+  file.AddNumbers("time_whole", { time }, {});
+  std::vector<int> sizes(mesh.regionNames.size(), 0);
+  for (const int region : mesh.region)
+  {
+    ++sizes[Index(region)];
+  }
+  AddGroups("eb", "num_el_blk", nameLength, mesh.regionNames, sizes, file);
+  sizes.clear();
+  for (const std::vector<SideFace>& side : faces.ofSide)
+  {
+    sizes.push_back(static_cast<int>(side.size()));
+  }
+  AddGroups("ss", "num_side_sets", nameLength, mesh.sideNames, sizes, file);
+  const std::array<std::string, 3> axisNames = { "x", "y", "z" };
+  file.AddTexts("coor_names", { axes, nameLength }, { axisNames.begin(), axisNames.begin() + dimension });
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    std::vector<double> values;
+    values.reserve(numbering.point.size());
+    for (const int point : numbering.point)
+    {
+      values.push_back(mesh.points[Index(point)][axis]);
+    }
+    file.AddNumbers("coord" + axisNames[Index(axis)], { nodes }, values);
+  }
+  AddSets(faces, kind, AddBlocks(mesh, kind, numbering, file), file);
+  return file.Bytes();
+}
+}
