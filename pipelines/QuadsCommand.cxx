@@ -1,5 +1,5 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2: makes an all-quad mesh with exactly the chosen
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2|CASE/: makes an all-quad mesh with exactly the chosen
  * irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
@@ -184,7 +184,7 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable(
-    { { options.output, ".vtu .msh .inp .su2" }, { options.blocks, ".vtm" },
+    { { options.output, ".vtu .msh .inp .su2 .foam /" }, { options.blocks, ".vtm" },
       { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
   OutputFile::RequireOrder(options.output, options.order);
 
@@ -303,7 +303,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   AddSingularitiesTo(*command, options->singularities);
   command
     ->add_option("-o,--output", options->output,
-      "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX or .su2 of SU2; "
+      "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX or .su2 of SU2, "
+      "or into a case of OpenFOAM, a folder with / at its end or a .foam file in it; "
       "as .vtu to standard output for -")
     ->required();
   CLI::Option* size = command

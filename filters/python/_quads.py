@@ -126,7 +126,7 @@ class QuadMesh:
         if ending == ".vtu":
             write_grid(self.grid, path)
             return
-        if ending in (".msh", ".inp", ".su2"):
+        if ending in (".msh", ".inp", ".su2", ".foam") or os.fspath(path).endswith("/"):
             pipeline = Pipeline()
             writer = vtkQuadMeshWriter()
             writer.SetInputData(self.grid)
@@ -137,7 +137,7 @@ class QuadMesh:
             import meshio
         except ImportError:
             raise Error("The file '%s' is written with the Python package meshio; install it (Debian package "
-                        "python3-meshio), or write a .vtu, .msh, .inp or .su2 file." % path) from None
+                        "python3-meshio), or write a .vtu, .msh, .inp, .su2 or .foam file." % path) from None
         if self.order > 2:
             raise Error("The file '%s' cannot have quads of order 3; write a .vtu file, or use order 2." % path)
         loops = [np.full(len(self.quads), -1), self.boundary_id]

@@ -1,18 +1,12 @@
 #pragma once
 
 #include "ExportMesh.h"
+#include "FaceBuckets.h"
 
 #include <vector>
 
 namespace crossfield
 {
-/// A boundary face as a part of a cell.
-struct SideFace
-{
-  int cell = 0;
-  int face = 0; ///< Number of the face in the cell (CellLattice.h).
-};
-
 /// Faces of a mesh by side, in their order.
 struct SideFaces
 {
@@ -22,6 +16,8 @@ struct SideFaces
 };
 
 /// Finds the cell of every boundary face. Throws Error if a face belongs to no cell or is given twice, or
-/// if a face with one cell is missing.
+/// if a face with one cell is missing. The second function uses the buckets of the mesh and their partners.
 SideFaces FindSideFaces(const ExportMesh& mesh);
+SideFaces FindSideFaces(
+  const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners);
 }
