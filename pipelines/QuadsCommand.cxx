@@ -14,7 +14,9 @@
 #include "ReportJson.h"
 #include "SideOptions.h"
 #include "SingularityInput.h"
+#include "SweepOptions.h"
 #include "vtkCrossFieldArrayNames.h"
+#include "vtkExtrudeQuads.h"
 #include "vtkQuadMeshWriter.h"
 #include "vtkQuadMesher.h"
 #include "vtkQuadsToHigherOrder.h"
@@ -42,6 +44,7 @@ struct QuadsOptions
 {
   BoundaryOptions boundary;
   SideOptions sides;
+  SweepOptions sweep;
   std::string domain;
   std::string singularities;
   std::string corners;
@@ -115,8 +118,8 @@ void SetSizing(const QuadsOptions& options, vtkQuadMesher* mesher)
   }
 }
 
-/** Returns an error message for the words after --sizing, empty if they are valid. */
-std::string CheckSizing(const QuadsOptions& options)
+/** Returns an error message for options that contradict each other, empty if there are none. */
+std::string CheckOptions(const QuadsOptions& options)
 {
   const std::string& sizing = options.sizing[0];
   if (SizingsWithoutArray.count(sizing) == 0 && sizing != "field")
@@ -127,6 +130,10 @@ std::string CheckSizing(const QuadsOptions& options)
   {
     return "--sizing: give auto, conformal, uniform, or field and the name of a point array of the "
            "domain";
+  }
+  if (options.order > 2 && options.sweep.IsSet())
+  {
+    return "--order: quads of order 3 cannot be swept; give order 1 or 2";
   }
   return sizing == "field" && options.size > 0.0
     ? "--sizing field has the sizes in the array; leave --size out, or give --quads"
@@ -237,6 +244,15 @@ int Mesh(const QuadsOptions& options)
     PipelineRun::Update(raiser, "curving");
     quads->ShallowCopy(raiser->GetOutput());
   }
+  auto grids = vtkSmartPointer<vtkMultiBlockDataSet>(
+    vtkMultiBlockDataSet::SafeDownCast(mesher->GetOutputDataObject(1)));
+  if (const auto extruder = options.sweep.Make())
+  {
+    extruder->SetInputData(quads);
+    PipelineRun::Update(extruder, "extruding");
+    quads->ShallowCopy(extruder->GetOutput());
+    grids = vtkMultiBlockDataSet::SafeDownCast(extruder->GetOutputDataObject(1));
+  }
 
   // 4. Write.
   OutputTransaction outputs;
@@ -244,7 +260,6 @@ int Mesh(const QuadsOptions& options)
   OutputFile::WriteIfNamed(mesher->GetOutputDataObject(2), options.layout, outputs);
   if (!options.blocks.empty())
   {
-    auto* grids = vtkMultiBlockDataSet::SafeDownCast(mesher->GetOutputDataObject(1));
     OutputFile::Blocks blocks;
     for (unsigned int b = 0; b < grids->GetNumberOfBlocks(); ++b)
     {
@@ -281,6 +296,11 @@ int Mesh(const QuadsOptions& options)
               << ReportJson::Write("quads", "irregular", quads.Get())
               << ", minimum scaled Jacobian " << Value(quads, names::ScaledJacobianRange)
               << " (attainable " << Value(quads, names::ScaledJacobianBound) << ")\n";
+    if (vtkDataArray* hexahedra = quads->GetFieldData()->GetArray(names::Hexahedra))
+    {
+      std::cout << hexahedra->GetTuple1(0) << " hexahedra in " << Value(quads, names::SweepLayers)
+                << " layers\n";
+    }
     PrintLayers(quads->GetFieldData());
     PrintCurves(quads->GetFieldData());
   }
@@ -386,6 +406,7 @@ void AddQuadsCommand(CLI::App& app, int& status)
     ->add_option("--order", options->order,
       "order of the quads: 1, or 2 or 3 with boundary edges along the curves; default: 1")
     ->check(CLI::Range(1, 3));
+  options->sweep.AddTo(*command);
   const std::map<std::string, int> versions = { { "2.2", vtkQuadMeshWriter::Msh22 },
     { "4.1", vtkQuadMeshWriter::Msh41 } };
   command
@@ -400,7 +421,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
     [options, count, &status]
     {
       options->countIsGiven = count->count() > 0;
-      const std::string problem = CheckSizing(*options);
+      options->sweep.Read();
+      const std::string problem = CheckOptions(*options);
       if (!problem.empty())
       {
         throw CLI::ValidationError(problem);

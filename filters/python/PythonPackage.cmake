@@ -17,7 +17,7 @@ configure_file("${CMAKE_CURRENT_LIST_DIR}/names.py.in" "${package_directory}/nam
 configure_file("${CMAKE_CURRENT_LIST_DIR}/../vtk/reports.json" "${package_directory}/reports.json" COPYONLY)
 set(package_files __init__.py names.py reports.json)
 foreach (file IN ITEMS __init__.pyi _boundary.py _configurations.py _functions.py _input.py _layers.py _plot.py _quads.py _reports.py _results.py
-  _run.py py.typed)
+  _run.py _solid.py py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/${file}" "${package_directory}/${file}" COPYONLY)
   list(APPEND package_files "${file}")
 endforeach ()

@@ -11,6 +11,7 @@ from ._results import (
     Configuration as Configuration, Corners as Corners, CrossField as CrossField, HField as HField,
     Mesh as Mesh, Separatrices as Separatrices, ConsistencyCheck as ConsistencyCheck)
 from ._run import Error as Error
+from ._solid import SolidMesh as SolidMesh
 from .vtkCrossFieldFilters import *
 
 __version__: str

@@ -18,6 +18,7 @@ from ._plot import plot_quads
 from ._reports import report_of
 from ._results import Configuration, Corners, chains, configuration_of, copied, places, replace_file, write_grid
 from ._run import Error, Pipeline
+from ._solid import SolidMesh, swept
 from .vtkCrossFieldFilters import vtkQuadMesher, vtkQuadMeshWriter, vtkQuadsToHigherOrder
 
 #: Ratio of the last edge to the first, (first, last) lengths, or either after "both" in a tuple.
@@ -109,6 +110,24 @@ class QuadMesh:
         chains = [piece[:, 0] if piece[-1, 1] == piece[0, 0] else np.r_[piece[:, 0], piece[-1, 1]]
                   for piece in pieces]
         return np.concatenate(chains) if chains else np.empty(0, int)
+
+    def extrude(self, height: float, layers: int = 1) -> SolidMesh:
+        """Returns hexahedra between the quads and the quads moved by `height` along their normal.
+
+        Sides keep their names; the ends are "back" and "front".
+
+        >>> mesh = quads([(0, 0), (2, 0), (2, 1), (0, 1)], size=0.5)
+        >>> solid = mesh.extrude(1.0, layers=2)
+        >>> len(mesh.quads), len(solid.cells), solid.sides[-2:]
+        (8, 16, ['back', 'front'])
+        """
+        return swept(self.grid, layers, height=height)
+
+    def revolve(self, angle: float, layers: int = 1, axis: str = "x") -> SolidMesh:
+        """Returns hexahedra that the quads pass when they turn by `angle` degrees about the line y = 0 (axis "x")
+        or x = 0 ("y"). Quads with an edge on the axis become prisms, and 360 degrees close the mesh. With one
+        layer the quads are in its middle."""
+        return swept(self.grid, layers, angle=angle, axis=axis)
 
     def plot(self, file: Optional[Union[str, "os.PathLike[str]"]] = None, width: int = 900) -> Any:
         """Shows the mesh in a window until it is closed, with pale blocks and irregular nodes in

@@ -127,7 +127,7 @@ struct Rule
   bool hasLegend = false;
 };
 
-constexpr std::array<Rule, 24> Rules = { {
+constexpr std::array<Rule, 26> Rules = { {
   { "PlanarDomainSource", 0, ShowOutline },
   { "PlanarDomainReader", 0, ShowOutline },
   { "DrawingReader", 0, ShowOutline },
@@ -152,6 +152,8 @@ constexpr std::array<Rule, 24> Rules = { {
   { "QuadMesher", 6, Look::ShowSingularities, Look::SetSingularityColours },
   { "QuadMesher", 7, Hide<ShowLines> },
   { "QuadsToHigherOrder", 0, ShowCurvedQuads, SetBlockColours },
+  { "ExtrudeQuads", 0, ShowQuads, SetBlockColours },
+  { "ExtrudeQuads", 1, Hide<ShowQuads>, SetBlockColours },
 } };
 
 /** Output that is a text for the view. */

@@ -39,6 +39,7 @@ PROXIES = {
     "QuadMesher": ("filters", "Input Singularities Corners QuadSize QuadCount MeshSize CapCorners "
                    "RepairHolonomy SplitSingularities Curves"),
     "QuadsToHigherOrder": ("filters", "Input Boundary Order"),
+    "ExtrudeQuads": ("filters", "Input Boundary Motion Layers Height Angle Axis"),
     "QuadMeshWriter": ("writers", "Input FileName MshVersion"),
     "Separatrices": ("filters", "Input Seeds LongestStreamline"),
     "SingularityEnergy": ("filters", "Input Configurations Corners MeshSize CoreRadius KeepMesh"),

@@ -24,7 +24,10 @@ void RequireValid(const ExportMesh& mesh)
     std::all_of(mesh.cells.begin(), mesh.cells.end(), isPoint) &&
     std::all_of(mesh.faces.begin(), mesh.faces.end(), isPoint) &&
     std::all_of(mesh.region.begin(), mesh.region.end(), isIn(mesh.regionNames)) &&
-    std::all_of(mesh.side.begin(), mesh.side.end(), isIn(mesh.sideNames));
+    std::all_of(mesh.side.begin(), mesh.side.end(), isIn(mesh.sideNames)) &&
+    std::all_of(mesh.periodic.begin(), mesh.periodic.end(),
+      [isSide = isIn(mesh.sideNames)](const PeriodicPair& pair)
+      { return isSide(pair.first) && isSide(pair.second) && pair.first != pair.second; });
   if (!isValid)
   {
     throw Error(
@@ -44,10 +47,49 @@ const int* ExportMesh::Cell(int cell) const
   return this->cells.data() + Index(cell) * Index(this->NodesOfCell());
 }
 
+int ExportMesh::CollapsedEdge(int cell) const
+{
+  if (this->dimension == 3 && this->order == 1)
+  {
+    const CellLattice lattice(3, 1);
+    const auto isRepeated = [&](int corner)
+    {
+      const int* nodes = this->Cell(cell);
+      return nodes[lattice.Corner(corner % 4)] == nodes[lattice.Corner(4 + corner % 4)];
+    };
+    for (int edge = 0; edge < 4; ++edge)
+    {
+      if (isRepeated(edge) && isRepeated(edge + 1))
+      {
+        return edge;
+      }
+    }
+  }
+  return -1;
+}
+
+std::array<int, 6> ExportMesh::Prism(int cell, int collapsedEdge) const
+{
+  const CellLattice lattice(3, 1);
+  const int* nodes = this->Cell(cell);
+  const auto bottom = [&](int i) { return nodes[lattice.Corner((collapsedEdge + i) % 4)]; };
+  const auto top = [&](int i) { return nodes[lattice.Corner(4 + (collapsedEdge + i) % 4)]; };
+  return { bottom(0), bottom(3), top(3), bottom(1), bottom(2), top(2) };
+}
+
 bool ExportMesh::HasConstantHeight() const
 {
   return std::all_of(this->points.begin(), this->points.end(),
     [this](const Eigen::Vector3d& point) { return point.z() == this->points.front().z(); });
+}
+
+void RemoveRepeated(std::vector<int>& nodes)
+{
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  if (nodes.size() > 1 && nodes.front() == nodes.back())
+  {
+    nodes.pop_back();
+  }
 }
 
 void OrientCells(ExportMesh& mesh)

@@ -25,13 +25,22 @@ struct SweepEnds
   bool isRotation = false; ///< Whether the sweep was a revolution, not a translation.
 };
 
+/// Two sides whose nodes match one by one under a motion, such as those of a rotor's sector.
+struct PeriodicPair
+{
+  int first = 0; ///< Index of a side.
+  int second = 0;
+  /// Takes points (x, y, z, 1) of the first side to those of the second: a translation or rotation.
+  Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+};
+
 /// A mesh of quads or hexahedra that a solver reads: cells with regions, boundary faces with sides.
 ///
 /// The nodes of a cell of order p are a lattice of (p + 1)^dimension points, the first index fastest: of a
 /// quad, the row from corner 0 to corner 1 comes first and the row from corner 3 to corner 2 last; of a
 /// hexahedron, the lattice of the bottom (0, 1, 2, 3) comes first and that of the top (4, 5, 6, 7) last.
 /// Corners have the order of VTK_QUAD and VTK_HEXAHEDRON. Faces, which are edges in two dimensions, are
-/// given by their corners, since their other nodes are those of the cell.
+/// given by their corners, since their other nodes are those of the cell; a triangle repeats one.
 struct ExportMesh
 {
   int dimension = 2; ///< 2 for quads, 3 for hexahedra.
@@ -45,6 +54,7 @@ struct ExportMesh
   std::vector<std::string> sideNames;
   std::vector<ExportBlock> blocks; ///< Right-handed, of all cells; empty if they are not known.
   SweepEnds sweep;
+  std::vector<PeriodicPair> periodic; ///< PeriodicNodes finds the nodes that match.
 
   int NodesOfCell() const; ///< (order + 1)^dimension
   int CornersOfFace() const { return this->dimension == 2 ? 2 : 4; }
@@ -52,8 +62,17 @@ struct ExportMesh
   int FaceCount() const { return static_cast<int>(this->side.size()); }
   /// Returns the nodes of a cell.
   const int* Cell(int cell) const;
+  /// Returns whether a hexahedron of order 1 is a prism: two neighbouring corners of the bottom are also
+  /// the corners above them. Returns the first of them, 0 to 3, or −1.
+  int CollapsedEdge(int cell) const;
+  /// Returns the corners of a prism with this collapsed edge: a triangle, whose normal points into the
+  /// prism, and the corners opposite to it.
+  std::array<int, 6> Prism(int cell, int collapsedEdge) const;
   bool HasConstantHeight() const; ///< Whether all points have the same z.
 };
+
+/// Removes nodes of a face that are equal to the one before, around the face.
+void RemoveRepeated(std::vector<int>& nodes);
 
 /// Makes all hexahedra right-handed and, if z is constant, all quads counter-clockwise. Nodes that are
 /// not points of the mesh and orders without a lattice are an Error.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace crossfield
 {
@@ -275,6 +276,29 @@ void RemoveEmptySides(ExportMesh& mesh)
     side = number[Index(side)];
   }
   mesh.sideNames = names;
+  std::vector<PeriodicPair> pairs;
+  for (PeriodicPair pair : mesh.periodic)
+  {
+    pair.first = number[Index(pair.first)];
+    pair.second = number[Index(pair.second)];
+    if (pair.first >= 0 && pair.second >= 0)
+    {
+      pairs.push_back(pair);
+    }
+  }
+  mesh.periodic = pairs;
+}
+
+/// Returns whether points that a motion takes to each other still are so after every part of a sweep.
+bool Commutes(const Eigen::Matrix4d& motion, const Sweep& sweep)
+{
+  if (sweep.kind == Sweep::Translation)
+  {
+    return true; // the motion is in the plane of the quads
+  }
+  Eigen::Matrix4d alongAxis = motion;
+  alongAxis(sweep.axis, 3) = 0.0;
+  return alongAxis.isIdentity(PlaneRounding);
 }
 
 std::vector<ExportBlock> SweepBlocks(
@@ -306,6 +330,8 @@ SweptMesh SweepQuads(const ExportMesh& quads, const Sweep& sweep)
   mesh.order = quads.order;
   mesh.regionNames = quads.regionNames;
   mesh.sideNames = quads.sideNames;
+  std::copy_if(quads.periodic.begin(), quads.periodic.end(), std::back_inserter(mesh.periodic),
+    [&sweep](const PeriodicPair& pair) { return Commutes(pair.motion, sweep); });
   const int p = quads.order;
   const auto addFace = [&](const std::array<int, 4>& corners, int side, int parent)
   {

@@ -41,6 +41,7 @@ struct SweptMesh
 /// 0 to the angle, and with one layer from minus half to half of the angle, as a wedge of OpenFOAM. Sides
 /// keep their names. An end whose name a side has gets the next free name of `front_2`, `front_3`, .... Cells go layer
 /// by layer in the order of the quads; faces likewise, then those of back and front.
+/// Periodic sides stay so after a translation, and after a revolution if the motion is along its axis.
 ///
 /// A quad with an edge on the axis becomes a prism: a hexahedron of order 1 in which the two ends of
 /// the edge are also the corners above them.

@@ -9,6 +9,7 @@
 #include "SideFaces.h"
 
 #include <algorithm>
+#include <array>
 
 namespace crossfield
 {
@@ -41,28 +42,66 @@ void AddNodes(const ExportMesh& mesh, const MeshNumbering& numbering, MeshText& 
   }
 }
 
+/// Adds the elements of a region that are prisms, or those that are not.
 void AddElements(const ExportMesh& mesh, const MeshNumbering& numbering,
-  const std::vector<int>& positions, const std::vector<std::string>& regions, MeshText& text)
+  const std::vector<int>& positions, int region, bool arePrisms, const std::string& heading,
+  MeshText& text)
+{
+  bool isFirst = true;
+  std::vector<int> entries;
+  for (int cell = 0; cell < mesh.CellCount(); ++cell)
+  {
+    const int collapsed = mesh.CollapsedEdge(cell);
+    if (mesh.region[Index(cell)] != region || (collapsed >= 0) != arePrisms)
+    {
+      continue;
+    }
+    entries = { cell + 1 };
+    const auto add = [&](int point) { entries.push_back(numbering.number[Index(point)]); };
+    if (arePrisms)
+    {
+      for (const int point : mesh.Prism(cell, collapsed))
+      {
+        add(point);
+      }
+    }
+    else
+    {
+      for (const int position : positions)
+      {
+        add(mesh.Cell(cell)[position]);
+      }
+    }
+    text.Add(isFirst ? heading : "");
+    isFirst = false;
+    AddList(entries, text);
+  }
+}
+
+void AddRegions(const ExportMesh& mesh, const MeshNumbering& numbering,
+  const std::vector<int>& positions, const std::vector<std::string>& names, MeshText& text)
 {
   const std::string type = (mesh.dimension == 2 ? "CPS" : "C3D") + std::to_string(positions.size());
-  std::vector<int> entries(positions.size() + 1);
-  for (std::size_t region = 0; region < regions.size(); ++region)
+  for (std::size_t region = 0; region < names.size(); ++region)
   {
-    text.Add("*ELEMENT, TYPE=").Add(type).Add(", ELSET=").Add(regions[region]).Add('\n');
-    for (int cell = 0; cell < mesh.CellCount(); ++cell)
-    {
-      if (Index(mesh.region[Index(cell)]) != region)
-      {
-        continue;
-      }
-      entries[0] = cell + 1;
-      for (std::size_t i = 0; i < positions.size(); ++i)
-      {
-        entries[i + 1] = numbering.number[Index(mesh.Cell(cell)[positions[i]])];
-      }
-      AddList(entries, text);
-    }
+    const auto number = static_cast<int>(region);
+    const std::string end = ", ELSET=" + names[region] + "\n";
+    AddElements(mesh, numbering, positions, number, false, "*ELEMENT, TYPE=" + type + end, text);
+    AddElements(mesh, numbering, positions, number, true, "*ELEMENT, TYPE=C3D6" + end, text);
   }
+}
+
+/// Returns the number of a face in an element, from 1.
+int FaceNumber(const ExportMesh& mesh, const SideFace& face)
+{
+  const int collapsed = mesh.CollapsedEdge(face.cell);
+  if (collapsed < 0)
+  {
+    return face.face + 1;
+  }
+  // Bottom, top, and around from the collapsed edge, whose face is a line.
+  constexpr std::array<int, 6> NumbersOfPrism = { 3, 5, 0, 2, 4, 1 };
+  return NumbersOfPrism[Index(face.face < 2 ? face.face : 2 + (face.face + 2 - collapsed) % 4)];
 }
 
 void AddSide(const ExportMesh& mesh, const MeshNumbering& numbering,
@@ -95,7 +134,7 @@ void AddSide(const ExportMesh& mesh, const MeshNumbering& numbering,
   text.Add("*SURFACE, NAME=").Add(name).Add(", TYPE=ELEMENT\n");
   for (const SideFace& face : faces)
   {
-    text.Add(face.cell + 1).Add(", S").Add(face.face + 1).Add('\n');
+    text.Add(face.cell + 1).Add(", S").Add(FaceNumber(mesh, face)).Add('\n');
   }
 }
 
@@ -140,7 +179,7 @@ std::string WriteInp(const ExportMesh& mesh)
   text.Add("** Mesh; for plane strain, replace CPS by CPE, for axial symmetry by CAX\n");
   AddChangedNames(names, changed, text);
   AddNodes(mesh, numbering, text);
-  AddElements(mesh, numbering, positions, { changed.begin(), changed.begin() + regions }, text);
+  AddRegions(mesh, numbering, positions, { changed.begin(), changed.begin() + regions }, text);
   for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
   {
     if (!faces.ofSide[side].empty())

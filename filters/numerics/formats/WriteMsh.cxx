@@ -5,6 +5,7 @@
 #include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
+#include "PeriodicNodes.h"
 #include "SideFaces.h"
 
 #include <array>
@@ -21,19 +22,44 @@ int TypeOf(int dimension, int order)
   return Types[Index(dimension - 1)][Index(order - 1)];
 }
 
+// The faces and cells of prisms, which have order 1.
+constexpr int GmshTriangle = 2;
+constexpr int GmshPrism = 6;
+
+/// Elements of one type.
+struct Elements
+{
+  int type = 0;
+  std::size_t nodesOfElement = 0;
+  std::vector<int> nodes; ///< Of all elements in Gmsh's order.
+
+  std::size_t Count() const { return this->nodes.size() / this->nodesOfElement; }
+};
+
 /// The elements of one entity, a side or region.
 struct Entity
 {
   int dimension = 0;
   int tag = 0;
   std::string name;
-  std::vector<int> elements; ///< Nodes of all elements in Gmsh's order.
-  std::size_t nodesOfElement = 0;
+  std::vector<Elements> elements;
   std::vector<int> nodes; ///< Nodes that belong to no earlier entity.
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
-  std::size_t Count() const { return this->elements.size() / this->nodesOfElement; }
+  /// Returns the nodes of the elements of a type.
+  std::vector<int>& Of(int type, std::size_t nodesOfElement)
+  {
+    for (Elements& ofType : this->elements)
+    {
+      if (ofType.type == type)
+      {
+        return ofType.nodes;
+      }
+    }
+    this->elements.push_back({ type, nodesOfElement, {} });
+    return this->elements.back().nodes;
+  }
 };
 
 std::vector<Entity> SidesOf(
@@ -58,13 +84,21 @@ std::vector<Entity> SidesOf(
     Entity entity;
     entity.dimension = mesh.dimension - 1;
     entity.name = names[side];
-    entity.nodesOfElement = order.size();
     for (const SideFace& face : faces.ofSide[side])
     {
+      std::vector<int> nodes;
       for (const int position : positions[Index(face.face)])
       {
-        entity.elements.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
+        nodes.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
       }
+      if (mesh.dimension == 3)
+      {
+        RemoveRepeated(nodes);
+      }
+      const bool isTriangle = mesh.dimension == 3 && nodes.size() == 3;
+      std::vector<int>& all =
+        entity.Of(isTriangle ? GmshTriangle : TypeOf(entity.dimension, mesh.order), nodes.size());
+      all.insert(all.end(), nodes.begin(), nodes.end());
     }
     sides.push_back(std::move(entity));
   }
@@ -79,17 +113,38 @@ std::vector<Entity> RegionsOf(const ExportMesh& mesh, const MeshNumbering& numbe
   {
     regions[i].dimension = mesh.dimension;
     regions[i].name = names[i];
-    regions[i].nodesOfElement = positions.size();
   }
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    std::vector<int>& elements = regions[Index(mesh.region[Index(cell)])].elements;
+    Entity& region = regions[Index(mesh.region[Index(cell)])];
+    const int collapsed = mesh.CollapsedEdge(cell);
+    if (collapsed >= 0)
+    {
+      std::vector<int>& nodes = region.Of(GmshPrism, 6);
+      for (const int point : mesh.Prism(cell, collapsed))
+      {
+        nodes.push_back(numbering.number[Index(point)]);
+      }
+      continue;
+    }
+    std::vector<int>& nodes = region.Of(TypeOf(mesh.dimension, mesh.order), positions.size());
     for (const int position : positions)
     {
-      elements.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
+      nodes.push_back(numbering.number[Index(mesh.Cell(cell)[position])]);
     }
   }
   return regions;
+}
+
+/// Returns the nodes of all elements, those of an element one after the other.
+std::vector<int> NodesOf(const Entity& entity)
+{
+  std::vector<int> nodes;
+  for (const Elements& elements : entity.elements)
+  {
+    nodes.insert(nodes.end(), elements.nodes.begin(), elements.nodes.end());
+  }
+  return nodes;
 }
 
 /// Sets the tags of entities and gives each node to the first one that has it.
@@ -101,7 +156,7 @@ void Complete(const ExportMesh& mesh, const MeshNumbering& numbering, std::vecto
   {
     entity.tag = ++tag;
     bool isFirst = true;
-    for (const int node : entity.elements)
+    for (const int node : NodesOf(entity))
     {
       const Eigen::Vector3d& place = mesh.points[Index(numbering.point[Index(node - 1)])];
       entity.low = isFirst ? place : entity.low.cwiseMin(place).eval();
@@ -131,9 +186,27 @@ void AddNames(const std::vector<Entity>& entities, MeshText& text)
   text.Add("$EndPhysicalNames\n");
 }
 
-void AddBlocks(const std::vector<Entity>& entities, int count, MeshText& text)
+/// Adds the first line of nodes or elements: numbers of blocks and of items.
+void AddBlocks(std::size_t blocks, int count, MeshText& text)
 {
-  text.Add(static_cast<int>(entities.size())).Add(' ').Add(count).Add(" 1 ").Add(count).Add('\n');
+  text.Add(static_cast<int>(blocks)).Add(' ').Add(count).Add(" 1 ").Add(count).Add('\n');
+}
+
+/// Adds the elements of one type, each after `prefix`.
+void AddElements(const Elements& elements, const std::string& prefix, int& number, MeshText& text)
+{
+  for (std::size_t i = 0; i < elements.nodes.size(); ++i)
+  {
+    if (i % elements.nodesOfElement == 0)
+    {
+      text.Add(++number).Add(prefix);
+    }
+    text.Add(' ').Add(elements.nodes[i]);
+    if ((i + 1) % elements.nodesOfElement == 0)
+    {
+      text.Add('\n');
+    }
+  }
 }
 
 void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
@@ -160,7 +233,7 @@ void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
     text.Add(" 1 ").Add(entity.tag).Add(" 0\n"); // one physical group, no entities around it
   }
   text.Add("$EndEntities\n$Nodes\n");
-  AddBlocks(entities, static_cast<int>(numbering.point.size()), text);
+  AddBlocks(entities.size(), static_cast<int>(numbering.point.size()), text);
   for (const Entity& entity : entities)
   {
     text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(" 0 ");
@@ -176,24 +249,20 @@ void AddVersion41(const ExportMesh& mesh, const MeshNumbering& numbering,
     }
   }
   text.Add("$EndNodes\n$Elements\n");
-  AddBlocks(entities, elements, text);
+  std::size_t blocks = 0;
+  for (const Entity& entity : entities)
+  {
+    blocks += entity.elements.size();
+  }
+  AddBlocks(blocks, elements, text);
   int number = 0;
   for (const Entity& entity : entities)
   {
-    text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(' ');
-    text.Add(TypeOf(entity.dimension, mesh.order)).Add(' ');
-    text.Add(static_cast<int>(entity.Count())).Add('\n');
-    for (std::size_t i = 0; i < entity.elements.size(); ++i)
+    for (const Elements& ofType : entity.elements)
     {
-      if (i % entity.nodesOfElement == 0)
-      {
-        text.Add(++number);
-      }
-      text.Add(' ').Add(entity.elements[i]);
-      if ((i + 1) % entity.nodesOfElement == 0)
-      {
-        text.Add('\n');
-      }
+      text.Add(entity.dimension).Add(' ').Add(entity.tag).Add(' ').Add(ofType.type).Add(' ');
+      text.Add(static_cast<int>(ofType.Count())).Add('\n');
+      AddElements(ofType, "", number, text);
     }
   }
   text.Add("$EndElements\n");
@@ -213,21 +282,41 @@ void AddVersion22(const ExportMesh& mesh, const MeshNumbering& numbering,
   int number = 0;
   for (const Entity& entity : entities)
   {
-    for (std::size_t i = 0; i < entity.elements.size(); ++i)
+    for (const Elements& ofType : entity.elements)
     {
-      if (i % entity.nodesOfElement == 0)
-      {
-        text.Add(++number).Add(' ').Add(TypeOf(entity.dimension, mesh.order)).Add(" 2 ");
-        text.Add(entity.tag).Add(' ').Add(entity.tag);
-      }
-      text.Add(' ').Add(entity.elements[i]);
-      if ((i + 1) % entity.nodesOfElement == 0)
-      {
-        text.Add('\n');
-      }
+      const std::string tag = ' ' + std::to_string(entity.tag);
+      AddElements(ofType, ' ' + std::to_string(ofType.type) + " 2" + tag + tag, number, text);
     }
   }
   text.Add("$EndElements\n");
+}
+
+/// Adds the pairs of periodic sides; the second side is the image of the first, Gmsh's master.
+void AddPeriodic(
+  const ExportMesh& mesh, const MeshNumbering& numbering, MshVersion version, MeshText& text)
+{
+  if (mesh.periodic.empty())
+  {
+    return;
+  }
+  text.Add("$Periodic\n").Add(static_cast<int>(mesh.periodic.size())).Add('\n');
+  for (const PeriodicPair& pair : mesh.periodic)
+  {
+    text.Add(mesh.dimension - 1).Add(' ').Add(pair.second + 1); // tags of sides count from 1
+    text.Add(' ').Add(pair.first + 1).Add(version == MshVersion::V41 ? "\n16" : "\nAffine");
+    for (Eigen::Index i = 0; i < 16; ++i)
+    {
+      text.Add(' ').Add(pair.motion(i / 4, i % 4));
+    }
+    const std::vector<std::array<int, 2>> nodes = PeriodicNodes(mesh, pair);
+    text.Add('\n').Add(static_cast<int>(nodes.size())).Add('\n');
+    for (const auto& [first, second] : nodes)
+    {
+      text.Add(numbering.number[Index(second)]).Add(' ');
+      text.Add(numbering.number[Index(first)]).Add('\n');
+    }
+  }
+  text.Add("$EndPeriodic\n");
 }
 }
 
@@ -251,6 +340,7 @@ std::string WriteMsh(const ExportMesh& mesh, MshVersion version)
   const int elements = mesh.CellCount() + mesh.FaceCount();
   (version == MshVersion::V41 ? AddVersion41 : AddVersion22)(
     mesh, numbering, entities, elements, text);
+  AddPeriodic(mesh, numbering, version, text);
   return text.Take();
 }
 }

@@ -16,8 +16,8 @@ enum class MshVersion
 /// Returns the text of a Gmsh file (ASCII). Every side is a curve, or a surface of hexahedra, with a
 /// physical group of its name, and every region a surface or volume with one; tags count from 1, sides
 /// first, and are those of the entities as well. Coordinates are exact. In names " becomes ', and names are
-/// cut to 127 bytes.
+/// cut to 127 bytes. Periodic sides are links of the entities ($Periodic).
 ///
-/// `mesh` is oriented (OrientCells). Throws Error as FindSideFaces does.
+/// `mesh` is oriented (OrientCells). Throws Error as FindSideFaces and PeriodicNodes do.
 std::string WriteMsh(const ExportMesh& mesh, MshVersion version);
 }

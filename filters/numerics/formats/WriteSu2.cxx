@@ -8,14 +8,18 @@
 #include "MeshText.h"
 #include "SideFaces.h"
 
+#include <array>
+
 namespace crossfield
 {
 namespace
 {
 // VTK's types of cells, which SU2 uses.
 constexpr int Line = 3;
+constexpr int Triangle = 5;
 constexpr int Quad = 9;
 constexpr int Hexahedron = 12;
+constexpr int Wedge = 13;
 
 void RequirePossible(const ExportMesh& mesh, const SideFaces& faces)
 {
@@ -53,10 +57,24 @@ std::string WriteSu2(const ExportMesh& mesh)
   text.Add("NDIME= ").Add(mesh.dimension).Add("\nNELEM= ").Add(mesh.CellCount()).Add('\n');
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    text.Add(mesh.dimension == 2 ? Quad : Hexahedron);
-    for (const int position : positions)
+    const int collapsed = mesh.CollapsedEdge(cell);
+    if (collapsed >= 0)
     {
-      text.Add(' ').Add(numbering.number[Index(mesh.Cell(cell)[position])]);
+      const std::array<int, 6> prism = mesh.Prism(cell, collapsed);
+      text.Add(Wedge);
+      for (const std::size_t i :
+        { 0U, 2U, 1U, 3U, 5U, 4U }) // the normals of VTK's triangle point outwards
+      {
+        text.Add(' ').Add(numbering.number[Index(prism[i])]);
+      }
+    }
+    else
+    {
+      text.Add(mesh.dimension == 2 ? Quad : Hexahedron);
+      for (const int position : positions)
+      {
+        text.Add(' ').Add(numbering.number[Index(mesh.Cell(cell)[position])]);
+      }
     }
     text.Add(' ').Add(cell).Add('\n');
   }
@@ -79,10 +97,16 @@ std::string WriteSu2(const ExportMesh& mesh)
     text.Add(static_cast<int>(faces.ofSide[side].size())).Add('\n');
     for (const SideFace& face : faces.ofSide[side])
     {
-      text.Add(mesh.dimension == 2 ? Line : Quad);
+      std::vector<int> nodes;
       for (const int position : lattice.FaceCorners(face.face))
       {
-        text.Add(' ').Add(numbering.number[Index(mesh.Cell(face.cell)[position])]);
+        nodes.push_back(numbering.number[Index(mesh.Cell(face.cell)[position])]);
+      }
+      RemoveRepeated(nodes);
+      text.Add(mesh.dimension == 2 ? Line : nodes.size() == 3 ? Triangle : Quad);
+      for (const int node : nodes)
+      {
+        text.Add(' ').Add(node);
       }
       text.Add('\n');
     }

@@ -7,6 +7,7 @@
 #include "HigherOrderConversion.h"
 #include "Index.h"
 #include "InputCheck.h"
+#include "PeriodicConversion.h"
 #include "SideFaces.h"
 #include "vtkCrossFieldArrayNames.h"
 
@@ -185,44 +186,38 @@ crossfield::SweepEnds ReadSweep(vtkFieldData* data, const std::map<std::string, 
   return sweep;
 }
 
-/** Inserts a hexahedron in VTK's order, or a prism if two of its corners are also those above them. */
-vtkIdType InsertCell(const std::vector<vtkIdType>& ids, int order, vtkUnstructuredGrid* output)
+/** Inserts a cell: a hexahedron or a prism. */
+vtkIdType InsertCell(
+  const ExportMesh& mesh, int cell, const std::vector<int>& order, vtkUnstructuredGrid* output)
 {
-  const auto size = static_cast<vtkIdType>(ids.size());
-  if (order > 1)
+  std::vector<vtkIdType> ids;
+  const int collapsed = mesh.CollapsedEdge(cell);
+  if (collapsed >= 0)
   {
-    return output->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, size, ids.data());
-  }
-  for (std::size_t edge = 0; edge < 4; ++edge)
-  {
-    const auto base = [&](std::size_t i) { return ids[(edge + i) % 4]; };
-    const auto top = [&](std::size_t i) { return ids[4 + (edge + i) % 4]; };
-    if (base(0) == top(0) && base(1) == top(1))
+    const std::array<int, 6> prism = mesh.Prism(cell, collapsed);
+    for (const std::size_t i :
+      { 0U, 2U, 1U, 3U, 5U, 4U }) // the normals of VTK's triangle point outwards
     {
-      const std::array<vtkIdType, 6> prism = { base(0), top(3), base(3), base(1), top(2), base(2) };
-      return output->InsertNextCell(VTK_WEDGE, static_cast<vtkIdType>(prism.size()), prism.data());
+      ids.push_back(prism[i]);
     }
+    return output->InsertNextCell(VTK_WEDGE, 6, ids.data());
   }
-  return output->InsertNextCell(VTK_HEXAHEDRON, size, ids.data());
+  for (const int position : order)
+  {
+    ids.push_back(mesh.Cell(cell)[position]);
+  }
+  return output->InsertNextCell(mesh.order == 1 ? VTK_HEXAHEDRON : VTK_TRIQUADRATIC_HEXAHEDRON,
+    static_cast<vtkIdType>(ids.size()), ids.data());
 }
 
 /** Inserts a face in VTK's order, a triangle if a node occurs twice. */
-vtkIdType InsertFace(std::vector<vtkIdType> ids, vtkUnstructuredGrid* output)
+vtkIdType InsertFace(std::vector<int> nodes, vtkUnstructuredGrid* output)
 {
-  if (ids.size() > 4)
-  {
-    return output->InsertNextCell(
-      VTK_BIQUADRATIC_QUAD, static_cast<vtkIdType>(ids.size()), ids.data());
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    if (ids[i] == ids[(i + 1) % 4])
-    {
-      ids.erase(ids.begin() + static_cast<std::ptrdiff_t>(i));
-      return output->InsertNextCell(VTK_TRIANGLE, 3, ids.data());
-    }
-  }
-  return output->InsertNextCell(VTK_QUAD, 4, ids.data());
+  const int type = nodes.size() > 4 ? VTK_BIQUADRATIC_QUAD : VTK_QUAD;
+  crossfield::RemoveRepeated(nodes);
+  const std::vector<vtkIdType> ids(nodes.begin(), nodes.end());
+  return output->InsertNextCell(
+    ids.size() == 3 ? VTK_TRIANGLE : type, static_cast<vtkIdType>(ids.size()), ids.data());
 }
 
 /** Sets the arrays that are not those of the quads: layers, and the sides of all faces. */
@@ -321,6 +316,7 @@ Cells ReadMesh(vtkUnstructuredGrid* mesh)
   }
   result.blocks = ReadBlocks(cells, mesh->GetCellData());
   result.sweep = ReadSweep(mesh->GetFieldData(), numbers);
+  result.periodic = PeriodicConversion::Read(mesh->GetFieldData(), result.sideNames);
   return cells;
 }
 
@@ -339,18 +335,13 @@ void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstr
     pointData->CopyData(
       from->GetPointData(), swept.pointOf[i], points->InsertNextPoint(mesh.points[i].data()));
   }
+  output->Allocate(mesh.CellCount() + mesh.FaceCount());
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(from->GetCellData(), mesh.CellCount() + mesh.FaceCount());
   const std::vector<int> order = LatticeOrder(3, mesh.order);
-  std::vector<vtkIdType> ids;
   for (int cell = 0; cell < mesh.CellCount(); ++cell)
   {
-    ids.clear();
-    for (const int position : order)
-    {
-      ids.push_back(mesh.Cell(cell)[position]);
-    }
-    const vtkIdType number = InsertCell(ids, mesh.order, output);
+    const vtkIdType number = InsertCell(mesh, cell, order, output);
     cellData->CopyData(from->GetCellData(), quads.cells[Index(swept.cellOf[Index(cell)])], number);
   }
   const crossfield::SideFaces faces = crossfield::FindSideFaces(mesh);
@@ -361,12 +352,12 @@ void WriteSwept(const crossfield::SweptMesh& swept, const Cells& quads, vtkUnstr
     const std::size_t side = Index(mesh.side[Index(face)]);
     const crossfield::SideFace& part = faces.ofSide[side][next[side]++];
     const std::vector<int> positions = lattice.Face(part.face);
-    ids.clear();
+    std::vector<int> nodes;
     for (const std::size_t position : HigherOrderConversion::LatticeOrder(mesh.order))
     {
-      ids.push_back(mesh.Cell(part.cell)[positions[position]]);
+      nodes.push_back(mesh.Cell(part.cell)[positions[position]]);
     }
-    const vtkIdType number = InsertFace(ids, output);
+    const vtkIdType number = InsertFace(nodes, output);
     const int parent = swept.faceOf[Index(face)];
     cellData->CopyData(from->GetCellData(),
       parent >= 0 ? quads.faces[Index(parent)] : quads.cells[Index(-1 - parent)], number);

@@ -27,7 +27,8 @@ struct Cells
  * hexahedra, prisms and the quads and triangles of their boundary: those of vtkExtrudeQuads. Faces have their
  * side in the string array `Side`; all cells are one region with the name domain. Blocks are those of the arrays
  * `BlockId`, `I`, `J` and `K`, without them none. Throws crossfield::Error if there are no cells or no
- * faces, other cells, several orders, no sides, or a point that is not finite.
+ * faces, other cells, several orders, no sides, or a point that is not finite. Periodic sides are
+ * read as PeriodicConversion::Read does.
  */
 Cells ReadMesh(vtkUnstructuredGrid* mesh);
 

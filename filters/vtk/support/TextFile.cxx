@@ -2,7 +2,6 @@
 
 #include "Error.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
@@ -11,24 +10,34 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** Returns whether a file is a device or pipe, which cannot be replaced. */
-bool IsStream(const std::string& file)
+/** A file and where its new contents are until all are written. */
+struct Target
+{
+  fs::path place; ///< After links are followed.
+  fs::path part;  ///< The place itself for a device or pipe, which cannot be replaced.
+};
+
+Target TargetOf(const std::string& file)
 {
   std::error_code failed;
   const fs::file_status status = fs::status(file, failed);
-  return fs::exists(status) && status.type() != fs::file_type::regular;
+  const fs::path place = fs::exists(status) ? fs::canonical(file, failed) : fs::path(file);
+  const bool isStream = fs::exists(status) && status.type() != fs::file_type::regular;
+  return { place,
+    isStream ? place : fs::path(place.string() + ".part" + std::to_string(getpid())) };
 }
 
-std::string PartOf(const std::string& file)
+bool WritePart(const Target& target, const std::string& text)
 {
-  return IsStream(file) ? file : file + ".part" + std::to_string(getpid());
-}
-
-bool WritePart(const std::string& file, const std::string& text)
-{
-  std::ofstream stream(PartOf(file), std::ios::binary);
+  std::ofstream stream(target.part, std::ios::binary);
   stream << text;
   stream.close();
+  std::error_code failed;
+  const fs::file_status old = fs::status(target.place, failed);
+  if (stream && target.part != target.place && fs::exists(old))
+  {
+    fs::permissions(target.part, old.permissions(), failed);
+  }
   return static_cast<bool>(stream);
 }
 }
@@ -39,27 +48,27 @@ namespace TextFile
 void Write(const std::vector<std::pair<std::string, std::string>>& files)
 {
   std::string failed;
+  std::vector<Target> targets;
   for (const auto& [file, text] : files)
   {
-    if (failed.empty() && !WritePart(file, text))
+    targets.push_back(TargetOf(file));
+    if (failed.empty() && !WritePart(targets.back(), text))
     {
       failed = file;
     }
   }
-  for (const auto& [file, text] : files)
+  for (std::size_t i = 0; i < files.size(); ++i)
   {
-    const std::string part = PartOf(file);
-    if (part == file)
+    const Target& target = targets[i];
+    std::error_code error;
+    if (failed.empty() && target.part != target.place)
     {
-      continue;
+      fs::rename(target.part, target.place, error);
+      failed = error ? files[i].first : failed;
     }
-    if (failed.empty() && std::rename(part.c_str(), file.c_str()) != 0)
+    if (!failed.empty() && target.part != target.place)
     {
-      failed = file;
-    }
-    if (!failed.empty())
-    {
-      std::remove(part.c_str());
+      fs::remove(target.part, error);
     }
   }
   if (!failed.empty())

@@ -1,0 +1,102 @@
+"""Meshes of hexahedra that are swept from quads."""
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from typing import Any, Optional, Union
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
+
+from . import names
+from ._results import places, write_grid
+from ._run import Error, Pipeline
+from .vtkCrossFieldFilters import vtkExtrudeQuads, vtkQuadMeshWriter
+
+_AXES = {"x": vtkExtrudeQuads.AxisX, "y": vtkExtrudeQuads.AxisY}
+
+
+@dataclass(frozen=True, repr=False)
+class SolidMesh:
+    """Hexahedra, and prisms on the axis of a revolution, with the names of their sides.
+
+    points      (n, 3) float
+    cells       list of (nodes) int, the nodes of each cell in VTK's order, layer by layer
+    faces       list of (nodes) int, the nodes of each face of the boundary
+    face_side   (f,) str: name of the side that each face belongs to
+    block       (c,) int, the block of each cell
+    layer       (c,) int, the layer of each cell, from 0
+    blocks      list of (i, j, k, 3) float, the points of each block, right-handed
+    grid, block_data
+                all of it as a vtkUnstructuredGrid and a vtkMultiBlockDataSet
+    """
+
+    points: np.ndarray
+    cells: list[np.ndarray]
+    faces: list[np.ndarray]
+    face_side: np.ndarray
+    block: np.ndarray
+    layer: np.ndarray
+    blocks: list[np.ndarray]
+    grid: vtkUnstructuredGrid
+    block_data: vtkMultiBlockDataSet
+
+    def __repr__(self) -> str:
+        return "<SolidMesh: %d cells in %d blocks>" % (len(self.cells), len(self.blocks))
+
+    @property
+    def sides(self) -> list[str]:
+        """The names of the sides, in the order of their first faces."""
+        return list(dict.fromkeys(self.face_side.tolist()))
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes `grid` to a .vtu file, or to a file of a solver by its ending."""
+        write_mesh(self.grid, path)
+
+
+def write_mesh(grid: vtkUnstructuredGrid, path: Union[str, "os.PathLike[str]"]) -> None:
+    """Writes a mesh in the format of the file's ending."""
+    if os.path.splitext(os.fspath(path))[1].lower() == ".vtu":
+        write_grid(grid, path)
+        return
+    writer = vtkQuadMeshWriter()
+    writer.SetInputData(grid)
+    writer.SetFileName(os.fspath(path))
+    Pipeline().update_one(writer)
+
+
+def _points_of_block(grid: Any) -> np.ndarray:
+    size = [0, 0, 0]
+    grid.GetDimensions(size)
+    return places(grid).reshape(*reversed(size), 3).transpose(2, 1, 0, 3).copy()
+
+
+def swept(grid: vtkUnstructuredGrid, layers: int, *, height: Optional[float] = None, angle: Optional[float] = None,
+          axis: str = "x") -> SolidMesh:
+    """Returns the hexahedra of an extrusion by `height`, or of a revolution by `angle`."""
+    if axis not in _AXES:
+        raise Error("There is no axis '%s'; give 'x' or 'y'." % axis)
+    extruder = vtkExtrudeQuads()
+    extruder.SetInputData(grid)
+    extruder.SetLayers(layers)
+    extruder.SetAxis(_AXES[axis])
+    if height is not None:
+        extruder.SetHeight(height)
+    if angle is not None:
+        extruder.SetMotionToRevolution()
+        extruder.SetAngle(angle)
+    Pipeline().update_one(extruder)
+    output, blocks = extruder.GetOutput(), extruder.GetOutputDataObject(1)
+    ids = vtk_to_numpy(output.GetCells().GetConnectivityArray())
+    starts = vtk_to_numpy(output.GetCells().GetOffsetsArray())
+    nodes = np.split(ids, starts[1:-1])
+    level = vtk_to_numpy(output.GetCellData().GetArray(names.K))
+    count = int((level >= 0).sum())
+    sides = output.GetCellData().GetAbstractArray(names.Side)
+    return SolidMesh(
+        points=places(output), cells=nodes[:count], faces=nodes[count:],
+        face_side=np.array([sides.GetValue(i) for i in range(count, len(nodes))], dtype=str),
+        block=vtk_to_numpy(output.GetCellData().GetArray(names.BlockId))[:count], layer=level[:count],
+        blocks=[_points_of_block(blocks.GetBlock(i)) for i in range(blocks.GetNumberOfBlocks())],
+        grid=output, block_data=blocks)
