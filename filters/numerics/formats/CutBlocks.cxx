@@ -2,6 +2,8 @@
 
 #include "Index.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -191,13 +193,98 @@ void CutAtSides(
   }
 }
 
+/// Returns the largest length of an edge along a direction over its chord.
+double CurvatureAlong(const ExportMesh& mesh, const ExportBlock& block, int direction)
+{
+  double largest = 1.0;
+  ForEachEdge(block, direction,
+    [&](const std::array<int, 3>& start)
+    {
+      const std::vector<int> nodes = EdgeNodes(block, direction, start);
+      const auto distance = [&mesh](int a, int b)
+      { return (mesh.points[Index(a)] - mesh.points[Index(b)]).norm(); };
+      double length = 0.0;
+      for (std::size_t i = 1; i < nodes.size(); ++i)
+      {
+        length += distance(nodes[i - 1], nodes[i]);
+      }
+      const double chord = distance(nodes.front(), nodes.back());
+      largest = std::max(largest, chord > 0.0 ? length / chord : 1.0);
+    });
+  return largest;
+}
+
+/// Returns whether at a corner of a block the directions to its neighbours, or between their far ends where it
+/// is on the axis of a revolution, are left-handed or in a plane: the hexahedron of the corners is folded.
+bool IsFolded(const ExportMesh& mesh, const ExportBlock& block)
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    std::array<int, 3> place{};
+    double sign = 1.0;
+    for (int d = 0; d < Directions; ++d)
+    {
+      const bool isEnd = (corner >> d & 1) == 1;
+      place[Index(d)] = isEnd ? block.cells[Index(d)] : 0;
+      sign *= isEnd ? -1.0 : 1.0;
+    }
+    const Eigen::Vector3d& origin = mesh.points[Index(NodeAt(block, place))];
+    Eigen::Matrix3d edges;
+    for (int d = 0; d < Directions; ++d)
+    {
+      std::array<int, 3> other = place;
+      other[Index(d)] = block.cells[Index(d)] - place[Index(d)];
+      edges.col(d) = mesh.points[Index(NodeAt(block, other))] - origin;
+    }
+    const bool isOnAxis = edges.colwise().norm().minCoeff() == 0.0;
+    if (!isOnAxis && sign * edges.determinant() <= 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Cuts folded blocks in the middle, across the direction along which they are most curved. Returns and sets the
+/// same as CutAmbiguousEdges.
+int CutFoldedBlocks(
+  const ExportMesh& mesh, const std::vector<ExportBlock>& blocks, BlockCuts& cuts, bool& isNew)
+{
+  int tooShort = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    if (!IsFolded(mesh, blocks[b]))
+    {
+      continue;
+    }
+    int direction = -1;
+    double largest = 0.0;
+    for (int d = 0; d < Directions; ++d)
+    {
+      const double curvature = CurvatureAlong(mesh, blocks[b], d);
+      if (blocks[b].cells[Index(d)] > 1 && curvature > largest)
+      {
+        largest = curvature;
+        direction = d;
+      }
+    }
+    if (direction < 0)
+    {
+      ++tooShort;
+      continue;
+    }
+    cuts.Add(b, direction, blocks[b].cells[Index(direction)] / 2);
+    isNew = true;
+  }
+  return tooShort;
+}
+
 /// Cuts edges in the middle whose ends are those of another edge or one node. Returns the number of
-/// edges that are too short for it, and in `isNew` whether there are cuts.
+/// edges that are too short for it, and sets `isNew` if there are cuts.
 int CutAmbiguousEdges(const std::vector<ExportBlock>& blocks, BlockCuts& cuts, bool& isNew)
 {
   std::map<std::pair<int, int>, std::vector<int>> edges;
   int tooShort = 0;
-  isNew = false;
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {
     for (int d = 0; d < Directions; ++d)
@@ -268,7 +355,9 @@ std::vector<ExportBlock> CutBlocks(const ExportMesh& mesh, const SidesOfCells& s
   for (bool isNew = true; isNew;)
   {
     BlockCuts cuts(blocks, mesh.points.size());
-    const int tooShort = CutAmbiguousEdges(blocks, cuts, isNew);
+    isNew = false;
+    const int tooShort =
+      CutAmbiguousEdges(blocks, cuts, isNew) + CutFoldedBlocks(mesh, blocks, cuts, isNew);
     if (isNew)
     {
       cuts.Spread();

@@ -6,9 +6,11 @@
 #include "Index.h"
 #include "MeshNumbering.h"
 #include "MeshText.h"
+#include "PeriodicNodes.h"
 #include "SideFaces.h"
 
 #include <algorithm>
+#include <map>
 
 namespace crossfield
 {
@@ -59,6 +61,42 @@ public:
         this->Add({ cell, face });
         this->Result.neighbour.push_back(other);
       }
+    }
+  }
+
+  /// Brings the faces of the second side of each periodic pair into the order of the first one.
+  void MatchPeriodic()
+  {
+    for (const PeriodicPair& pair : this->Mesh.periodic)
+    {
+      std::map<int, int> images;
+      for (const auto& [node, image] : PeriodicNodes(this->Mesh, pair))
+      {
+        images[node] = image;
+      }
+      std::map<FaceBuckets::Key, SideFace> second;
+      for (const SideFace& face : this->Sides.ofSide[Index(pair.second)])
+      {
+        second[this->Buckets.KeyOf(this->Buckets.NumberOf(face))] = face;
+      }
+      std::vector<SideFace> ordered;
+      for (const SideFace& face : this->Sides.ofSide[Index(pair.first)])
+      {
+        std::array<int, 4> corners{};
+        for (std::size_t i = 0; i < corners.size(); ++i)
+        {
+          corners[i] = images.at(this->Mesh.Cell(face.cell)[this->Corners[Index(face.face)][i]]);
+        }
+        const auto match = second.find(FaceBuckets::MakeKey(corners.data(), corners.size()));
+        if (match == second.end())
+        {
+          throw Error("The periodic sides '" + this->Mesh.sideNames[Index(pair.first)] + "' and '" +
+            this->Mesh.sideNames[Index(pair.second)] + "' have different faces; make the mesh again.");
+        }
+        ordered.push_back(match->second);
+        this->FirstCorner[this->Buckets.NumberOf(match->second)] = corners[0];
+      }
+      this->Sides.ofSide[Index(pair.second)] = ordered;
     }
   }
 
@@ -133,18 +171,21 @@ private:
   void Add(const SideFace& face)
   {
     const int* nodes = this->Mesh.Cell(face.cell);
-    const std::size_t first = this->Result.corners.size();
+    this->Nodes.clear();
     for (const int position : this->Corners[Index(face.face)])
     {
-      const int point = this->Number[Index(nodes[position])];
-      if (this->Result.corners.size() == first || this->Result.corners.back() != point)
-      {
-        this->Result.corners.push_back(point);
-      }
+      this->Nodes.push_back(nodes[position]);
     }
-    if (this->Result.corners.back() == this->Result.corners[first])
+    RemoveRepeated(this->Nodes);
+    const auto first = this->FirstCorner.find(this->Buckets.NumberOf(face));
+    if (first != this->FirstCorner.end())
     {
-      this->Result.corners.pop_back();
+      std::rotate(this->Nodes.begin(),
+        std::find(this->Nodes.begin(), this->Nodes.end(), first->second), this->Nodes.end());
+    }
+    for (const int node : this->Nodes)
+    {
+      this->Result.corners.push_back(this->Number[Index(node)]);
     }
     this->Result.starts.push_back(static_cast<int>(this->Result.corners.size()));
     this->Result.owner.push_back(face.cell);
@@ -183,6 +224,8 @@ private:
   SideFaces Sides;
   std::vector<std::vector<int>> Corners; ///< Per face of a cell, positions of its corners.
   std::vector<int> Number;               ///< Per point of the mesh, that of OpenFOAM.
+  std::map<std::size_t, int> FirstCorner; ///< Per face of a cyclic patch, its first node.
+  std::vector<int> Nodes;                 ///< Of a face.
   FoamMesh& Result;
 };
 }
@@ -217,7 +260,15 @@ std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& pat
   std::vector<FoamPatch> patches;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    patches.push_back({ names[i], types[i], 0, 0 });
+    patches.push_back({ names[i], types[i], "", 0, 0 });
+  }
+  for (const PeriodicPair& pair : mesh.periodic)
+  {
+    FoamPatch& first = patches[Index(patchOf[Index(pair.first)])];
+    FoamPatch& second = patches[Index(patchOf[Index(pair.second)])];
+    first.type = second.type = "cyclic";
+    first.neighbour = second.name;
+    second.neighbour = first.name;
   }
   return patches;
 }
@@ -226,6 +277,7 @@ FoamMesh MakeFoamMesh(const ExportMesh& mesh)
 {
   FoamMesh result;
   FaceWriting faces(mesh, result);
+  faces.MatchPeriodic();
   faces.AddInner();
   faces.AddPatches();
   faces.AddZones();

@@ -12,6 +12,7 @@ struct FoamPatch
 {
   std::string name;
   std::string type;
+  std::string neighbour; ///< Of type cyclic: the other patch, whose faces are in the same order.
   int start = 0; ///< Number of its first face.
   int count = 0;
 };
@@ -41,13 +42,14 @@ struct FoamMesh
 
 /// Returns the patches of a mesh without their faces, in the order of sides: of type `patch`; the ends of one
 /// layer are the patch `frontAndBack` of type `empty` if it was a translation, and `wedge` if it was a
-/// revolution. `patchOf` receives the patch of each side. Names are words of OpenFOAM (FormatNames.h).
+/// revolution; periodic sides are `cyclic`. `patchOf` receives the patch of each side. Names are words of OpenFOAM (FormatNames.h).
 std::vector<FoamPatch> FoamPatches(const ExportMesh& mesh, std::vector<int>& patchOf);
 
 /// Returns the faces of a mesh of hexahedra and prisms of order 1, which is oriented (OrientCells). Nodes that a
-/// face has twice are left out of it, and faces with two nodes are left out.
+/// face has twice are left out of it, and faces with two nodes are left out. Faces of cyclic patches begin with
+/// nodes that match.
 ///
 /// Throws Error if a face is between three cells or twice in one, a side is in part inside, and as
-/// FindSideFaces does.
+/// FindSideFaces and PeriodicNodes do.
 FoamMesh MakeFoamMesh(const ExportMesh& mesh);
 }

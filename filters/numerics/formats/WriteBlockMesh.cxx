@@ -176,7 +176,8 @@ public:
         continue;
       }
       this->Text.Add("    ").Add(patches[patch].name).Add("\n    {\n        type ");
-      this->Text.Add(patches[patch].type).Add(";\n        faces\n        (\n");
+      // blockMesh would have to keep the order of the faces of cyclic patches.
+      this->Text.Add(patches[patch].type == "cyclic" ? "patch" : patches[patch].type).Add(";\n        faces\n        (\n");
       for (const std::array<int, 4>& face : faces[patch])
       {
         this->Text.Add("            (").Add(face[0]).Add(' ').Add(face[1]).Add(' ').Add(face[2]);

@@ -81,6 +81,10 @@ std::string WriteBoundary(const std::vector<FoamPatch>& patches)
   for (const FoamPatch& patch : patches)
   {
     text.Add("    ").Add(patch.name).Add("\n    {\n        type ").Add(patch.type);
+    if (!patch.neighbour.empty())
+    {
+      text.Add(";\n        neighbourPatch ").Add(patch.neighbour);
+    }
     text.Add(";\n        nFaces ").Add(patch.count).Add(";\n        startFace ").Add(patch.start);
     text.Add(";\n    }\n");
   }
