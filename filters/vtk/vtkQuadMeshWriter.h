@@ -7,6 +7,9 @@
  * - .inp: Abaqus and CalculiX, with sets and a surface for each side; CPS4, or CPS8 without the nodes
  *   inside; orders 1 and 2
  * - .su2: SU2 with a marker for each side; order 1
+ * - .foam, or / at the end: the folder of the file, or the folder, is a case of OpenFOAM, with
+ *   constant/polyMesh, system/blockMeshDict if the quads have `BlockId`, `I` and `J`, and an empty .foam file;
+ *   folders are made; quads are one layer of cells; order 1
  *
  * Quads are counter-clockwise and sides have the domain on the left. Nodes count from 1 in the order of
  * the points that quads use; in .su2 from 0. Coordinates are exact, except that those of .inp have at most 20
