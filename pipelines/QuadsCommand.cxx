@@ -1,5 +1,5 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2: makes an all-quad mesh with exactly the chosen
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2|CASE/: makes an all-quad mesh with exactly the chosen
  * irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
@@ -191,7 +191,7 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable(
-    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk" }, { options.blocks, ".vtm" },
+    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk .foam /" }, { options.blocks, ".vtm" },
       { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
   OutputFile::RequireOrder(options.output, options.order);
 
@@ -325,7 +325,8 @@ void AddQuadsCommand(CLI::App& app, int& status)
   command
     ->add_option("-o,--output", options->output,
       "write the quads to this .vtu file, or .msh of Gmsh, .inp of Abaqus and CalculiX, .su2 of SU2, "
-      ".cgns, .xyz of PLOT3D, .ex2 of Exodus, .case of EnSight or legacy .vtk; "
+      ".cgns, .xyz of PLOT3D, .ex2 of Exodus, .case of EnSight or legacy .vtk, or into a case of OpenFOAM, a folder "
+      "with / at its end or a .foam file in it; "
       "as .vtu to standard output for -")
     ->required();
   CLI::Option* size = command

@@ -13,6 +13,9 @@
  * - .ex2, .exo, .e: Exodus with an element block and a side set for each side; orders 1 and 2
  * - .case: EnSight Gold with a part for each side, in single precision, with a .geo file beside it; orders 1 and 2
  * - .vtk: the legacy format of VTK with all arrays; orders 1 to 3
+ * - .foam, or / at the end: the folder of the file, or the folder, is a case of OpenFOAM, with
+ *   constant/polyMesh, system/blockMeshDict if the quads have `BlockId`, `I` and `J`, and an empty .foam file;
+ *   folders are made; quads are one layer of cells; order 1
  *
  * Quads are counter-clockwise and sides have the domain on the left. Nodes count from 1 in the order of
  * the points that quads use; in .su2 from 0. Coordinates are exact, except that those of .inp have at most 20

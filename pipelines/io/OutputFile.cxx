@@ -42,8 +42,13 @@ void RequireMemoryForText(vtkDataObject* data)
   *static_cast<volatile char*>(trial.get()) = 0; // or the compiler may remove the allocation
 }
 
+/** Returns the ending in lower case, / for a folder. */
 std::string EndingOf(const std::string& file)
 {
+  if (!file.empty() && file.back() == '/')
+  {
+    return "/";
+  }
   return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
 }
 
@@ -51,6 +56,26 @@ std::string EndingOf(const std::string& file)
 bool IsVtu(const std::string& file)
 {
   return file == "-" || EndingOf(file) == ".vtu";
+}
+
+/** Throws PipelineRun::Error unless a folder can be written, or can be made in one that is there. */
+void RequireWritableFolder(const std::string& name)
+{
+  using vtksys::SystemTools;
+  std::string folder = SystemTools::CollapseFullPath(name);
+  while (!SystemTools::PathExists(folder))
+  {
+    folder = SystemTools::GetParentDirectory(folder);
+  }
+  if (!SystemTools::FileIsDirectory(folder))
+  {
+    throw Error("'" + folder + "' is a file, and the folder '" + name +
+      "' cannot be made; choose another name.");
+  }
+  if (access(folder.c_str(), W_OK) != 0)
+  {
+    throw Error("The folder '" + folder + "' cannot be written; choose another.");
+  }
 }
 
 void RequireWritableFile(const std::string& file, const std::string& endings)
@@ -65,6 +90,15 @@ void RequireWritableFile(const std::string& file, const std::string& endings)
       list += (i + 1 == possible.size() ? " or " : ", ") + possible[i];
     }
     throw Error("The output file '" + file + "' must end in " + list + ".");
+  }
+  if (EndingOf(file) == "/" || (EndingOf(file) == ".foam" && !endings.empty()))
+  {
+    const std::string folder = file.substr(0, file.rfind('/') + 1); // empty: the working folder
+    for (const char* part : { "constant/polyMesh", "system" })
+    {
+      RequireWritableFolder(folder + part);
+    }
+    return;
   }
   if (vtksys::SystemTools::FileIsDirectory(file))
   {
@@ -157,6 +191,11 @@ void WriteQuads(
   PipelineRun::RequireNoError([&writer] { writer->Write(); });
   for (const auto& [name, text] : writer->GetOutputFiles())
   {
+    const std::size_t slash = name.rfind('/');
+    if (slash != std::string::npos)
+    {
+      outputs.MakeFolder(name.substr(0, slash));
+    }
     outputs.Write(text, name);
   }
 }

@@ -21,7 +21,7 @@ namespace OutputFile
 struct Output
 {
   std::string file;
-  std::string endings; ///< Possible endings, separated by blanks; empty if all are.
+  std::string endings; ///< Possible endings, separated by blanks, / for folders; empty if all are.
 };
 
 /**
@@ -41,7 +41,7 @@ void RequireOrder(const std::string& file, int order);
 
 /**
  * Writes quads with their boundary edges to a .vtu file, to standard output for "-", or to the format of
- * another ending with vtkQuadMeshWriter. `mshVersion` is one of its versions.
+ * another ending with vtkQuadMeshWriter, whose folders are made. `mshVersion` is one of its versions.
  */
 void WriteQuads(
   vtkUnstructuredGrid* quads, const std::string& file, int mshVersion, OutputTransaction& outputs);

@@ -4,7 +4,7 @@
 #include "Error.h"
 #include "Index.h"
 #include "MeshText.h"
-#include "SideFaces.h"
+#include "FaceBuckets.h"
 
 #include <algorithm>
 #include <utility>
@@ -140,18 +140,18 @@ private:
     return block.nodes[BlockPoint(block, this->IndexOf(side, point))];
   }
 
-  FaceKey KeyOf(const Side& side, const Place& face) const
+  FaceBuckets::Key KeyOf(const Side& side, const Place& face) const
   {
-    FaceKey key{};
+    FaceBuckets::Key key{};
     const int corners = this->Mesh.CornersOfFace();
     for (int i = 0; i < corners; ++i)
     {
       key[Index(i)] = this->Node(side, { face[0] + i % 2, face[1] + i / 2 });
     }
-    return KeyOfFace(key, corners);
+    return FaceBuckets::MakeKey(key.data(), Index(corners));
   }
 
-  bool IsCollapsed(const FaceKey& key) const
+  bool IsCollapsed(const FaceBuckets::Key& key) const
   {
     return this->IsFlat ? key[0] == key[1] : key[1] == key[3];
   }
@@ -159,24 +159,23 @@ private:
   /// Finds the partner or the side of the mesh of every face.
   void Match()
   {
-    std::vector<std::pair<FaceKey, int>> names; // of the mesh's boundary faces
+    std::vector<std::pair<FaceBuckets::Key, int>> names; // of the mesh's boundary faces
     const int corners = this->Mesh.CornersOfFace();
     for (int face = 0; face < this->Mesh.FaceCount(); ++face)
     {
-      FaceKey key{};
-      std::copy_n(this->Mesh.faces.begin() + static_cast<std::ptrdiff_t>(face) * corners, corners,
-        key.begin());
-      names.emplace_back(KeyOfFace(key, corners), this->Mesh.side[Index(face)]);
+      const int* first = this->Mesh.faces.data() + Index(face) * Index(corners);
+      names.emplace_back(
+        FaceBuckets::MakeKey(first, Index(corners)), this->Mesh.side[Index(face)]);
     }
     std::sort(names.begin(), names.end());
-    std::vector<std::pair<FaceKey, int>> faces;
+    std::vector<std::pair<FaceBuckets::Key, int>> faces;
     for (const Side& side : this->Sides)
     {
       for (int row = 0; row < side.size[1]; ++row)
       {
         for (int column = 0; column < side.size[0]; ++column)
         {
-          const FaceKey key = this->KeyOf(side, { column, row });
+          const FaceBuckets::Key key = this->KeyOf(side, { column, row });
           if (!this->IsCollapsed(key))
           {
             faces.emplace_back(key, At(side, { column, row }));
@@ -188,7 +187,7 @@ private:
     auto name = names.begin();
     for (std::size_t i = 0; i < faces.size();)
     {
-      const FaceKey& key = faces[i].first;
+      const FaceBuckets::Key& key = faces[i].first;
       std::size_t end = i + 1;
       while (end < faces.size() && faces[end].first == key)
       {
@@ -229,7 +228,7 @@ private:
     }
   }
 
-  std::string PlaceOfKey(const FaceKey& key) const { return "at " + PlaceOf(this->Mesh, key[0]); }
+  std::string PlaceOfKey(const FaceBuckets::Key& key) const { return "at " + PlaceOf(this->Mesh, key[0]); }
 
   /// Returns the place after the last face of the largest rectangle that begins at a face and whose
   /// faces are all accepted, or `begin` if none is; columns are added first.

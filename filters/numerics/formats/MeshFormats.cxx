@@ -4,6 +4,7 @@
 #include "Error.h"
 #include "WriteEnSight.h"
 #include "WriteExodus.h"
+#include "WriteFoam.h"
 #include "WriteInp.h"
 #include "WritePlot3d.h"
 #include "WriteSu2.h"
@@ -28,7 +29,7 @@ std::string LowerCase(std::string text)
 
 const std::map<std::string, MeshFormat> Endings = { { ".cgns", MeshFormat::Cgns },
   { ".case", MeshFormat::EnSight }, { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus },
-  { ".exo", MeshFormat::Exodus }, { ".inp", MeshFormat::Inp }, { ".msh", MeshFormat::Msh },
+  { ".exo", MeshFormat::Exodus }, { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp }, { ".msh", MeshFormat::Msh },
   { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk }, { ".xyz", MeshFormat::Plot3d } };
 
 /// Largest order of each format, and its name in messages.
@@ -39,7 +40,7 @@ struct Limit
 };
 const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } },
   { MeshFormat::EnSight, { 2, ".case" } }, { MeshFormat::Exodus, { 2, ".ex2" } },
-  { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
+  { MeshFormat::Foam, { 1, ".foam" } }, { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
   { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
 
 /// Returns the name of the file beside another that has another ending.
@@ -56,11 +57,33 @@ std::vector<FileText> EnSightFiles(const ExportMesh& mesh, const std::string& na
   geometry.replace_filename(file);
   return { { name, WriteEnSightCase(file) }, { geometry.string(), WriteEnSightGeometry(mesh) } };
 }
+
+std::vector<FileText> WriteFoamFiles(const ExportMesh& mesh, const std::string& name)
+{
+  const std::string folder = FoamFolder(name);
+  std::string marker = name;
+  if (name == folder)
+  {
+    const std::string last =
+      std::filesystem::path(name).parent_path().filename().string(); // without the / at the end
+    marker += (last.empty() || last[0] == '.' ? "case" : last) + ".foam";
+  }
+  std::vector<FileText> files = { { marker, "" } };
+  for (auto& [file, text] : WriteFoam(mesh))
+  {
+    files.push_back({ folder + file, std::move(text) });
+  }
+  return files;
+}
 }
 
 MeshFormat MeshFormatOf(const std::string& name)
 {
   const std::string ending = LowerCase(std::filesystem::path(name).extension().string());
+  if (!name.empty() && name.back() == '/')
+  {
+    return MeshFormat::Foam;
+  }
   const auto format = Endings.find(ending);
   return format == Endings.end() ? MeshFormat::None : format->second;
 }
@@ -75,7 +98,7 @@ void RequireOrder(MeshFormat format, int order)
     {
       list += (list.empty() ? "" : ", ") + ending;
     }
-    throw Error("The ending of the file is unknown; give one of " + list + ".");
+    throw Error("The ending of the file is unknown; give one of " + list + ", or a folder with / at its end.");
   }
   if (order > limit->second.order)
   {
@@ -111,6 +134,8 @@ std::vector<FileText> WriteMeshFiles(ExportMesh mesh, const std::string& name, M
     return EnSightFiles(mesh, name);
   case MeshFormat::Exodus:
     return { { name, WriteExodus(mesh) } };
+  case MeshFormat::Foam:
+    return WriteFoamFiles(mesh, name);
   case MeshFormat::Inp:
     return { { name, WriteInp(mesh) } };
   case MeshFormat::Plot3d:

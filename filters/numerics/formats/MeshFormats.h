@@ -15,6 +15,7 @@ enum class MeshFormat
   Cgns,    ///< .cgns; WriteMeshFiles does not write it
   EnSight, ///< .case of EnSight Gold
   Exodus,  ///< .ex2, .exo and .e
+  Foam,    ///< a case of OpenFOAM: a folder, NAME/, or NAME.foam in it
   Inp,     ///< .inp of Abaqus and CalculiX
   Msh,     ///< .msh of Gmsh
   Plot3d,  ///< .xyz of PLOT3D, with a neutral map file
@@ -29,7 +30,8 @@ struct FileText
   std::string text;
 };
 
-/// Returns the format that the name of a file or folder asks for: that of its ending, in any case.
+/// Returns the format that the name of a file or folder asks for: that of its ending, in any case; a folder ends
+/// with /.
 MeshFormat MeshFormatOf(const std::string& name);
 
 /// Throws Error if the format is None or has no cells of an order.
@@ -39,7 +41,8 @@ void RequireOrder(MeshFormat format, int order);
 /// complete, has no cells, or the format cannot have it.
 void PrepareMesh(ExportMesh& mesh, MeshFormat format);
 
-/// Prepares a mesh and returns the files that `name` stands for, in the format of its ending.
+/// Prepares a mesh and returns the files that `name` stands for, in the format of its ending. A case of
+/// OpenFOAM has the files of WriteFoam.h and an empty file .foam, with which ParaView opens it.
 /// Throws Error if the format cannot have the mesh or the mesh is not complete.
 std::vector<FileText> WriteMeshFiles(
   ExportMesh mesh, const std::string& name, MshVersion version = MshVersion::V41);

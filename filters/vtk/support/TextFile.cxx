@@ -27,6 +27,21 @@ Target TargetOf(const std::string& file)
     isStream ? place : fs::path(place.string() + ".part" + std::to_string(getpid())) };
 }
 
+/** Makes the folder of a file and its parents if they are missing, and adds those that it made. */
+void MakeFolder(const std::string& file, std::vector<fs::path>& made)
+{
+  std::error_code failed;
+  fs::path path;
+  for (const fs::path& name : fs::absolute(file, failed).parent_path())
+  {
+    path /= name;
+    if (!failed && fs::create_directory(path, failed))
+    {
+      made.push_back(path);
+    }
+  }
+}
+
 bool WritePart(const Target& target, const std::string& text)
 {
   std::ofstream stream(target.part, std::ios::binary);
@@ -49,8 +64,10 @@ void Write(const std::vector<std::pair<std::string, std::string>>& files)
 {
   std::string failed;
   std::vector<Target> targets;
+  std::vector<fs::path> made;
   for (const auto& [file, text] : files)
   {
+    MakeFolder(file, made);
     targets.push_back(TargetOf(file));
     if (failed.empty() && !WritePart(targets.back(), text))
     {
@@ -73,6 +90,11 @@ void Write(const std::vector<std::pair<std::string, std::string>>& files)
   }
   if (!failed.empty())
   {
+    for (auto folder = made.rbegin(); folder != made.rend(); ++folder)
+    {
+      std::error_code ignored; // it stays if something is in it
+      fs::remove(*folder, ignored);
+    }
     throw crossfield::Error(
       "The file '" + failed + "' cannot be written; check the folder and the free space.");
   }

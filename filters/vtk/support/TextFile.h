@@ -8,7 +8,7 @@
 namespace TextFile
 {
 /**
- * Writes files, given by names and contents, or leaves the old ones: all are first written to second files in
+ * Writes files, given by names and contents, and makes their folders, or leaves the old ones: all are first written to second files in
  * the same folders. Throws crossfield::Error.
  */
 void Write(const std::vector<std::pair<std::string, std::string>>& files);
