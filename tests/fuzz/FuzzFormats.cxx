@@ -98,8 +98,8 @@ void Damage(std::vector<int>& numbers, FuzzedDataProvider& bytes)
     return;
   }
   const auto place = bytes.ConsumeIntegralInRange<std::size_t>(0, numbers.size() - 1);
-  numbers[place] = bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 40)
-                                       : bytes.ConsumeIntegral<int>();
+  numbers[place] =
+    bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 40) : bytes.ConsumeIntegral<int>();
 }
 
 void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
@@ -150,8 +150,9 @@ void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
         Damage(block.nodes, bytes);
         return;
       }
-      block.cells[bytes.ConsumeIntegralInRange<std::size_t>(0, 2)] =
-        bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 9) : bytes.ConsumeIntegral<int>();
+      block.cells[bytes.ConsumeIntegralInRange<std::size_t>(0, 2)] = bytes.ConsumeBool()
+        ? bytes.ConsumeIntegralInRange<int>(-1, 9)
+        : bytes.ConsumeIntegral<int>();
     }
   }
 }

@@ -147,8 +147,8 @@ private:
 };
 
 /// Cuts blocks where the side changes along one of their faces.
-void CutAtSides(
-  const std::vector<ExportBlock>& blocks, const SidesOfCells& sides, int directions, BlockCuts& cuts)
+void CutAtSides(const std::vector<ExportBlock>& blocks, const SidesOfCells& sides, int directions,
+  BlockCuts& cuts)
 {
   for (std::size_t b = 0; b < blocks.size(); ++b)
   {

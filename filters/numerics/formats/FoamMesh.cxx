@@ -91,7 +91,8 @@ public:
         if (match == second.end())
         {
           throw Error("The periodic sides '" + this->Mesh.sideNames[Index(pair.first)] + "' and '" +
-            this->Mesh.sideNames[Index(pair.second)] + "' have different faces; make the mesh again.");
+            this->Mesh.sideNames[Index(pair.second)] +
+            "' have different faces; make the mesh again.");
         }
         ordered.push_back(match->second);
         this->FirstCorner[this->Buckets.NumberOf(match->second)] = corners[0];
@@ -158,8 +159,7 @@ private:
         continue;
       }
       const bool isPair = this->Partners[Index(partner)] == static_cast<int>(i);
-      if (!isPair ||
-        this->Buckets.FaceOf(i).cell == this->Buckets.FaceOf(Index(partner)).cell)
+      if (!isPair || this->Buckets.FaceOf(i).cell == this->Buckets.FaceOf(Index(partner)).cell)
       {
         throw Error("The face at " + PlaceOf(this->Mesh, this->Buckets.KeyOf(i)[0]) +
           (isPair ? " occurs twice in a cell; use more layers."
@@ -222,8 +222,8 @@ private:
   FaceBuckets Buckets;
   std::vector<int> Partners;
   SideFaces Sides;
-  std::vector<std::vector<int>> Corners; ///< Per face of a cell, positions of its corners.
-  std::vector<int> Number;               ///< Per point of the mesh, that of OpenFOAM.
+  std::vector<std::vector<int>> Corners;  ///< Per face of a cell, positions of its corners.
+  std::vector<int> Number;                ///< Per point of the mesh, that of OpenFOAM.
   std::map<std::size_t, int> FirstCorner; ///< Per face of a cyclic patch, its first node.
   std::vector<int> Nodes;                 ///< Of a face.
   FoamMesh& Result;

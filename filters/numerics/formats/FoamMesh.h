@@ -13,7 +13,7 @@ struct FoamPatch
   std::string name;
   std::string type;
   std::string neighbour; ///< Of type cyclic: the other patch, whose faces are in the same order.
-  int start = 0; ///< Number of its first face.
+  int start = 0;         ///< Number of its first face.
   int count = 0;
 };
 

@@ -29,8 +29,9 @@ std::string LowerCase(std::string text)
 
 const std::map<std::string, MeshFormat> Endings = { { ".cgns", MeshFormat::Cgns },
   { ".case", MeshFormat::EnSight }, { ".e", MeshFormat::Exodus }, { ".ex2", MeshFormat::Exodus },
-  { ".exo", MeshFormat::Exodus }, { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp }, { ".msh", MeshFormat::Msh },
-  { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk }, { ".xyz", MeshFormat::Plot3d } };
+  { ".exo", MeshFormat::Exodus }, { ".foam", MeshFormat::Foam }, { ".inp", MeshFormat::Inp },
+  { ".msh", MeshFormat::Msh }, { ".su2", MeshFormat::Su2 }, { ".vtk", MeshFormat::Vtk },
+  { ".xyz", MeshFormat::Plot3d } };
 
 /// Largest order of each format, and its name in messages.
 struct Limit
@@ -40,8 +41,9 @@ struct Limit
 };
 const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } },
   { MeshFormat::EnSight, { 2, ".case" } }, { MeshFormat::Exodus, { 2, ".ex2" } },
-  { MeshFormat::Foam, { 1, ".foam" } }, { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
-  { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
+  { MeshFormat::Foam, { 1, ".foam" } }, { MeshFormat::Inp, { 2, ".inp" } },
+  { MeshFormat::Msh, { 3, ".msh" } }, { MeshFormat::Plot3d, { 1, ".xyz" } },
+  { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
 
 /// Returns the name of the file beside another that has another ending.
 std::filesystem::path Beside(const std::string& name, const std::string& ending)
@@ -98,13 +100,15 @@ void RequireOrder(MeshFormat format, int order)
     {
       list += (list.empty() ? "" : ", ") + ending;
     }
-    throw Error("The ending of the file is unknown; give one of " + list + ", or a folder with / at its end.");
+    throw Error("The ending of the file is unknown; give one of " + list +
+      ", or a folder with / at its end.");
   }
   if (order > limit->second.order)
   {
     const bool hasSecond = limit->second.order > 1;
     throw Error("The format " + limit->second.name +
-      (hasSecond ? " has no elements of order 3; use order 2," : " has cells of order 1 only; leave the order out,") +
+      (hasSecond ? " has no elements of order 3; use order 2,"
+                 : " has cells of order 1 only; leave the order out,") +
       " or write a .msh or .vtu file.");
   }
 }

@@ -16,6 +16,7 @@ SideFaces FindSideFaces(
   const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners)
 {
   const std::string kind = mesh.dimension == 2 ? "edge" : "face";
+  const std::string article = mesh.dimension == 2 ? "an " : "a ";
   SideFaces result;
   result.ofSide.resize(mesh.sideNames.size());
   result.isInside.resize(mesh.sideNames.size(), false);
@@ -29,7 +30,7 @@ SideFaces FindSideFaces(
     const std::size_t side = Index(mesh.side[Index(i)]);
     if (found.empty() || hasSide[found[0]])
     {
-      throw Error("Side '" + mesh.sideNames[side] + "' has an " + kind + " at " +
+      throw Error("Side '" + mesh.sideNames[side] + "' has " + article + kind + " at " +
         PlaceOf(mesh, key[0]) +
         (found.empty() ? " that belongs to no cell" : " that is given twice") +
         "; give the boundary of this mesh.");
@@ -50,5 +51,18 @@ SideFaces FindSideFaces(
     }
   }
   return result;
+}
+
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
+{
+  for (std::size_t side = 0; side < faces.isInside.size(); ++side)
+  {
+    if (faces.isInside[side])
+    {
+      throw Error("The format " + format + " has sides on the boundary only, and '" +
+        mesh.sideNames[side] + "' is inside; leave it out, or write a .msh or .vtu file.");
+    }
+  }
 }
 }

@@ -3,6 +3,7 @@
 #include "ExportMesh.h"
 #include "FaceBuckets.h"
 
+#include <string>
 #include <vector>
 
 namespace crossfield
@@ -20,4 +21,8 @@ struct SideFaces
 SideFaces FindSideFaces(const ExportMesh& mesh);
 SideFaces FindSideFaces(
   const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners);
+
+/// Throws Error, which calls the format `format`, if a side is inside.
+void RequireNoInnerSides(
+  const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
 }

@@ -63,7 +63,8 @@ public:
     : Mesh(mesh)
     , Blocks(blocks)
   {
-    this->Text.Add("// Editable: blockMesh makes as many cells from it, but not the same points.\n");
+    this->Text.Add(
+      "// Editable: blockMesh makes as many cells from it, but not the same points.\n");
     AddFoamHeader(this->Text, "dictionary", "system", "blockMeshDict");
   }
 
@@ -102,8 +103,8 @@ public:
       bool isSimple = true;
       for (std::size_t edge = 0; edge < ratios.size(); ++edge)
       {
-        ratios[edge] = this->RatioAlong(EdgeNodes(
-          block, static_cast<int>(edge / 4), PlaceOfCorner(block, EdgeStarts[edge])));
+        ratios[edge] = this->RatioAlong(
+          EdgeNodes(block, static_cast<int>(edge / 4), PlaceOfCorner(block, EdgeStarts[edge])));
         isSimple = isSimple && ratios[edge] == ratios[edge / 4 * 4];
       }
       this->Text.Add(isSimple ? "simpleGrading (" : "edgeGrading (");
@@ -177,7 +178,8 @@ public:
       }
       this->Text.Add("    ").Add(patches[patch].name).Add("\n    {\n        type ");
       // blockMesh would have to keep the order of the faces of cyclic patches.
-      this->Text.Add(patches[patch].type == "cyclic" ? "patch" : patches[patch].type).Add(";\n        faces\n        (\n");
+      this->Text.Add(patches[patch].type == "cyclic" ? "patch" : patches[patch].type)
+        .Add(";\n        faces\n        (\n");
       for (const std::array<int, 4>& face : faces[patch])
       {
         this->Text.Add("            (").Add(face[0]).Add(' ').Add(face[1]).Add(' ').Add(face[2]);

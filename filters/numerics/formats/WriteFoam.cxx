@@ -174,7 +174,8 @@ double FoamThickness(const ExportMesh& quads)
   {
     box.extend(quads.points[Index(node)]);
   }
-  constexpr double Part = 0.1; // so thin that a picture shows a sheet, so thick that faces are no needles
+  constexpr double Part =
+    0.1; // so thin that a picture shows a sheet, so thick that faces are no needles
   return std::pow(10.0, std::floor(std::log10(Part * box.diagonal().norm())));
 }
 

@@ -24,7 +24,8 @@ const double Pi = std::acos(-1.0);
 ExportMesh Rectangle(int columns, int rows,
   const std::function<Eigen::Vector3d(double, double)>& place, Random& random)
 {
-  ExportMesh mesh = LatticeMesh(2, 1, columns, rows, static_cast<std::uint32_t>(random.Integer(1, 1000))).Mesh;
+  ExportMesh mesh =
+    LatticeMesh(2, 1, columns, rows, static_cast<std::uint32_t>(random.Integer(1, 1000))).Mesh;
   for (Eigen::Vector3d& point : mesh.points)
   {
     point = place(point.x() * 3.0 / columns, point.y() * 7.0 / rows);
@@ -202,8 +203,8 @@ TEST(WriteFoam, CellsAreClosedAndFacesInOrder)
     EXPECT_NEAR(ExpectValid(mesh, foam), 0.7, 1e-12);
     const int quads = columns * rows;
     const int inPlane = (columns - 1) * rows + columns * (rows - 1);
-    EXPECT_EQ(static_cast<int>(foam.neighbour.size()),
-      inPlane * sweep.layers + quads * (sweep.layers - 1));
+    EXPECT_EQ(
+      static_cast<int>(foam.neighbour.size()), inPlane * sweep.layers + quads * (sweep.layers - 1));
     ASSERT_NE(Find(foam, "right_side"), nullptr);
     EXPECT_EQ(Find(foam, "right_side")->count, rows * sweep.layers);
     EXPECT_EQ(Find(foam, "bottom")->count, columns * sweep.layers);
@@ -245,7 +246,8 @@ TEST(WriteFoam, RevolutionsHaveWedgesAndPrisms)
         const double section = ((inner + 1.0) * (inner + 1.0) - inner * inner) / 2.0;
         EXPECT_NEAR(ExpectValid(mesh, foam), 2.0 * section * layers * std::sin(step), 1e-12);
         const CellSums sums(mesh, foam);
-        EXPECT_EQ(std::count(sums.faces.begin(), sums.faces.end(), 5), touchesAxis ? 4 * layers : 0);
+        EXPECT_EQ(
+          std::count(sums.faces.begin(), sums.faces.end(), 5), touchesAxis ? 4 * layers : 0);
         EXPECT_EQ(Find(foam, "bottom") != nullptr, !touchesAxis);
         EXPECT_EQ(Find(foam, "back") != nullptr, angle < 360.0);
         if (angle < 360.0)
@@ -331,8 +333,8 @@ TEST(WriteFoam, RegionsAndInnerSidesAreZones)
   EXPECT_EQ(foam.faceZones[0].members.size(), 6U);
   for (const int face : foam.faceZones[0].members)
   {
-    EXPECT_NE(mesh.region[Index(foam.owner[Index(face)])],
-      mesh.region[Index(foam.neighbour[Index(face)])]);
+    EXPECT_NE(
+      mesh.region[Index(foam.owner[Index(face)])], mesh.region[Index(foam.neighbour[Index(face)])]);
   }
   EXPECT_EQ(Find(foam, "between"), nullptr);
   EXPECT_NE(TextOf(mesh, "constant/polyMesh/faceZones").find("between\n{\n    type faceZone;"),
@@ -514,7 +516,8 @@ TEST(CutBlocks, CutsFollowChordsThroughNeighbours)
   }
   const std::string dict = TextOf(quads, "system/blockMeshDict");
   std::size_t count = 0;
-  for (std::size_t at = dict.find("hex ("); at != std::string::npos; at = dict.find("hex (", at + 1))
+  for (std::size_t at = dict.find("hex ("); at != std::string::npos;
+       at = dict.find("hex (", at + 1))
   {
     ++count;
   }
