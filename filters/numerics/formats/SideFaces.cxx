@@ -53,8 +53,7 @@ SideFaces FindSideFaces(
   return result;
 }
 
-void RequireNoInnerSides(
-  const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
+void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
 {
   for (std::size_t side = 0; side < faces.isInside.size(); ++side)
   {

@@ -23,6 +23,5 @@ SideFaces FindSideFaces(
   const ExportMesh& mesh, const FaceBuckets& buckets, const std::vector<int>& partners);
 
 /// Throws Error, which calls the format `format`, if a side is inside.
-void RequireNoInnerSides(
-  const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
+void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
 }
