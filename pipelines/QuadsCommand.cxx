@@ -1,6 +1,6 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2: makes an all-quad mesh with exactly the chosen
- * irregular nodes.
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2|Q.cgns|...: makes an all-quad mesh with exactly the
+ * chosen irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
  */
@@ -184,8 +184,9 @@ int Mesh(const QuadsOptions& options)
 {
   // 1. Check the outputs before any work.
   OutputFile::RequireWritable(
-    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk" }, { options.blocks, ".vtm" },
-      { options.layout, ".vtp" }, { options.json, "" }, { options.savedSingularities, ".csv" } });
+    { { options.output, ".vtu .msh .inp .su2 .cgns .xyz .ex2 .exo .e .case .vtk" },
+      { options.blocks, ".vtm" }, { options.layout, ".vtp" }, { options.json, "" },
+      { options.savedSingularities, ".csv" } });
   OutputFile::RequireOrder(options.output, options.order);
 
   // 2. Read the domain and the configuration.

@@ -17,8 +17,9 @@ CgnsFile::CgnsFile()
   this->Folder = (fs::temp_directory_path(failed) / "crossfieldXXXXXX").string();
   if (failed || mkdtemp(this->Folder.data()) == nullptr)
   {
-    throw crossfield::Error("The folder for temporary files cannot be written, and a .cgns file needs "
-                            "one; check the free space, or set TMPDIR.");
+    throw crossfield::Error(
+      "The folder for temporary files cannot be written, and a .cgns file needs "
+      "one; check the free space, or set TMPDIR.");
   }
   this->Name = this->Folder + "/mesh.cgns";
   try
@@ -61,8 +62,9 @@ std::string CgnsFile::Take()
   std::string bytes{ std::istreambuf_iterator<char>(stream), {} };
   if (!stream || bytes.empty())
   {
-    throw crossfield::Error("The .cgns file cannot be read back from the folder for temporary files; "
-                            "check its free space, or set TMPDIR.");
+    throw crossfield::Error(
+      "The .cgns file cannot be read back from the folder for temporary files; "
+      "check its free space, or set TMPDIR.");
   }
   return bytes;
 }

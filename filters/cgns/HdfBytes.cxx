@@ -85,7 +85,8 @@ public:
   {
     // Signature, version, flags, times, limits of attributes, size, messages, checksum.
     this->Flags = this->At(begin + FlagsAt, 1);
-    const std::size_t sizeAt = begin + FlagsAt + 1 + ((this->Flags & HasTimes) != 0U ? SizeOfTimes : 0) +
+    const std::size_t sizeAt = begin + FlagsAt + 1 +
+      ((this->Flags & HasTimes) != 0U ? SizeOfTimes : 0) +
       ((this->Flags & HasLimits) != 0U ? 4 : 0);
     const std::size_t width = std::size_t(1) << (this->Flags & 3U); // bytes of the size
     const std::size_t messages = sizeAt + width;
@@ -154,7 +155,7 @@ private:
   {
     constexpr unsigned AttributeMessage = 12;
     constexpr unsigned Continuation = 16;
-    constexpr std::size_t MaximumChunks = 1000; // more are a cycle
+    constexpr std::size_t MaximumChunks = 1000;                        // more are a cycle
     const std::size_t prefix = (this->Flags & HasOrder) != 0U ? 6 : 4; // type, size, flags, order
     for (std::size_t at = chunk.messages; at + prefix <= chunk.end;)
     {

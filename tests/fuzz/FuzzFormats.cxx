@@ -8,6 +8,7 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -53,7 +54,9 @@ ExportMesh MakeGrid(FuzzedDataProvider& bytes)
   mesh.regionNames = { "domain", "other" };
   for (int side = 0; side < 4; ++side)
   {
-    mesh.sideNames.push_back(bytes.ConsumeRandomLengthString(40));
+    std::string name = bytes.ConsumeRandomLengthString(40);
+    std::replace(name.begin(), name.end(), '\0', ' '); // a message ends with the first zero
+    mesh.sideNames.push_back(name);
   }
   const auto addFace = [&](int a, int b, int side)
   {
@@ -98,8 +101,8 @@ void Damage(std::vector<int>& numbers, FuzzedDataProvider& bytes)
     return;
   }
   const auto place = bytes.ConsumeIntegralInRange<std::size_t>(0, numbers.size() - 1);
-  numbers[place] = bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 40)
-                                       : bytes.ConsumeIntegral<int>();
+  numbers[place] =
+    bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 40) : bytes.ConsumeIntegral<int>();
 }
 
 void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
@@ -150,8 +153,9 @@ void Damage(ExportMesh& mesh, FuzzedDataProvider& bytes)
         Damage(block.nodes, bytes);
         return;
       }
-      block.cells[bytes.ConsumeIntegralInRange<std::size_t>(0, 2)] =
-        bytes.ConsumeBool() ? bytes.ConsumeIntegralInRange<int>(-1, 9) : bytes.ConsumeIntegral<int>();
+      block.cells[bytes.ConsumeIntegralInRange<std::size_t>(0, 2)] = bytes.ConsumeBool()
+        ? bytes.ConsumeIntegralInRange<int>(-1, 9)
+        : bytes.ConsumeIntegral<int>();
     }
   }
 }
@@ -167,6 +171,10 @@ void Try(const Step& step)
   catch (const Error& error)
   {
     const std::string sentence = error.what();
+    if (sentence.size() <= 20 || sentence.back() != '.')
+    {
+      std::fprintf(stderr, "not one sentence: %s\n", sentence.c_str());
+    }
     Require(sentence.size() > 20 && sentence.back() == '.', "an error is a sentence");
   }
 }

@@ -127,8 +127,7 @@ private:
   {
     std::array<int, 3> index{};
     const std::size_t across = Index(side.face / 2);
-    index[across] =
-      side.face % 2 == 0 ? 0 : this->Mesh.blocks[Index(side.block)].cells[across];
+    index[across] = side.face % 2 == 0 ? 0 : this->Mesh.blocks[Index(side.block)].cells[across];
     index[Index(side.along[0])] = point[0];
     index[Index(side.along[1])] = this->IsFlat ? 0 : point[1];
     return index;
@@ -223,8 +222,8 @@ private:
     }
     if (name != names.end())
     {
-      throw Error("Side '" + this->Mesh.sideNames[Index(name->second)] + "' is not on the boundary " +
-        "of the blocks " + this->PlaceOfKey(name->first) +
+      throw Error("Side '" + this->Mesh.sideNames[Index(name->second)] +
+        "' is not on the boundary " + "of the blocks " + this->PlaceOfKey(name->first) +
         ", and block formats have sides on the boundary only; leave it out, or write a .msh file.");
     }
   }
@@ -294,8 +293,7 @@ private:
     for (int corner = 0; corner < (this->IsFlat ? 2 : 4); ++corner)
     {
       const Place point = { face[0] + corner % 2, face[1] + corner / 2 };
-      if (this->Node(side, point) !=
-        this->Node(other, Image(point, face, image, way, true)))
+      if (this->Node(side, point) != this->Node(other, Image(point, face, image, way, true)))
       {
         return false;
       }
@@ -340,8 +338,8 @@ private:
     }
     if (bestEnd == begin)
     {
-      throw Error("Two blocks meet in twisted faces " +
-        this->PlaceOfKey(this->KeyOf(side, begin)) + ", so the mesh is damaged; make it again.");
+      throw Error("Two blocks meet in twisted faces " + this->PlaceOfKey(this->KeyOf(side, begin)) +
+        ", so the mesh is damaged; make it again.");
     }
     return this->ConnectionOf(side, begin, bestEnd, other, image, best);
   }
@@ -351,7 +349,8 @@ private:
   {
     const Place imageBegin = Image(begin, begin, image, way, true);
     const Place imageEnd = Image(end, begin, image, way, true);
-    const Place low = { std::min(imageBegin[0], imageEnd[0]), std::min(imageBegin[1], imageEnd[1]) };
+    const Place low = { std::min(imageBegin[0], imageEnd[0]),
+      std::min(imageBegin[1], imageEnd[1]) };
     Place high = { std::max(imageBegin[0], imageEnd[0]), std::max(imageBegin[1], imageEnd[1]) };
     this->Take(side, begin, end);
     this->Take(other, low, high);

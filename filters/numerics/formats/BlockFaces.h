@@ -38,7 +38,8 @@ struct BlockFaces
 {
   std::vector<BlockConnection> connections; ///< Each once, also of a block with itself.
   std::vector<BlockPatch> patches;
-  std::vector<BlockRange> collapsed; ///< Rectangles that are a line or point, as on the axis of a revolution.
+  std::vector<BlockRange>
+    collapsed; ///< Rectangles that are a line or point, as on the axis of a revolution.
 };
 
 /// Finds the connections and patches of the blocks of a mesh. Every face of a cell on a side of a block

@@ -83,13 +83,15 @@ void RequireBlocks(const ExportMesh& mesh, const std::string& format)
     const auto& n = block.cells;
     isValid = isValid && n[0] > 0 && n[1] > 0 && (isFlat ? n[2] == 0 : n[2] > 0);
     const double points = (n[0] + 1.0) * (n[1] + 1.0) * (n[2] + 1.0);
-    isValid = isValid && points <= mostPoints && block.nodes.size() == static_cast<std::size_t>(points) &&
+    isValid = isValid && points <= mostPoints &&
+      block.nodes.size() == static_cast<std::size_t>(points) &&
       std::all_of(block.nodes.begin(), block.nodes.end(), isPoint);
     cells += static_cast<double>(n[0]) * n[1] * (isFlat ? 1 : n[2]);
   }
   if (!isValid || cells != mesh.CellCount())
   {
-    throw Error("The mesh is damaged: its blocks do not have the cells of the mesh; make it again.");
+    throw Error(
+      "The mesh is damaged: its blocks do not have the cells of the mesh; make it again.");
   }
 }
 

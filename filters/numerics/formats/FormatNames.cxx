@@ -92,7 +92,8 @@ std::vector<std::string> FormatNames(const std::vector<std::string>& names, cons
   std::set<std::string> unchanged; // these keep their names, wherever they are in the list
   for (const std::string& name : names)
   {
-    result.push_back(Cut(rule.isPlain ? PlainName(name) : QuotedName(name, rule.isPathPart), rule.longest));
+    result.push_back(
+      Cut(rule.isPlain ? PlainName(name) : QuotedName(name, rule.isPathPart), rule.longest));
     if (result.back() == name && taken.count(KeyOf(name, rule)) == 0)
     {
       unchanged.insert(KeyOf(name, rule));

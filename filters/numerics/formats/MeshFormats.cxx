@@ -40,7 +40,8 @@ struct Limit
 const std::map<MeshFormat, Limit> Limits = { { MeshFormat::Cgns, { 1, ".cgns" } },
   { MeshFormat::EnSight, { 2, ".case" } }, { MeshFormat::Exodus, { 2, ".ex2" } },
   { MeshFormat::Inp, { 2, ".inp" } }, { MeshFormat::Msh, { 3, ".msh" } },
-  { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } }, { MeshFormat::Vtk, { 3, ".vtk" } } };
+  { MeshFormat::Plot3d, { 1, ".xyz" } }, { MeshFormat::Su2, { 1, ".su2" } },
+  { MeshFormat::Vtk, { 3, ".vtk" } } };
 
 /// Returns the name of the file beside another that has another ending.
 std::filesystem::path Beside(const std::string& name, const std::string& ending)
@@ -81,7 +82,8 @@ void RequireOrder(MeshFormat format, int order)
   {
     const bool hasSecond = limit->second.order > 1;
     throw Error("The format " + limit->second.name +
-      (hasSecond ? " has no elements of order 3; use order 2," : " has cells of order 1 only; leave the order out,") +
+      (hasSecond ? " has no elements of order 3; use order 2,"
+                 : " has cells of order 1 only; leave the order out,") +
       " or write a .msh or .vtu file.");
   }
 }

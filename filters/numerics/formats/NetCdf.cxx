@@ -96,8 +96,8 @@ void NetCdf::AddIntegers(const std::string& name, const std::vector<int>& dimens
   this->Variables.push_back(std::move(variable));
 }
 
-void NetCdf::AddNumbers(const std::string& name, const std::vector<int>& dimensions,
-  const std::vector<double>& values)
+void NetCdf::AddNumbers(
+  const std::string& name, const std::vector<int>& dimensions, const std::vector<double>& values)
 {
   Variable variable = { name, dimensions, {}, Double, {} };
   variable.bytes.reserve(values.size() * sizeof(double));

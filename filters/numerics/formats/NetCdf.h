@@ -32,8 +32,8 @@ public:
   /// Adds a variable with dimensions by their numbers. `values` has as many values as they say.
   void AddIntegers(const std::string& name, const std::vector<int>& dimensions,
     const std::vector<int>& values, const std::vector<Attribute>& attributes = {});
-  void AddNumbers(const std::string& name, const std::vector<int>& dimensions,
-    const std::vector<double>& values);
+  void AddNumbers(
+    const std::string& name, const std::vector<int>& dimensions, const std::vector<double>& values);
   /// Adds texts, which are filled with zeros to the length of the second dimension and end with at least one.
   void AddTexts(const std::string& name, const std::vector<int>& dimensions,
     const std::vector<std::string>& texts);

@@ -145,8 +145,7 @@ SideFaces FindSideFaces(const ExportMesh& mesh)
   return result;
 }
 
-void RequireNoInnerSides(
-  const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
+void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format)
 {
   for (std::size_t side = 0; side < faces.isInside.size(); ++side)
   {

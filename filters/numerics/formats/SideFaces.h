@@ -34,6 +34,5 @@ struct SideFaces
 SideFaces FindSideFaces(const ExportMesh& mesh);
 
 /// Throws Error, which calls the format `format`, if a side is inside.
-void RequireNoInnerSides(
-  const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
+void RequireNoInnerSides(const ExportMesh& mesh, const SideFaces& faces, const std::string& format);
 }

@@ -21,8 +21,7 @@ public:
     : Mesh(mesh)
     , Number(mesh.points.size(), 0)
   {
-    for (const char* line :
-      { "C Binary", "CrossField", "", "node id off", "element id off" })
+    for (const char* line : { "C Binary", "CrossField", "", "node id off", "element id off" })
     {
       this->AddLine(line);
     }

@@ -130,8 +130,8 @@ std::vector<int> AddBlocks(
   return element;
 }
 
-void AddSets(const SideFaces& faces, const ElementKind& kind, const std::vector<int>& element,
-  NetCdf& file)
+void AddSets(
+  const SideFaces& faces, const ElementKind& kind, const std::vector<int>& element, NetCdf& file)
 {
   for (std::size_t side = 0; side < faces.ofSide.size(); ++side)
   {
@@ -184,7 +184,8 @@ std::string WriteExodus(const ExportMesh& mesh)
   }
   AddGroups("ss", "num_side_sets", nameLength, mesh.sideNames, sizes, file);
   const std::array<std::string, 3> axisNames = { "x", "y", "z" };
-  file.AddTexts("coor_names", { axes, nameLength }, { axisNames.begin(), axisNames.begin() + dimension });
+  file.AddTexts(
+    "coor_names", { axes, nameLength }, { axisNames.begin(), axisNames.begin() + dimension });
   for (int axis = 0; axis < dimension; ++axis)
   {
     std::vector<double> values;

@@ -249,14 +249,16 @@ inline ExportMesh RandomBlocks(int dimension, std::uint32_t seed)
         if (i + j + k == 0 || random.Integer(0, 3) > 0)
         {
           AddBox({ cuts[0][i], cuts[1][j], cuts[2][k] },
-            { cuts[0][i + 1] - cuts[0][i], cuts[1][j + 1] - cuts[1][j], cuts[2][k + 1] - cuts[2][k] },
+            { cuts[0][i + 1] - cuts[0][i], cuts[1][j + 1] - cuts[1][j],
+              cuts[2][k + 1] - cuts[2][k] },
             dimension, random, builder);
         }
       }
     }
   }
   return builder.Build(seed, { "a", "b", "c" },
-    [&](const BlockBuilder::Place&) { return random.Integer(0, 5) == 0 ? random.Integer(1, 2) : 0; });
+    [&](const BlockBuilder::Place&)
+    { return random.Integer(0, 5) == 0 ? random.Integer(1, 2) : 0; });
 }
 
 /// Returns one block around a circle, which is its own neighbour; with layers in three dimensions.

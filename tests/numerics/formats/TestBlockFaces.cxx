@@ -119,9 +119,8 @@ void ExpectConnection(const ExportMesh& mesh, const BlockConnection& connection)
     return image;
   };
   ForEachPoint(connection.from,
-    [&](const std::array<int, 3>& index, const std::array<int, 3>&) {
-      EXPECT_EQ(from.nodes[BlockPoint(from, index)], to.nodes[BlockPoint(to, map(index))]);
-    });
+    [&](const std::array<int, 3>& index, const std::array<int, 3>&)
+    { EXPECT_EQ(from.nodes[BlockPoint(from, index)], to.nodes[BlockPoint(to, map(index))]); });
   EXPECT_EQ(map(connection.from.end), connection.to.end);
   // One step out of the first block is one step into the second.
   const auto across = Index(connection.from.face / 2);
@@ -265,7 +264,8 @@ TEST(BlockFaces, APieceOfASideIsAPatch)
   const auto inlet = static_cast<int>(mesh.sideNames.size()) - 1;
   for (int face = 0; face < mesh.FaceCount(); ++face)
   {
-    const auto x = [&](int end) { return mesh.points[Index(mesh.faces[Index(2 * face + end)])].x(); };
+    const auto x = [&](int end)
+    { return mesh.points[Index(mesh.faces[Index(2 * face + end)])].x(); };
     if (mesh.side[Index(face)] == 0 && std::abs(0.5 * (x(0) + x(1)) - 1.0) < 0.3)
     {
       mesh.side[Index(face)] = inlet; // the middle two of six edges
@@ -287,9 +287,12 @@ TEST(BlockFaces, LeftHandedBlocksAreTurned)
   ExpectPartition(mesh);
   for (const ExportBlock& block : mesh.blocks)
   {
-    const auto at = [&](int i, int j, int k)
-    { return mesh.points[Index(block.nodes[BlockPoint(block, { i, j, k })])]; };
-    EXPECT_GT((at(1, 0, 0) - at(0, 0, 0)).cross(at(0, 1, 0) - at(0, 0, 0)).dot(at(0, 0, 1) - at(0, 0, 0)), 0.0);
+    const auto at = [&](int i, int j, int k) {
+      return mesh.points[Index(block.nodes[BlockPoint(block, { i, j, k })])];
+    };
+    EXPECT_GT(
+      (at(1, 0, 0) - at(0, 0, 0)).cross(at(0, 1, 0) - at(0, 0, 0)).dot(at(0, 0, 1) - at(0, 0, 0)),
+      0.0);
   }
 }
 

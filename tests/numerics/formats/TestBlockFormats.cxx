@@ -310,8 +310,7 @@ TEST(BlockFormats, WhatCannotBeWrittenIsRefused)
   EXPECT_TRUE(Refuses(write(ExportMesh(), "a.ex2"), { "no cells" }));
   for (const char* name : { "a.xyz", "a.cgns" })
   {
-    EXPECT_TRUE(Refuses(
-      [name] { RequireOrder(MeshFormatOf(name), 2); }, { "order 1 only" }));
+    EXPECT_TRUE(Refuses([name] { RequireOrder(MeshFormatOf(name), 2); }, { "order 1 only" }));
   }
   EXPECT_TRUE(Refuses([] { RequireOrder(MeshFormatOf("a.E"), 3); }, { "no elements of order 3" }));
 }
