@@ -1,6 +1,6 @@
 /**
- * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2|CASE/: makes an all-quad mesh with exactly the chosen
- * irregular nodes.
+ * crossfield quads DOMAIN [-s S.csv] -o Q.vtu|Q.msh|Q.inp|Q.su2|Q.cgns|CASE/|...: makes an all-quad mesh with exactly
+ * the chosen irregular nodes.
  *
  *   crossfield quads builtin:disk -s four.csv -o quads.vtu --quads 1000 --blocks blocks.vtm
  */

@@ -8,6 +8,7 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -53,7 +54,9 @@ ExportMesh MakeGrid(FuzzedDataProvider& bytes)
   mesh.regionNames = { "domain", "other" };
   for (int side = 0; side < 4; ++side)
   {
-    mesh.sideNames.push_back(bytes.ConsumeRandomLengthString(40));
+    std::string name = bytes.ConsumeRandomLengthString(40);
+    std::replace(name.begin(), name.end(), '\0', ' '); // a message ends with the first zero
+    mesh.sideNames.push_back(name);
   }
   const auto addFace = [&](int a, int b, int side)
   {
@@ -168,6 +171,10 @@ void Try(const Step& step)
   catch (const Error& error)
   {
     const std::string sentence = error.what();
+    if (sentence.size() <= 20 || sentence.back() != '.')
+    {
+      std::fprintf(stderr, "not one sentence: %s\n", sentence.c_str());
+    }
     Require(sentence.size() > 20 && sentence.back() == '.', "an error is a sentence");
   }
 }

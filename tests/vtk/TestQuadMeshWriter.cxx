@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkErrorCode.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -107,6 +108,36 @@ TEST_F(QuadMeshWriter, TwoOutputsAndOneGridGiveTheSameFiles)
     EXPECT_EQ(this->Write(first->GetOutput(), name), joined);
   }
   EXPECT_EQ(this->Files(), 3U) << "no temporary files";
+}
+
+TEST_F(QuadMeshWriter, BinaryFormats)
+{
+  EXPECT_EQ(this->Write(this->Mesh, "a.EX2").substr(0, 4), std::string("CDF\x02"));
+  EXPECT_EQ(this->Write(this->Mesh, "a.vtk").rfind("# vtk DataFile", 0), 0U);
+  EXPECT_EQ(this->Write(this->Mesh, "a.case").rfind("FORMAT\n", 0), 0U);
+  EXPECT_TRUE(fs::exists(this->Folder / "a.geo"));
+  const std::string grid = this->Write(this->Mesh, "a.xyz");
+  EXPECT_TRUE(fs::exists(this->Folder / "a.nmf"));
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(this->Mesher->GetOutputDataObject(1));
+  EXPECT_EQ(std::stoul(grid), static_cast<unsigned long>(blocks->GetNumberOfBlocks()));
+  if (vtkQuadMeshWriter::ReasonAgainst("a.cgns", 1).empty())
+  {
+    EXPECT_EQ(this->Write(this->Mesh, "a.cgns").substr(1, 3), "HDF");
+  }
+  EXPECT_TRUE(vtkQuadMeshWriter::CanWrite("a.exo"));
+  EXPECT_FALSE(vtkQuadMeshWriter::CanWrite("a.med"));
+  EXPECT_NE(vtkQuadMeshWriter::ReasonAgainst("a.cgns", 2), "");
+}
+
+TEST_F(QuadMeshWriter, FormatsOfBlocksNeedTheirArrays)
+{
+  this->Mesh->GetCellData()->RemoveArray("J");
+  for (const char* name : { "a.xyz", "a.cgns" })
+  {
+    const std::string reason = vtkQuadMeshWriter::ReasonAgainst(name, 1);
+    this->Refuse(this->Mesh, name, reason.empty() ? "BlockId" : "built without");
+  }
+  EXPECT_EQ(this->Files(), 0U);
 }
 
 TEST_F(QuadMeshWriter, EndingAndVersionGiveTheFormat)
